@@ -1,0 +1,74 @@
+"""Look at what a caller passed in, and refuse it in one sentence that names the argument."""
+
+import numpy as np
+
+
+def real_array(value, name, *shapes):
+    """Return `value` as a float64 array whose last axes have one of the given shapes.
+
+    shapes: tuples such as (3,) or (3, 3); any axes before them are the batch. () takes any shape.
+    Raises ValueError for anything that is not real numbers, has another shape, or is not finite.
+    """
+    expected = f"{name} must be an array of real numbers of shape {_or(shapes)}"
+    try:
+        array = np.asarray(value)
+    except ValueError as ragged:
+        raise ValueError(f"{expected}; its rows differ in length") from ragged
+    if array.dtype.kind not in "iuf":
+        raise ValueError(f"{expected}; it holds {_what(value, array)}")
+    if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
+        raise ValueError(f"{expected}; its shape is {array.shape}")
+    with np.errstate(over="ignore"):  # a long double beyond float64 becomes inf, and is named below
+        array = array.astype(np.float64)
+    finite = np.isfinite(array)
+    if not finite.all():
+        first = tuple(np.argwhere(~finite)[0])
+        raise ValueError(f"{name} must be finite; {entry(name, first)} is {array[first]}")
+    return array
+
+
+def tolerance(value, name="tol"):
+    """Return `value` as a float that is a usable tolerance: finite and not negative."""
+    number = real_array(value, name, ())
+    if number.shape != () or number < 0:
+        raise ValueError(f"{name} must be one number, zero or more; it is {value!r}")
+    return float(number)
+
+
+def count(value, name="n"):
+    """Return `value` as an int that is zero or more."""
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or value < 0:
+        raise ValueError(f"{name} must be a whole number, zero or more; it is {value!r}")
+    return int(value)
+
+
+def generator(value, name="rng"):
+    """Return `value` if it is a numpy random Generator."""
+    if not isinstance(value, np.random.Generator):
+        raise ValueError(
+            f"{name} must be a numpy random Generator, as numpy.random.default_rng(seed) makes it; "
+            f"it is of type {type(value).__name__}"
+        )
+    return value
+
+
+def refuse_first(bad, name, reason):
+    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) says what is wrong there."""
+    if np.any(bad):
+        index = tuple(np.argwhere(bad)[0])
+        raise ValueError(f"{entry(name, index)} {reason(index)}")
+
+
+def entry(name, index):
+    """Return how the entry of an array is written: entry("R", (2, 0)) is "R[2, 0]", and "R" where there is no index."""
+    return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
+
+
+def _or(shapes):
+    return " or ".join("(" + ", ".join(["...", *map(str, shape)]) + ")" for shape in shapes)
+
+
+def _what(value, array):
+    if value is None:
+        return "None"
+    return f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"

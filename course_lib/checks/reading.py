@@ -1,0 +1,56 @@
+"""Read an answer as the kind of thing an exercise asks for, in any of the forms that are as good."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Mistake, Unreadable
+
+OTHER_FORM = Mistake("the answer has another form than asked for", "Print your answer and its np.shape.")
+NOT_A_NUMBER = Mistake(
+    "something is divided by zero, or a function is asked outside its domain",
+    "Print each intermediate value for this input: where does the first nan or inf appear?",
+)
+
+
+def truth(value, *case):
+    """Return True or False for a bool, a numpy bool or a single 0 or 1."""
+    array = _array(value, "True or False")
+    if array.size != 1 or array.item() not in (0, 1):
+        raise Unreadable(f"the answer is True or False. Yours is {_form(array)}.", OTHER_FORM)
+    return bool(array.item())
+
+
+def numbers(shape_of):
+    """Return a reader of arrays: shape_of(*arguments) is the shape wanted; (4, 1) and (1, 4) pass for (4,)."""
+
+    def reader(value, *case):
+        shape = tuple(shape_of(*case))
+        array = _array(value, f"an array of shape {shape}")
+        vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
+        if array.shape != shape and not vectors:
+            raise Unreadable(f"the answer is an array of shape {shape}. Yours has shape {array.shape}.", OTHER_FORM)
+        if array.dtype.kind == "c":
+            if np.abs(array.imag).max(initial=0) > 0:
+                raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
+            array = array.real
+        array = array.astype(float).reshape(shape)
+        if not np.isfinite(array).all():
+            raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
+        return array
+
+    return reader
+
+
+def _array(value, expected):
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise Unreadable(
+            f"the answer is {expected}. Yours is a list whose rows differ in length.", OTHER_FORM
+        ) from None
+    if array.dtype.kind not in "biufc":
+        raise Unreadable(f"the answer is {expected}. Yours is a {type(value).__name__}.", OTHER_FORM)
+    return array
+
+
+def _form(array):
+    return str(array.item()) if array.shape == () else f"an array of shape {array.shape}"

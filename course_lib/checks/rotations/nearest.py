@@ -1,0 +1,210 @@
+"""nearest_so and nearest_quaternion: the valid thing nearest to a damaged one."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.reading import numbers
+from course_lib.rotations import nearest_so, random_rotations
+
+# The block of the 4x4 matrix that the source report corrects: its determinant is negative.
+_PUBLISHED = np.array(
+    [[0.69942428, 0.57542726, 0.83226602], [0.51703353, 0.77526382, 0.78676897], [0.99073504, 0.09942187, 0.47534292]]
+)
+
+
+def damaged_rotations(rng):
+    """Square matrices, each with one nearest rotation: singular values well apart."""
+    turns = random_rotations(3, rng)
+    scaled = turns[0] @ np.diag([2.0, 1.0, 0.5])
+    mirrored = turns[1] @ np.diag([1.5, 1.0, -0.4])
+    return [
+        np.array([[2.0, 0.0], [0.0, 1.0]]),
+        np.array([[0.9, -0.5], [0.5, 0.8]]),
+        np.array([[1.0, 0.0], [0.0, -0.4]]),
+        np.array([[0.3, 0.9], [0.8, 0.1]]),
+        turns[2] + 0.1 * rng.normal(size=(3, 3)),
+        scaled,
+        _PUBLISHED,
+        mirrored,
+        np.outer([1.0, 2.0, 2.0], [0.6, 0.8, 0.0]) + np.outer([2.0, 1.0, -2.0], [-0.8, 0.6, 0.0]) / 2,
+    ]
+
+
+def _so_cases(rng):
+    return [(np.eye(2),), (np.eye(3),), *((M,) for M in damaged_rotations(rng)), (random_rotations(1, rng)[0],)]
+
+
+def is_exact_rotation(M):
+    return np.abs(M.T @ M - np.eye(len(M))).max() < 1e-9 and np.linalg.det(M) > 0
+
+
+def polar(M, *signs):
+    """U diag(signs) V^T; without signs U V^T, which is a reflection where det M < 0."""
+    U, _, Vt = np.linalg.svd(M)
+    return (U * np.array(signs)) @ Vt if signs else U @ Vt
+
+
+def last_column_negated(M):
+    """The published correction."""
+    R = polar(M)
+    return R @ np.diag([*[1.0] * (len(M) - 1), np.linalg.det(R)])
+
+
+def gram_schmidt(M):
+    Q, upper = np.linalg.qr(M)
+    return Q * np.sign(np.diag(upper))
+
+
+def distances(R, M):
+    return (
+        f"Yours lies at distance {np.linalg.norm(M - R):.4f} (Frobenius norm), the nearest at "
+        f"{np.linalg.norm(M - nearest_so(M)):.4f}."
+    )
+
+
+NEAREST_SO = Exercise(
+    name="nearest_so",
+    points=3,
+    arguments=("M",),
+    cases=_so_cases,
+    returns=numbers(np.shape),
+    properties=(
+        Property(
+            "a rotation comes back unchanged",
+            lambda R, M: np.abs(R - M).max() < 1e-9,
+            where=is_exact_rotation,
+        ),
+        Property(
+            "the columns of R have length one and are orthogonal: R^T R = I",
+            lambda R, M: np.abs(R.T @ R - np.eye(len(R))).max() < 1e-9,
+            mistake=Mistake("the answer is not orthogonal", "With M = U S V^T, U V^T has orthonormal columns."),
+        ),
+        Property(
+            "R is no reflection: det R = +1",
+            lambda R, M: np.linalg.det(R) > 0,
+            seen=lambda R, M: f"det R is {np.linalg.det(R):.0f}; det M is {np.linalg.det(M):.3g}.",
+            mistake=Mistake("the answer is a reflection", "Where det(U V^T) = -1, a sign must be turned. Which one?"),
+        ),
+        Property(
+            "no rotation lies nearer to M than R",
+            lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + 1e-9,
+            seen=distances,
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "U V^T is returned as it is, a reflection where det M < 0",
+            "Put the sign inside: U diag(1, ..., det(U V^T)) V^T.",
+            polar,
+        ),
+        Mistake(
+            "the last column of U V^T is negated, as in the published report",
+            "That is a rotation, but not the nearest. The smallest singular value is the cheapest to turn: "
+            "its sign belongs between U and V^T.",
+            last_column_negated,
+        ),
+        Mistake(
+            "the sign is put at the largest singular value",
+            "The smallest one costs least: numpy sorts them downwards, so it is the last.",
+            lambda M: polar(M, np.linalg.det(polar(M)), *[1.0] * (len(M) - 1)),
+        ),
+        Mistake(
+            "all of U V^T is negated",
+            "For n = 3 that makes det +1, but turns all three axes round. One sign is enough.",
+            lambda M: np.linalg.det(polar(M)) * polar(M),
+        ),
+        Mistake(
+            "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
+            "That favours the first column. The nearest rotation treats all alike: singular value decomposition.",
+            gram_schmidt,
+        ),
+        Mistake(
+            "the transpose is returned",
+            "numpy.linalg.svd returns U, S and V^T (not V): the product is U @ Vt.",
+            lambda M: nearest_so(M).T,
+        ),
+        Mistake(
+            "numpy's third result is taken for V",
+            "numpy.linalg.svd returns U, S and V^T: do not transpose it again.",
+            lambda M: _v_transposed_twice(M),
+        ),
+        Mistake(
+            "M is divided by the root of its determinant only", "Scaling does not straighten.", lambda M: _scaled(M)
+        ),
+    ),
+    hints=(
+        "The singular value decomposition M = U S V^T: replace S by something that makes it a rotation.",
+        "U V^T is orthogonal. Its determinant is +1 or -1: if -1, one sign must change.",
+        "U diag(1, ..., det(U V^T)) V^T: the sign meets the smallest singular value.",
+    ),
+    forbidden=("course_lib.rotations.nearest_so", "course_lib.rigid.nearest_se"),
+)
+
+
+def _v_transposed_twice(M):
+    U, _, Vt = np.linalg.svd(M)
+    return (U * np.array([*[1.0] * (len(M) - 1), np.linalg.det(U @ Vt)])) @ Vt.T
+
+
+def _scaled(M):
+    return M / abs(np.linalg.det(M)) ** (1 / len(M))
+
+
+def _quaternion_cases(rng):
+    q = rng.normal(size=4)
+    published = np.array([0.78175724, 0.08413272, 0.01788872, 0.66339191])
+    given = [[2.0, 0, 0, 0], [1.0, 1, 1, 1], [-3.0, 0, 4.0, 0], published, q / np.linalg.norm(q), q, -q, 1e-6 * q]
+    return [(np.array(case),) for case in given] + [(10 * q[:, None],)]
+
+
+NEAREST_QUATERNION = Exercise(
+    name="nearest_quaternion",
+    points=1,
+    arguments=("q",),
+    cases=_quaternion_cases,
+    returns=numbers(lambda q: (4,)),
+    properties=(
+        Property(
+            "the answer has length one",
+            lambda u, q: abs(np.linalg.norm(u) - 1) < 1e-9,
+            seen=lambda u, q: f"Its length is {np.linalg.norm(u):.6g}.",
+        ),
+        Property(
+            "no unit quaternion lies nearer to q: the answer points the way q does",
+            lambda u, q: np.abs(u - np.ravel(q) / np.linalg.norm(q)).max() < 1e-9,
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "q is divided by |q|^2",
+            "np.sum(q**2) is the square of the length: take its root.",
+            lambda q: np.ravel(q) / np.sum(q**2),
+        ),
+        Mistake(
+            "q is divided by the sum of its entries", "The length is sqrt(q . q).", lambda q: np.ravel(q) / np.sum(q)
+        ),
+        Mistake(
+            "q is divided by the sum of its entries' sizes",
+            "The length is sqrt(q . q).",
+            lambda q: np.ravel(q) / np.sum(np.abs(q)),
+        ),
+        Mistake(
+            "q is divided by its largest entry",
+            "The length is sqrt(q . q).",
+            lambda q: np.ravel(q) / np.max(np.abs(q)),
+        ),
+        Mistake(
+            "the sign is turned",
+            "-q is the same rotation, but on the far side of the sphere: not the nearest.",
+            lambda q: -np.ravel(q) / np.linalg.norm(q),
+        ),
+        Mistake(
+            "the conjugate is returned",
+            "Only the length is to change.",
+            lambda q: np.ravel(q) / np.linalg.norm(q) * [1, -1, -1, -1],
+        ),
+        Mistake("q comes back as it is", "Divide it by its length.", np.ravel),
+    ),
+    hints=("q / |q|: the direction stays, the length becomes 1.", "np.linalg.norm(q) is the length, for (4, 1) too."),
+    forbidden=("course_lib.rotations.nearest_quaternion",),
+)

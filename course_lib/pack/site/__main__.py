@@ -1,0 +1,36 @@
+"""``python -m course_lib.pack.site``: build the site and say where it is."""
+
+import argparse
+import importlib.util
+import sys
+from pathlib import Path
+
+NEEDED = ["nbformat", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx-mathjax-offline", "plotly"]
+
+
+def main() -> int:
+    """Build the site; return 1 with a plain sentence where that fails."""
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
+    parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
+    parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
+    chosen = parser.parse_args()
+
+    missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
+    if missing:
+        names = ", ".join(name.replace("_", "-") for name in missing)
+        print(f"The site needs {names}, which this Python lacks. `make html` installs them.", file=sys.stderr)
+        return 1
+
+    # Imported late: without the packages above this line could not run.
+    from course_lib.pack.site.build import build
+    from course_lib.pack.site.errors import SiteError
+
+    try:
+        build(chosen.notebooks, chosen.output)
+    except SiteError as error:
+        print(f"No site was built. {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+sys.exit(main())

@@ -1,0 +1,115 @@
+"""Build the site: prepare copies of the notebooks, let Sphinx make pages of them, put these in place."""
+
+import importlib.util
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site.prepare import Counts, prepare
+
+HERE = Path(__file__).parent
+
+HOME = """# Robot kinematics
+
+Six assignments on robot kinematics. Each page is a notebook with its results; figures can be turned, and
+those that move can be played.
+
+```{{toctree}}
+:titlesonly:
+
+{pages}
+```
+"""
+
+
+def build(notebooks: Path, output: Path, say=print) -> None:
+    """Write the notebooks of one folder, as they were saved, to `output` as a static site.
+
+    Nothing is executed and no notebook is changed. `say` gets one line for each stage. Raises
+    SiteError where a notebook cannot be published; `output` then stays as it was.
+    """
+    sources = sorted(notebooks.glob("*.ipynb"))
+    if not sources:
+        raise SiteError(f"There are no notebooks in {notebooks}.")
+    # Sphinx leaves .buildinfo in every site, so a folder without it is somebody's own.
+    if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
+        raise SiteError(f"{output} holds other files than a site. Name an empty folder.")
+
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
+        pages, site = Path(work, "pages"), Path(work, "html")
+        counts = _gather(sources, pages)
+        figures = sum(count.figures for count in counts)
+        pictures = sum(count.pictures for count in counts)
+        say(f"Read {_number(len(sources), 'notebook')}: {_number(figures, 'live figure')}, "
+            f"{_number(pictures, 'picture')}")  # fmt: skip
+
+        _copy_libraries(pages / "_static", with_plotly=figures > 0)
+        say("Making pages with Sphinx")
+        _run_sphinx(pages, site, Path(work, "doctrees"))
+        # Source maps serve the theme's own authors and are a third of what is left.
+        for source_map in site.rglob("*.map"):
+            source_map.unlink()
+
+        if output.exists():
+            shutil.rmtree(output)
+        site.rename(output)
+    size = sum(file.stat().st_size for file in output.rglob("*") if file.is_file()) / 1e6
+    say(f"Wrote {_number(len(sources) + 1, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
+
+
+def _gather(sources: list[Path], pages: Path) -> list[Counts]:
+    """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and a home page."""
+    # Pictures and data that a notebook's text links to lie beside it.
+    shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
+    shutil.copy(HERE / "conf.py", pages)
+    names = "\n".join(source.stem for source in sources)
+    (pages / "index.md").write_text(HOME.format(pages=names), encoding="utf-8")
+    return [prepare(source, pages) for source in sources]
+
+
+def _copy_libraries(static: Path, with_plotly: bool) -> None:
+    """Put our style and scripts, MathJax and (if a figure needs it) plotly.js into `static`."""
+    shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
+    # Of MathJax's many files this one is enough: all of TeX in, SVG out, its letters inside.
+    mathjax = _package("sphinx-mathjax-offline") / "static" / "mathjax" / "tex-svg-full.js"
+    shutil.copy(mathjax, static / "mathjax.js")
+    if with_plotly:
+        shutil.copy(_package("plotly") / "package_data" / "plotly.min.js", static)
+
+
+def _package(name: str) -> Path:
+    """Return the folder of an installed package."""
+    spec = importlib.util.find_spec(name)
+    if spec is None:
+        raise SiteError(f"The package {name} is missing.")
+    return Path(spec.submodule_search_locations[0])
+
+
+def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:
+    """Run Sphinx on `pages`; every warning is an error, since each is something a reader would meet."""
+    command = [sys.executable, "-m", "sphinx", "-b", "html", "-q", "-N", "-W", "--keep-going"]
+    done = subprocess.run([*command, "-d", doctrees, pages, site], capture_output=True, text=True)
+    if done.returncode:
+        raise SiteError("Sphinx says:\n" + _readable(done.stderr, pages))
+
+
+def _readable(messages: str, pages: Path) -> str:
+    """Name notebook, cell and line instead of Sphinx's path and running number."""
+
+    def place(match: re.Match) -> str:
+        # MyST-NB counts 10000 lines for each cell.
+        cell, line = divmod(int(match[2]), 10000)
+        return f"{match[1]}, cell {cell}, line {line}:" if cell else f"{match[1]}, line {line}:"
+
+    messages = messages.replace(f"{pages.resolve()}/", "").replace(f"{pages}/", "")
+    return re.sub(r"(\S+\.ipynb):(\d+):", place, messages).strip()
+
+
+def _number(count: int, name: str) -> str:
+    """Return "1 page", "2 pages"."""
+    return f"{count} {name}" if count == 1 else f"{count} {name}s"

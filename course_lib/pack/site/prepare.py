@@ -1,0 +1,111 @@
+"""Turn an executed notebook into a copy that MyST-NB can show: live figures, pictures that have words."""
+
+import base64
+import hashlib
+import html
+import json
+import re
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+
+import nbformat
+
+from course_lib.pack.site.errors import SiteError
+
+PLOTLY = "application/vnd.plotly.v1+json"
+IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
+
+
+@dataclass
+class Counts:
+    """How many of each a notebook holds."""
+
+    figures: int = 0
+    pictures: int = 0
+
+
+def heading_anchor(text: str) -> str:
+    """Return the name by which JupyterLab lets other cells link to a heading."""
+    return text.strip().replace(" ", "-")
+
+
+def prepare(notebook: Path, folder: Path) -> Counts:
+    """Write to `folder` a copy of `notebook` with HTML for its figures and pictures, and count them.
+
+    Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
+    Raises SiteError, naming notebook and cell, for what must not be published.
+    """
+    try:
+        book = nbformat.read(notebook, as_version=4)
+    except (ValueError, nbformat.validator.NotebookValidationError) as error:
+        raise SiteError(f"{notebook.name} is not a notebook: {error}") from error
+    code_cells = [cell for cell in book.cells if cell.cell_type == "code"]
+    if code_cells and not any(cell.outputs for cell in code_cells):
+        raise SiteError(f"{notebook.name} holds no outputs. Run it and save it first.")
+
+    counts = Counts()
+    for number, cell in enumerate(book.cells, 1):
+        for output in cell.get("outputs", []):
+            place = f"{notebook.name}, cell {number}"
+            if output.output_type == "error":
+                if "raises-exception" not in cell.metadata.get("tags", []):
+                    raise SiteError(f"{place} stopped with {output.ename}: {output.evalue}")
+            elif output.output_type != "stream":
+                _show(output, place, folder, counts)
+    nbformat.write(book, folder / notebook.name)
+    return counts
+
+
+def _show(output, place: str, folder: Path, counts: Counts) -> None:
+    """Give `output` the HTML that the page shows, if MyST-NB would not show it as it should be."""
+    image = next((kind for kind in IMAGES if kind in output.data), None)
+    if PLOTLY in output.data:
+        alt = _alt(output, place)
+        still = _picture(output, image, "plotly-still", alt, folder) if image else ""
+        output.data = {"text/html": _figure(output.data[PLOTLY], alt, still)}
+        counts.figures += 1
+    elif image and "text/html" not in output.data:
+        picture = _picture(output, image, "picture", _alt(output, place), folder)
+        output.data = {"text/html": picture}
+        counts.pictures += 1
+
+
+def _alt(output, place: str) -> str:
+    """Return the words that stand for a figure, wherever its output keeps them."""
+    kept = [output.metadata.get(kind, {}).get("alt") for kind in IMAGES]
+    alt = next((words for words in [*kept, output.metadata.get("alt")] if words), None)
+    if alt is None:
+        alt = output.data.get("text/plain", "")
+        # "<Figure size 640x480 with 1 Axes>" and "Figure({…" tell a reader nothing.
+        if not alt or re.match(r"<.*>$|\w+\(", alt):
+            raise SiteError(f"{place} shows a figure without alternative text. Use show(fig, alt=…).")
+    return " ".join(alt.split())
+
+
+def _figure(figure: dict, alt: str, still: str) -> str:
+    """Return a figure as data that figures.js draws; until then, and in print, its still picture shows."""
+    # "</" would end the script element; in JSON "<\/" is the same string.
+    data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
+    fallback = still or f"<noscript><p>{html.escape(alt)}</p></noscript>"
+    return (
+        f'<div class="plotly-figure" role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
+    )
+
+
+def _picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
+    """Store an image beside the pages and return the element that shows it."""
+    text = output.data[kind]
+    content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
+    path = Path("_static", "pictures", f"{hashlib.sha256(content).hexdigest()[:16]}.{IMAGES[kind]}")
+    (folder / path).parent.mkdir(parents=True, exist_ok=True)
+    (folder / path).write_bytes(content)
+    size = ""
+    if kind == "image/png":
+        # Known beforehand, so that the text below does not jump when the picture arrives.
+        width, height = struct.unpack(">II", content[16:24])
+        shown = output.metadata.get(kind, {}).get("width", width)
+        size = f' width="{shown:.0f}" height="{height * shown / width:.0f}"'
+    # "dark-light" tells the theme to leave the colours alone in the dark.
+    return f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'

@@ -1,0 +1,126 @@
+// Draws the figures whose data stand in the page, each when it comes near the window. A browser holds
+// only some 3D figures at a time (16 on a desktop, 8 on a phone), so those far away are let go again.
+(() => {
+  "use strict";
+  const NEAR = "600px 0px";
+  const CONFIG = { responsive: true, displaylogo: false };
+
+  // Plotly's own play button and slider take no keyboard focus; they give way to HTML ones.
+  const drivesFrames = (steps) => steps && steps.length > 0 && steps.every((s) => s.method === "animate");
+
+  function takeOwnControls(layout) {
+    const menus = layout.updatemenus || [];
+    const sliders = layout.sliders || [];
+    layout.updatemenus = menus.filter((menu) => !drivesFrames(menu.buttons));
+    layout.sliders = sliders.filter((slider) => !drivesFrames(slider.steps));
+    return {
+      button: menus.filter((menu) => drivesFrames(menu.buttons)).flatMap((menu) => menu.buttons)[0],
+      slider: sliders.find((slider) => drivesFrames(slider.steps)),
+    };
+  }
+
+  function element(name, attributes, parent) {
+    const made = document.createElement(name);
+    Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
+    parent.append(made);
+    return made;
+  }
+
+  // A play button and a range for a figure with frames.
+  function addPlayer(box, live, figure) {
+    const own = takeOwnControls(figure.layout);
+    const settings = own.button && own.button.args && own.button.args[1];
+    const duration = (settings && settings.frame && settings.frame.duration) || 50;
+    figure.frames.forEach((frame, i) => (frame.name = String(frame.name ?? i)));
+    const steps = (own.slider && own.slider.steps) || [];
+    const labels = figure.frames.map((frame) => {
+      const step = steps.find((s) => String(s.args[0][0]) === frame.name);
+      return (step && step.label) || frame.name;
+    });
+    const before = (own.slider && own.slider.currentvalue && own.slider.currentvalue.prefix) || "";
+
+    const bar = element("div", { class: "plotly-player" }, box);
+    const button = element("button", { type: "button" }, bar);
+    const last = figure.frames.length - 1;
+    const range = element("input", { type: "range", min: 0, max: last, value: 0, "aria-label": "Frame" }, bar);
+    const label = element("span", { "aria-hidden": "true" }, bar);
+    let playing = false;
+
+    function setPlaying(now) {
+      playing = now;
+      button.textContent = now ? "Pause" : "Play";
+    }
+    function show() {
+      const i = Number(range.value);
+      label.textContent = before + labels[i];
+      range.setAttribute("aria-valuetext", label.textContent);
+      const at_once = { mode: "immediate", frame: { duration: 0, redraw: true }, transition: { duration: 0 } };
+      // Rejected when the next frame is asked for first, which is as it should be.
+      return window.Plotly.animate(live, [figure.frames[i].name], at_once).catch(() => {});
+    }
+    async function play() {
+      if (Number(range.value) === last) range.value = 0;
+      setPlaying(true);
+      while (playing && Number(range.value) < last) {
+        const started = performance.now();
+        range.value = Number(range.value) + 1;
+        await show();
+        await new Promise((done) => setTimeout(done, duration - (performance.now() - started)));
+      }
+      setPlaying(false);
+    }
+    button.addEventListener("click", () => (playing ? setPlaying(false) : play()));
+    range.addEventListener("input", () => {
+      setPlaying(false);
+      show();
+    });
+    setPlaying(false);
+    return { show, stop: () => setPlaying(false) };
+  }
+
+  function setUp(box) {
+    const live = box.querySelector(".plotly-live");
+    const figure = JSON.parse(box.querySelector("script").textContent);
+    figure.layout = figure.layout || {};
+    // A width set for paper would not fit a phone.
+    delete figure.layout.width;
+    figure.layout.autosize = true;
+    const player = figure.frames && figure.frames.length ? addPlayer(box, live, figure) : null;
+
+    async function draw() {
+      if (box.classList.contains("drawn")) return;
+      box.classList.add("drawn");
+      const { data, layout, frames } = figure;
+      await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
+      box.style.minHeight = "";
+      if (player) await player.show();
+    }
+    // Plotly keeps camera and zoom in the layout it was given, so that they are still there next time.
+    function letGo() {
+      if (!box.classList.contains("drawn")) return;
+      if (player) player.stop();
+      box.style.minHeight = `${box.offsetHeight}px`; // else the text would jump
+      window.Plotly.purge(live);
+      box.classList.remove("drawn");
+    }
+    return { draw, letGo };
+  }
+
+  function start() {
+    if (!window.Plotly) return; // the still pictures stay
+    const figures = new Map();
+    const watch = new IntersectionObserver(
+      (entries) => entries.forEach((entry) => {
+        if (entry.isIntersecting) {
+          if (!figures.has(entry.target)) figures.set(entry.target, setUp(entry.target));
+          figures.get(entry.target).draw();
+        } else if (figures.has(entry.target)) {
+          figures.get(entry.target).letGo();
+        }
+      }),
+      { rootMargin: NEAR },
+    );
+    document.querySelectorAll(".plotly-figure").forEach((box) => watch.observe(box));
+  }
+  start();
+})();

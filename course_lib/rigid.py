@@ -1,0 +1,227 @@
+"""Rigid motions of the plane, SE(2), and of space, SE(3), as homogeneous matrices and as twists.
+
+A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space, in
+radians and metres. Arrays are batched on the left. Every function raises ValueError, naming the argument, for
+a wrong shape, for entries that are not finite real numbers, and for what is no pose where one is needed.
+
+Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
+"""
+
+import numpy as np
+
+from course_lib.arguments import real_array, refuse_first, tolerance
+from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
+
+# Below this angle the closed forms at the end lose digits that count, and their series are exact to rounding.
+_SMALL = 0.3
+
+
+def transform(R, p):
+    """Return the pose T = [[R, p], [0, 1]].
+
+    R: (..., n, n) a rotation, p: (..., n), n = 2 or 3; their batches are broadcast. Returns (..., n+1, n+1).
+    """
+    R = real_array(R, "R", (2, 2), (3, 3))
+    refuse_first(~is_so(R), "R", lambda i: "is not a rotation (nearest_so gives the nearest rotation)")
+    p = real_array(p, "p", R.shape[-1:])
+    try:
+        batch = np.broadcast_shapes(R.shape[:-2], p.shape[:-1])
+    except ValueError as mismatch:
+        raise ValueError(
+            f"p must be one vector for each R: the batch of R is {R.shape[:-2]}, that of p {p.shape[:-1]}"
+        ) from mismatch
+    return _assemble(np.broadcast_to(R, batch + R.shape[-2:]), np.broadcast_to(p, batch + p.shape[-1:]))
+
+
+def is_se(T, tol=TOLERANCE):
+    """Return whether T is a pose: its block a rotation (see is_so), its last row (0, ..., 0, 1), both within tol.
+
+    T: (..., 3, 3) or (..., 4, 4). Returns booleans (...).
+    """
+    T = real_array(T, "T", (3, 3), (4, 4))
+    tol = tolerance(tol)
+    last_row = np.eye(T.shape[-1])[-1]
+    return is_so(T[..., :-1, :-1], tol) & (np.abs(T[..., -1, :] - last_row).max(-1) <= tol)
+
+
+def nearest_se(T):
+    """Return T with its block replaced by the nearest rotation and its last row by (0, ..., 0, 1).
+
+    T: (..., 3, 3) or (..., 4, 4). Returns the same shape; the translation stays as it is.
+    """
+    T = real_array(T, "T", (3, 3), (4, 4))
+    return _assemble(nearest_so(T[..., :-1, :-1]), T[..., :-1, -1])
+
+
+def inverse(T):
+    """Return the inverse pose, [[R^T, -R^T p], [0, 1]].
+
+    T: (..., 3, 3) or (..., 4, 4), a pose. Returns the same shape. MR eq. 3.64.
+    """
+    R, p = _split(T, (3, 3), (4, 4))
+    R_inverse = np.swapaxes(R, -1, -2)
+    with np.errstate(over="ignore"):
+        p_inverse = 0.0 - (R_inverse @ p[..., None])[..., 0]  # 0.0 - x, so that zero is not -0
+    return _assemble(R_inverse, _finite(p_inverse, "T"))
+
+
+def adjoint(T):
+    """Return the matrix that takes twists (omega, v) from frame b to frame a, for T = T_ab.
+
+    T: (..., 4, 4) gives (..., 6, 6), [[R, 0], [[p] R, R]] (MR def. 3.20); (..., 3, 3) gives (..., 3, 3).
+    """
+    R, p = _split(T, (3, 3), (4, 4))
+    if R.shape[-1] == 2:
+        left = np.stack([np.ones_like(p[..., 0]), p[..., 1], -p[..., 0]], -1)[..., :, None]
+        return np.concatenate([left, np.concatenate([np.zeros_like(R[..., :1, :]), R], -2)], -1)
+    upper = np.concatenate([R, np.zeros_like(R)], -1)
+    with np.errstate(over="ignore"):
+        lower_left = hat(p) @ R
+    refuse_first(~np.isfinite(lower_left).all((-2, -1)), "T", _too_large)
+    return np.concatenate([upper, np.concatenate([lower_left, R], -1)], -2)
+
+
+def hat_se3(twist):
+    """Return the matrix [[[omega], v], [0, 0]] of a twist (not skew-symmetric, for all its hat).
+
+    twist: (..., 6). Returns (..., 4, 4). MR eq. 3.85.
+    """
+    twist = real_array(twist, "twist", (6,))
+    matrix = np.zeros((*twist.shape[:-1], 4, 4))
+    matrix[..., :3, :3] = hat(twist[..., :3])
+    matrix[..., :3, 3] = twist[..., 3:]
+    return matrix
+
+
+def vee_se3(matrix):
+    """Return the twist of a matrix [[[omega], v], [0, 0]], the inverse of hat_se3.
+
+    matrix: (..., 4, 4). Returns (..., 6). Raises ValueError where the block is not skew or the last row not zero.
+    """
+    matrix = real_array(matrix, "matrix", (4, 4))
+    refuse_first(
+        np.abs(matrix[..., 3, :]).max(-1) > TOLERANCE,
+        "matrix",
+        lambda i: f"is not a twist: its last row is {matrix[(*i, 3)]}, not zero",
+    )
+    try:
+        omega = vee(matrix[..., :3, :3])
+    except ValueError as not_skew:
+        raise ValueError(f"matrix is not a twist: its upper left block {not_skew}") from not_skew
+    return np.concatenate([omega, matrix[..., :3, 3]], -1)
+
+
+def exp_se3(twist):
+    """Return the pose reached by following the constant twist for unit time.
+
+    twist: (..., 6), (omega, v). Returns (..., 4, 4). MR prop. 3.25.
+    """
+    twist = real_array(twist, "twist", (6,))
+    omega, v = twist[..., :3], twist[..., 3:]
+    angle = length(omega, "twist")
+    with np.errstate(over="ignore", invalid="ignore"):  # what is too large is refused below
+        once = np.cross(omega, v)
+        p = v + _one_minus_cos(angle)[..., None] * once + _x_minus_sin(angle)[..., None] * np.cross(omega, once)
+    return _assemble(exp_so3(omega), _finite(p, "twist"))
+
+
+def log_se3(T):
+    """Return the twist (omega, v), |omega| at most pi, whose exponential is T: the inverse of exp_se3.
+
+    T: (..., 4, 4), a pose. Returns (..., 6). At exactly pi the axis's sign is that of log_so3. MR sec. 3.3.3.2.
+    """
+    R, p = _split(T, (4, 4))
+    omega = log_so3(R)
+    with np.errstate(over="ignore", invalid="ignore"):
+        once = np.cross(omega, p)
+        v = p - once / 2 + _inverse_coefficient(length(omega, "T"))[..., None] * np.cross(omega, once)
+    return np.concatenate([omega, _finite(v, "T")], -1)
+
+
+def exp_se2(twist):
+    """Return the planar pose reached by following the constant twist (omega, vx, vy) for unit time.
+
+    twist: (..., 3). Returns (..., 3, 3). MR section 3.3.3 with the axis along z.
+    """
+    twist = real_array(twist, "twist", (3,))
+    omega, v = twist[..., 0], twist[..., 1:]
+    along = np.sinc(omega / np.pi)[..., None]  # sin(omega) / omega
+    across = (omega * _one_minus_cos(omega))[..., None]
+    with np.errstate(over="ignore"):
+        p = along * v + across * _quarter_turn(v)
+    return _assemble(_turn(omega), _finite(p, "twist"))
+
+
+def log_se2(T):
+    """Return the twist (omega, vx, vy), omega in (-pi, pi], whose exponential is T: the inverse of exp_se2.
+
+    T: (..., 3, 3), a pose. Returns (..., 3).
+    """
+    R, p = _split(T, (3, 3))
+    omega = np.arctan2(R[..., 1, 0], R[..., 0, 0])
+    omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
+    half_cot = 1 - omega**2 * _inverse_coefficient(np.abs(omega))
+    with np.errstate(over="ignore"):
+        v = half_cot[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
+    return np.concatenate([omega[..., None], _finite(v, "T")], -1)
+
+
+def _split(T, *shapes):
+    T = real_array(T, "T", *shapes)
+    refuse_first(~is_se(T), "T", lambda i: "is not a pose (nearest_se gives one near it)")
+    return T[..., :-1, :-1], T[..., :-1, -1]
+
+
+def _assemble(R, p):
+    n = p.shape[-1]
+    T = np.zeros((*p.shape[:-1], n + 1, n + 1))
+    T[..., :n, :n], T[..., :n, n], T[..., n, n] = R, p, 1
+    return T
+
+
+def _turn(angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack([np.stack([c, -s], -1), np.stack([s, c], -1)], -2)
+
+
+def _quarter_turn(v):
+    return np.stack([-v[..., 1], v[..., 0]], -1)
+
+
+def _finite(p, name):
+    refuse_first(~np.isfinite(p).all(-1), name, _too_large)
+    return p
+
+
+def _too_large(index):
+    return "is too large: the result exceeds the largest number"
+
+
+def _one_minus_cos(angle):
+    """(1 - cos a) / a^2 with all its digits: sin^2(a/2) does not cancel as 1 - cos a does."""
+    return np.sinc(angle / (2 * np.pi)) ** 2 / 2
+
+
+def _x_minus_sin(angle):
+    """(a - sin a) / a^3."""
+    return _series_or_closed(
+        angle,
+        [1 / 6, -1 / 120, 1 / 5040, -1 / 362880, 1 / 39916800, -1 / 6227020800],
+        lambda a: (a - np.sin(a)) / a**3,
+    )
+
+
+def _inverse_coefficient(angle):
+    """(1 - (a/2) cot(a/2)) / a^2, for a from 0 to pi."""
+    return _series_or_closed(
+        angle,
+        [1 / 12, 1 / 720, 1 / 30240, 1 / 1209600, 1 / 47900160, 691 / 1307674368000, 1 / 74724249600],
+        lambda a: (1 - a / 2 / np.tan(a / 2)) / a**2,
+    )
+
+
+def _series_or_closed(angle, coefficients, closed):
+    """Sum coefficients[k] a^(2k) below _SMALL, closed(a) from there on."""
+    small = angle < _SMALL
+    squared = np.where(small, angle, 0.0) ** 2
+    return np.where(small, np.polynomial.polynomial.polyval(squared, coefficients), closed(np.where(small, 1.0, angle)))

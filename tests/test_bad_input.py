@@ -1,0 +1,212 @@
+"""Whatever a caller passes: a ValueError that begins with the argument's name, or a finite answer and no warning."""
+
+import inspect
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from signatures import ARGUMENTS, CALLS, FUNCTIONS, Numbers, Other, call_name, names, valid_arguments
+
+ARRAYS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Numbers)]
+OTHERS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Other)]
+
+# The message the first bad entry, W[1], leads to; vee_se3 says what is wrong with the block of its matrix.
+SPOILT = [(*case, change) for case in ARRAYS for change in case[0][1][case[1]].spoil]
+
+
+def case_name(value):
+    if isinstance(value, tuple) and value in CALLS:
+        return call_name(value)
+    return value if isinstance(value, str) else None
+
+
+def refusal(call, argument, value, batch=()):
+    """Call with `value` for `argument` and valid values for the others; return the message of the ValueError."""
+    name, kinds = call
+    arguments = valid_arguments(kinds, np.random.default_rng(6), batch)
+    with pytest.raises(ValueError, match=rf"^{argument}\b") as refused:
+        FUNCTIONS[name](**{**arguments, argument: value})
+    return str(refused.value)
+
+
+def shapes_taken(call, argument):
+    """Return the shapes one item may have: of an argument after the first, only what fits the first."""
+    name, kinds = call
+    if argument != next(iter(kinds)):
+        return {kinds[argument].core}
+    return {other[argument].core for other in ARGUMENTS[name]}
+
+
+def fits(shape, cores):
+    return any(len(shape) >= len(core) and shape[len(shape) - len(core) :] == core for core in cores)
+
+
+def test_every_public_function_is_in_the_table():
+    signatures = {name: list(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()}
+    assert signatures == {name: list(sets[0]) for name, sets in ARGUMENTS.items()}
+    assert all(list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets)
+
+
+@pytest.mark.parametrize(("call", "argument"), ARRAYS, ids=case_name)
+class TestEveryArray:
+    @pytest.mark.parametrize(
+        "change",
+        [
+            lambda valid: None,
+            lambda valid: "abc",
+            lambda valid: b"1",
+            lambda valid: {"a": 1},
+            lambda valid: object(),
+            lambda valid: iter([1.0, 2.0]),
+            lambda valid: [[1.0, 2.0, 3.0], [4.0, 5.0]],
+            lambda valid: [1.0, None, 3.0],
+            lambda valid: valid.astype(str),
+            lambda valid: valid.astype(bool),
+            lambda valid: valid.astype(complex),
+            lambda valid: valid.astype(object),
+            lambda valid: np.full(valid.shape, "2020-01-01", dtype="datetime64[D]"),
+            lambda valid: np.full(valid.shape, 1, dtype="timedelta64[s]"),
+            lambda valid: np.zeros(valid.shape, dtype=[("x", float)]),
+        ],
+        ids=[
+            "None",
+            "str",
+            "bytes",
+            "dict",
+            "object",
+            "iterator",
+            "ragged",
+            "hole",
+            "strings",
+            "bool",
+            "complex",
+            "objects",
+            "dates",
+            "times",
+            "records",
+        ],
+    )
+    def test_no_real_numbers(self, call, argument, change):
+        kind = call[1][argument]
+        for batch in [(), (2,)]:
+            refusal(call, argument, change(kind.sample(np.random.default_rng(7), batch)), batch)
+
+    def test_wrong_shape(self, call, argument):
+        cores = shapes_taken(call, argument)
+        sizes = [(), (0,), *((n,) for n in range(1, 8)), *((m, n) for m in range(6) for n in range(6)), (6, 1), (1, 6)]
+        wrong = [shape for shape in [*sizes, (2, 0), (3, 3, 1), (4, 4, 1), (4, 6, 6)] if not fits(shape, cores)]
+        assert wrong or cores == {()}
+        for shape in wrong:
+            message = refusal(call, argument, np.zeros(shape))
+            assert str(shape) in message
+
+    @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+    def test_not_finite(self, call, argument, bad):
+        core = call[1][argument].core
+        for batch in [(), (2,), (2, 3)]:
+            value = np.ones(batch + core)
+            index = tuple(n - 1 for n in value.shape)
+            value[index] = bad
+            message = refusal(call, argument, value, batch)
+            place = f"[{', '.join(map(str, index))}]" if index else ""
+            assert f"{argument}{place} is {bad}" in message
+
+    def test_long_double_too_large_for_a_float(self, call, argument):
+        if np.finfo(np.longdouble).max == np.finfo(float).max:
+            pytest.skip("long double is float here")
+        refusal(call, argument, np.full(call[1][argument].core, np.finfo(np.longdouble).max))
+
+
+@pytest.mark.parametrize(("call", "argument", "change"), SPOILT, ids=case_name)
+def test_outside_the_domain(call, argument, change):
+    kind = call[1][argument]
+    rng = np.random.default_rng(7)
+    refusal(call, argument, change(kind.sample(rng, ())))
+    for batch, index in [((3,), (1,)), ((2, 1, 3), (1, 0, 2))]:
+        value = kind.sample(rng, batch)
+        value[index] = change(value[index])
+        assert f"[{', '.join(map(str, index))}]" in refusal(call, argument, value, batch)
+
+
+@pytest.mark.parametrize(("call", "argument"), OTHERS, ids=case_name)
+def test_other_arguments(call, argument):
+    for value in call[1][argument].invalid:
+        refusal(call, argument, value)
+
+
+@pytest.mark.parametrize("batches", [((2,), (3,)), ((0,), (2,)), ((2, 1, 3), (3, 2))], ids=str)
+@pytest.mark.parametrize("n", [2, 3])
+def test_batches_that_do_not_match(batches, n):
+    R = np.broadcast_to(np.eye(n), (*batches[0], n, n))
+    with pytest.raises(ValueError, match=r"^p\b"):
+        FUNCTIONS["transform"](R, np.zeros((*batches[1], n)))
+
+
+# Arbitrary arrays -----------------------------------------------------------------------------------------------------
+
+LARGEST = np.finfo(float).max
+NUMBERS = st.one_of(
+    st.sampled_from([0.0, -0.0, 1.0, -1.0, math.pi, 5e-324, -1e-310, 2.3e-308, 1e-200, 1e-160, 1e-103, 1e-8, 1e-7]),
+    st.sampled_from([1e8, 1e52, 1e77, 1e103, 1e155, 1e200, 1e308, -1.7e308, LARGEST, -LARGEST]),
+    st.floats(),
+)
+FINITE = NUMBERS.filter(math.isfinite)
+DTYPES = ["float16", "float32", "float64", "longdouble", "int8", "int64", "uint64"]
+
+
+@st.composite
+def arrays_for(draw, kind):
+    """Draw an array for an argument: most often of the right shape, and often one that is valid but for its size."""
+    shape = draw(st.sampled_from([(), (), (1,), (2,), (0,), (2, 1)])) + kind.core
+    how = draw(st.sampled_from(["numbers", "numbers", "one number", "scaled", "scaled", "changed", "shape", "type"]))
+    if how == "numbers":
+        return draw(hnp.arrays(float, shape, elements=NUMBERS))
+    if how == "one number":  # times a few powers of ten, as in a matrix whose entries differ in size
+        return draw(FINITE) * np.sign(draw(hnp.arrays(float, shape, elements=st.sampled_from([-1.0, 0.0, 1.0]))))
+    if how == "shape":
+        return draw(hnp.arrays(float, hnp.array_shapes(min_dims=0, max_side=7), elements=NUMBERS))
+    if how == "type":
+        return draw(hnp.arrays(st.sampled_from(DTYPES), shape))
+    valid = kind.sample(np.random.default_rng(draw(st.integers(0, 99))), shape[: len(shape) - len(kind.core)])
+    with np.errstate(over="ignore"):
+        if how == "scaled":
+            return valid * draw(NUMBERS)
+    where = draw(hnp.arrays(bool, shape[-1:] if kind.core else shape))  # whole columns, the translation for one
+    return np.where(where, draw(hnp.arrays(float, shape, elements=NUMBERS)), valid)
+
+
+@pytest.mark.parametrize("call", [call for call in CALLS if "rng" not in call[1]], ids=call_name)
+@settings(max_examples=300)
+@given(data=st.data())
+def test_any_array_is_refused_or_answered(call, data):
+    name, kinds = call
+    arguments = {
+        argument: data.draw(arrays_for(kind) if isinstance(kind, Numbers) else NUMBERS, label=argument)
+        for argument, kind in kinds.items()
+    }
+    before = {argument: np.array(value) for argument, value in arguments.items()}
+    try:
+        result = FUNCTIONS[name](**arguments)
+    except ValueError as refused:
+        assert any(names(refused, argument) for argument in kinds), refused
+    else:
+        assert np.isfinite(result).all()
+        assert np.asarray(result).dtype == (bool if name.startswith("is_") else float)
+    for argument, value in arguments.items():
+        assert np.array_equal(value, before[argument], equal_nan=True)
+
+
+@pytest.mark.parametrize("call", [call for call in CALLS if "rng" in call[1]], ids=call_name)
+@given(n=st.one_of(st.integers(max_value=50), NUMBERS, st.booleans()))
+def test_any_n_is_refused_or_answered(call, n):
+    try:
+        result = FUNCTIONS[call[0]](n, np.random.default_rng(0))
+    except ValueError as refused:
+        assert names(refused, "n")
+        assert type(n) is not int or n < 0
+    else:
+        assert type(n) is int
+        assert len(result) == n
