@@ -1,5 +1,22 @@
+from pathlib import Path
+
+import nbformat
+import pytest
 from hypothesis import settings
+
+NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 
 # The same examples on every run and every machine: a test that fails is one that will fail again.
 settings.register_profile("course", derandomize=True, database=None, deadline=None, max_examples=100)
 settings.load_profile("course")
+
+
+@pytest.fixture(scope="session")
+def solutions():
+    """The notebook's name -> the sources of its first code cell (imports) and of the authors' solutions."""
+
+    def read(name):
+        cells = [c for c in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if c.cell_type == "code"]
+        return [cells[0].source] + [c.source for c in cells if c.metadata.get("nbgrader", {}).get("solution")]
+
+    return read

@@ -1,0 +1,5 @@
+"""Every picture of the course. Each function returns a figure; show puts it into the notebook."""
+
+from course_lib.figures.display import show
+
+__all__ = ["show"]

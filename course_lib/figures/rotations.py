@@ -1,0 +1,193 @@
+"""The pictures of notebook 1, rotations."""
+
+import numpy as np
+import plotly.graph_objects as go
+
+from course_lib.figures.style import (
+    BLACK,
+    BLUE,
+    COLOURS,
+    GREEN,
+    GREY,
+    PURPLE,
+    RED,
+    plane_figure,
+    scene_name,
+    space_layout,
+)
+from course_lib.rotations import exp_so3
+
+
+def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
+    """Return rotations drawn on spheres side by side: where each takes e_axis, with an arrow for its twist.
+
+    samples: {title: R (n, 3, 3)}. axis: 0, 1 or 2. The arrow points where the next axis goes.
+    """
+    fig = go.Figure(layout=space_layout(list(samples), camera))
+    for i, R in enumerate(samples.values()):
+        scene = scene_name(i)
+        foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
+        fig.add_trace(go.Surface(**_sphere(0.97), scene=scene))
+        fig.add_traces(_fixed_frame(scene, 1.25))
+        fig.add_trace(_points(foot, 1.8, BLACK, scene))
+        fig.add_trace(_segments(foot, tip, BLUE, 2.5, scene))
+    return fig
+
+
+def frames(rotations, camera=(1.35, 1.1, 0.8)):
+    """Return the axes of rotated frames, side by side: x orange, y green, z blue; the fixed frame's are thin and grey.
+
+    rotations: {title: R (3, 3)}.
+    """
+    fig = go.Figure(layout=space_layout(list(rotations), camera))
+    for i, R in enumerate(rotations.values()):
+        fig.add_traces(_fixed_frame(scene_name(i), 1.0)[:3])
+        for j, (colour, name) in enumerate(zip((RED, GREEN, BLUE), "xyz", strict=True)):
+            fig.add_traces(_named_vector(R[:, j], name, colour, scene_name(i)))
+    return fig
+
+
+def turning_point(w, p, exp=exp_so3, camera=(1.3, 1.0, 0.7)):
+    """Return the way of the point p under exp(t w), t from 0 to 1, about the axis w.
+
+    w: (3,) rotation vector. p: (3,). exp: the exponential that draws it.
+    """
+    way = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
+    n = w / np.linalg.norm(w)
+    fig = go.Figure(layout=space_layout([f"about the axis w by {np.linalg.norm(w):.2f} rad"], camera))
+    fig.add_traces(_fixed_frame("scene", 1.0))
+    fig.add_trace(_line(way, BLUE, 6, "scene"))
+    fig.add_traces(_named_vector(1.1 * n, "w", PURPLE, "scene"))
+    fig.add_traces(_named_vector(way[0], "p", BLACK, "scene") + _named_vector(way[-1], "R p", RED, "scene"))
+    return fig
+
+
+def angle_histogram(samples):
+    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of even rotations.
+
+    samples: {title: R (n, 3, 3)}.
+    """
+    fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
+    a = np.linspace(0, np.pi, 200)
+    for ax, colour, (title, R) in zip(axes, COLOURS, samples.items(), strict=False):
+        cosine = np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1)
+        ax.hist(np.arccos(cosine), 30, (0, np.pi), density=True, color=colour, alpha=0.55, label=f"{len(R)} draws")
+        ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
+        ax.set(title=title, xlabel="rotation angle a (rad)")
+        ax.legend(frameon=False, loc="upper left")
+    axes[0].set_ylabel("density (1/rad)")
+    return fig
+
+
+def height_histogram(samples):
+    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; even ones are flat at 1/2.
+
+    samples: {title: R (n, 3, 3)}.
+    """
+    fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
+    for ax, (title, R) in zip(axes, samples.items(), strict=True):
+        for j, (colour, style) in enumerate(zip((RED, GREEN, BLUE), ("-", "--", ":"), strict=True)):
+            density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
+            ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
+        ax.axhline(0.5, color=BLACK, linewidth=1)
+        ax.set(title=title, xlabel="height z of the image")
+        ax.legend(frameon=False)
+    axes[0].set_ylabel("density")
+    return fig
+
+
+def nearest_on_circle(M, candidates):
+    """Return a 2x2 matrix beside rotations: its columns and theirs, and the distance to the rotations around them.
+
+    M: (2, 2). candidates: {name: R (2, 2)}, two at most.
+    """
+    fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
+    turn = np.linspace(0, 2 * np.pi, 721)
+    plane.plot(np.cos(turn), np.sin(turn), color=GREY, linewidth=1)
+    plane.plot(*(M @ [np.cos(turn), np.sin(turn)]), color=BLACK, linewidth=1, linestyle="--")
+    looks = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
+    for colour, style, marker, (name, R) in looks:
+        for j in range(2):
+            plane.annotate("", R[:, j], (0, 0), arrowprops={"arrowstyle": "->", "color": colour, "ls": style, "lw": 2})
+        plane.plot([], [], color=colour, linestyle=style, linewidth=2, label=name)
+        if name != "M":
+            angle = np.degrees(np.arctan2(R[1, 0], R[0, 0]))
+            distance.plot(angle, np.linalg.norm(M - R), marker, color=colour, markersize=8, label=name)
+    plane.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
+    plane.legend(frameon=False, loc="lower right")
+    around = np.radians(angle + np.linspace(-40, 40, 161))
+    R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
+    gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))
+    distance.plot(np.degrees(around), gap, color=BLACK, linewidth=1.2, zorder=1, label="all rotations")
+    distance.set(xlabel="angle of R (degrees)", ylabel="distance from M (Frobenius norm)")
+    distance.legend(frameon=False)
+    return fig
+
+
+def lines(x, series, *, xlabel, ylabel, title="", log=""):
+    """Return a plain plot of several series over x. log: "x", "y" or "xy" for logarithmic axes.
+
+    series: {label: y (n,)}.
+    """
+    fig, (ax,) = plane_figure(7.2, 3.4)
+    for i, (label, y) in enumerate(series.items()):
+        ax.plot(x, y, label=label, linestyle=("-", "--", ":", "-.")[i % 4], linewidth=2)
+    if "x" in log:
+        ax.set_xscale("log")
+    if "y" in log:
+        ax.set_yscale("log")
+    ax.set(xlabel=xlabel, ylabel=ylabel, title=title)
+    if len(series) > 1:
+        ax.legend(frameon=False)
+    return fig
+
+
+def _xyz(points):
+    return dict(zip("xyz", np.round(np.asarray(points, float), 3).T, strict=True))
+
+
+def _points(points, size, colour, scene):
+    marker = {"size": size, "color": colour}
+    return go.Scatter3d(**_xyz(points), mode="markers", marker=marker, hoverinfo="skip", scene=scene)
+
+
+def _line(points, colour, width, scene):
+    line = {"color": colour, "width": width}
+    return go.Scatter3d(**_xyz(points), mode="lines", line=line, hoverinfo="skip", scene=scene)
+
+
+def _named_vector(tip, name, colour, scene):
+    """A thick line from the origin to the tip, and its name just beyond."""
+    font = {"color": colour, "size": 16}
+    label = go.Scatter3d(**_xyz([1.1 * tip]), mode="text", text=[name], textfont=font, hoverinfo="skip", scene=scene)
+    return [_line([np.zeros(3), tip], colour, 8, scene), label]
+
+
+def _fixed_frame(scene, size):
+    """The three grey axes, then their names."""
+    axes = [_line([np.zeros(3), size * e], GREY, 3, scene) for e in np.eye(3)]
+    font = {"color": GREY, "size": 14}
+    names = go.Scatter3d(
+        **_xyz(1.08 * size * np.eye(3)), mode="text", text=list("xyz"), textfont=font, hoverinfo="skip", scene=scene
+    )
+    return [*axes, names]
+
+
+def _segments(starts, ends, colour, width, scene):
+    """Many separate segments in one trace: NaN (null in JSON) lifts the pen."""
+    gap = np.full_like(starts, np.nan)
+    return _line(np.stack([starts, ends, gap], 1).reshape(-1, 3), colour, width, scene)
+
+
+def _sphere(radius, n=17):
+    polar, around = np.meshgrid(np.linspace(0, np.pi, n), np.linspace(0, 2 * np.pi, 2 * n - 1))
+    height = np.cos(polar)
+    ring = np.sin(polar)
+    x, y = ring * np.cos(around), ring * np.sin(around)
+    return {
+        **dict(zip("xyz", np.round([radius * x, radius * y, radius * height], 3), strict=True)),
+        "colorscale": [[0, "#ececec"], [1, "#ececec"]],
+        "showscale": False,
+        "hoverinfo": "skip",
+        "lighting": {"ambient": 0.9, "diffuse": 0.2, "specular": 0, "fresnel": 0},
+    }
