@@ -1,7 +1,10 @@
 """Put a figure into the notebook, always with words that say what it shows."""
 
+import base64
 import io
 import math
+
+import numpy as np
 
 
 def show(fig, *, alt):
@@ -28,18 +31,19 @@ def show(fig, *, alt):
 
 
 def _png(fig):
-    """The figure as PNG, half as fine again as it is shown, without the version number that would change with matplotlib."""
+    """The figure as PNG, half as fine again as it is shown; without the writer's version, which would change it."""
     buffer = io.BytesIO()
-    fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None}, pil_kwargs={"optimize": True})
+    small = {"pil_kwargs": {"optimize": True}, "metadata": {"Software": None}}
+    fig.savefig(buffer, format="png", dpi=144, facecolor="white", **small)
     return buffer.getvalue()
 
 
 def _rounded(node):
-    """The JSON of a figure with every list of numbers rounded; also turns numpy arrays into lists and -0 into 0."""
+    """The JSON of a figure with every list of numbers rounded, packed ones unpacked, and -0 turned into 0."""
+    if isinstance(node, dict) and "bdata" in node:  # plotly packs numpy arrays into base64
+        node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(_shape(node)).tolist()
     if isinstance(node, dict):
         return {key: _rounded(value) for key, value in node.items()}
-    if hasattr(node, "tolist"):
-        node = node.tolist()
     if isinstance(node, float):
         return _round(node, 6)
     if not isinstance(node, list | tuple):
@@ -49,6 +53,11 @@ def _rounded(node):
     if largest == 0:
         return [_rounded(item) for item in node]
     return _round_all(node, 5 - math.floor(math.log10(largest)))
+
+
+def _shape(packed):
+    """The shape of a packed array: "3, 4" for two axes, absent for one."""
+    return [int(n) for n in str(packed.get("shape", -1)).split(",")]
 
 
 def _flat(node):

@@ -28,7 +28,7 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
         scene = scene_name(i)
         foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
         fig.add_trace(go.Surface(**_sphere(0.97), scene=scene))
-        fig.add_traces(_fixed_frame(scene, 1.25))
+        fig.add_traces(_fixed_frame(scene, 1.2))
         fig.add_trace(_points(foot, 1.8, BLACK, scene))
         fig.add_trace(_segments(foot, tip, BLUE, 2.5, scene))
     return fig
@@ -39,7 +39,7 @@ def frames(rotations, camera=(1.35, 1.1, 0.8)):
 
     rotations: {title: R (3, 3)}.
     """
-    fig = go.Figure(layout=space_layout(list(rotations), camera))
+    fig = go.Figure(layout=space_layout(list(rotations), camera, height=320))
     for i, R in enumerate(rotations.values()):
         fig.add_traces(_fixed_frame(scene_name(i), 1.0)[:3])
         for j, (colour, name) in enumerate(zip((RED, GREEN, BLUE), "xyz", strict=True)):
@@ -71,7 +71,8 @@ def angle_histogram(samples):
     a = np.linspace(0, np.pi, 200)
     for ax, colour, (title, R) in zip(axes, COLOURS, samples.items(), strict=False):
         cosine = np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1)
-        ax.hist(np.arccos(cosine), 30, (0, np.pi), density=True, color=colour, alpha=0.55, label=f"{len(R)} draws")
+        bars = {"color": colour, "alpha": 0.55, "label": f"{len(R)} draws"}
+        ax.hist(np.arccos(cosine), 30, range=(0, np.pi), density=True, **bars)
         ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
         ax.set(title=title, xlabel="rotation angle a (rad)")
         ax.legend(frameon=False, loc="upper left")
@@ -111,15 +112,15 @@ def nearest_on_circle(M, candidates):
             plane.annotate("", R[:, j], (0, 0), arrowprops={"arrowstyle": "->", "color": colour, "ls": style, "lw": 2})
         plane.plot([], [], color=colour, linestyle=style, linewidth=2, label=name)
         if name != "M":
-            angle = np.degrees(np.arctan2(R[1, 0], R[0, 0]))
+            angle = np.arctan2(R[1, 0], R[0, 0])
             distance.plot(angle, np.linalg.norm(M - R), marker, color=colour, markersize=8, label=name)
     plane.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
     plane.legend(frameon=False, loc="lower right")
-    around = np.radians(angle + np.linspace(-40, 40, 161))
+    around = angle + np.linspace(-0.7, 0.7, 161)
     R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
     gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))
-    distance.plot(np.degrees(around), gap, color=BLACK, linewidth=1.2, zorder=1, label="all rotations")
-    distance.set(xlabel="angle of R (degrees)", ylabel="distance from M (Frobenius norm)")
+    distance.plot(around, gap, color=BLACK, linewidth=1.2, zorder=1, label="all rotations")
+    distance.set(xlabel="angle of R (rad)", ylabel="distance from M (Frobenius norm)")
     distance.legend(frameon=False)
     return fig
 

@@ -36,10 +36,11 @@ def plane_figure(width, height, columns=1, **options):
     return fig, axes
 
 
-def space_layout(names, camera, half=1.2):
+def space_layout(names, camera, half=1.3, height=420):
     """Return the plotly layout of 3D scenes side by side, each the cube from -half to half, with a title each.
 
     names: titles. camera: the direction the eye looks from; it stands far enough off to crop nothing.
+    height: pixels.
     """
     hidden = {"range": [-half, half], "visible": False}  # the pictures draw the axes they need
     scenes, titles, width = {}, [], 1 / len(names)
@@ -60,7 +61,7 @@ def space_layout(names, camera, half=1.2):
             "yref": "paper",
         }
         titles.append({"text": name, "showarrow": False, **place})
-    return {**PLOTLY_LAYOUT, **scenes, "annotations": titles, "height": 420, "showlegend": False}
+    return {**PLOTLY_LAYOUT, **scenes, "annotations": titles, "height": height, "showlegend": False}
 
 
 def scene_name(i):

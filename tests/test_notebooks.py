@@ -1,0 +1,166 @@
+"""The notebooks as students, graders and readers meet them."""
+
+import importlib
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
+ROOMS = ["Explain", "Reproduce", "What the report got wrong", "Go further", "Sources"]
+SOLUTION = re.compile(r"( *)### BEGIN SOLUTION\n.*?### END SOLUTION", re.DOTALL)
+MOST_LINES, MOST_BYTES = 26, 2_000_000
+
+pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+
+
+def checks_of(path):
+    """The checks module of a notebook: rotations for 01_rotations."""
+    return importlib.import_module("course_lib.checks." + path.stem.split("_", 1)[1])
+
+
+def code_cells(notebook):
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def graded(notebook):
+    """{grade_id: cell} of the cells that nbgrader knows."""
+    cells = [cell for cell in notebook.cells if "nbgrader" in cell.metadata]
+    found = {cell.metadata.nbgrader.grade_id: cell for cell in cells}
+    assert len(found) == len(cells), "a grade_id occurs twice"
+    return found
+
+
+def outputs(notebook):
+    return [(cell.id, output) for cell in code_cells(notebook) for output in cell.outputs]
+
+
+def executed(notebook, folder):
+    """The notebook run from top to bottom; an error does not stop it."""
+    NotebookClient(notebook, timeout=120, allow_errors=True, resources={"metadata": {"path": str(folder)}}).execute()
+    return notebook
+
+
+def with_answers(path, answer):
+    """The notebook with the body of the k-th solution replaced by answer(k)."""
+    notebook = nbformat.read(path, 4)
+    solutions = [cell for cell in code_cells(notebook) if cell.metadata.get("nbgrader", {}).get("solution")]
+    for k, cell in enumerate(solutions):
+        cell.source, count = SOLUTION.subn(lambda found, k=k: found[1] + answer(k), cell.source)
+        assert count == 1, cell.id
+    return notebook
+
+
+def test_is_valid_small_and_made_of_small_cells(path):
+    notebook = nbformat.read(path, 4)
+    nbformat.validate(notebook)
+    assert path.stat().st_size < MOST_BYTES
+    assert [cell.id for cell in code_cells(notebook) if len(cell.source.splitlines()) > MOST_LINES] == []
+
+
+def test_has_all_its_rooms(path):
+    headings = re.findall(r"^## (.*)", "\n".join(c.source for c in nbformat.read(path, 4).cells), re.MULTILINE)
+    assert headings[-len(ROOMS) :] == ROOMS
+
+
+def test_every_check_has_a_task_an_answer_and_its_points(path):
+    cells = graded(nbformat.read(path, 4))
+    checks = checks_of(path).CHECKS
+    for exercise in (check.exercise for check in checks):
+        task, answer, check = (cells[prefix + exercise.name] for prefix in ("task_", "", "check_"))
+        assert f"`{exercise.name}`" in task.source.splitlines()[0]
+        assert "Example" in task.source
+        assert "*Why it matters:*" in task.source
+        assert f"({exercise.points} point" in task.source
+        assert SOLUTION.search(answer.source)
+        assert f"def {exercise.name}({', '.join(exercise.arguments)})" in answer.source
+        assert check.source == f"check.{exercise.name}({exercise.name})"
+        assert check.metadata.nbgrader.points == exercise.points
+        assert (check.metadata.nbgrader.grade, check.metadata.nbgrader.locked) == (True, True)
+    checked = {name.removeprefix("check_") for name in cells if name.startswith("check_")}
+    assert checked == {check.exercise.name for check in checks}
+
+
+def test_written_questions_have_an_answer_and_a_rubric(path):
+    cells = graded(nbformat.read(path, 4))
+    written = [name for name in cells if name.startswith("explain_")]
+    assert len(written) >= 2
+    for name in written:
+        cell = cells[name]
+        assert cell.source.startswith("**Model answer.**")
+        assert f"*Rubric ({cell.metadata.nbgrader.points}):" in cell.source
+        assert cell.metadata.nbgrader.solution
+        assert cell.metadata.nbgrader.grade
+
+
+def test_stored_outputs_are_clean(path):
+    for cell, output in outputs(nbformat.read(path, 4)):
+        assert output.output_type != "error", cell
+        assert output.get("name") != "stderr", cell
+        data, metadata = output.get("data", {}), output.get("metadata", {})
+        if "image/png" in data or "application/vnd.plotly.v1+json" in data:
+            assert len(metadata["image/png"]["alt"]) >= 40, cell
+            assert "image/png" in data, f"{cell} has no still"
+
+
+def test_unfinished_work_blocks_nothing(path):
+    notebook = executed(with_answers(path, lambda k: "raise NotImplementedError()"), path.parent)
+    assert [(cell, o.ename) for cell, o in outputs(notebook) if o.output_type == "error"] == []
+    said = [o.data["text/plain"] for cell, o in outputs(notebook) if cell.endswith("-check")]
+    assert len(said) == len(checks_of(path).CHECKS)
+    assert all(text.endswith("not attempted yet") for text in said), said
+
+
+BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return "forty-two"', "raise SystemExit"]
+
+
+def test_broken_answers_get_one_calm_message_each_and_no_traceback(path):
+    notebook = executed(with_answers(path, lambda k: BROKEN[k % len(BROKEN)]), path.parent)
+    assert [(cell, o.ename) for cell, o in outputs(notebook) if o.output_type == "error"] == []
+    checks = [cell for cell in code_cells(notebook) if cell.id.endswith("-check")]
+    assert len(checks) == len(checks_of(path).CHECKS)
+    for cell in checks:
+        (message,) = cell.outputs
+        text = message.data["text/plain"]
+        assert re.match(r"[✗!] \w+: (not right yet|error in your code)\n", text), text
+        assert "Traceback" not in text
+        assert len(text.splitlines()) <= 24
+
+
+def test_strict_nbval_sees_a_changed_result(path, tmp_path):
+    notebook = nbformat.read(path, 4)
+    last = next(
+        i
+        for i, cell in enumerate(notebook.cells)
+        for o in cell.get("outputs", [])
+        if re.search("[1-9]", o.get("text", ""))
+    )
+    notebook.cells = notebook.cells[: last + 1]
+    assert passes_nbval(notebook, tmp_path / "as_stored.ipynb")
+    output = notebook.cells[last].outputs[0]
+    output.text = re.sub("[1-9]", lambda digit: str((int(digit[0]) + 1) % 10), output.text, count=1)
+    assert not passes_nbval(notebook, tmp_path / "changed.ipynb")
+
+
+def passes_nbval(notebook, path):
+    nbformat.write(notebook, path)
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "--nbval",
+        "--nbval-current-env",
+        "-p",
+        "no:cacheprovider",
+        str(path),
+    ]
+    outside = {key: value for key, value in os.environ.items() if not key.startswith("PYTEST")}
+    done = subprocess.run(command, cwd=path.parent, env=outside, capture_output=True, text=True, timeout=120)
+    assert done.returncode in (0, 1), done.stdout + done.stderr
+    return done.returncode == 0
