@@ -3,7 +3,7 @@
 import inspect
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from helpers import cross_matrix, pose_samples, rotation_samples, twist_matrix
@@ -16,16 +16,16 @@ class Numbers:
     """An argument that is an array: the shape of one item, a maker of valid ones, and changes that make one invalid."""
 
     core: tuple
-    sample: Callable  # (rng, batch) -> (*batch, *core)
-    spoil: tuple = ()  # functions of one valid item
+    sample: Callable = field(repr=False)  # (rng, batch) -> (*batch, *core)
+    spoil: tuple = field(default=(), repr=False)  # functions of one valid item
 
 
 @dataclass(frozen=True)
 class Other:
     """An argument that is no array of numbers: a valid value and invalid ones."""
 
-    valid: Callable  # () -> value
-    invalid: tuple
+    valid: Callable = field(repr=False)  # () -> value
+    invalid: tuple = field(repr=False)
 
 
 def _plain(*core):
@@ -98,7 +98,9 @@ _TWIST_MATRIX = Numbers(
     (*map(_block, _NOT_SKEW), _with(1.0, 3, 3), _with(1e-5, 3, 0), _with(-1e300, 3, 1)),
 )
 _TOL = Other(lambda: 1e-6, (None, "1e-6", -1e-300, -1, np.nan, np.inf, True, 1j, [1e-6], [], [[1], [1, 2]], object()))
-_N = Other(lambda: 3, (None, "3", -1, np.int64(-2), 3.0, np.float64(3), np.nan, True, np.True_, [3], (2, 2), 3j))
+_N = Other(
+    lambda: 3, (None, "3", -1, np.int64(-2), 10**30, 2**62, 3.0, np.float64(3), np.nan, True, np.True_, [3], (2, 2), 3j)
+)
 _RNG = Other(
     lambda: np.random.default_rng(0),
     (None, 0, "seed", np.random, np.random.RandomState(0), np.random.PCG64(0), np.random.default_rng),
@@ -163,6 +165,6 @@ def valid_arguments(arguments, rng, batch=()):
     }
 
 
-def names(message, argument):
+def begins_with(message, argument):
     """Return whether an error's message begins with the name of the argument, as a word of its own."""
-    return re.match(rf"{argument}\b", str(message)) is not None
+    return re.match(rf"{argument}\b", message) is not None

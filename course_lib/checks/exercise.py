@@ -38,7 +38,7 @@ class Property:
             first = self.holds(values, cases)
             return [] if first is None else [first]
         asked = [i for i, case in enumerate(cases) if self.where is None or self.where(*case)]
-        return [i for i in asked if not self.holds(values[i], *cases[i])]
+        return [i for i in asked if not _attempt(self.holds, values[i], *cases[i])]
 
 
 @dataclass(frozen=True)
@@ -56,14 +56,18 @@ class Mistake:
     seen: Callable | None = None
 
     def explains(self, value, case):
-        """Return whether this mistake accounts for the value given in this case."""
-        try:
-            if self.seen is not None:
-                return bool(self.seen(value, *case))
-            predicted = self.answer(*case)
-        except (ValueError, IndexError, ArithmeticError):  # the mistake's formula does not apply to this case
+        """Return whether this mistake accounts for the value given in this case; None where it says nothing."""
+        if self.seen is not None:
+            return bool(_attempt(self.seen, value, *case))
+        predicted = _attempt(self.answer, *case)
+        return None if predicted is None else same(value, predicted)
+
+    def explains_all(self, cases, values, failing):
+        """Return whether its `answer` accounts for the wrong answers, and for the others where it speaks of them."""
+        if self.answer is None:
             return False
-        return predicted is not None and same(value, predicted)
+        fits = [self.explains(value, case) for value, case in zip(values, cases, strict=True)]
+        return all(fits[i] for i in failing) and False not in fits
 
 
 @dataclass(frozen=True)
@@ -133,21 +137,31 @@ def judge(exercise, student, seed=PUBLIC_SEED):
     questions = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": CPU_SECONDS}
     try:
         answers = read(student.reply(write(questions)))
-        if len(answers) != len(cases) or not all(isinstance(answer, dict) for answer in answers):
+        if len(answers) != len(cases):
             raise NotPlain("not one answer for each case")
-        values = [read(answer["value"]) if "error" not in answer else None for answer in answers]
-        return _verdict(exercise, cases, answers, values)
-    except (NotPlain, KeyError, TypeError) as problem:
+        answers = [_claim(answer, exercise.arguments) for answer in answers]
+    except (ValueError, LookupError, TypeError, AttributeError) as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {problem}.")
+    with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
+        return _verdict(exercise, cases, answers)
 
 
-def _verdict(exercise, cases, answers, values):
+def _claim(answer, arguments):
+    """One answer as ask.py writes it, with the names of the arguments changed; raises for what is none."""
+    if "error" in answer:
+        return {"error": {key: str(answer["error"][key])[:300] for key in ("type", "message", "line", "source")}}
+    changed = [arguments[position] for position in answer["changed"]]
+    return {"value": read(answer["value"]), "changed": changed, "warning": str(answer.get("warning", ""))[:300]}
+
+
+def _verdict(exercise, cases, answers):
     for case, answer in zip(cases, answers, strict=True):
         if "error" in answer:
             return _no_answer(exercise, case, **answer["error"])
+    values = [answer["value"] for answer in answers]
     for case, answer, value in zip(cases, answers, values, strict=True):
         if answer["changed"]:
-            name = exercise.arguments[answer["changed"][0]]
+            name = answer["changed"][0]
             mistake = Mistake(
                 f"{name} is changed in place",
                 f"The caller still needs its {name}. Work on a copy: {name} = np.array({name}).",
@@ -164,18 +178,27 @@ def _verdict(exercise, cases, answers, values):
         failing = wanted.failing(cases, values)
         if failing:
             return _wrong(exercise, wanted, cases, values, failing)
-    note = next((f"numpy warned: {answer['warning']}" for answer in answers if "warning" in answer), "")
+    note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
     return Verdict(exercise, RIGHT, note=note)
 
 
 def _wrong(exercise, wanted, cases, values, failing):
-    mistake = next(
-        (known for known in exercise.mistakes if all(known.explains(values[i], cases[i]) for i in failing)),
-        wanted.mistake,
-    )
     case, value = cases[failing[0]], values[failing[0]]
-    seen = f" {wanted.seen(value, *case)}" if wanted.seen else ""
-    return Verdict(exercise, WRONG, f"{wanted.text}.{seen}", mistake, case, value)
+    seen = _attempt(wanted.seen, value, *case) if wanted.seen else None
+    reason = f"{wanted.text}." + (f" {seen}" if seen else "")
+    return Verdict(exercise, WRONG, reason, _named(exercise, wanted, cases, values, failing), case, value)
+
+
+def _named(exercise, wanted, cases, values, failing):
+    """The mistake that accounts for every answer, else one that accounts for those in which `wanted` fails."""
+    for known in exercise.mistakes:
+        if known.explains_all(cases, values, failing):
+            return known
+    if not isinstance(values[failing[0]], bool):  # a few True or False fit many a mistake by chance
+        for known in exercise.mistakes:
+            if all(known.explains(values[i], cases[i]) for i in failing):
+                return known
+    return wanted.mistake
 
 
 def _no_answer(exercise, case, type, message, line, source):
@@ -185,12 +208,20 @@ def _no_answer(exercise, case, type, message, line, source):
     if type == "NotPlain":
         return Verdict(exercise, WRONG, f"the answer is numbers, booleans, arrays or lists. Yours is {message}.")
     if type == "NotAllowed":
-        mistake = Mistake(f"{message} is called", "That function is what you are asked to write here.")
+        mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
         return Verdict(exercise, WRONG, "your own lines compute the answer.", mistake)
     if type == "TimeUp":
         return Verdict(exercise, ERROR, f"{call} took {message}. Does a loop never end?", case=case)
     where = f"Line {line} of its cell, `{source}`, raises" if source else f"Calling {call} raises"
     return Verdict(exercise, ERROR, f"{where} {type}: {message}", case=case)
+
+
+def _attempt(formula, *arguments):
+    """What the formula gives, or None where it does not apply: answers may be numbers of any size."""
+    try:
+        return formula(*arguments)
+    except (ValueError, IndexError, ArithmeticError):
+        return None
 
 
 FORGOTTEN_RETURN = Mistake("a return is missing", "The last line of a function is often `return ...`.")

@@ -101,11 +101,12 @@ def _labelled(before, label, value):
     if hasattr(value, "number"):
         text = f"numpy.random.default_rng({value.number})"
     elif isinstance(value, np.ndarray) and value.size > 40:
-        return _labelled(f"{before}{label}an array of shape {value.shape} that begins with ", "", value[0])
-    elif isinstance(value, np.ndarray):
-        text = np.array2string(value, precision=6, suppress_small=True)
+        return f"{before}{label}an array of shape {value.shape} that begins with\n" + _labelled("    ", "", value[0])
+    elif isinstance(value, np.ndarray):  # tiny entries beside others are rounding, a tiny array is not
+        text = np.array2string(value, precision=6, suppress_small=bool(np.abs(value).max(initial=0) > 1e-3))
     else:
-        text = repr(value)
+        with np.printoptions(precision=6, legacy="1.25"):  # 0.5, not np.float64(0.5)
+            text = repr(value)
         text = text if len(text) < 400 else text[:400] + " ..."
     label = before + label
     return label + text.replace("\n", "\n" + " " * len(label))

@@ -44,9 +44,10 @@ def _array(value, expected):
     try:
         array = np.asarray(value)
     except ValueError:
-        raise Unreadable(
-            f"the answer is {expected}. Yours is a list whose rows differ in length.", OTHER_FORM
-        ) from None
+        kind = f"a {type(value).__name__} whose parts differ in shape"
+        raise Unreadable(f"the answer is {expected}. Yours is {kind}.", OTHER_FORM) from None
+    except OverflowError:
+        raise Unreadable(f"the answer is {expected}. Yours holds a number too large for one.", OTHER_FORM) from None
     if array.dtype.kind not in "biufc":
         raise Unreadable(f"the answer is {expected}. Yours is a {type(value).__name__}.", OTHER_FORM)
     return array

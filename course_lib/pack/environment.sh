@@ -10,16 +10,16 @@ set -u
 unset CDPATH # else cd may go elsewhere, and print
 cd -- "$(dirname -- "$0")/../.." || exit 1
 
-# Robotics machines often put ROS on PYTHONPATH, which then shadows what is installed here. The other
-# two would send the packages to another environment than .venv.
+# Robotics machines often have ROS on PYTHONPATH, which would shadow what is installed here. The rest
+# would send the packages to another place than .venv.
 unset PYTHONPATH PYTHONHOME VIRTUAL_ENV
 export PIP_USER=no PIP_DISABLE_PIP_VERSION_CHECK=1
 
 here=$(pwd -P)
 log=build/setup.log
-made_from=.venv/made-from # written last, so an environment without it was interrupted
-tested="3.14 3.13 3.12 3.11"
+made_from=.venv/made-from # written last, so a .venv without it was interrupted
 python=
+version=
 
 stop() {
     echo "$*" >&2
@@ -31,31 +31,47 @@ logged() {
     "$@" >>"$log" 2>&1
 }
 
-ends_with() { # whether the log's last lines match; earlier ones may tell of troubles that passed
+# ---- what went wrong ----
+
+log_ends_with() { # the last lines only: earlier ones may tell of troubles that passed
     tail -n 25 "$log" 2>/dev/null | grep -q -i -E "$1"
 }
 
-explain() { # stop with the reason that the log gives
+disk_is_full() { # the log itself may be what no longer fitted, so the free room is looked at too
+    log_ends_with 'no space left|disk quota|errno 28|os error 28' && return
     free=$(df -Pk . 2>/dev/null | awk 'NR == 2 { print $4 }')
-    if ends_with 'no space left|disk quota|errno 28|os error 28' || [ "${free:-100000}" -lt 10000 ]; then
-        stop "The disk is full: make about 1 GB of room and run make again (log: $log)."
-    elif ends_with 'permission denied|read-only file system|operation not permitted'; then
-        stop "Something in .venv, or in the folder for temporary files, cannot be written: set the" \
-            "rights or delete .venv, and run make again (log: $log)."
-    elif ends_with 'ensurepip|no module named .?venv'; then
+    [ "${free:-100000}" -lt 10000 ]
+}
+
+explain() { # stop with the reason that the log gives
+    if disk_is_full; then
+        stop "The disk is full: make 2 GB of room and run make again (log: $log)."
+    elif log_ends_with 'permission denied|read-only file system|operation not permitted'; then
+        stop "Something in .venv or in the folder for temporary files cannot be written: set its rights" \
+            "or delete .venv, and run make again (log: $log)."
+    elif log_ends_with 'ensurepip|no module named .?venv'; then
         stop "This Python ($version) cannot make environments: install its venv module (on Debian and" \
-            "Ubuntu: sudo apt install python3-venv) and run make again (log: $log)."
-    elif ends_with 'name resolution|name or service not known|nodename nor servname|dns error|are you offline' ||
-        ends_with 'new ?connection|failed to fetch|unreachable|timed out|timeout|proxy ?error|ssl ?error' ||
-        ends_with 'max retries|connection (refused|reset|aborted|broken)|remote end closed'; then
+            "Ubuntu: sudo apt install python${version%.*}-venv) and run make again (log: $log)."
+    elif log_ends_with 'name resolution|name or service not known|nodename nor servname|dns error' ||
+        log_ends_with 'new ?connection|failed to fetch|unreachable|timed out|timeout|proxy ?error|ssl ?error' ||
+        log_ends_with 'max retries|connection (refused|reset|aborted|broken)|remote end closed'; then
         stop "The packages could not be downloaded: check the network connection and run make again" \
             "(log: $log)."
-    elif ends_with 'no matching distribution|no usable wheels|no wheels with a matching|requires-python'; then
-        stop "Some packages are not made for this Python ($version): name another one, for instance" \
-            "make PYTHON=python3.13 (log: $log)."
+    elif log_ends_with 'no matching distribution|no usable wheels|no wheels with a matching'; then
+        stop "Some packages are not made for this Python ($version) or this system: name another Python," \
+            "for instance make PYTHON=python3.13 (log: $log)."
     fi
-    stop "The set-up failed: the last lines of $log say why; run make again once that is mended."
+    stop "The set-up failed: the last lines of $log say why; mend that and run make again."
 }
+
+start_log() {
+    # in parentheses, because a redirection that fails for `:` ends the shell
+    (mkdir -p build && : >"$log") 2>/dev/null && [ -w . ] && return
+    disk_is_full && explain
+    stop "This folder ($here) cannot be written: set its rights or copy it to one of yours, and run make there."
+}
+
+# ---- Python ----
 
 new_enough() {
     "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1
@@ -66,34 +82,34 @@ find_python() {
         new_enough "$PYTHON" || stop "PYTHON=$PYTHON is no Python 3.11 or newer: name another one."
         python=$PYTHON
     else
-        for candidate in python3 $(printf 'python%s ' $tested) python; do
-            # Asked, not only looked for: a version manager's stand-in may be there with nothing behind it.
+        for candidate in python3 python3.14 python3.13 python3.12 python3.11 python; do
+            # Run, not only looked for: a version manager leaves names with nothing behind them.
             if new_enough "$candidate"; then
                 python=$candidate
                 break
             fi
         done
     fi
-    version=
     [ -z "$python" ] || version=$("$python" -c 'import platform; print(platform.python_version())')
 }
 
 need_python() {
     find_python
     [ -n "$python" ] && return
-    found=$(python3 --version 2>&1) || found="no python3"
-    stop "Python 3.11 or newer is needed and only $found was found: install a newer one, or name it with" \
+    found=$(python3 --version 2>/dev/null) && found="only $found" || found=none
+    stop "Python 3.11 or newer is needed and there is $found: install one, or name it with" \
         "make PYTHON=/path/to/python3."
 }
 
-start_log() {
-    { mkdir -p build && : >"$log"; } 2>/dev/null && [ -w . ] && return
-    # A full disk can still make an empty file, so what failed here is a matter of rights.
-    stop "This folder cannot be written ($here): copy it to one of your own, or set its rights, and run make there."
+# ---- .venv ----
+
+contents() { # what .venv is made from; contents, not times, which a checkout changes
+    # The folder too: scripts in .venv hold absolute paths, so in a copied or moved folder it is useless.
+    echo "$here" && cat environment.txt pyproject.toml
 }
 
-install() { # into .venv, by uv or pip
-    # Compiling these takes an hour and a Fortran compiler: better to hear at once that there is none for this Python.
+install() {
+    # To compile one of these takes a Fortran compiler and an hour: say at once that it is not made for this Python.
     set -- --only-binary numpy --only-binary scipy --only-binary scikit-learn --only-binary matplotlib "$@"
     if [ -n "$uv" ]; then
         logged uv pip install --python .venv/bin/python "$@"
@@ -102,46 +118,59 @@ install() { # into .venv, by uv or pip
     fi
 }
 
-set_up() {
-    # The folder is compared too: the scripts in .venv hold absolute paths, so a copied or moved one is
-    # of no use. Contents are compared, not times, because a checkout changes every time.
-    [ -x .venv/bin/python ] &&
-        { echo "$here" && cat environment.txt pyproject.toml; } | cmp -s - "$made_from" && return
+install_all() {
+    install -r environment.txt &&
+        # flit-core is in environment.txt, so this one downloads nothing
+        install --no-deps --no-build-isolation -e . || return
+    # Matplotlib lists the fonts once, and may say so on stderr: not in a student's first notebook.
+    logged .venv/bin/python -c 'import matplotlib.font_manager'
+    contents >"$made_from" 2>>"$log"
+}
 
+update() {
+    echo "Bringing .venv up to date ..."
+    version=$(.venv/bin/python -c 'import platform; print(platform.python_version())')
+    logged rm -f "$made_from" || explain
+    # uv makes environments without pip, and may be gone by now
+    [ -n "$uv" ] || logged .venv/bin/python -m pip --version || logged .venv/bin/python -m ensurepip || explain
+    install_all && return
+    echo "$here" >"$made_from" # it was not interrupted, so it can be updated once the cause is gone
+    explain
+}
+
+make_afresh() {
+    if [ -n "$uv" ]; then
+        find_python # and where there is none, uv fetches one
+        version=${version:-3.13}
+    else
+        need_python
+    fi
+    echo "Setting up .venv with Python $version (about a minute, once) ..."
+    logged rm -rf .venv || explain
+    if [ -n "$uv" ]; then
+        logged uv venv --python "${python:-$version}" .venv
+    else
+        logged "$python" -m venv .venv
+    fi && install_all && return
+    (explain)
+    rm -rf .venv # half of it is of no use, and on a full disk it is what fills it
+    exit 1
+}
+
+set_up() {
+    [ -x .venv/bin/python ] && contents | cmp -s - "$made_from" && return
     start_log
     uv=$(command -v uv)
     begin=$(date +%s)
     if [ -x .venv/bin/python ] && [ "$(head -n 1 "$made_from" 2>/dev/null)" = "$here" ]; then
-        echo "Bringing .venv up to date ..."
-        version=$(.venv/bin/python -V 2>&1)
-        rm -f "$made_from" 2>>"$log" || explain
-        # uv makes environments without pip, and may be gone since.
-        [ -n "$uv" ] || logged .venv/bin/python -m pip --version || logged .venv/bin/python -m ensurepip || explain
+        update
     else
-        if [ -n "$uv" ]; then find_python; else need_python; fi
-        echo "Setting up .venv ${version:+with Python $version }(about a minute, once) ..."
-        logged rm -rf .venv || explain
-        if [ -n "$uv" ]; then
-            logged uv venv --python "${python:-3.13}" .venv || give_up
-        else
-            logged "$python" -m venv .venv || give_up
-        fi
+        make_afresh
     fi
-    install -r environment.txt || give_up
-    # flit-core is in environment.txt, so this downloads nothing.
-    install --no-deps --no-build-isolation -e . || give_up
-    # Matplotlib lists the fonts at its first import and may say so, on stderr, in a student's first notebook.
-    logged .venv/bin/python -c 'import matplotlib.font_manager'
-    { echo "$here" && cat environment.txt pyproject.toml; } >"$made_from" 2>>"$log" || give_up
     echo "Set up in $(($(date +%s) - begin)) s."
 }
 
-give_up() {
-    # Half an environment is worth nothing, and on a full disk it is what fills it.
-    (explain)
-    rm -rf .venv 2>/dev/null
-    exit 1
-}
+# ---- environment.txt ----
 
 lock() {
     start_log
@@ -155,23 +184,25 @@ lock() {
                 logged build/uv/bin/python -m pip install uv; } || explain
         fi
     fi
-    # uv keeps the versions it finds in the file it writes to. It works on a copy, so that an error leaves ours as it was.
-    logged cp environment.txt build/environment.txt
-    # The flags that say no: no address of an index, which differs from machine to machine, may get in.
+    # uv keeps the versions that it finds in the file it writes: it gets a copy, so that an error spoils nothing.
+    rm -f build/environment.txt
+    [ ! -f environment.txt ] || logged cp environment.txt build/environment.txt || explain
+    # The --no-... keep out what differs between machines, an index's address above all.
     logged "$uv" pip compile --universal --fork-strategy fewest --python-version 3.11 \
-        pyproject.toml --group test --group site --group build \
-        ${UPGRADE:+--upgrade} --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
+        pyproject.toml --group test --group site --group build ${UPGRADE:+--upgrade} \
+        --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
         -o build/environment.txt || explain
     {
         # shellcheck disable=SC2016 # the backquotes are for the reader
-        echo '# The full lock, written by `make lock` from pyproject.toml: edit that, not this.' &&
-            grep -v '^#' build/environment.txt
+        echo '# The full lock, written by `make lock` from pyproject.toml: edit that, not this.'
+        grep -v '^#' build/environment.txt
     } >build/environment.new || explain
     if cmp -s build/environment.new environment.txt; then
-        echo "environment.txt stays as it was."
+        echo "environment.txt stays as it is."
     else
-        diff environment.txt build/environment.new | sed -n 's/^[<>]/&/p'
-        mv -f build/environment.new environment.txt || stop "environment.txt cannot be written."
+        diff environment.txt build/environment.new 2>/dev/null | grep '^[<>]'
+        mv -f build/environment.new environment.txt || stop "environment.txt cannot be written: set its rights."
+        echo "environment.txt is written anew; the next make brings .venv up to date."
     fi
 }
 

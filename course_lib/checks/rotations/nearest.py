@@ -4,12 +4,17 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
+from course_lib.checks.rotations.predicates import either
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
 _PUBLISHED = np.array(
     [[0.69942428, 0.57542726, 0.83226602], [0.51703353, 0.77526382, 0.78676897], [0.99073504, 0.09942187, 0.47534292]]
 )
+
+# Rank 2, and exactly so in floating point: det M is 0 and tells nothing of the sign of det(U V^T), which differs
+# between this matrix and its negative. The nearest rotation is unique all the same.
+_SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
 
 
 def damaged_rotations(rng):
@@ -26,7 +31,8 @@ def damaged_rotations(rng):
         scaled,
         _PUBLISHED,
         mirrored,
-        np.outer([1.0, 2.0, 2.0], [0.6, 0.8, 0.0]) + np.outer([2.0, 1.0, -2.0], [-0.8, 0.6, 0.0]) / 2,
+        _SINGULAR,
+        -_SINGULAR,
     ]
 
 
@@ -53,6 +59,24 @@ def last_column_negated(M):
 def gram_schmidt(M):
     Q, upper = np.linalg.qr(M)
     return Q * np.sign(np.diag(upper))
+
+
+def _ones(M):
+    return [1.0] * (len(M) - 1)
+
+
+def _sign(M):
+    return np.linalg.det(polar(M))
+
+
+def _right_handed(Q):
+    """Q with its last column turned where det Q < 0."""
+    return Q @ np.diag([*_ones(Q), np.sign(np.linalg.det(Q))])
+
+
+def _v_transposed_twice(M):
+    U, _, Vt = np.linalg.svd(M)
+    return (U * np.array([*_ones(M), np.linalg.det(U @ Vt)])) @ Vt.T
 
 
 def distances(R, M):
@@ -92,44 +116,88 @@ NEAREST_SO = Exercise(
         ),
     ),
     mistakes=(
-        Mistake(
-            "U V^T is returned as it is, a reflection where det M < 0",
-            "Put the sign inside: U diag(1, ..., det(U V^T)) V^T.",
+        *either(
+            ("M comes back as it is", "U S V^T is M again: leave S out."),
+            np.copy,
+        ),
+        *either(
+            (
+                "U V^T is returned as it is, a reflection where det M < 0",
+                "Put the sign inside: U diag(1, ..., det(U V^T)) V^T.",
+            ),
             polar,
         ),
-        Mistake(
-            "the last column of U V^T is negated, as in the published report",
-            "That is a rotation, but not the nearest. The smallest singular value is the cheapest to turn: "
-            "its sign belongs between U and V^T.",
+        *either(
+            (
+                "the last column of U V^T is negated, as in the published report",
+                "That is a rotation, but not the nearest. The smallest singular value is the cheapest to turn: "
+                "its sign belongs between U and V^T.",
+            ),
             last_column_negated,
         ),
-        Mistake(
-            "the sign is put at the largest singular value",
-            "The smallest one costs least: numpy sorts them downwards, so it is the last.",
-            lambda M: polar(M, np.linalg.det(polar(M)), *[1.0] * (len(M) - 1)),
+        *either(
+            (
+                "the last row of U V^T is negated",
+                "That is a rotation, but not the nearest: negate the last row of V^T, before the product.",
+            ),
+            lambda M: np.diag([*_ones(M), _sign(M)]) @ polar(M),
         ),
-        Mistake(
-            "all of U V^T is negated",
-            "For n = 3 that makes det +1, but turns all three axes round. One sign is enough.",
-            lambda M: np.linalg.det(polar(M)) * polar(M),
+        *either(
+            (
+                "the sign is put at the largest singular value",
+                "The smallest one costs least: numpy sorts them downwards, so it is the last.",
+            ),
+            lambda M: polar(M, _sign(M), *_ones(M)),
         ),
-        Mistake(
-            "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
-            "That favours the first column. The nearest rotation treats all alike: singular value decomposition.",
+        *either(
+            (
+                "all of U V^T is negated",
+                "For n = 2 that leaves the determinant as it is; for n = 3 it makes it +1, but turns all three axes "
+                "round. One sign is enough.",
+            ),
+            lambda M: _sign(M) * polar(M),
+        ),
+        *either(
+            ("the sign is turned always", "Only where det(U V^T) = -1."),
+            lambda M: polar(M, *_ones(M), -1.0),
+        ),
+        *either(
+            (
+                "det M is asked for the sign",
+                "A singular M has det M = 0, and a nearest rotation all the same. Ask det(U V^T): it is +1 or -1.",
+            ),
+            lambda M: polar(M, *_ones(M), np.sign(np.linalg.det(M))),
+            lambda M: polar(M, *_ones(M), 1.0 if np.linalg.det(M) >= 0 else -1.0),
+            lambda M: polar(M, *_ones(M), 1.0 if np.linalg.det(M) > 0 else -1.0),
+        ),
+        *either(
+            (
+                "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
+                "That favours the first column. The nearest rotation treats all alike: singular value decomposition.",
+            ),
             gram_schmidt,
+            lambda M: _right_handed(gram_schmidt(M)),
+            lambda M: np.linalg.qr(M)[0],
+            lambda M: _right_handed(np.linalg.qr(M)[0]),
         ),
-        Mistake(
-            "the transpose is returned",
-            "numpy.linalg.svd returns U, S and V^T (not V): the product is U @ Vt.",
+        *either(
+            ("the columns are only scaled to length one", "They must be at right angles to each other too."),
+            lambda M: M / np.linalg.norm(M, axis=0),
+        ),
+        *either(
+            ("the transpose is returned", "numpy.linalg.svd returns U, S and V^T (not V): the product is U @ Vt."),
             lambda M: nearest_so(M).T,
         ),
-        Mistake(
-            "numpy's third result is taken for V",
-            "numpy.linalg.svd returns U, S and V^T: do not transpose it again.",
-            lambda M: _v_transposed_twice(M),
+        *either(
+            (
+                "numpy's third result is taken for V",
+                "numpy.linalg.svd returns U, S and V^T: do not transpose it again.",
+            ),
+            _v_transposed_twice,
         ),
-        Mistake(
-            "M is divided by the root of its determinant only", "Scaling does not straighten.", lambda M: _scaled(M)
+        *either(
+            ("U * Vt, entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+            lambda M: np.multiply(*np.linalg.svd(M)[::2]),
         ),
     ),
     hints=(
@@ -139,15 +207,6 @@ NEAREST_SO = Exercise(
     ),
     forbidden=("course_lib.rotations.nearest_so", "course_lib.rigid.nearest_se"),
 )
-
-
-def _v_transposed_twice(M):
-    U, _, Vt = np.linalg.svd(M)
-    return (U * np.array([*[1.0] * (len(M) - 1), np.linalg.det(U @ Vt)])) @ Vt.T
-
-
-def _scaled(M):
-    return M / abs(np.linalg.det(M)) ** (1 / len(M))
 
 
 def _quaternion_cases(rng):
@@ -204,6 +263,27 @@ NEAREST_QUATERNION = Exercise(
             lambda q: np.ravel(q) / np.linalg.norm(q) * [1, -1, -1, -1],
         ),
         Mistake("q comes back as it is", "Divide it by its length.", np.ravel),
+        Mistake(
+            "the sign is turned where w < 0",
+            "q and -q are the same rotation, but not equally near: the answer points the way q does.",
+            lambda q: np.ravel(q) / np.linalg.norm(q) * (1 if np.ravel(q)[0] >= 0 else -1),
+        ),
+        Mistake(
+            "the inverse is returned",
+            "Only the length is to change.",
+            lambda q: np.ravel(q) * [1, -1, -1, -1] / np.sum(q**2),
+        ),
+        Mistake("q is multiplied by its length", "Divide by it.", lambda q: np.ravel(q) * np.linalg.norm(q)),
+        Mistake(
+            "only the vector part is made a unit vector",
+            "All four entries together have length one.",
+            lambda q: np.array([np.ravel(q)[0], *(np.ravel(q)[1:] / (np.linalg.norm(np.ravel(q)[1:]) or 1))]),
+        ),
+        Mistake(
+            "a small number is added to the length",
+            "No quaternion here has length 0: divide by the length itself.",
+            seen=lambda u, q: 0 < np.linalg.norm(q) / np.linalg.norm(u) - np.linalg.norm(q) < 1e-3,
+        ),
     ),
     hints=("q / |q|: the direction stays, the length becomes 1.", "np.linalg.norm(q) is the length, for (4, 1) too."),
     forbidden=("course_lib.rotations.nearest_quaternion",),

@@ -1,61 +1,86 @@
-"""is_se and nearest_se: poses in the plane and in space."""
+"""is_se: what counts as a pose, within a tolerance."""
 
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers, truth
-from course_lib.checks.rotations.nearest import (
-    damaged_rotations,
-    distances,
-    gram_schmidt,
-    is_exact_rotation,
-    last_column_negated,
-    polar,
+from course_lib.checks.reading import truth
+from course_lib.checks.rotations.predicates import (
+    ALWAYS_THE_SAME,
+    FIXED_TOLERANCES,
+    LOOSE,
+    NEARLY_ONE,
+    NO_ABSOLUTE_VALUE,
+    NO_TOL,
+    RELATIVE,
+    TIGHT,
+    either,
+    is_rotation,
+    orthogonality_error,
+    plane_rotation,
 )
-from course_lib.checks.rotations.predicates import is_rotation, orthogonality_error, plane_rotation
-from course_lib.rigid import nearest_se
-from course_lib.rotations import nearest_so, random_rotations
+from course_lib.rotations import random_rotations
 
 
-def _last_row_error(T):
-    return np.abs(T[-1] - np.eye(len(T))[-1]).max()
+def _row_error(T):
+    """What the last row differs from (0, ..., 0, 1) by, entry by entry."""
+    return T[-1] - np.eye(T.shape[1])[-1]
+
+
+def _square(T):
+    return T.shape in ((3, 3), (4, 4))
+
+
+def _row_fits(T, tol):
+    return np.abs(_row_error(T)).max() <= tol
 
 
 def _is_se(T, tol):
-    return T.shape in ((3, 3), (4, 4)) and is_rotation(T[:-1, :-1], tol) and _last_row_error(T) <= tol
+    return _square(T) and is_rotation(T[:-1, :-1], tol) and _row_fits(T, tol)
 
 
-def _pose(R, p):
+def pose(R, p, *row):
+    """The matrix [[R, p], [row]], with the row of a pose where none is given."""
     n = len(p)
     T = np.eye(n + 1)
     T[:n, :n], T[:n, n] = R, p
+    T[n] = row or T[n]
     return T
 
 
 def _is_se_cases(rng):
     turn = random_rotations(1, rng)[0]
+    flat = plane_rotation(0.5)
     p = rng.normal(size=3) * 10
-    bent, scaled, open_row = _pose(turn, p), _pose(turn, p), _pose(plane_rotation(0.5), p[:2])
-    bent[3, :3] = 0.3
-    scaled[3, 3] = 2.0
-    open_row[2, 0] = 0.004
-    tight, loose = 1e-9, 0.01
     return [
-        (np.eye(3), tight),
-        (np.eye(4), tight),
-        (_pose(plane_rotation(0.5), p[:2]), tight),
-        (_pose(turn, p), tight),
-        (_pose(np.diag([1.0, -1.0]), p[:2]), tight),
-        (_pose(-turn, p), tight),
-        (_pose(2 * turn, p), tight),
-        (bent, tight),
-        (scaled, tight),
-        (open_row, loose),
-        (open_row, 1e-3),
-        (_pose(turn @ np.diag([1.003, 1.0, 1.0]), p), loose),
-        (_pose(turn, p)[:3], tight),
-        (turn[:2], tight),
+        (np.eye(3), TIGHT),
+        (np.eye(4), TIGHT),
+        (pose(flat, p[:2]), TIGHT),
+        (pose(turn, p), TIGHT),
+        (pose(np.diag([1.0, -1.0]), p[:2]), TIGHT),
+        (pose(-turn, p), TIGHT),
+        (pose(2 * turn, p), TIGHT),
+        (pose(turn @ np.diag([2.0, 0.5, 1.0]), p), TIGHT),
+        (pose(turn, p, 0.3, -0.3, 0.0, 1.0), TIGHT),
+        (pose(flat, 0 * p[:2], -0.3, 0.0, 1.0), TIGHT),
+        (pose(turn, p, 0.0, 0.0, 0.0, 2.0), TIGHT),
+        (pose(turn, p, 0.0, 0.0, 0.0, NEARLY_ONE), TIGHT),
+        (pose(flat, p[:2], 0.004, 0.0, 1.0), LOOSE),
+        (pose(flat, p[:2], 0.004, 0.0, 1.0), 1e-4),
+        (pose(turn @ np.diag([1.003, 1.0, 1.0]), p), LOOSE),
+        (pose(turn @ np.diag([1.003, 1.0, 1.0]), p), 1e-4),
+        (pose(turn, p)[:3], TIGHT),
+        (turn[:2], TIGHT),
     ]
+
+
+def _and_block(test):
+    """The answers of somebody who looks at the block and asks `test` for the last row."""
+    return lambda T, tol: _square(T) and is_rotation(T[:-1, :-1], tol) and test(T, tol)
+
+
+def _and_row(test):
+    """The answers of somebody who looks at the last row and asks `test` for the block."""
+    return lambda T, tol: _square(T) and test(T[:-1, :-1], tol) and _row_fits(T, tol)
 
 
 IS_SE = Exercise(
@@ -65,16 +90,17 @@ IS_SE = Exercise(
     cases=_is_se_cases,
     returns=truth,
     properties=(
-        Property("a pose is accepted", lambda ok, T, tol: ok, where=lambda T, tol: _is_se(T, min(tol, 1e-9))),
+        Property("a pose is accepted", lambda ok, T, tol: ok, where=lambda T, tol: _is_se(T, min(tol, TIGHT))),
         Property(
             "a matrix that is neither 3x3 nor 4x4 is refused",
             lambda ok, T, tol: not ok,
-            where=lambda T, tol: T.shape not in ((3, 3), (4, 4)),
+            where=lambda T, tol: not _square(T),
+            mistake=Mistake("the shape is not looked at", "T.shape in ((3, 3), (4, 4)) is the first question."),
         ),
         Property(
-            "the upper left block must be a rotation",
+            "the upper left block must be a rotation, within tol",
             lambda ok, T, tol: ok == _is_se(T, tol),
-            where=lambda T, tol: T.shape in ((3, 3), (4, 4)) and _last_row_error(T) == 0,
+            where=lambda T, tol: _square(T) and not _row_error(T).any(),
         ),
         Property(
             "the last row must be (0, ..., 0, 1), each entry within tol",
@@ -83,120 +109,71 @@ IS_SE = Exercise(
         ),
     ),
     mistakes=(
-        Mistake(
-            "the last row is not looked at",
-            "T has to map points to points: T[-1] is (0, ..., 0, 1).",
+        *ALWAYS_THE_SAME,
+        *either(
+            ("the last row is not looked at", "T has to map points to points: T[-1] is (0, ..., 0, 1)."),
             lambda T, tol: is_rotation(T[:-1, :-1], tol),
+            _and_block(lambda T, tol: True),
         ),
-        Mistake(
-            "of the last row only the last entry is looked at",
-            "The others must be 0.",
-            lambda T, tol: is_rotation(T[:-1, :-1], tol) and abs(T[-1, -1] - 1) <= tol,
+        *either(
+            ("of the last row only the last entry is looked at", "The others must be 0."),
+            _and_block(lambda T, tol: abs(T[-1, -1] - 1) <= tol),
         ),
-        Mistake(
-            "the whole of T is taken for a rotation",
-            "The translation column may hold anything. Take the block T[:-1, :-1].",
-            lambda T, tol: orthogonality_error(T) <= tol,
+        *either(
+            ("of the last row only the zeros are looked at", "Its last entry must be 1."),
+            _and_block(lambda T, tol: np.abs(T[-1, :-1]).max() <= tol),
         ),
-        Mistake(
-            "the block is not looked at",
-            "T[:-1, :-1] is for is_so.",
-            lambda T, tol: len(set(T.shape)) == 1 and _last_row_error(T) <= tol,
+        *either(
+            ("the entries of the last row are added up", "(0.3, -0.3, 0, 1) adds up to 1 too: compare each entry."),
+            _and_block(lambda T, tol: abs(T[-1].sum() - 1) <= tol),
+            _and_block(lambda T, tol: abs(_row_error(T).sum()) <= tol),
         ),
-        Mistake(
-            "a reflection passes for a rotation",
-            "The block needs det = +1 too.",
-            lambda T, tol: orthogonality_error(T[:-1, :-1]) <= tol and _last_row_error(T) <= tol,
+        *either(NO_ABSOLUTE_VALUE, _and_block(lambda T, tol: _row_error(T).max() <= tol)),
+        *either(RELATIVE, _and_block(lambda T, tol: np.allclose(T[-1], np.eye(len(T))[-1], rtol=1e-5, atol=tol))),
+        *either(
+            (
+                "the last column is compared in place of the last row",
+                "T[-1] is the last row, T[:, -1] the last column.",
+            ),
+            _and_block(lambda T, tol: np.abs(_row_error(T.T)).max() <= tol),
         ),
-        Mistake("tol is not used", "Compare with the tolerance you are given.", lambda T, tol: _is_se(T, 1e-8)),
+        *either(
+            ("the last row is not compared with tol", "np.abs(T[-1] - last_row).max() <= tol"),
+            *(_and_block(lambda T, tol, fixed=fixed: _row_fits(T, fixed)) for fixed in (0.0, *FIXED_TOLERANCES)),
+        ),
+        *either(
+            (
+                "the whole of T is taken for a rotation",
+                "The translation column may hold anything. Take the block T[:-1, :-1].",
+            ),
+            lambda T, tol: _square(T) and orthogonality_error(T) <= tol,
+        ),
+        *either(("the block is not looked at", "T[:-1, :-1] is for is_so."), _and_row(lambda R, tol: True)),
+        *either(
+            ("a reflection passes for a rotation", "The block needs det = +1 too."),
+            _and_row(lambda R, tol: orthogonality_error(R) <= tol),
+        ),
+        *either(
+            (
+                "of the block only the determinant is looked at",
+                "diag(2, 0.5, 1) has det = 1. Your is_so asks for more.",
+            ),
+            _and_row(lambda R, tol: abs(np.linalg.det(R) - 1) <= tol),
+            _and_row(lambda R, tol: np.linalg.det(R) > 0),
+        ),
+        *either(NO_TOL, *(lambda T, tol, fixed=fixed: _is_se(T, fixed) for fixed in FIXED_TOLERANCES)),
+        *either(
+            ("tol is not passed on to the block", "Your is_so takes tol too."),
+            *(_and_row(lambda R, tol, fixed=fixed: is_rotation(R, fixed)) for fixed in FIXED_TOLERANCES),
+        ),
+        *either(
+            ("one size alone is accepted", "T may be 3x3 or 4x4: len(T) tells."),
+            *(lambda T, tol, n=n: T.shape == (n, n) and _is_se(T, tol) for n in (3, 4)),
+        ),
     ),
     hints=(
         "Split T: the block T[:-1, :-1], the translation T[:-1, -1] (anything goes), the last row T[-1].",
         "Your is_so judges the block. The last row is compared with (0, ..., 0, 1).",
     ),
     forbidden=("course_lib.rigid.is_se", "course_lib.rotations.is_so"),
-)
-
-
-def _damaged_pose(M, p):
-    n = len(M)
-    T = np.eye(n + 1)
-    T[:n, :n], T[:n, n], T[n] = M, p[:n], 0.1 * np.arange(1, n + 2)
-    return T
-
-
-def _nearest_se_cases(rng):
-    p = rng.normal(size=3)
-    good = [np.eye(3), np.eye(4), _pose(random_rotations(1, rng)[0], p)]
-    return [(T,) for T in good + [_damaged_pose(M, p) for M in damaged_rotations(rng)]]
-
-
-def _valid_pose(T):
-    return is_exact_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
-
-
-def _block_replaced(T, block, row=True):
-    answer = T.copy()
-    answer[:-1, :-1] = block(T[:-1, :-1])
-    if row:
-        answer[-1] = np.eye(len(T))[-1]
-    return answer
-
-
-NEAREST_SE = Exercise(
-    name="nearest_se",
-    points=2,
-    arguments=("T",),
-    cases=_nearest_se_cases,
-    returns=numbers(np.shape),
-    properties=(
-        Property("a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < 1e-9, where=_valid_pose),
-        Property(
-            "the last row is (0, ..., 0, 1)",
-            lambda X, T: np.abs(X[-1] - np.eye(len(T))[-1]).max() < 1e-9,
-            mistake=Mistake("the last row stays as it came", "Write it anew: T[-1] = (0, ..., 0, 1)."),
-        ),
-        Property(
-            "the translation (the last column) stays as it is",
-            lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < 1e-9,
-            mistake=Mistake("the translation is changed", "Only the block T[:-1, :-1] and the last row need mending."),
-        ),
-        Property(
-            "the block is a rotation",
-            lambda X, T: is_exact_rotation(X[:-1, :-1]),
-            mistake=Mistake("the block is no rotation", "Your nearest_so turns T[:-1, :-1] into one."),
-        ),
-        Property(
-            "the block is the rotation nearest to that of T",
-            lambda X, T: np.linalg.norm(X - nearest_se(T)) < 1e-6,
-            seen=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "the last column of U V^T is negated, as in the published report",
-            "The sign belongs between U and V^T; your nearest_so does it.",
-            lambda T: _block_replaced(T, last_column_negated),
-        ),
-        Mistake(
-            "the block is left a reflection where det < 0",
-            "Use your nearest_so, which turns the sign.",
-            lambda T: _block_replaced(T, polar),
-        ),
-        Mistake(
-            "the block is transposed",
-            "numpy.linalg.svd returns U, S, V^T: the product is U @ Vt.",
-            lambda T: _block_replaced(T, lambda M: nearest_so(M).T),
-        ),
-        Mistake(
-            "the block is made orthogonal column after column",
-            "Gram-Schmidt favours the first column: use your nearest_so.",
-            lambda T: _block_replaced(T, gram_schmidt),
-        ),
-    ),
-    hints=(
-        "Copy T, put nearest_so of the block T[:-1, :-1] in its place, and write the last row anew.",
-        "n = len(T) - 1 works for SE(2) and SE(3).",
-    ),
-    forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
 )

@@ -6,18 +6,48 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import truth
 from course_lib.rotations import exp_so3, random_rotations
 
+TIGHT, LOOSE = 1e-9, 0.01
+NEARLY_ONE = 1 + 4e-6  # off by more than TIGHT, and by less than numpy's own relative tolerance of 1e-5
+
+# Tolerances that somebody may write down instead of using tol; no two give the same answers in all cases.
+FIXED_TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3, 1e-2)
+
+RELATIVE = (
+    "a relative tolerance of 1e-5 is added: numpy.allclose and numpy.isclose have one of their own",
+    "Pass rtol=0, atol=tol, or compare np.abs(...).max() with tol.",
+)
+NO_TOL = ("tol is not used", "Compare with the tolerance you are given, not with a fixed one.")
+NO_ABSOLUTE_VALUE = (
+    "a negative error always passes",
+    "An error of -0.5 is as wrong as 0.5: take the absolute value before you compare with tol.",
+)
+
+
+def either(words, *answers):
+    """One mistake, name and hint in `words`, that may be made in more than one way."""
+    name, hint = words
+    return tuple(Mistake(name, hint, answer) for answer in answers)
+
+
+ALWAYS_THE_SAME = (
+    Mistake("the answer is always True", "Return what the comparison gives.", lambda *case: True),
+    Mistake(
+        "the answer is always False", "Print each comparison for the case above: which is False?", lambda *c: False
+    ),
+)
+
 
 def orthogonality_error(R):
     """The largest entry of R^T R - I."""
     return np.abs(R.T @ R - np.eye(R.shape[1])).max()
 
 
-def _square(R):
+def square(R):
     return R.shape in ((2, 2), (3, 3))
 
 
 def is_rotation(R, tol):
-    return _square(R) and orthogonality_error(R) <= tol and abs(np.linalg.det(R) - 1) <= tol
+    return square(R) and orthogonality_error(R) <= tol and abs(np.linalg.det(R) - 1) <= tol
 
 
 def _is_quaternion(q, tol):
@@ -28,49 +58,62 @@ def plane_rotation(angle):
     return exp_so3([0.0, 0.0, angle])[:2, :2]
 
 
-def _unit_columns(n, cosine):
-    """Columns of length one, each pair at the given cosine or its negative: every entry of R^T R - I is that or 0."""
-    gram = np.full((n, n), cosine) * np.sign(np.add.outer(np.arange(n), np.arange(n)) % 2 - 0.5)
-    np.fill_diagonal(gram, 1.0)
-    return np.linalg.cholesky(gram).T
+def slightly_bent(R):
+    """R with two columns scaled so that det R stays 1."""
+    return R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0])
+
+
+def _unit_columns(cosine):
+    """A 2x2 matrix with columns of length one at an angle with the given cosine."""
+    return np.array([[1.0, cosine], [0.0, np.sqrt(1 - cosine**2)]])
 
 
 def _so_cases(rng):
     turn = random_rotations(1, rng)[0]
-    tight, loose = 1e-9, 0.01
+    stretched = plane_rotation(0.5) @ np.diag([1.003, 1.0])
+    # every entry of R^T R - I is 0.007, all of them together more than 0.01; so it is for R R^T too
+    within = turn @ np.diag([1.0035, 1.0035, 1 / 1.0035])
     return [
-        (np.eye(2), tight),
-        (np.eye(3), tight),
-        (plane_rotation(0.5), tight),
-        (turn, tight),
-        (plane_rotation(np.pi), tight),
-        (np.diag([1.0, -1.0]), tight),
-        (np.diag([1.0, 1.0, -1.0]), tight),
-        (-turn, tight),
-        (np.array([[1.0, 1.0], [0.0, 1.0]]), tight),
-        (np.diag([2.0, 0.5, 1.0]), tight),
-        (2 * turn, tight),
-        (np.zeros((3, 3)), tight),
-        (_unit_columns(2, 0.6), tight),
-        (plane_rotation(0.5) @ np.diag([1.003, 1.0]), loose),
-        (plane_rotation(0.5) @ np.diag([1.003, 1.0]), 1e-4),
-        (turn @ _unit_columns(3, 0.008), loose),
-        (turn @ np.diag([1.02, 1 / 1.02, 1.0]), loose),
-        (turn[:, :2], tight),
-        (turn[:2], tight),
+        (np.eye(2), TIGHT),
+        (np.eye(3), TIGHT),
+        (plane_rotation(0.5), TIGHT),
+        (turn, TIGHT),
+        (plane_rotation(np.pi), TIGHT),
+        (np.diag([1.0, -1.0]), TIGHT),
+        (np.diag([1.0, 1.0, -1.0]), TIGHT),
+        (-turn, TIGHT),
+        (np.array([[1.0, 1.0], [0.0, 1.0]]), TIGHT),
+        (np.diag([2.0, 0.5, 1.0]), TIGHT),
+        (2 * turn, TIGHT),
+        (np.zeros((3, 3)), TIGHT),
+        (_unit_columns(0.6), TIGHT),
+        (stretched, LOOSE),
+        (stretched, 1e-4),
+        (within, LOOSE),
+        (turn @ np.diag([1.02, 1 / 1.02, 1.0]), LOOSE),
+        (_unit_columns(-0.1), LOOSE),
+        (slightly_bent(turn), TIGHT),
+        (turn[:, :2], TIGHT),
+        (turn[:2], TIGHT),
     ]
 
 
-def _ignoring(checks, *names):
-    """The answer of somebody who leaves some of the checks out; all(...) of the rest."""
-    return lambda *case: all(test(*case) for name, test in checks.items() if name not in names)
+def _det_near_one(R, tol):
+    return abs(np.linalg.det(R) - 1) <= tol
 
 
-_SO_CHECKS = {
-    "square": lambda R, tol: _square(R),
-    "orthogonal": lambda R, tol: orthogonality_error(R) <= tol,
-    "det": lambda R, tol: _square(R) and abs(np.linalg.det(R) - 1) <= tol,
-}
+def _det_positive(R, tol):
+    return np.linalg.det(R) > 0
+
+
+def _and_determinant(test):
+    """The answers of somebody who asks `test` for the columns: with the determinant asked in either way, or not."""
+    return (
+        lambda R, tol: square(R) and test(R, tol) and _det_near_one(R, tol),
+        lambda R, tol: square(R) and test(R, tol) and _det_positive(R, tol),
+        lambda R, tol: square(R) and test(R, tol),
+    )
+
 
 IS_SO = Exercise(
     name="is_so",
@@ -79,16 +122,18 @@ IS_SO = Exercise(
     cases=_so_cases,
     returns=truth,
     properties=(
-        Property("a rotation is accepted", lambda ok, R, tol: ok, where=lambda R, tol: is_rotation(R, min(tol, 1e-9))),
+        Property("a rotation is accepted", lambda ok, R, tol: ok, where=lambda R, tol: is_rotation(R, min(tol, TIGHT))),
         Property(
             "a matrix that is not square is refused, before anything is computed with it",
             lambda ok, R, tol: not ok,
-            where=lambda R, tol: not _square(R),
+            where=lambda R, tol: not square(R),
+            mistake=Mistake("the shape is not looked at", "R.shape in ((2, 2), (3, 3)) is the first question."),
         ),
         Property(
             "a reflection (R^T R = I, but det R = -1) is refused",
             lambda ok, R, tol: not ok,
-            where=lambda R, tol: _square(R) and orthogonality_error(R) <= tol and np.linalg.det(R) < 0,
+            where=lambda R, tol: square(R) and orthogonality_error(R) <= tol and np.linalg.det(R) < 0,
+            mistake=Mistake("a reflection passes for a rotation", "What tells a mirror from a rotation? det R."),
         ),
         Property(
             "the answer says whether every entry of R^T R is within tol of I, and det R within tol of 1",
@@ -97,41 +142,54 @@ IS_SO = Exercise(
                 f"The largest entry of R^T R - I is {orthogonality_error(R):.3g}, det R is {np.linalg.det(R):.6g}, "
                 f"tol is {tol:g}."
             ),
-            where=lambda R, tol: _square(R),
+            where=lambda R, tol: square(R),
         ),
     ),
     mistakes=(
-        Mistake(
-            "only R^T R = I is looked at",
-            "A mirror has R^T R = I too. What tells it from a rotation?",
-            _ignoring(_SO_CHECKS, "det"),
+        *ALWAYS_THE_SAME,
+        *either(
+            ("only R^T R = I is looked at", "A mirror has R^T R = I too. What tells it from a rotation?"),
+            lambda R, tol: square(R) and orthogonality_error(R) <= tol,
+            lambda R, tol: orthogonality_error(R) <= tol,
         ),
-        Mistake(
-            "only det R = 1 is looked at",
-            "diag(2, 0.5, 1) keeps volumes and bends everything else. What must columns of a rotation be?",
-            _ignoring(_SO_CHECKS, "orthogonal"),
+        *either(
+            (
+                "only det R = 1 is looked at",
+                "diag(2, 0.5, 1) keeps volumes and bends everything else. What must columns of a rotation be?",
+            ),
+            *_and_determinant(lambda R, tol: True)[:2],
         ),
-        Mistake(
-            "R * R.T, entry by entry, stands for the matrix product",
-            "In numpy the matrix product is @.",
-            lambda R, tol: _square(R) and np.abs(R * R.T - np.eye(len(R))).max() <= tol,
+        *either(
+            ("R * R.T, entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+            *_and_determinant(lambda R, tol: np.abs(R * R.T - np.eye(len(R))).max() <= tol),
         ),
-        Mistake(
-            "tol is not used",
-            "Compare with the tolerance you are given, not with a fixed one.",
-            lambda R, tol: is_rotation(R, 1e-8),
+        *either(NO_TOL, *(lambda R, tol, fixed=fixed: is_rotation(R, fixed) for fixed in FIXED_TOLERANCES)),
+        *either(
+            RELATIVE, *_and_determinant(lambda R, tol: np.allclose(R.T @ R, np.eye(len(R)), rtol=1e-5, atol=tol))[:2]
         ),
-        Mistake(
-            "the entries' errors are added up (a norm) instead of looked at one by one",
-            "Take the largest: np.abs(...).max().",
-            lambda R, tol: is_rotation(R, tol) and np.linalg.norm(R.T @ R - np.eye(len(R))) <= tol,
+        *either(NO_ABSOLUTE_VALUE, *_and_determinant(lambda R, tol: (R.T @ R - np.eye(len(R))).max() <= tol)),
+        *either(
+            (
+                "the entries' errors are added up (a norm) instead of looked at one by one",
+                "Take the largest: np.abs(...).max().",
+            ),
+            *_and_determinant(lambda R, tol: np.linalg.norm(R.T @ R - np.eye(len(R))) <= tol)[:2],
         ),
-        Mistake(
-            "only the lengths of the columns are looked at, not the angles between them",
-            "R^T R holds every product of two columns: off its diagonal too.",
-            lambda R, tol: _square(R) and np.abs(np.diag(R.T @ R) - 1).max() <= tol and np.linalg.det(R) > 0,
+        *either(
+            (
+                "only the lengths of the columns are looked at, not the angles between them",
+                "R^T R holds every product of two columns: off its diagonal too.",
+            ),
+            *_and_determinant(lambda R, tol: np.abs(np.diag(R.T @ R) - 1).max() <= tol),
         ),
-        Mistake("one size alone is accepted", "n may be 2 or 3: R.shape[0] tells.", lambda R, tol: False),
+        *either(
+            ("only the identity is accepted", "R^T R, not R, is near I."),
+            lambda R, tol: square(R) and np.abs(R - np.eye(len(R))).max() <= tol,
+        ),
+        *either(
+            ("one size alone is accepted", "n may be 2 or 3: R.shape[0] tells."),
+            *(lambda R, tol, n=n: R.shape == (n, n) and is_rotation(R, tol) for n in (2, 3)),
+        ),
     ),
     hints=(
         "Three questions in this order: is it square, are its columns orthonormal, is it no mirror?",
@@ -145,23 +203,29 @@ IS_SO = Exercise(
 def _quaternion_cases(rng):
     q = rng.normal(size=4)
     q = q / np.linalg.norm(q)
-    tight, loose = 1e-9, 0.01
     return [
-        (np.array([1.0, 0, 0, 0]), tight),
-        (q, tight),
-        (-q, tight),
-        (q[:, None], tight),
-        (np.array([1.0, 1, 0, 0]), tight),
-        (np.zeros(4), tight),
-        (np.array([0.5, 0.5, 0.0, 0.0]), tight),
-        (2 * q[:, None], tight),
-        (1.008 * q, loose),
-        (0.992 * q, loose),
-        (1.008 * q, 1e-3),
-        (0.992 * q[:, None], 1e-3),
-        (np.array([1.0, 0, 0]), tight),
-        (np.eye(4), tight),
+        (np.array([1.0, 0, 0, 0]), TIGHT),
+        (q, TIGHT),
+        (-q, TIGHT),
+        (q[:, None], TIGHT),
+        (np.array([1.0, 1, 0, 0]), TIGHT),
+        (np.zeros(4), TIGHT),
+        (np.array([0.5, 0.5, 0.0, 0.0]), TIGHT),
+        (2 * q[:, None], TIGHT),
+        (1.008 * q, LOOSE),
+        (1.004 * q, LOOSE),
+        (0.992 * q, LOOSE),
+        (1.008 * q, 1e-4),
+        (0.992 * q[:, None], 1e-4),
+        (NEARLY_ONE * q, TIGHT),
+        (np.array([1.0, 0, 0]), TIGHT),
+        (0.5 * np.eye(4), TIGHT),
     ]
+
+
+def _of_shape(test):
+    """The answers of somebody who asks `test` for the length: with the shape looked at or not."""
+    return (lambda q, tol: q.shape in ((4,), (4, 1)) and test(q, tol), test)
 
 
 IS_QUATERNION = Exercise(
@@ -174,7 +238,7 @@ IS_QUATERNION = Exercise(
         Property(
             "a unit quaternion is accepted, as (4,) and as (4, 1)",
             lambda ok, q, tol: ok,
-            where=lambda q, tol: _is_quaternion(q, min(tol, 1e-9)),
+            where=lambda q, tol: _is_quaternion(q, min(tol, TIGHT)),
         ),
         Property(
             "another shape than (4,) or (4, 1) is refused",
@@ -185,30 +249,44 @@ IS_QUATERNION = Exercise(
         Property(
             "the answer says whether |q| is within tol of 1",
             lambda ok, q, tol: ok == _is_quaternion(q, tol),
-            seen=lambda ok, q, tol: f"|q| is {np.linalg.norm(q):.6g}, tol is {tol:g}.",
+            seen=lambda ok, q, tol: f"|q| is {np.linalg.norm(q):.8g}, tol is {tol:g}.",
         ),
     ),
     mistakes=(
-        Mistake(
-            "(4, 1) is refused",
-            "A column is a quaternion too; np.ravel(q) makes it flat.",
+        *ALWAYS_THE_SAME,
+        *either(
+            ("(4, 1) is refused", "A column is a quaternion too; np.ravel(q) makes it flat."),
             lambda q, tol: q.shape == (4,) and _is_quaternion(q, tol),
         ),
-        Mistake(
-            "|q|^2 is compared with 1",
-            "Within a tolerance the square is not the same: take the root.",
-            lambda q, tol: abs(np.sum(q**2) - 1) <= tol,
+        *either(
+            ("(4,) is refused", "A flat q is a quaternion too; np.ravel(q) makes a column flat."),
+            lambda q, tol: q.shape == (4, 1) and _is_quaternion(q, tol),
         ),
-        Mistake("tol is not used", "Compare with the tolerance you are given.", lambda q, tol: _is_quaternion(q, 1e-8)),
-        Mistake(
-            "the entries are added up without squares",
-            "|q| is the root of the sum of squares.",
-            lambda q, tol: abs(np.sum(q) - 1) <= tol,
+        *either(
+            ("the length is not looked at", "np.linalg.norm(q) is the second question."),
+            lambda q, tol: q.shape in ((4,), (4, 1)),
         ),
-        Mistake(
-            "a length below 1 always passes",
-            "|q| - 1 is negative for a short q: take its absolute value.",
-            lambda q, tol: np.linalg.norm(q) - 1 <= tol,
+        *either(
+            ("|q|^2 is compared with 1", "Within a tolerance the square is not the same: take the root."),
+            *_of_shape(lambda q, tol: abs(np.sum(q**2) - 1) <= tol),
+        ),
+        *either(
+            NO_TOL,
+            *(
+                answer
+                for fixed in FIXED_TOLERANCES
+                for answer in _of_shape(lambda q, tol, fixed=fixed: abs(np.linalg.norm(q) - 1) <= fixed)
+            ),
+        ),
+        *either(RELATIVE, *_of_shape(lambda q, tol: np.isclose(np.linalg.norm(q), 1, rtol=1e-5, atol=tol))),
+        *either(
+            ("the entries are added up without squares", "|q| is the root of the sum of squares."),
+            *_of_shape(lambda q, tol: abs(np.sum(q) - 1) <= tol),
+            *_of_shape(lambda q, tol: abs(np.sum(np.abs(q)) - 1) <= tol),
+        ),
+        *either(
+            ("a length below 1 always passes", "|q| - 1 is negative for a short q: take its absolute value."),
+            *_of_shape(lambda q, tol: np.linalg.norm(q) - 1 <= tol),
         ),
     ),
     hints=(

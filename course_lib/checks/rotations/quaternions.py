@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.reading import NOT_A_NUMBER, numbers
+from course_lib.checks.rotations.predicates import either
 from course_lib.rotations import exp_so3, hat, matrix_to_quaternion, quaternion_to_matrix, random_quaternions
 
 
@@ -22,6 +23,20 @@ def _to_matrix_cases(rng):
 
 def _is_rotation(R, *case):
     return np.abs(R.T @ R - np.eye(3)).max() < 1e-9 and np.linalg.det(R) > 0
+
+
+def _off_diagonal(R):
+    return R - np.diag(np.diag(R))
+
+
+def _rodrigues(angle, n):
+    return np.eye(3) + np.sin(angle) * hat(n) + (1 - np.cos(angle)) * hat(n) @ hat(n)
+
+
+def _like_the_transpose_in_places(R, q):
+    right = quaternion_to_matrix(q)
+    off = np.abs(R - right) > 1e-6
+    return off.sum() <= 2 and np.allclose(R[off], right.T[off], atol=1e-6)
 
 
 QUATERNION_TO_MATRIX = Exercise(
@@ -68,6 +83,31 @@ QUATERNION_TO_MATRIX = Exercise(
             "R[0, 0] = 1 - 2 (y^2 + z^2): the two squares that are not x^2.",
             lambda q: np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * np.outer(q[1:], q[1:]),
         ),
+        Mistake(
+            "the square of its own entry is taken on the diagonal",
+            "R[0, 0] = 1 - 2 (y^2 + z^2): the two squares that are not x^2.",
+            lambda q: _off_diagonal(quaternion_to_matrix(q)) + np.diag(1 - 2 * q[1:] ** 2),
+        ),
+        *either(
+            ("the factor 2 stands at one term only", "R = I + 2 w [v] + 2 [v]^2."),
+            lambda q: np.eye(3) + 2 * q[0] * hat(q[1:]) + hat(q[1:]) @ hat(q[1:]),
+            lambda q: np.eye(3) + q[0] * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:]),
+        ),
+        Mistake(
+            "(x, y, z), not divided by its length, is taken for the axis",
+            "It is sin(a/2) times the axis.",
+            lambda q: _rodrigues(2 * np.arccos(np.clip(q[0], -1, 1)), q[1:]),
+        ),
+        Mistake(
+            "w is taken for the angle",
+            "w = cos(a/2): a = 2 arccos(w).",
+            lambda q: exp_so3(q[0] * q[1:] / (np.linalg.norm(q[1:]) or 1)),
+        ),
+        Mistake(
+            "one entry's sign is wrong: the sign of its term with w",
+            "2 (x y - w z) stands in R[0, 1], 2 (x y + w z) in R[1, 0]: each pair differs in it.",
+            seen=_like_the_transpose_in_places,
+        ),
     ),
     hints=(
         "R = I + 2 w [v] + 2 [v]^2 with v = (x, y, z).",
@@ -94,6 +134,21 @@ def _to_quaternion_cases(rng):
     return [(R,) for R in [np.eye(3), *quarter, *generic, *half, *near, *exact]]
 
 
+_DIVIDED_BY_ZERO = Mistake(
+    "near a half turn you divide by an entry of q that is 0 there",
+    "Four branches: divide by the largest of w, x, y, z, whichever it is.",
+)
+
+
+def _quaternion(q, R):
+    try:
+        return numbers(lambda R: (4,))(q, R)
+    except Unreadable as wrong:
+        if wrong.mistake is NOT_A_NUMBER and np.trace(R) < -1 + 1e-9:
+            raise Unreadable(str(wrong), _DIVIDED_BY_ZERO) from None
+        raise
+
+
 def _either_sign(q, right):
     return min(np.abs(q - right).max(), np.abs(q + right).max()) < 1e-6
 
@@ -103,7 +158,7 @@ MATRIX_TO_QUATERNION = Exercise(
     points=3,
     arguments=("R",),
     cases=_to_quaternion_cases,
-    returns=numbers(lambda R: (4,)),
+    returns=_quaternion,
     properties=(
         Property("|q| = 1", lambda q, R: abs(np.linalg.norm(q) - 1) < 1e-6),
         Property(
@@ -131,10 +186,18 @@ MATRIX_TO_QUATERNION = Exercise(
             seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6),
         ),
         Mistake(
-            "near a half turn you divide by w, which is 0 there",
-            "Four branches: divide by the largest of w, x, y, z, whichever it is.",
-            seen=lambda q, R: np.trace(R) < -1 + 1e-9,
+            "the half is missing: q is twice as long as it should be",
+            "w^2 = (1 + trace) / 4: the 4 becomes 2 under the root.",
+            seen=lambda q, R: _either_sign(q / 2, matrix_to_quaternion(R)),
         ),
+        Mistake(
+            "the vector part has another factor than the scalar",
+            "x = (R[2, 1] - R[1, 2]) / (4 w): 4, with w = sqrt(1 + trace) / 2.",
+            seen=lambda q, R: any(
+                _either_sign(q * [1, c, c, c], matrix_to_quaternion(R)) for c in (0.25, 0.5, 2, 4, -0.5, -2)
+            ),
+        ),
+        Mistake(_DIVIDED_BY_ZERO.name, _DIVIDED_BY_ZERO.hint, seen=lambda q, R: np.trace(R) < -1 + 1e-9),
         Mistake(
             "the angle is not halved",
             "A turn by a has w = cos(a/2).",

@@ -15,8 +15,8 @@ HERE = Path(__file__).parent
 
 HOME = """# Robot kinematics
 
-Six assignments on robot kinematics. Each page is a notebook with its results; figures can be turned, and
-those that move can be played.
+Each assignment is a notebook, shown here with its results. Figures can be turned, and those that move can be
+played.
 
 ```{{toctree}}
 :titlesonly:
@@ -35,6 +35,8 @@ def build(notebooks: Path, output: Path, say=print) -> None:
     sources = sorted(notebooks.glob("*.ipynb"))
     if not sources:
         raise SiteError(f"There are no notebooks in {notebooks}.")
+    if notebooks.resolve() in output.resolve().parents:
+        raise SiteError(f"{output} lies inside {notebooks}, which is read. Name a folder elsewhere.")
     # Sphinx leaves .buildinfo in every site, so a folder without it is somebody's own.
     if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
         raise SiteError(f"{output} holds other files than a site. Name an empty folder.")

@@ -42,6 +42,7 @@ myst_update_mathjax = False
 html_theme = "sphinx_book_theme"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["print.js"]
 html_copy_source = False
 html_show_copyright = False
 # Without it the theme logs an error on a reader's first visit.
@@ -53,6 +54,8 @@ html_theme_options = {
     "home_page_in_toc": True,
     # Search stands in the side bar already.
     "navbar_persistent": [],
+    # The footer would name an author and a date.
+    "footer_content_items": [],
 }
 
 
@@ -80,6 +83,17 @@ def check_formulas(app, document):
             logger.warning("formula: left as plain text: %s", node[left_over.start() :][:70], location=node.parent)
 
 
+def leave_unnumbered(app, document):
+    """Take off the numbers that MyST gives to align and its like: JupyterLab gives none.
+
+    With them go their names, which are random and would change every page at every build.
+    """
+    for node in document.findall(nodes.math_block):
+        if "amsmath" in node["classes"]:
+            node["number"] = None
+            node["ids"].clear()
+
+
 def load_plotly_where_needed(app, pagename, templatename, context, doctree):
     """Add plotly.js, after the text, to the pages that hold a figure."""
     if 'class="plotly-figure"' in context.get("body", ""):
@@ -88,6 +102,7 @@ def load_plotly_where_needed(app, pagename, templatename, context, doctree):
 
 
 def setup(app):
-    """Register the two functions above."""
+    """Register the functions above."""
     app.connect("doctree-read", check_formulas)
+    app.connect("doctree-read", leave_unnumbered)
     app.connect("html-page-context", load_plotly_where_needed)

@@ -84,10 +84,13 @@ def _alt(output, place: str) -> str:
 
 
 def _figure(figure: dict, alt: str, still: str) -> str:
-    """Return a figure as data that figures.js draws; until then, and in print, its still picture shows."""
+    """Return a figure as data that figures.js draws; until then, and in print, its still picture shows.
+
+    Without a still picture its words stand in, except in print.
+    """
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
-    fallback = still or f"<noscript><p>{html.escape(alt)}</p></noscript>"
+    fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
     return (
         f'<div class="plotly-figure" role="group" aria-label="{html.escape(alt)}">{fallback}'
         f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'

@@ -3,6 +3,8 @@
 (() => {
   "use strict";
   const NEAR = "600px 0px";
+  // What plotly gives a figure that names no size of its own.
+  const [WIDTH, HEIGHT] = [700, 450];
   const CONFIG = { responsive: true, displaylogo: false };
 
   // Plotly's own play button and slider take no keyboard focus; they give way to HTML ones.
@@ -78,10 +80,23 @@
     return { show, stop: () => setPlaying(false) };
   }
 
+  // A scene in 3D is drawn to the scale of its height: in too narrow a page its sides would be cut off. So
+  // the figure gets lower there, until every scene has the shape it was made for, or a square.
+  function fittingHeight(layout, meant, width) {
+    const scenes = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
+    const heights = scenes.map((key) => {
+      const { x = [0, 1], y = [0, 1] } = layout[key].domain || {};
+      const shape = (x[1] - x[0]) / (y[1] - y[0]);
+      return (width * shape) / Math.min(1, (meant.width * shape) / meant.height);
+    });
+    return Math.min(meant.height, ...heights);
+  }
+
   function setUp(box) {
     const live = box.querySelector(".plotly-live");
     const figure = JSON.parse(box.querySelector("script").textContent);
     figure.layout = figure.layout || {};
+    const meant = { width: figure.layout.width || WIDTH, height: figure.layout.height || HEIGHT };
     // A width set for paper would not fit a phone.
     delete figure.layout.width;
     figure.layout.autosize = true;
@@ -91,6 +106,7 @@
       if (box.classList.contains("drawn")) return;
       box.classList.add("drawn");
       const { data, layout, frames } = figure;
+      layout.height = fittingHeight(layout, meant, box.clientWidth);
       await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
       box.style.minHeight = "";
       if (player) await player.show();
@@ -103,6 +119,10 @@
       window.Plotly.purge(live);
       box.classList.remove("drawn");
     }
+    window.addEventListener("resize", () => {
+      if (!box.classList.contains("drawn")) return;
+      window.Plotly.relayout(live, { height: fittingHeight(figure.layout, meant, box.clientWidth) });
+    });
     return { draw, letGo };
   }
 

@@ -1,0 +1,57 @@
+# `make` alone lists what there is. Every target sets up .venv by itself the first time, from
+# environment.txt; what is written goes to build/. Works with GNU make 3.81 (macOS) and any POSIX sh.
+
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+PY := .venv/bin/python
+
+# The course's notebooks by their numbers, so that a student's Untitled.ipynb is not tested.
+NOTEBOOKS := $(sort $(wildcard notebooks/[0-9][0-9]_*.ipynb))
+
+# Robotics machines often have ROS on PYTHONPATH, and with it other packages and pytest plugins.
+unexport PYTHONPATH PYTHONHOME
+
+# Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
+# where outputs are compared or written, they are left out.
+test html notebooks: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html notebooks: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+
+.PHONY: help environment lab test html notebooks lock clean
+
+help:
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
+
+# Compares what .venv was made from, and does nothing where that is unchanged.
+environment:
+	@sh course_lib/pack/environment.sh
+
+# Jupyter refuses to run as root unless told. It warns of plain-text connections to kernels, and of its
+# own default for an interval, unless these two are set.
+lab: environment ## open the notebooks in JupyterLab
+	@$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
+		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 notebooks/
+
+# One pytest run, whose summary ends the output. Matplotlib builds its font list beforehand, for it
+# tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
+# worker (loadfile), since its cells share a kernel; workers share the cores, so BLAS gets one each.
+test: export OMP_NUM_THREADS = 1
+test: export OPENBLAS_NUM_THREADS = 1
+test: environment ## lint, unit tests, and every notebook run against its stored outputs
+	$(PY) -m ruff check --no-cache .
+	.venv/bin/lint-imports --no-cache
+	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null
+	$(PY) -m pytest -o cache_dir=build/pytest -n logical --maxprocesses 8 --dist loadfile \
+		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+
+html: environment ## export the notebooks as a static site, build/html/index.html
+	@$(PY) -m course_lib.pack.site
+
+notebooks: environment ## run the notebooks and write their outputs into them (authors)
+	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)
+
+lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
+	@sh course_lib/pack/environment.sh lock
+
+clean: ## delete build/ (grades too) and caches; .venv stays
+	rm -rf build .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	find course_lib tests notebooks -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,248 @@
+"""Run notebooks and write their outputs into them: the authors' copies, the same bytes every time.
+
+    python -m course_lib.pack.notebooks notebooks/*.ipynb
+
+A second run changes nothing unless a source or an output did. Beside every plotly figure a still
+picture is stored, for places that run no script (a repository's web view, print).
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import base64
+import json
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+import nbformat
+from jupyter_client.kernelspec import KernelSpecManager
+from jupyter_client.manager import AsyncKernelManager
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+
+CELL_TIMEOUT = 120  # seconds; the same as in `make test`
+FIGURE, STILL = "application/vnd.plotly.v1+json", "image/png"
+STILL_BYTES = 120_000  # a notebook with ten stills should stay quick to clone and to open
+
+# What is kept of the metadata: the rest is what programs leave behind (timings, an editor's state).
+NOTEBOOK_KEYS = ("course", "nbgrader")
+CELL_KEYS = ("course", "deletable", "editable", "jupyter", "nbgrader", "raw_mimetype", "tags")
+PYTHON = {
+    "kernelspec": {"name": "python3", "display_name": "Python 3 (ipykernel)", "language": "python"},
+    "language_info": {"name": "python"},  # the version differs between authors
+}
+
+Figure = dict
+StillMaker = Callable[[list[Figure]], list[bytes]]
+
+
+class NotebookFailed(Exception):
+    """A file that is no notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
+
+
+class NoBrowser(Exception):
+    """No browser could be started to draw stills; the text says why."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.notebooks")
+    parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
+    paths = parser.parse_args(arguments).notebooks
+    if not paths:
+        print("No notebooks to run.")
+    for path in paths:
+        begin = time.monotonic()
+        print(f"{path} ... ", end="", flush=True)
+        try:
+            remarks = refresh(path)
+        except NotebookFailed as error:
+            print("failed", flush=True)
+            print(f"{path}: {error}\nThe file is left as it was.", file=sys.stderr)
+            return 1
+        print(f"{time.monotonic() - begin:.0f} s{remarks}", flush=True)
+    return 0
+
+
+def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
+    """Run one notebook in place and return what there is to say about it."""
+    before = path.read_text(encoding="utf-8")
+    try:
+        notebook = nbformat.reads(before, as_version=4)
+    except ValueError as error:  # a half-resolved merge, most often
+        raise NotebookFailed(f"is no notebook: {str(error).splitlines()[0][:80]}") from error
+    outputs = [output.data for output in figure_outputs(notebook)]
+    known = {as_key(data[FIGURE]): data[STILL] for data in outputs if STILL in data}
+    run(notebook, path)
+    without = add_stills(notebook, known, make_stills or draw_stills)
+    tidy(notebook)
+    after = nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    if after == before:
+        return ", unchanged" + without
+    write_whole(path, after)
+    return ", written" + without
+
+
+# ---- run ----
+
+
+def run(notebook: nbformat.NotebookNode, path: Path) -> None:
+    """Execute every cell in a new kernel of this environment, in the notebook's folder."""
+    manager = AsyncKernelManager(
+        # No folders to look in: a kernel of the same name, installed for the user, would come first.
+        kernel_spec_manager=KernelSpecManager(kernel_dirs=[]),
+        kernel_name="python3",
+        transport_encryption="auto",  # without it every kernel prints a warning
+    )
+    client = NotebookClient(
+        notebook,
+        timeout=CELL_TIMEOUT,
+        coalesce_streams=True,  # how prints fall into pieces is a matter of timing
+        resources={"metadata": {"path": str(path.parent)}},
+    )
+    client.km = manager  # not an argument above: then the client would leave the kernel running
+    with tempfile.TemporaryDirectory() as profile:
+        # A profile of its own: the author's start-up files and settings change outputs.
+        environment = {**os.environ, "IPYTHONDIR": profile}
+        with client.setup_kernel(env=environment):
+            number = 0
+            for index, cell in enumerate(notebook.cells):
+                if cell.cell_type != "code":
+                    continue
+                number += 1
+                cell.outputs, cell.execution_count = [], None  # an empty cell is not run, and may hold old ones
+                try:
+                    client.execute_cell(cell, index)
+                except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
+                    raise NotebookFailed(f"{describe(number, cell)} {reason(error)}") from error
+
+
+def describe(number: int, cell: nbformat.NotebookNode) -> str:
+    first = next((line.strip() for line in cell.source.splitlines() if line.strip()), "")
+    return f"code cell {number} ({first})"
+
+
+def reason(error: Exception) -> str:
+    if isinstance(error, CellExecutionError):
+        return f"raised {error.ename}: {error.evalue}"
+    if isinstance(error, CellTimeoutError):
+        return f"was not done after {CELL_TIMEOUT} s"
+    return "ended its kernel"
+
+
+# ---- stills ----
+
+
+def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
+    """Every output that holds a plotly figure."""
+    for cell in notebook.cells:
+        for output in cell.get("outputs", []):
+            if FIGURE in output.get("data", {}):
+                yield output
+
+
+def as_key(figure: Figure) -> str:
+    return json.dumps(figure, sort_keys=True)
+
+
+def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:
+    """Put a PNG beside every figure: the stored one where the figure is unchanged, else a new one.
+
+    Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
+    """
+    outputs = [(as_key(output.data[FIGURE]), output) for output in figure_outputs(notebook)]
+    missing = {key: output.data[FIGURE] for key, output in outputs if key not in known}
+    remark = ""
+    if missing:
+        try:
+            pictures = make_stills(list(missing.values()))
+        except NoBrowser as error:
+            remark = f", figures without a still: {len(missing)} ({error})"
+        else:
+            encoded = [base64.b64encode(picture).decode("ascii") for picture in pictures]
+            known = known | dict(zip(missing, encoded, strict=True))
+    for key, output in outputs:
+        if key in known:
+            output.data[STILL] = known[key]
+            width, height = size(output.data[FIGURE])
+            # The size to show it at: the picture holds more pixels than that.
+            shown = output.metadata.setdefault(STILL, {})
+            shown.setdefault("width", width)
+            shown.setdefault("height", height)
+    return remark
+
+
+def size(figure: Figure) -> tuple[int, int]:
+    layout = figure.get("layout", {})
+    return layout.get("width") or 700, layout.get("height") or 500  # plotly's own defaults
+
+
+def draw_stills(figures: list[Figure]) -> list[bytes]:
+    """Draw figures with one headless browser for all of them."""
+    from kaleido.errors import BrowserClosedError, BrowserFailedError, ChromeNotFoundError
+
+    try:
+        return asyncio.run(_draw_stills(figures))
+    except ChromeNotFoundError:
+        raise NoBrowser("no Chrome or Chromium found; BROWSER_PATH may name one") from None
+    except (BrowserFailedError, BrowserClosedError, TimeoutError) as error:
+        raise NoBrowser(f"the browser failed: {type(error).__name__}") from error
+
+
+async def _draw_stills(figures: list[Figure]) -> list[bytes]:
+    from kaleido import Kaleido
+
+    # MathJax would come from a CDN: without it stills need no network, and a figure's text is plain anyway.
+    async with Kaleido(n=1, timeout=60, mathjax=False) as browser:
+        return [await _draw_still(browser, figure) for figure in figures]
+
+
+async def _draw_still(browser, figure: Figure) -> bytes:
+    # Buttons and sliders that nobody can press do not belong in a picture; frames are not drawn at all.
+    layout = {k: v for k, v in figure.get("layout", {}).items() if k not in ("updatemenus", "sliders")}
+    width, height = size(figure)
+    for scale in (2, 1.5, 1):
+        picture = await browser.calc_fig(
+            {"data": figure["data"], "layout": layout},
+            opts={"format": "png", "width": width, "height": height, "scale": scale},
+        )
+        if len(picture) <= STILL_BYTES:
+            break
+    return picture
+
+
+# ---- write ----
+
+
+def tidy(notebook: nbformat.NotebookNode) -> None:
+    """Leave only what is the same for every author."""
+    notebook.metadata = nbformat.from_dict(PYTHON | keep(notebook.metadata, NOTEBOOK_KEYS))
+    notebook.nbformat, notebook.nbformat_minor = 4, 5
+    for number, cell in enumerate(notebook.cells):
+        cell.metadata = nbformat.from_dict(keep(cell.metadata, CELL_KEYS))
+        cell.setdefault("id", f"cell-{number}")  # a notebook written before ids were
+
+
+def keep(metadata: dict, keys: Sequence[str]) -> dict:
+    return {key: metadata[key] for key in keys if key in metadata}
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a file so that an interruption leaves the old one or the new one, never half."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(name, path.stat().st_mode)
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+if __name__ == "__main__":
+    sys.exit(main())

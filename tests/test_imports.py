@@ -1,0 +1,38 @@
+"""What an import of the mathematics costs, and what it leaves alone."""
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ["scipy", "sympy", "matplotlib", "plotly", "sklearn", "IPython", "mpmath", "jupyterlab"]
+
+
+def run(code):
+    """Run code in a new interpreter and return what it prints."""
+    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+
+
+def seconds(module):
+    """Return the processor time, user and system, one new interpreter spends on `import module`."""
+    return float(run(f"import time; t = time.process_time(); import {module}; print(time.process_time() - t)"))
+
+
+def test_importing_the_mathematics_costs_little_more_than_numpy():
+    """The least of several runs, taken in turns, is what the import costs; noise only adds to it."""
+    least = {"numpy": float("inf"), "course_lib.rotations": float("inf")}
+    for turn in range(25):
+        for module in least:
+            least[module] = min(least[module], seconds(module))
+        if turn >= 4 and least["course_lib.rotations"] <= 1.5 * least["numpy"]:
+            break
+    assert least["course_lib.rotations"] <= 1.5 * least["numpy"]
+
+
+@pytest.mark.parametrize("module", ["course_lib", "course_lib.arguments", "course_lib.rotations", "course_lib.rigid"])
+def test_what_an_import_leaves_alone(module):
+    loaded = run(f"import {module}, sys; print(*sys.modules)").split()
+    assert module in loaded
+    assert [name for name in loaded if name.split(".")[0] in HEAVY] == []
+    if module == "course_lib":
+        assert "numpy" not in loaded

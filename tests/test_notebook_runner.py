@@ -1,0 +1,252 @@
+"""The authors' copies of the notebooks: written the same every time, or not at all."""
+
+import base64
+import json
+import os
+import sys
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib.image
+import nbformat
+import pytest
+from choreographer.browsers.chromium import Chromium
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+
+from course_lib.pack import notebooks
+
+FIGURE, STILL = notebooks.FIGURE, notebooks.STILL
+
+# Shows one point at `x`, the way course_lib.figures.show does: raw, with alternative text.
+SHOW = """
+from IPython.display import display
+figure = {{"data": [{{"type": "scatter", "x": [{x}], "y": [1.5]}}], "layout": {{"width": 300, "height": 200}}}}
+display({{"{mime}": figure, "text/plain": "A point"}}, raw=True, metadata={{"image/png": {{"alt": "A point"}}}})
+"""
+
+
+def show(x):
+    return new_code_cell(SHOW.format(x=x, mime=FIGURE))
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(*cells, name="01_scratch.ipynb", **metadata):
+        path = tmp_path / name
+        nbformat.write(new_notebook(cells=list(cells), metadata=metadata), path)
+        return path
+
+    return write
+
+
+class Pencil:
+    """Makes a still that no other call makes, and remembers for how many figures it was asked."""
+
+    def __init__(self):
+        self.asked = []
+
+    def __call__(self, figures):
+        self.asked.append(len(figures))
+        return [b"still %d of call %d" % (number, len(self.asked)) for number, _ in enumerate(figures)]
+
+
+def no_browser(figures):
+    raise notebooks.NoBrowser("none here")
+
+
+def outputs(path):
+    return [output for cell in nbformat.read(path, 4).cells for output in cell.get("outputs", [])]
+
+
+def stills(path):
+    return [base64.b64decode(output.data.get(STILL, "")) for output in outputs(path)]
+
+
+def edit(path, old, new):
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new), encoding="utf-8")
+
+
+# ---- the same bytes ----
+
+
+def test_a_second_run_changes_no_byte(write):
+    path = write(
+        new_markdown_cell("# Ångström and π"),
+        new_code_cell("for i in range(200):\n    print(i, flush=True)"),
+        new_code_cell("print('π')\n{'b': 1, 'a': 2.5}"),
+        show(1),
+    )
+    pencil = Pencil()
+    assert "written" in notebooks.refresh(path, pencil)
+    first = path.read_bytes()
+    assert "unchanged" in notebooks.refresh(path, pencil)
+    assert path.read_bytes() == first
+    assert pencil.asked == [1]
+    assert outputs(path)[0].text.endswith("\n198\n199\n"), "one output, however the prints arrived"
+    assert first.endswith(b"}\n")
+    assert "π".encode() in first, "readable in a diff"
+    assert first.startswith(b'{\n "cells"'), "indented by one, as Jupyter does"
+
+
+def test_only_what_every_author_shares_is_kept(write):
+    nbgrader = {"schema_version": 3, "grade_id": "hat", "points": 2}
+    cell = new_code_cell("1 + 1", metadata={"tags": ["setup"], "nbgrader": nbgrader, "collapsed": False})
+    cell.metadata["execution"] = {"iopub.execute_input": "2026-11-21T05:32:00Z"}
+    cell.metadata["ExecuteTime"] = {"end_time": "2026-11-21"}
+    cell.id = "kept-id"
+    path = write(
+        cell,
+        course={"number": 1},
+        kernelspec={"name": "my-env", "display_name": "My env", "language": "python"},
+        language_info={"name": "python", "version": "3.11.2"},
+        vscode={"interpreter": {"hash": "1234"}},
+    )
+    notebooks.refresh(path)
+    after = json.loads(path.read_text(encoding="utf-8"))
+    assert after["metadata"] == {"course": {"number": 1}} | notebooks.PYTHON
+    assert after["cells"][0]["metadata"] == {"tags": ["setup"], "nbgrader": nbgrader}
+    assert after["cells"][0]["id"] == "kept-id"
+
+
+def test_outputs_of_a_cell_that_is_empty_now_go(write):
+    cell = new_code_cell("", outputs=[new_output("stream", text="from before")], execution_count=7)
+    path = write(cell)
+    notebooks.refresh(path)
+    assert outputs(path) == []
+
+
+def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, monkeypatch):
+    startup = tmp_path / "profile_default/startup"
+    startup.mkdir(parents=True)
+    (startup / "mine.py").write_text("mine = True")
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
+    other = tmp_path / "kernels/python3/kernel.json"
+    other.parent.mkdir(parents=True)
+    other.write_text('{"argv": ["/bin/false"], "display_name": "Python 3", "language": "python"}')
+    monkeypatch.setenv("JUPYTER_PATH", str(tmp_path))
+    path = write(new_code_cell("import os, sys\nprint(sys.executable, os.getcwd(), 'mine' in dir(), sep='\\n')"))
+    notebooks.refresh(path)
+    assert outputs(path)[0].text.splitlines() == [sys.executable, str(path.parent), "False"]
+
+
+# ---- stills ----
+
+
+def test_a_still_is_drawn_anew_only_for_a_figure_that_changed(write):
+    path = write(show(1), show(2))
+    notebooks.refresh(path, Pencil())
+    assert stills(path) == [b"still 0 of call 1", b"still 1 of call 1"]
+    alt = {"alt": "A point", "width": 300, "height": 200}
+    assert [output.metadata for output in outputs(path)] == [{STILL: alt}, {STILL: alt}]
+
+    edit(path, "[2]", "[3]")
+    again = Pencil()
+    again.asked.append(0)
+    notebooks.refresh(path, again)
+    assert stills(path) == [b"still 0 of call 1", b"still 0 of call 2"]
+    assert [output.metadata for output in outputs(path)] == [{STILL: alt}, {STILL: alt}]
+
+
+def test_without_a_browser_stills_of_unchanged_figures_stay(write):
+    path = write(show(1), show(2))
+    notebooks.refresh(path, Pencil())
+    edit(path, "[2]", "[3]")
+    remark = notebooks.refresh(path, no_browser)
+    assert "figures without a still: 1 (none here)" in remark
+    assert stills(path) == [b"still 0 of call 1", b""], "an old picture of a new figure would lie"
+
+
+def test_a_browser_that_is_missing_is_said_in_a_line(write, monkeypatch, capsys):
+    path = write(show(1))
+    monkeypatch.setenv("BROWSER_PATH", "/nowhere/chrome")
+    assert notebooks.main([str(path)]) == 0
+    assert "figures without a still: 1 (no Chrome or Chromium found" in capsys.readouterr().out
+    assert len(outputs(path)) == 1
+
+
+def test_a_browser_that_does_not_start_is_said_in_a_line(monkeypatch):
+    monkeypatch.setenv("BROWSER_PATH", "/bin/false")
+    with pytest.raises(notebooks.NoBrowser, match="the browser failed"):
+        notebooks.draw_stills([{"data": [], "layout": {}}])
+
+
+@pytest.fixture
+def browser():
+    if Chromium.find_browser(skip_local=False) is None:
+        message = "no Chrome or Chromium is installed"
+        pytest.fail(message) if "CI" in os.environ else pytest.skip(message)
+
+
+@pytest.mark.usefixtures("browser")
+def test_a_browser_draws_the_still():
+    red = {"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1], "line": {"color": "#ff0000", "width": 40}}
+    layout = {"width": 320, "height": 240, "paper_bgcolor": "#00ff00"}
+    play = {"type": "buttons", "buttons": [{"label": "Play", "method": "animate", "args": [None]}]}
+    moving = {"data": [red], "layout": layout | {"updatemenus": [play]}, "frames": [{"name": "1", "data": [red]}]}
+    plain, moving = notebooks.draw_stills([{"data": [red], "layout": layout}, moving])
+
+    picture = matplotlib.image.imread(BytesIO(plain))
+    assert picture.shape[:2] == (480, 640)
+    assert len(plain) <= notebooks.STILL_BYTES
+    red, green = (picture[..., :2] > 0.9).transpose(2, 0, 1)
+    assert (red & ~green).sum() > 500, "the line, which is 3D"
+    assert (green & ~red).sum() > 500, "the background"
+    assert (matplotlib.image.imread(BytesIO(moving)) == picture).mean() > 0.995, "a button that nobody can press"
+
+
+# ---- what can go wrong ----
+
+
+def fails(path, capsys):
+    """Run a notebook that must fail; return what is said, having seen that the file is as it was."""
+    before = path.read_bytes()
+    assert notebooks.main([str(path)]) == 1
+    assert path.read_bytes() == before
+    assert sorted(path.parent.iterdir()) == [path], "no temporary file stays"
+    said = capsys.readouterr().err
+    assert "Traceback" not in said
+    assert str(path) in said
+    return said
+
+
+def test_a_cell_that_raises_is_named(write, capsys):
+    path = write(new_code_cell("print(1)"), new_markdown_cell("text"), new_code_cell("\nx = 1\nx / 0"))
+    assert "code cell 2 (x = 1) raised ZeroDivisionError: division by zero" in fails(path, capsys)
+
+
+def test_a_cell_that_ends_the_kernel_is_named(write, capsys):
+    path = write(new_code_cell("import os\nos._exit(1)"))
+    assert "code cell 1 (import os) ended its kernel" in fails(path, capsys)
+
+
+def test_a_cell_that_takes_too_long_is_named(write, capsys, monkeypatch):
+    monkeypatch.setattr(notebooks, "CELL_TIMEOUT", 1)
+    path = write(new_code_cell("import time\ntime.sleep(60)"))
+    assert "code cell 1 (import time) was not done after 1 s" in fails(path, capsys)
+
+
+def test_a_file_that_is_no_notebook_is_named(write, capsys):
+    path = write()
+    path.write_text("<<<<<<< HEAD\n{}\n", encoding="utf-8")
+    assert "is no notebook" in fails(path, capsys)
+
+
+def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
+    path = write(new_code_cell("1"))
+    before = path.read_bytes()
+
+    def interrupted(*names):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        notebooks.write_whole(path, "{}")
+    assert path.read_bytes() == before
+    assert list(Path(path.parent).iterdir()) == [path]
+
+
+def test_no_notebooks_is_no_error(capsys):
+    assert notebooks.main([]) == 0
+    assert "No notebooks" in capsys.readouterr().out

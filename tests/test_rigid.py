@@ -1,0 +1,241 @@
+"""Each function of course_lib.rigid against numpy, scipy and the definitions; see test_groups.py for the axioms."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+from helpers import pose_samples, rotation_samples, twist_matrix
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from numpy.testing import assert_allclose
+
+from course_lib.rigid import (
+    adjoint,
+    exp_se2,
+    exp_se3,
+    hat_se3,
+    inverse,
+    is_se,
+    log_se2,
+    log_se3,
+    nearest_se,
+    transform,
+    vee_se3,
+)
+
+EXP = {2: exp_se2, 3: exp_se3}
+LOG = {2: log_se2, 3: log_se3}
+
+EITHER = pytest.mark.parametrize("n", [2, 3], ids=["plane", "space"])
+
+
+def close(got, expected, atol=1e-14):
+    assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def twist_of(matrix):
+    """Return the twist whose matrix this is, (omega, v)."""
+    n = matrix.shape[-1] - 1
+    turn = [matrix[..., 1, 0]] if n == 2 else [matrix[..., 2, 1], matrix[..., 0, 2], matrix[..., 1, 0]]
+    return np.concatenate([np.stack(turn, -1), matrix[..., :n, n]], -1)
+
+
+@st.composite
+def poses(draw, n):
+    T = np.eye(n + 1)
+    T[:n, :n] = rotation_samples(n)(np.random.default_rng(draw(st.integers(0, 9999))), ())
+    T[:n, n] = draw(hnp.arrays(float, n, elements=st.floats(-100, 100)))
+    return T
+
+
+@st.composite
+def two_poses_and_a_twist(draw):
+    n = draw(st.sampled_from([2, 3]))
+    twist = draw(hnp.arrays(float, {2: 3, 3: 6}[n], elements=st.floats(-10, 10)))
+    return draw(poses(n)), draw(poses(n)), twist
+
+
+# Poses ----------------------------------------------------------------------------------------------------------------
+
+
+@EITHER
+def test_transform_has_its_parts_in_their_places(n):
+    rng = np.random.default_rng(0)
+    R, p = rotation_samples(n)(rng, (4, 1)), rng.normal(size=(5, n))
+    T = transform(R, p)
+    assert T.shape == (4, 5, n + 1, n + 1)
+    for i, j in np.ndindex(4, 5):
+        assert np.array_equal(T[i, j, :n, :n], R[i, 0])
+        assert np.array_equal(T[i, j, :n, n], p[j])
+        assert np.array_equal(T[i, j, n], np.eye(n + 1)[n])
+    assert transform(R[0, 0], p[0]).shape == (n + 1, n + 1)
+    assert transform(R[:0], p).shape == (0, 5, n + 1, n + 1)
+
+
+def test_transform_turns_and_then_moves():
+    quarter_turn = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    assert (transform(quarter_turn, [10, 20, 30]) @ [1, 0, 0, 1]).tolist() == [10, 21, 30, 1]
+    assert (transform([[0, -1], [1, 0]], [10, 20]) @ [1, 0, 1]).tolist() == [10, 21, 1]
+
+
+@EITHER
+@pytest.mark.parametrize("tol", [1e-9, 1e-6, 0.01])
+def test_is_se_is_within_tol_in_block_and_last_row(n, tol):
+    T = pose_samples(n)(np.random.default_rng(1), ())
+    assert is_se(T, tol)
+    assert is_se(transform(np.eye(n), T[:n, n]), 0)
+    for column, sign in np.ndindex(n + 1, 2):
+        for off, expected in [(0.99, True), (1.01, False)]:
+            bent = T.copy()
+            bent[n, column] += off * tol * (-1) ** sign
+            assert is_se(bent, tol) == expected
+    for off, expected in [(0.99, True), (1.01, False)]:
+        bent = T.copy()
+        bent[:n, :n] *= np.sqrt(1 + off * tol)
+        assert is_se(bent, tol) == expected
+    mirrored = T.copy()
+    mirrored[:n, 0] *= -1
+    assert not is_se(mirrored, tol)
+
+
+@EITHER
+def test_is_se_default(n):
+    T = np.broadcast_to(np.eye(n + 1), (4, n + 1, n + 1)).copy()
+    T[:, n, 0] = [0.9e-6, 1.1e-6, 0, 0]
+    T[:, 0, 1] = [0, 0, 0.9e-6, 1.1e-6]
+    assert is_se(T).tolist() == [True, False, True, False]
+
+
+@EITHER
+def test_nearest_se(n):
+    rng = np.random.default_rng(2)
+    T = pose_samples(n)(rng, (50,))
+    close(nearest_se(T), T)
+    stretched = T.copy()
+    stretched[:, :n, :n] *= 3
+    stretched[:, n] = rng.normal(size=n + 1)
+    close(nearest_se(stretched), T)
+    bent = rng.normal(size=(50, n + 1, n + 1))
+    nearest = nearest_se(bent)
+    assert is_se(nearest, 1e-14).all()
+    assert np.array_equal(nearest[:, :n, n], bent[:, :n, n])
+    symmetric = np.swapaxes(nearest[:, :n, :n], -1, -2) @ bent[:, :n, :n]
+    close(symmetric, np.swapaxes(symmetric, -1, -2))
+
+
+@given(two_poses_and_a_twist())
+def test_inverse(case):
+    T, _, _ = case
+    size = max(1, np.abs(T).max())
+    close(inverse(T), np.linalg.inv(T), 1e-13 * size)
+    close(inverse(T) @ T, np.eye(len(T)), 1e-14 * size)
+    assert np.array_equal(inverse(T)[-1], np.eye(len(T))[-1])
+    close(inverse(inverse(T)), T, 1e-14 * size)
+
+
+@EITHER
+def test_inverse_has_no_minus_zero(n):
+    assert not np.signbit(inverse(np.eye(n + 1))).any()
+
+
+# Adjoints -------------------------------------------------------------------------------------------------------------
+
+
+@given(two_poses_and_a_twist())
+def test_adjoint(case):
+    A, B, twist = case
+    size = np.abs(A).max() * np.abs(B).max() * max(1, np.abs(twist).max())
+    close(adjoint(A @ B), adjoint(A) @ adjoint(B), 3e-14 * size)
+    close(adjoint(A) @ twist, twist_of(A @ twist_matrix(twist) @ np.linalg.inv(A)), 1e-13 * size)
+    close(adjoint(A) @ adjoint(inverse(A)), np.eye(len(twist)), 3e-14 * np.abs(A).max() ** 2)
+
+
+def test_adjoint_of_a_pure_translation():
+    """The point of a body that turns about the z axis at x = -2 moves along y; omega comes first in a twist."""
+    T = transform(np.eye(3), [2, 0, 0])
+    assert (adjoint(T) @ [0, 0, 1, 0, 0, 0]).tolist() == [0, 0, 1, 0, -2, 0]
+    assert (adjoint(transform(np.eye(2), [2, 0])) @ [1, 0, 0]).tolist() == [1, 0, -2]
+    assert (adjoint(T) @ [0, 0, 0, 1, 2, 3]).tolist() == [0, 0, 0, 1, 2, 3]
+
+
+# Twists ---------------------------------------------------------------------------------------------------------------
+
+
+def test_hat_se3_and_back():
+    twists = np.random.default_rng(3).normal(size=(50, 6)) * 10.0 ** np.arange(-25, 25)[:, None]
+    assert np.array_equal(hat_se3(twists), twist_matrix(twists))
+    assert np.array_equal(vee_se3(hat_se3(twists)), twists)
+    assert hat_se3([1, 2, 3, 4, 5, 6]).tolist() == [[0, -3, 2, 4], [3, 0, -1, 5], [-2, 1, 0, 6], [0, 0, 0, 0]]
+
+
+@EITHER
+def test_exp_by_any_angle(n):
+    twists = np.random.default_rng(4).normal(size=(200, {2: 3, 3: 6}[n]))
+    twists[:, : {2: 1, 3: 3}[n]] *= np.linspace(0, 8, 200)[:, None]
+    close(EXP[n](twists), scipy.linalg.expm(twist_matrix(twists)), 1e-12)
+
+
+@EITHER
+def test_exp_without_turning_is_a_translation(n):
+    v = np.array([[1.0, -2, 3], [1e-300, 0, 1e300]])[:, :n]
+    twists = np.concatenate([np.zeros((2, {2: 1, 3: 3}[n])), v], -1)
+    T = EXP[n](twists)
+    assert np.array_equal(T, transform(np.broadcast_to(np.eye(n), (2, n, n)), v))
+    assert np.array_equal(LOG[n](T), twists)
+
+
+@EITHER
+@pytest.mark.parametrize("turns", [1e2, 1e8, 1e16, 1e52, 1e104, 1e156, 1e300])
+def test_exp_of_many_turns_stays_near_the_circle(n, turns):
+    """Following v while turning at `turns` moves along a circle of radius |v| / turns, and along the axis."""
+    twist = np.array([turns, 1.0, 0.0]) if n == 2 else np.array([0.0, 0.0, turns, 1.0, 0.0, 0.5])
+    p = EXP[n](twist)[:n, n]
+    assert np.linalg.norm(p[:2]) <= 2 / turns + 1e-15
+    close(p[2:], [0.5][: n - 2], 1e-15)
+
+
+@EITHER
+def test_exp_of_a_known_motion(n):
+    """A quarter turn about a centre one metre to the left ends one metre ahead and one to the left."""
+    quarter = np.pi / 2
+    if n == 2:
+        close(exp_se2([quarter, quarter, 0]), [[0, -1, 1], [1, 0, 1], [0, 0, 1]])
+    else:
+        close(exp_se3([0, 0, quarter, quarter, 0, 0.5])[:3, 3], [1, 1, 0.5])
+
+
+@EITHER
+def test_log_at_half_a_turn(n):
+    """Half a turn has two logarithms; each must lead back, for poses whose rotation is exact in floats."""
+    for k in range(n if n == 3 else 1):
+        T = np.diag([-1.0, -1, 1]) if n == 2 else np.diag([*np.where(np.arange(3) == k, 1.0, -1), 1])
+        T[:n, n] = [1, -2, 3][:n]
+        twist = LOG[n](T)
+        close(np.linalg.norm(twist[: {2: 1, 3: 3}[n]]), np.pi)
+        close(scipy.linalg.expm(twist_matrix(twist)), T)
+
+
+def test_log_se2_at_half_a_turn_is_plus_pi():
+    """omega lies in (-pi, pi], whichever zero sin(pi) is rounded to."""
+    for sine in (0.0, -0.0, 1.2e-16, -1.2e-16):
+        assert log_se2([[-1, -sine, 1], [sine, -1, 2], [0, 0, 1]])[0] == np.pi
+
+
+@EITHER
+@pytest.mark.parametrize("scale", [1e-300, 1e-100, 1e100, 1e300])
+def test_translations_of_any_size(n, scale):
+    """exp is linear in v, and log in p."""
+    rng = np.random.default_rng(5)
+    twists = rng.uniform(-1, 1, (50, {2: 3, 3: 6}[n]))
+    scaled = twists * np.where(np.arange(twists.shape[-1]) < {2: 1, 3: 3}[n], 1, scale)
+    T = EXP[n](scaled)
+    close(T[:, :n, n] / scale, EXP[n](twists)[:, :n, n])
+    close(LOG[n](T)[:, -n:] / scale, twists[:, -n:])
+
+
+@EITHER
+def test_log_takes_a_pose_as_far_off_as_documented(n):
+    """What is_se lets pass, log takes: a pose written with seven digits."""
+    T = pose_samples(n)(np.random.default_rng(6), (50,))
+    close(EXP[n](LOG[n](T.round(7))), T, 1e-6)
+    close(inverse(T.round(7)) @ T, np.broadcast_to(np.eye(n + 1), T.shape), 1e-6)

@@ -1,0 +1,253 @@
+"""Each function of course_lib.rotations against numpy, scipy, 50 digits or a statistical law."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+from helpers import ANGLES, AXES, cross_matrix, rotation_samples, same_sign, true_exp, true_quaternion
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from course_lib import rotations
+from course_lib.rotations import (
+    exp_so3,
+    hat,
+    is_quaternion,
+    is_so,
+    log_so3,
+    matrix_to_quaternion,
+    nearest_quaternion,
+    nearest_so,
+    quaternion_to_matrix,
+    random_quaternions,
+    vee,
+)
+
+EX, EY, EZ = np.eye(3)
+
+
+def close(got, expected, atol=1e-14):
+    assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+# hat, vee, turns about one axis, exp ----------------------------------------------------------------------------------
+
+
+def test_hat_is_the_cross_product():
+    w, p = np.random.default_rng(0).normal(size=(2, 100, 3))
+    close((hat(w) @ p[..., None])[..., 0], np.cross(w, p))
+    assert np.array_equal(hat(w), cross_matrix(w))
+
+
+@pytest.mark.parametrize("size", [5e-324, 1e-300, 1.0, 1e300, 1.7e308])
+def test_vee_undoes_hat_exactly(size):
+    w = size * np.array([[1.0, 0, -1], [0, -1, 1], [-1, 1, 1]])
+    assert np.array_equal(vee(hat(w)), w)
+
+
+def test_vee_takes_the_skew_symmetric_part():
+    noise = 4e-7 * np.array([[0.5, 1, 0], [1, -1, 1], [0, 1, 0]])
+    for size in (0.1, 1.0, 1e9):
+        w = size * np.array([1.0, -2, 3])
+        close(vee(hat(w) + max(size, 1) * noise), w, 1e-14 * max(size, 1))
+
+
+@pytest.mark.parametrize(
+    ("rot", "axis", "image_of"),
+    [("rot_x", EX, (EX, EZ, -EY)), ("rot_y", EY, (-EZ, EY, EX)), ("rot_z", EZ, (EY, -EX, EZ))],
+    ids=["x", "y", "z"],
+)
+def test_turns_about_one_axis(rot, axis, image_of):
+    rot = getattr(rotations, rot)
+    for e, image in zip(np.eye(3), image_of, strict=True):
+        close(rot(np.pi / 2) @ e, image, 1e-15)
+    angle = np.linspace(-7, 7, 29)
+    close(rot(angle), exp_so3(angle[:, None] * axis))
+    close(rot(angle), scipy.linalg.expm(angle[:, None, None] * cross_matrix(axis)), 1e-12)
+
+
+def test_exp_turns_by_any_angle():
+    w = np.random.default_rng(1).normal(size=(100, 3)) * np.linspace(0, 10, 100)[:, None]
+    close(exp_so3(w), scipy.linalg.expm(cross_matrix(w)), 1e-12)
+    for turns in (1e2, 1e8, 1e16, 1e155, 1e308):  # the sine of any float is exact; the axis is left as it was
+        close(exp_so3([0, -turns, 0]), rotations.rot_y(-turns))
+
+
+@pytest.mark.parametrize("axis", AXES, ids=str)
+def test_half_turn(axis):
+    """At exactly pi the matrix is symmetric: R = 2 a a^T - I."""
+    R = 2 * np.outer(axis, axis) - np.eye(3)
+    w = log_so3(R)
+    close(np.linalg.norm(w), np.pi)
+    close(np.cross(w, axis), 0)
+    close(exp_so3(w), R)
+    q = matrix_to_quaternion(R)
+    close(same_sign(q, np.array([0, *axis])), [0, *axis])
+
+
+# Quaternions ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+def test_quaternions_to_fifty_digits(angle):
+    w = angle * AXES
+    expected = np.array([true_quaternion(each) for each in w])
+    matrices = np.array([true_exp(cross_matrix(each)) for each in w])
+    q = matrix_to_quaternion(matrices)
+    if angle == np.pi:
+        q = same_sign(q, expected)
+    close(q[:, 0], expected[:, 0])
+    close(q[:, 1:], expected[:, 1:], 1e-14 * min(angle, 1))
+    R = quaternion_to_matrix(expected)
+    close(R, matrices)
+    off_diagonal = np.s_[:, ~np.eye(3, dtype=bool)]
+    close(R[off_diagonal], matrices[off_diagonal], 1e-14 * min(angle, 1))
+
+
+@pytest.mark.parametrize("largest", range(4))
+def test_each_branch_of_matrix_to_quaternion(largest):
+    """Quaternions whose largest entry is this one: barely, and by far, to where the others vanish."""
+    rng = np.random.default_rng(largest)
+    q = rng.uniform(-1, 1, (200, 4)) * np.where(np.arange(200) % 2, 10 ** rng.uniform(-20, 0, 200), 1)[:, None]
+    q[:, largest] = 1.0
+    q /= np.linalg.norm(q, axis=-1, keepdims=True)
+    R = Rotation.from_quat(q, scalar_first=True).as_matrix()
+    close(quaternion_to_matrix(q), R)
+    close(same_sign(matrix_to_quaternion(R), q), q)
+
+
+@pytest.mark.parametrize("axis", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 3, -4), (3, 0, -4), (3, -4, 0)], ids=str)
+@pytest.mark.parametrize("sign", [1, -1])
+def test_sign_of_a_quaternion(axis, sign):
+    """w >= 0, and at half a turn the first entry that is not 0 is positive; 0 is not -0."""
+    axis = np.array(axis) / np.linalg.norm(axis)
+    q = matrix_to_quaternion(2 * np.outer(sign * axis, sign * axis) - np.eye(3))
+    assert q[0] == 0
+    assert q[q != 0][0] > 0
+    assert not np.signbit(q[q == 0]).any()
+    for angle in (0.3, 3.0, np.pi - 1e-12):
+        assert matrix_to_quaternion(exp_so3(sign * angle * axis))[0] > 0
+
+
+def test_both_quaternions_of_a_rotation():
+    q = random_quaternions(100, np.random.default_rng(2))
+    assert np.array_equal(quaternion_to_matrix(q), quaternion_to_matrix(-q))
+    close(same_sign(matrix_to_quaternion(quaternion_to_matrix(q)), q), q)
+
+
+@pytest.mark.parametrize("off", [-9e-7, 9e-7])
+def test_a_quaternion_slightly_off_gives_a_rotation(off):
+    q = random_quaternions(100, np.random.default_rng(3))
+    assert is_so(quaternion_to_matrix((1 + off) * q), 2e-15).all()
+    close(quaternion_to_matrix((1 + off) * q), quaternion_to_matrix(q))
+
+
+@pytest.mark.parametrize(
+    ("size", "tol", "expected"),
+    [(1, 0, True), (1.0049, 0.005, True), (1.0051, 0.005, False), (0.9951, 0.005, True), (0.9949, 0.005, False)],
+)
+def test_is_quaternion(size, tol, expected):
+    for q in [(0, 0, -size, 0), (size / 2, -size / 2, size / 2, size / 2)]:
+        assert is_quaternion(q, tol) == expected
+
+
+def test_is_quaternion_default():
+    assert is_quaternion([[1 + 0.9e-6, 0, 0, 0], [1 + 1.1e-6, 0, 0, 0], [0, 0, 0, 0]]).tolist() == [True, False, False]
+    assert is_quaternion([[1.7e308] * 4, [1e-200] * 4]).tolist() == [False, False]
+
+
+@given(hnp.arrays(float, 4, elements=st.floats(-1, 1)), st.sampled_from([1e-300, 1e-200, 3e-9, 7.0, 1e200, 1e307]))
+def test_nearest_quaternion(q, scale):
+    assume(np.abs(q).max() > 1e-5)
+    nearest = nearest_quaternion(q)
+    close(np.linalg.norm(nearest), 1, 1e-15)
+    close(nearest * np.linalg.norm(q), q, 1e-15)
+    close(nearest_quaternion(scale * q), nearest, 1e-15)
+
+
+# Rotations and the one nearest ----------------------------------------------------------------------------------------
+
+
+def _stretch(d, n):
+    return np.sqrt(1 + d) * np.eye(n)
+
+
+def _shear(d, n):
+    return np.eye(n) + d * np.eye(n, k=1)
+
+
+@pytest.mark.parametrize("n", [2, 3])
+@pytest.mark.parametrize("tol", [1e-9, 1e-6, 0.01, 0.3])
+def test_is_so_is_within_tol_in_every_entry(n, tol):
+    turn = rotation_samples(n)(np.random.default_rng(4), ())
+    for R in (turn @ _stretch(0.99 * tol, n), turn @ _stretch(-0.99 * tol, n), turn @ _shear(0.9 * tol, n)):
+        assert is_so(R, tol)
+        assert not is_so(R * np.where(np.arange(n) == 0, -1, 1), tol)
+    for R in (turn @ _stretch(1.01 * tol, n), turn @ _stretch(-1.01 * tol, n), turn @ _shear(1.01 * tol, n)):
+        assert not is_so(R, tol)
+
+
+@pytest.mark.parametrize(
+    ("R", "tol", "expected"),
+    [
+        (np.diag([1.0049, 1 / 1.0049, 1]), 0.01, True),
+        (np.diag([1.0049, 1 / 1.0049, 1]), 0.0098, False),
+        (np.diag([1.0051, 1 / 1.0051, 1]), 0.01, False),
+        (np.eye(3), 0, True),
+        (np.eye(2), 0, True),
+        (-np.eye(2), 0, True),
+        (-np.eye(3), 0.5, False),
+        (np.diag([1.0, -1]), 0.5, False),
+        (np.zeros((3, 3)), 0.5, False),
+        (np.full((3, 3), 1.7e308), 1e300, False),
+    ],
+)
+def test_is_so(R, tol, expected):
+    assert is_so(R, tol) == expected
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_is_so_default(n):
+    assert is_so([_stretch(0.9e-6, n), _stretch(1.1e-6, n)]).tolist() == [True, False]
+
+
+@st.composite
+def square_matrices(draw):
+    """Draw (2, 2) or (3, 3) matrices of every rank, with det of either sign, and equal singular values in some."""
+    n = draw(st.sampled_from([2, 3]))
+    entries = st.one_of(st.sampled_from([-1.0, 0.0, 1.0]), st.floats(-5, 5))
+    how = draw(st.sampled_from(["any", "rank", "singular values"]))
+    if how == "any":
+        return draw(hnp.arrays(float, (n, n), elements=entries))
+    if how == "rank":
+        rank = draw(st.integers(0, n - 1))
+        return draw(hnp.arrays(float, (n, rank), elements=entries)) @ draw(
+            hnp.arrays(float, (rank, n), elements=entries)
+        )
+    U, V = rotation_samples(n)(np.random.default_rng(draw(st.integers(0, 999))), (2,))
+    return U * draw(hnp.arrays(float, n, elements=st.sampled_from([-2.0, -1.0, -1e-9, 0.0, 1e-9, 1.0, 2.0]))) @ V
+
+
+@given(square_matrices(), st.sampled_from([1.0, 1e-300, 1e-9, 1e200]))
+def test_nearest_so_is_nearest(M, scale):
+    n = len(M)
+    R = nearest_so(scale * M)
+    assert is_so(R, 1e-14)
+    size = max(np.abs(M).max(), 1e-300)
+    # Of all rotations the one for which R^T M is symmetric, with no two eigenvalues of negative sum: a turn in
+    # their plane would bring it nearer otherwise.
+    S = R.T @ (M / size)
+    close(S, S.T, 3e-14)
+    assert np.linalg.eigvalsh(S)[:2].sum() >= -3e-14
+    others = rotation_samples(n)(np.random.default_rng(5), (200,))
+    assert np.linalg.norm(M / size - R) <= np.linalg.norm(M / size - others, axis=(-2, -1)).min() + 1e-14
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_nearest_so_of_a_rotation(n):
+    R = rotation_samples(n)(np.random.default_rng(6), (500,))
+    close(nearest_so(R), R)
+    close(nearest_so(1e-200 * R), R)
+    close(nearest_so(1e300 * R), R)

@@ -1,0 +1,420 @@
+"""The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
+
+import base64
+import io
+import os
+import runpy
+import shutil
+import sys
+from pathlib import Path
+
+import matplotlib.figure
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+from playwright.sync_api import sync_playwright
+
+from course_lib.pack.site.build import build
+from course_lib.pack.site.errors import SiteError
+
+PLOTLY = "application/vnd.plotly.v1+json"
+NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
+
+TEXT = r"""# Rotations
+
+A rotation keeps lengths, $R^\top R = I$, and [tables](#Tables-and-more) follow. In one line
+$R_{ab} = R_{ac} R_{cd} R_{de} R_{ef} R_{fg} R_{gh} R_{hi} R_{ij} R_{jk} R_{kl} R_{lb}$ is wider than a phone.
+
+$$\exp([\boldsymbol{\omega}]\theta) = I + \sin\theta\,[\omega] + (1 - \cos\theta)[\omega]^2$$
+
+$$
+\begin{aligned}
+a &= b \\
+c &= d + e + f + g + h + i + j + k + l + m + n + o + p + q + r + s + t + u + v + w + x
+\end{aligned}
+$$
+
+\begin{align}
+T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
+\end{align}
+
+- in a list $$x^2$$
+
+## Tables and more
+
+| symbol | meaning |
+| --- | --- |
+| $R$ | rotation |
+"""
+SOLUTION = "### BEGIN SOLUTION\nanswer = 42  #" + " and on" * 40 + "\n### END SOLUTION"
+NBGRADER = {"schema_version": 3, "grade_id": "a", "solution": True, "grade": False, "locked": False}
+CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right: $R$</div>'
+TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
+MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"
+
+HELIX = {
+    "data": [{"type": "scatter3d", "mode": "lines", "x": [0, 1, 0], "y": [0, k, 1], "z": [0, 1, 2]} for k in (1, 2)],
+    "layout": {"title": {"text": "A </script> in a title"}, "width": 700, "height": 450, "scene": {}},
+}
+PLAY = {"label": "Play", "method": "animate", "args": [None, {"frame": {"duration": 20}}]}
+STEPS = [{"label": f"{k / 10} s", "method": "animate", "args": [[str(k)]]} for k in range(40)]
+MOVING = {
+    "data": [{"type": "scatter", "mode": "markers", "x": [0], "y": [0]}],
+    "layout": {
+        "xaxis": {"range": [-1, 41]},
+        "updatemenus": [{"type": "buttons", "buttons": [PLAY]}],
+        "sliders": [{"currentvalue": {"prefix": "time "}, "steps": STEPS}],
+    },
+    "frames": [{"name": str(k), "data": [{"x": [k], "y": [0]}]} for k in range(40)],
+}
+
+
+def _png() -> str:
+    figure = matplotlib.figure.Figure()
+    figure.subplots().plot([0, 1], [0, 1])
+    file = io.BytesIO()
+    figure.savefig(file, format="png")
+    return base64.b64encode(file.getvalue()).decode()
+
+
+def _cell(*outputs, source="pass", tags=(), **metadata):
+    return new_code_cell(source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata})
+
+
+def _output(data, alt=None):
+    metadata = {"image/png": {"alt": alt}} if alt else {}
+    return new_output("display_data", data={"text/plain": "words", **data}, metadata=metadata)
+
+
+def _write(folder, name, *cells):
+    folder.mkdir(exist_ok=True)
+    book = new_notebook(cells=list(cells))
+    book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    nbformat.write(book, folder / name)
+
+
+@pytest.fixture(scope="module")
+def notebooks(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("site") / "notebooks"
+    _write(
+        folder,
+        "01_rotations.ipynb",
+        new_markdown_cell(TEXT),
+        _cell(source=SOLUTION, nbgrader=NBGRADER),
+        _cell(_output({PLOTLY: HELIX, "image/png": _png()}, 'Two "helices" side by side')),
+        _cell(_output({"image/png": _png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
+        _cell(_output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
+        _cell(_output({"text/html": TABLE}), _output({"text/latex": MATRIX})),
+        *[new_markdown_cell("Words. " * 400) for _ in range(3)],
+        _cell(_output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
+        _cell(source="hidden_input = 1", tags=["hide-input"]),
+        _cell(source="removed_cell = 1", tags=["remove-cell"]),
+    )
+    plain = new_markdown_cell("# Rigid motion\n\nNo figure; see [the first](01_rotations.ipynb). The adjoint.")
+    _write(folder, "02_rigid_motion.ipynb", plain)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def site(notebooks):
+    before = {file: file.read_bytes() for file in notebooks.iterdir()}
+    build(notebooks, notebooks.parent / "html")
+    assert {file: file.read_bytes() for file in notebooks.iterdir()} == before
+    return notebooks.parent / "html"
+
+
+@pytest.fixture(scope="module")
+def browser():
+    names = ("chromium", "chromium-browser", "google-chrome")
+    path = next(filter(None, map(shutil.which, names)), None)
+    if path is None:
+        message = f"no browser is installed ({', '.join(names)})"
+        pytest.fail(message) if "CI" in os.environ else pytest.skip(message)
+    with sync_playwright() as playwright:
+        # Machines without a graphics card draw 3D in software, which Chromium wants to be asked for.
+        arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]
+        browser = playwright.chromium.launch(executable_path=path, args=arguments)
+        yield browser
+        browser.close()
+
+
+class Visit:
+    """A page that was opened offline, and what happened meanwhile."""
+
+    def __init__(self, browser, file, *, theme="light", width=1280, query="", without=None, **context):
+        self.requests, self.complaints = [], []
+        self.context = browser.new_context(
+            offline=True,
+            color_scheme=theme,
+            reduced_motion="reduce",  # else the theme glides to what is scrolled to
+            viewport={"width": width, "height": 844},
+            **context,
+        )
+        self.page = self.context.new_page()
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.on("console", self._hear)
+        if without:
+            self.page.route(f"**/{without}*", lambda route: route.abort())
+        self.page.goto(file.as_uri() + query)
+
+    def _hear(self, message):
+        if message.type == "error":
+            self.complaints.append(message.text)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.context.close()
+
+    def draw_figures(self):
+        """Scroll to each figure; return how many traces each shows."""
+        traces = []
+        for box in self.page.locator(".plotly-figure").all():
+            box.scroll_into_view_if_needed()
+            box.locator(".main-svg").first.wait_for()
+            traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
+        return traces
+
+
+# Runs in the page. Text is what is read as text: no code, no formula already set.
+FACTS = r"""async () => {
+  const formulas = [...document.querySelectorAll(".math")];
+  if (formulas.length) await MathJax.startup.promise;
+  const text = document.querySelector("article").cloneNode(true);
+  text.querySelectorAll("pre, code, script, mjx-container, .plotly-live").forEach((e) => e.remove());
+  return {
+    tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],
+    unset: formulas.filter((f) => !f.querySelector("mjx-container svg")).map((f) => f.textContent),
+    errors: [...document.querySelectorAll("[data-mml-node=merror]")].map((e) => e.textContent),
+    images: [...document.querySelectorAll("img")].map((i) => [i.complete && i.naturalWidth > 0, i.alt.trim()]),
+    groups: [...document.querySelectorAll(".plotly-figure")].map((f) => f.getAttribute("aria-label")),
+    wide: [...document.querySelectorAll(".plotly-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
+    width: Math.max(document.documentElement.scrollWidth, document.body.scrollWidth),
+    theme: document.documentElement.dataset.theme,
+  };
+}"""
+
+# The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).
+CONTRAST = """element => {
+  const numbers = (colour) => colour.match(/[0-9.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map((c) => c / 255)
+    .map((c) => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  let ground = element;
+  while (numbers(getComputedStyle(ground).backgroundColor)[3] === 0) ground = ground.parentElement;
+  const both = [getComputedStyle(element).color, getComputedStyle(ground).backgroundColor];
+  const [low, high] = both.map((c) => light(numbers(c))).sort((a, b) => a - b);
+  return (high + 0.05) / (low + 0.05);
+}"""
+
+
+def assert_readable(visit, notebook, width):
+    """Assert what holds for every page, whatever stands on it."""
+    facts = visit.page.evaluate(FACTS)
+    assert not facts["tex"]
+    assert not facts["unset"]
+    assert not facts["errors"]
+    assert facts["width"] <= width
+    assert not facts["wide"]
+    for loaded, alt in facts["images"]:
+        assert loaded
+        assert alt
+        assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
+    assert all(facts["groups"])
+    outputs = [o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])]
+    figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
+    assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
+    assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
+    assert visit.complaints == []
+    return facts
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_page_works_offline(site, notebooks, browser, theme, width):
+    with Visit(browser, site / "01_rotations.html", theme=theme, width=width) as visit:
+        facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
+        assert facts["theme"] == theme
+        assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
+        assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
+        live = visit.page.locator(".plotly-live").first
+        visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
+        live.locator(".main-svg").first.wait_for()
+        size = live.bounding_box()
+        assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
+        for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
+            assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
+        for figure in (".plotly-figure", "img.picture"):
+            style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
+            assert visit.page.locator(figure).first.evaluate(style) == ["rgb(255, 255, 255)", "none"]
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("course") / "html"
+    build(NOTEBOOKS[0].parent, folder)
+    return folder
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_course_works_offline(course, browser, notebook, theme):
+    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=390) as visit:
+        assert_readable(visit, notebook, width=390)
+
+
+def test_figure_turns_and_stays_turned(site, browser):
+    eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
+    with Visit(browser, site / "01_rotations.html") as visit:
+        box = visit.page.locator(".plotly-figure").first
+        live = box.locator(".plotly-live")
+        box.scroll_into_view_if_needed()
+        box.locator("canvas").first.wait_for()
+        before = visit.page.evaluate(eye)
+        live.evaluate("live => live.on('plotly_relayout', () => (window.turned = true))")
+        live.hover()  # waits until the page has stopped moving
+        place = live.bounding_box()
+        x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+        visit.page.mouse.down()
+        visit.page.mouse.move(x + 80, y + 30, steps=5)
+        visit.page.mouse.up()
+        visit.page.wait_for_function("window.turned")
+        turned = live.evaluate("live => live.layout.scene.camera.eye")
+        assert abs(turned["x"] - before["x"]) > 0.01
+        # Far away a figure is let go, its still picture stands in; back again it is as it was left.
+        visit.page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
+        box.locator(".plotly-still").wait_for()
+        box.scroll_into_view_if_needed()
+        box.locator("canvas").first.wait_for()
+        assert visit.page.evaluate(eye) == pytest.approx(turned, abs=1e-6)
+
+
+def test_frames_play_from_the_keyboard(site, browser):
+    with Visit(browser, site / "01_rotations.html") as visit:
+        visit.draw_figures()
+        player = visit.page.locator(".plotly-player")
+        button, slider = player.get_by_role("button"), player.get_by_role("slider")
+        drawn = "() => document.querySelectorAll('.plotly-live')[1].data[0].x[0]"
+        assert visit.page.locator(".updatemenu-button, .slider-container").count() == 0
+        button.focus()
+        visit.page.keyboard.press("Enter")
+        visit.page.wait_for_function(f"({drawn})() > 5")
+        visit.page.keyboard.press("Enter")
+        assert button.inner_text() == "Play"
+        visit.page.keyboard.press("Tab")
+        visit.page.keyboard.press("End")
+        visit.page.wait_for_function(f"({drawn})() === 39")
+        visit.page.keyboard.press("ArrowLeft")
+        visit.page.wait_for_function(f"({drawn})() === 38")
+        assert slider.get_attribute("aria-valuetext") == "time 3.8 s"
+        assert visit.complaints == []
+
+
+def test_still_pictures_stand_in(site, browser):
+    page = site / "01_rotations.html"
+    with Visit(browser, page, java_script_enabled=False) as visit:
+        assert visit.page.locator(".plotly-still").is_visible()
+        assert visit.page.locator(".plotly-words", has_text="A point that moves to the right").is_visible()
+    with Visit(browser, page, without="plotly.min.js") as visit:
+        assert visit.page.get_by_text("A rotation keeps lengths").is_visible()
+        assert visit.page.locator(".plotly-still").is_visible()
+    with Visit(browser, page, theme="dark") as visit:
+        figure = visit.page.locator(".plotly-figure.drawn:has(.plotly-still)")
+        figure.locator(".main-svg").first.wait_for()
+        visit.page.emulate_media(media="print")
+        visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        assert figure.locator(".plotly-still").is_visible()
+        assert not figure.locator(".plotly-live").is_visible()
+        assert visit.page.locator("html").get_attribute("data-theme") == "light"
+
+
+def test_unknown_macros_count_as_errors(site, browser):
+    with Visit(browser, site / "01_rotations.html") as visit:
+        visit.page.evaluate(FACTS)
+        made = visit.page.evaluate(r"MathJax.tex2svg('\\nosuchmacro').outerHTML")
+        assert 'data-mml-node="merror"' in made
+
+
+def test_home_lists_assignments_and_search_finds_words(site, browser):
+    with Visit(browser, site / "index.html") as visit:
+        links = visit.page.locator("article .toctree-wrapper a")
+        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion"]
+        links.nth(1).click()
+        assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
+        assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
+    with Visit(browser, site / "search.html", query="?q=adjoint") as visit:
+        visit.page.locator("#search-results a", has_text="Rigid motion").wait_for()
+        assert visit.complaints == []
+
+
+def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
+    page = (site / "01_rotations.html").read_text(encoding="utf-8")
+    assert "removed_cell" not in page
+    assert "hidden_input" in page.split("<summary", 1)[1]
+    assert "BEGIN SOLUTION" in page
+    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.min.js"]
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 12e6
+
+
+def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
+    build(notebooks, tmp_path / "html")
+    for file in site.rglob("*"):
+        again = tmp_path / "html" / file.relative_to(site)
+        assert file.is_dir() or file.read_bytes() == again.read_bytes(), file
+
+
+def test_what_a_reader_would_trip_over_stops_the_build(tmp_path):
+    book = tmp_path / "notebooks"
+    bad = r"Text $\frac{1}{2$ and $\left( x$ and \\( y \\) and [nowhere](#Nothing)."
+    _write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
+    with pytest.raises(SiteError) as caught:
+        build(book, tmp_path / "html")
+    message = str(caught.value)
+    for words in ("braces do not match", r"\left and \right", "left as plain text", "Nothing"):
+        assert any("01_bad.ipynb, cell 2" in line for line in message.splitlines() if words in line), message
+    assert not (tmp_path / "html").exists()
+    assert [file.name for file in tmp_path.iterdir()] == ["notebooks"]
+
+
+ERROR = new_output("error", ename="ValueError", evalue="R is not square", traceback=[])
+
+
+@pytest.mark.parametrize(
+    ("output", "sentence"),
+    [
+        (ERROR, "01_bad.ipynb, cell 2 stopped with ValueError: R is not square"),
+        (_output({"image/png": "", "text/plain": "<Figure size 640x480>"}), "cell 2 shows a figure without alt"),
+        (_output({PLOTLY: HELIX, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
+    ],
+)
+def test_outputs_that_must_not_be_published(tmp_path, output, sentence):
+    _write(tmp_path / "notebooks", "01_bad.ipynb", new_markdown_cell("# Bad"), _cell(output))
+    with pytest.raises(SiteError, match=sentence):
+        build(tmp_path / "notebooks", tmp_path / "html")
+
+
+def test_says_in_a_sentence_why_there_is_no_site(tmp_path, monkeypatch, capsys):
+    def run():
+        with pytest.raises(SystemExit) as left:
+            runpy.run_module("course_lib.pack.site", run_name="__main__")
+        assert left.value.code == 1
+        return capsys.readouterr().err
+
+    books, target = tmp_path / "notebooks", tmp_path / "html"
+    books.mkdir()
+    monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(books), "--output", str(target)])
+    assert run() == f"No site was built. There are no notebooks in {books}.\n"
+    _write(books, "01.ipynb", _cell())
+    assert "01.ipynb holds no outputs" in run()
+    (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")
+    assert "01.ipynb is not a notebook" in run()
+    target.mkdir()
+    (target / "thesis.txt").write_text("mine")
+    assert "holds other files than a site" in run()
+    monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(tmp_path), "--output", str(target)])
+    (books / "01.ipynb").rename(tmp_path / "01.ipynb")
+    assert "lies inside" in run()
+    monkeypatch.setitem(sys.modules, "myst_nb", None)
+    assert run() == "The site needs myst-nb, which this Python lacks. `make html` installs them.\n"

@@ -1,0 +1,241 @@
+"""What students write for log_so3(R)."""
+
+import numpy as np
+import scipy.linalg
+
+from course_lib import rotations as rot
+
+
+def right_three_branches(R):
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+    if angle > np.pi - 1e-6:
+        columns = R + np.eye(3)
+        longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
+        return angle * longest / np.linalg.norm(longest)
+    n = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / (2 * np.sin(angle))
+    return angle * n
+
+
+def right_by_arctan2_as_a_column(R):
+    across = np.array([[R[2, 1] - R[1, 2]], [R[0, 2] - R[2, 0]], [R[1, 0] - R[0, 1]]]) / 2
+    sine, cosine = np.linalg.norm(across), (np.trace(R) - 1) / 2
+    angle = np.arctan2(sine, cosine)
+    if sine > 1e-7:
+        return across / sine * angle
+    if cosine > 0:
+        return across
+    outer = (R + np.eye(3)) / 2
+    k = np.argmax(np.diag(outer))
+    return np.pi * outer[:, [k]] / np.sqrt(outer[k, k])
+
+
+def right_by_quaternion(R):
+    K = np.array(
+        [
+            [R[0, 0] - R[1, 1] - R[2, 2], 0, 0, 0],
+            [R[1, 0] + R[0, 1], R[1, 1] - R[0, 0] - R[2, 2], 0, 0],
+            [R[2, 0] + R[0, 2], R[2, 1] + R[1, 2], R[2, 2] - R[0, 0] - R[1, 1], 0],
+            [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1], np.trace(R)],
+        ]
+    )
+    values, vectors = np.linalg.eigh(K)  # reads the lower triangle
+    x, y, z, w = vectors[:, -1] * (1 if vectors[3, -1] >= 0 else -1)
+    sine = np.sqrt(x * x + y * y + z * z)
+    if sine == 0:
+        return (0, 0, 0)
+    angle = 2 * np.arctan2(sine, w)
+    return (angle * x / sine, angle * y / sine, angle * z / sine)
+
+
+def right_eigenvector_of_one(R):
+    values, vectors = np.linalg.eig(R)
+    n = np.real(vectors[:, np.argmin(abs(values - 1))])
+    n = n / np.linalg.norm(n)
+    across = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    angle = np.arctan2(n @ across, np.trace(R) - 1)
+    return list(angle * n)
+
+
+def right_matrix_logarithm_where_it_is_fine(R):
+    if np.trace(R) > -0.9:
+        W = scipy.linalg.logm(R)
+        return np.real([W[2, 1], W[0, 2], W[1, 0]])
+    return right_three_branches(R)
+
+
+def _vee_of_difference(R):
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+
+def _at_half_turn(R):
+    columns = R + np.eye(3)
+    longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
+    return np.pi * longest / np.linalg.norm(longest)
+
+
+def wrong_sign_flipped(R):
+    """the logarithm of R^T"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return -_vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return -angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_axis_alone(R):
+    """the axis alone"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle == 0:
+        return np.zeros(3)
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R) / np.pi
+    return _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_degrees(R):
+    """degrees"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return np.degrees(_vee_of_difference(R) / 2)
+    if angle > np.pi - 1e-6:
+        return np.degrees(_at_half_turn(R))
+    return np.degrees(angle) * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_division_by_the_sine_missing(R):
+    """the division by sin(angle) is missing"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    return angle * _vee_of_difference(R) / 2
+
+
+def wrong_skew_part_only(R):
+    """the skew part of R is taken for its logarithm"""
+    return _vee_of_difference(R) / 2
+
+
+def wrong_half_missing(R):
+    """the half is missing"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / np.sin(angle)
+
+
+def wrong_half_turn_taken_for_none(R):
+    """a half turn is taken for no turn"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if np.sin(angle) < 1e-6:
+        return np.zeros(3)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_divided_by_the_sine_of_pi(R):
+    """at a half turn the answer is not the axis times pi"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle == 0:
+        return np.zeros(3)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_signs_at_half_turn(R):
+    """the signs of the axis's entries do not fit together"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0))
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_first_column_at_half_turn(R):
+    """divided by zero"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return np.pi * (R + np.eye(3))[:, 0] / np.linalg.norm((R + np.eye(3))[:, 0])
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_axis_not_normalised_at_half_turn(R):
+    """not the axis times pi"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return np.pi * (R + np.eye(3))[:, np.argmax(np.diag(R))]
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_arccos_outside_its_domain(R):
+    """arccos"""
+    angle = np.arccos((np.trace(R) - 1) / 2)
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_arccos_of_half_the_trace(R):
+    """unnamed"""
+    angle = np.arccos(np.clip(np.trace(R) / 2 - 1, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    return angle * _vee_of_difference(R) / max(np.linalg.norm(_vee_of_difference(R)), 1e-12)
+
+
+def wrong_arcsine(R):
+    """beyond a quarter turn"""
+    sine = np.linalg.norm(_vee_of_difference(R)) / 2
+    if sine < 1e-12:
+        return _vee_of_difference(R) / 2 if np.trace(R) > 0 else _at_half_turn(R)
+    return np.arcsin(min(sine, 1)) * _vee_of_difference(R) / (2 * sine)
+
+
+def wrong_long_way_round(R):
+    """the long way round"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return (angle - 2 * np.pi) * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_small_angles_cut(R):
+    """small angles are cut off"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-3:
+        return np.zeros(3)
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_skew_matrix_returned(R):
+    """another form"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return (R - R.T) / 2
+    return angle * (R - R.T) / (2 * np.sin(angle))
+
+
+def wrong_axis_and_angle_apart(R):
+    """another form"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return np.array([0, 0, 1]), angle
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R) / np.pi, angle
+    return _vee_of_difference(R) / (2 * np.sin(angle)), angle
+
+
+def wrong_the_librarys(R):
+    """course_lib.rotations.log_so3 is called"""
+    return rot.log_so3(R)

@@ -1,0 +1,173 @@
+"""What students write for nearest_se(T)."""
+
+import numpy as np
+import scipy.linalg
+
+import course_lib.rotations as r
+
+
+def nearest_so(M):
+    U, _, Vt = np.linalg.svd(M)
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    return U @ Vt
+
+
+def right_copy_and_block(T):
+    X = T.copy()
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    X[-1, :-1] = 0
+    X[-1, -1] = 1
+    return X
+
+
+def right_stacked(T):
+    n = len(T) - 1
+    top = np.hstack([nearest_so(T[:n, :n]), T[:n, n:]])
+    return np.vstack([top, [0] * n + [1]]).tolist()
+
+
+def right_built_on_the_identity(T):
+    n = T.shape[0] - 1
+    X = np.eye(n + 1)
+    U, S, Vt = scipy.linalg.svd(T[:n, :n])
+    sign = np.linalg.det(U) * np.linalg.det(Vt)
+    X[:n, :n] = sum((sign if i == n - 1 else 1) * np.outer(U[:, i], Vt[i]) for i in range(n))
+    for i in range(n):
+        X[i, n] = T[i, n]
+    return [list(row) for row in X]
+
+
+def right_product_of_two(T):
+    n = len(T) - 1
+    turn, shift = np.eye(n + 1), np.eye(n + 1)
+    R, P = scipy.linalg.polar(T[:n, :n])
+    if np.linalg.det(R) < 0:
+        v = np.linalg.eigh(P)[1][:, 0]
+        R = R - 2 * np.outer(R @ v, v)
+    turn[:n, :n] = R
+    shift[:n, n] = T[:n, n]
+    return shift @ turn + 0j
+
+
+def _with_block(T, R):
+    X = np.eye(len(T))
+    X[:-1, :-1], X[:-1, -1] = R, T[:-1, -1]
+    return X
+
+
+def wrong_row_left(T):
+    """the last row stays as it came"""
+    X = T.copy()
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    return X
+
+
+def wrong_only_last_entry_of_row(T):
+    """of the last row only the 1 is written"""
+    X = T.copy()
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    X[-1, -1] = 1
+    return X
+
+
+def wrong_row_divided_by_its_last_entry(T):
+    """T is divided by its last entry"""
+    X = T / T[-1, -1]
+    X[:-1, :-1] = nearest_so(X[:-1, :-1])
+    return X
+
+
+def wrong_only_row(T):
+    """the block comes back as it is"""
+    X = T.copy()
+    X[-1] = np.eye(len(T))[-1]
+    return X
+
+
+def wrong_translation_lost(T):
+    """the translation is lost"""
+    X = np.eye(len(T))
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    return X
+
+
+def wrong_translation_turned(T):
+    """the translation is turned"""
+    R = nearest_so(T[:-1, :-1])
+    X = _with_block(T, R)
+    X[:-1, -1] = R @ T[:-1, -1]
+    return X
+
+
+def wrong_whole_matrix(T):
+    """the whole of T is taken"""
+    U, S, Vt = np.linalg.svd(T)
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    return U @ Vt
+
+
+def wrong_as_published(T):
+    """as in the published report"""
+    U, S, Vt = np.linalg.svd(T[:-1, :-1])
+    R = U @ Vt
+    if np.linalg.det(R) < 0:
+        R[:, -1] *= -1
+    return _with_block(T, R)
+
+
+def wrong_reflections_stay(T):
+    """the block is left a reflection"""
+    U, S, Vt = np.linalg.svd(T[:-1, :-1])
+    return _with_block(T, U @ Vt)
+
+
+def wrong_transposed(T):
+    """the block is transposed"""
+    return _with_block(T, nearest_so(T[:-1, :-1]).T)
+
+
+def wrong_qr(T):
+    """column after column"""
+    Q, R = np.linalg.qr(T[:-1, :-1])
+    return _with_block(T, Q * np.sign(np.diag(R)))
+
+
+def wrong_inverse(T):
+    """the inverse pose is returned"""
+    R = nearest_so(T[:-1, :-1])
+    X = np.eye(len(T))
+    X[:-1, :-1], X[:-1, -1] = R.T, -R.T @ T[:-1, -1]
+    return X
+
+
+def wrong_block_alone(T):
+    """another form"""
+    return nearest_so(T[:-1, :-1])
+
+
+def wrong_space_only(T):
+    """IndexError"""
+    X = np.eye(4)
+    X[:3, :3] = nearest_so(T[:3, :3])
+    X[:3, 3] = T[:3, 3]
+    return X
+
+
+def wrong_in_place(T):
+    """T is changed in place"""
+    n = len(T) - 1
+    T[:n, :n] = nearest_so(T[:n, :n])
+    T[n] = np.eye(n + 1)[n]
+    return T
+
+
+def wrong_forgotten_return(T):
+    """a return is missing"""
+    X = T.copy()
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    X[-1] = np.eye(len(T))[-1]
+
+
+def wrong_the_librarys(T):
+    """course_lib.rotations.nearest_so is called"""
+    return _with_block(T, r.nearest_so(T[:-1, :-1]))
