@@ -12,8 +12,8 @@ def real_array(value, name, *shapes):
     expected = f"{name} must be an array of real numbers of shape {_or(shapes)}"
     try:
         array = np.asarray(value)
-    except ValueError as ragged:
-        raise ValueError(f"{expected}; its rows differ in length") from ragged
+    except Exception as unreadable:  # ragged lists, and whatever the __array__ of a foreign object raises
+        raise ValueError(f"{expected}; numpy cannot read it: {unreadable}") from unreadable
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{expected}; it holds {_what(value, array)}")
     if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
@@ -36,9 +36,9 @@ def tolerance(value, name="tol"):
 
 
 def count(value, name="n"):
-    """Return `value` as an int that is zero or more."""
-    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or value < 0:
-        raise ValueError(f"{name} must be a whole number, zero or more; it is {value!r}")
+    """Return `value` as an int from zero to a thousand million, beyond which no memory holds the answer."""
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not 0 <= value <= 10**9:
+        raise ValueError(f"{name} must be a whole number from 0 to 1,000,000,000; it is {value!r}")
     return int(value)
 
 

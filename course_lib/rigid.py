@@ -60,7 +60,7 @@ def inverse(T):
     """
     R, p = _split(T, (3, 3), (4, 4))
     R_inverse = np.swapaxes(R, -1, -2)
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         p_inverse = 0.0 - (R_inverse @ p[..., None])[..., 0]  # 0.0 - x, so that zero is not -0
     return _assemble(R_inverse, _finite(p_inverse, "T"))
 
@@ -75,7 +75,7 @@ def adjoint(T):
         left = np.stack([np.ones_like(p[..., 0]), p[..., 1], -p[..., 0]], -1)[..., :, None]
         return np.concatenate([left, np.concatenate([np.zeros_like(R[..., :1, :]), R], -2)], -1)
     upper = np.concatenate([R, np.zeros_like(R)], -1)
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         lower_left = hat(p) @ R
     refuse_first(~np.isfinite(lower_left).all((-2, -1)), "T", _too_large)
     return np.concatenate([upper, np.concatenate([lower_left, R], -1)], -2)
@@ -118,11 +118,13 @@ def exp_se3(twist):
     """
     twist = real_array(twist, "twist", (6,))
     omega, v = twist[..., :3], twist[..., 3:]
-    angle = length(omega, "twist")
-    with np.errstate(over="ignore", invalid="ignore"):  # what is too large is refused below
-        once = np.cross(omega, v)
-        p = v + _one_minus_cos(angle)[..., None] * once + _x_minus_sin(angle)[..., None] * np.cross(omega, once)
-    return _assemble(exp_so3(omega), _finite(p, "twist"))
+    angle = length(omega)[..., None]
+    with np.errstate(all="ignore"):  # what is too large is refused below
+        n = omega / np.where(angle > 0, angle, 1.0)
+        once = np.cross(n, v)
+        p = v + angle * _one_minus_cos(angle) * once + _one_minus_sinc(angle) * np.cross(n, once)
+    p = _finite(p, "twist")
+    return _assemble(exp_so3(omega), p)
 
 
 def log_se3(T):
@@ -132,9 +134,9 @@ def log_se3(T):
     """
     R, p = _split(T, (4, 4))
     omega = log_so3(R)
-    with np.errstate(over="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):
         once = np.cross(omega, p)
-        v = p - once / 2 + _inverse_coefficient(length(omega, "T"))[..., None] * np.cross(omega, once)
+        v = p - once / 2 + _inverse_coefficient(length(omega))[..., None] * np.cross(omega, once)
     return np.concatenate([omega, _finite(v, "T")], -1)
 
 
@@ -147,7 +149,7 @@ def exp_se2(twist):
     omega, v = twist[..., 0], twist[..., 1:]
     along = np.sinc(omega / np.pi)[..., None]  # sin(omega) / omega
     across = (omega * _one_minus_cos(omega))[..., None]
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         p = along * v + across * _quarter_turn(v)
     return _assemble(_turn(omega), _finite(p, "twist"))
 
@@ -161,7 +163,7 @@ def log_se2(T):
     omega = np.arctan2(R[..., 1, 0], R[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
     half_cot = 1 - omega**2 * _inverse_coefficient(np.abs(omega))
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         v = half_cot[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
     return np.concatenate([omega[..., None], _finite(v, "T")], -1)
 
@@ -198,16 +200,16 @@ def _too_large(index):
 
 
 def _one_minus_cos(angle):
-    """(1 - cos a) / a^2 with all its digits: sin^2(a/2) does not cancel as 1 - cos a does."""
+    """(1 - cos a) / a^2, with all its digits: sin^2(a/2) does not cancel as 1 - cos a does."""
     return np.sinc(angle / (2 * np.pi)) ** 2 / 2
 
 
-def _x_minus_sin(angle):
-    """(a - sin a) / a^3."""
+def _one_minus_sinc(angle):
+    """1 - sin(a)/a."""
     return _series_or_closed(
         angle,
-        [1 / 6, -1 / 120, 1 / 5040, -1 / 362880, 1 / 39916800, -1 / 6227020800],
-        lambda a: (a - np.sin(a)) / a**3,
+        [0, 1 / 6, -1 / 120, 1 / 5040, -1 / 362880, 1 / 39916800, -1 / 6227020800],
+        lambda a: 1 - np.sin(a) / a,
     )
 
 

@@ -32,10 +32,13 @@ def vee(W):
     W: (..., 3, 3), skew-symmetric. Returns (..., 3). Raises ValueError for a matrix that is not skew-symmetric.
     """
     W = real_array(W, "W", (3, 3))
-    off = np.abs(W + _transpose(W)).max((-2, -1))
+    with np.errstate(over="ignore"):  # of what is not skew-symmetric
+        sums = W + _transpose(W)
+    off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
     refuse_first(off > limit, "W", lambda i: f"is not skew-symmetric: W + W^T has an entry of size {off[i]:.2g}")
-    return np.stack([W[..., 2, 1] - W[..., 1, 2], W[..., 0, 2] - W[..., 2, 0], W[..., 1, 0] - W[..., 0, 1]], -1) / 2
+    skew = W - sums / 2
+    return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], -1)
 
 
 def rot_x(angle):
@@ -62,7 +65,8 @@ def exp_so3(w):
     w: (..., 3), radians. Returns (..., 3, 3). MR eq. 3.51.
     """
     w = real_array(w, "w", (3,))
-    angle = length(w, "w")[..., None, None]
+    angle = length(w)[..., None, None]
+    refuse_first(np.isinf(angle[..., 0, 0]), "w", lambda i: "is too large: its length exceeds the largest number")
     # With a unit axis and 1 - cos a = 2 sin^2(a/2), no digit is lost at any angle and no series is needed.
     N = hat(w / np.where(angle[..., 0] > 0, angle[..., 0], 1.0))
     return np.eye(3) + np.sin(angle) * N + 2 * np.sin(angle / 2) ** 2 * (N @ N)
@@ -77,7 +81,7 @@ def log_so3(R):
     """
     q = matrix_to_quaternion(R)
     w, v = q[..., 0], q[..., 1:]
-    sine = length(v, "R")  # of half the angle
+    sine = length(v)  # of half the angle
     angle = 2 * np.arctan2(sine, w)
     stretch = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0)
     return stretch[..., None] * v
@@ -91,8 +95,7 @@ def is_so(R, tol=TOLERANCE):
     """
     R = real_array(R, "R", (2, 2), (3, 3))
     tol = tolerance(tol)
-    with np.errstate(over="ignore", invalid="ignore"):  # enormous entries: no rotation, and no warning either
-        return (_orthogonality_error(R) <= tol) & (np.linalg.det(R) > 0)
+    return (_orthogonality_error(R) <= tol) & (_determinant(R) > 0)
 
 
 def nearest_so(M):
@@ -114,7 +117,7 @@ def is_quaternion(q, tol=TOLERANCE):
 
     q: (..., 4). Returns booleans (...).
     """
-    return np.abs(length(real_array(q, "q", (4,)), "q") - 1) <= tolerance(tol)
+    return np.abs(length(real_array(q, "q", (4,))) - 1) <= tolerance(tol)
 
 
 def nearest_quaternion(q):
@@ -136,7 +139,7 @@ def quaternion_to_matrix(q):
     rounding even where |q| is off by as much as TOLERANCE allows. MR appendix B.3.
     """
     q = real_array(q, "q", (4,))
-    size = length(q, "q")
+    size = length(q)
     refuse_first(
         np.abs(size - 1) > TOLERANCE,
         "q",
@@ -158,7 +161,7 @@ def matrix_to_quaternion(R):
         ~is_so(R),
         "R",
         lambda i: (
-            f"is not a rotation: R^T R differs from I by {off[i]:.2g} and det R = {np.linalg.det(R[i]):.7g} "
+            f"is not a rotation: R^T R differs from I by {off[i]:.2g} and det R = {_determinant(R)[i]:.7g} "
             "(nearest_so gives the nearest rotation)"
         ),
     )
@@ -193,13 +196,12 @@ def random_quaternions(n, rng):
     return np.stack([np.cos(turn2) * far, np.sin(turn1) * near, np.cos(turn1) * near, np.sin(turn2) * far], -1)
 
 
-def length(v, name):
+def length(v):
     """Return the lengths (...) of the vectors v (..., n), right also where squares overflow or underflow."""
-    largest = np.abs(v).max(-1, keepdims=True)
-    with np.errstate(over="ignore"):
-        size = largest[..., 0] * np.linalg.norm(v / np.where(largest > 0, largest, 1.0), axis=-1)
-    refuse_first(~np.isfinite(size), name, lambda i: "is too large: its length exceeds the largest number")
-    return size
+    largest = np.abs(v).max(-1)
+    scale = np.where(largest > 0, largest, 1.0)
+    with np.errstate(over="ignore"):  # a length above the largest number is inf
+        return largest * np.linalg.norm(v / scale[..., None], axis=-1)
 
 
 def _matrix(rows):
@@ -212,7 +214,13 @@ def _transpose(M):
 
 
 def _orthogonality_error(R):
-    return np.abs(_transpose(R) @ R - np.eye(R.shape[-1])).max((-2, -1))
+    with np.errstate(all="ignore"):  # enormous entries give inf or nan: no rotation, and no warning either
+        return np.abs(_transpose(R) @ R - np.eye(R.shape[-1])).max((-2, -1))
+
+
+def _determinant(R):
+    with np.errstate(all="ignore"):
+        return np.linalg.det(R)
 
 
 def _cos_sin_one_zero(angle):

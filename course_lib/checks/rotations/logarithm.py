@@ -11,18 +11,19 @@ _OUTSIDE = Mistake(
     "arccos is asked outside [-1, 1]: rounding has taken the trace a hair beyond 3 or below -1",
     "np.clip((np.trace(R) - 1) / 2, -1, 1) before arccos.",
 )
-_DOWN = -1 - 2.0**-52  # the number next to -1
+_DOWN, _UP = -1 - 2.0**-52, 1 + 2.0**-50  # a hair beyond -1 and 1
 
 
 def _log_cases(rng):
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
     axes = [unit(rng) for _ in range(2)] + [np.array([0.6, -0.8, 0.0]), np.array([0.0, 0.6, -0.8])]
     half += [2 * np.outer(n, n) - np.eye(3) for n in axes]
-    angles = [np.pi / 2, 0.5, 2.0, np.pi - 1e-3, 1e-4, 1e-9]
+    angles = [np.pi / 2, 0.5, 2.0, np.pi - 1e-3, 1e-4]
+    tiny = exp_so3(1e-9 * np.array([0.48, 0.6, 0.64]) * rng.choice([-1, 1], size=3))
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     # As products of rotations may come out: a trace beyond its bounds, and a half turn that is not quite symmetric.
-    rounded = [np.diag([1.0, -_DOWN, -_DOWN]), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
-    return [(R,) for R in [np.eye(3), *named, *(exp_so3(a * unit(rng)) for a in angles), *half, *rounded]]
+    rounded = [np.diag([_UP, _UP, _UP]), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
+    return [(R,) for R in [np.eye(3), *named, *(exp_so3(a * unit(rng)) for a in angles), tiny, *half, *rounded]]
 
 
 def _angle(R):
@@ -49,7 +50,7 @@ def _like(transform):
     def seen(w, R):
         right, angle = log_so3(R), _angle(R)
         signs = (1, -1) if _half_turn(R) else (1,)
-        return any(same(w, transform(sign * right, angle)) for sign in signs)
+        return angle > 0 and any(same(w / angle, transform(sign * right, angle) / angle) for sign in signs)
 
     return seen
 
@@ -83,6 +84,12 @@ LOG_SO3 = Exercise(
             mistake=Mistake(
                 "small angles are cut off to zero", "For a small angle, a / sin(a) is 1: no cut is needed."
             ),
+        ),
+        Property(
+            "for a tiny angle the answer is the vector of (R - R^T)/2, or zero",
+            lambda w, R: not w.any() or np.linalg.norm(w - log_so3(R)) <= 1e-3 * _angle(R),
+            where=lambda R: 0 < _angle(R) < 1e-6,
+            mistake=Mistake("the branch for tiny angles is wrong", "There sin(a) is a, and no division is needed."),
         ),
     ),
     mistakes=(

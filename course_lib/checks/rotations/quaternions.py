@@ -1,5 +1,7 @@
 """quaternion_to_matrix and matrix_to_quaternion."""
 
+from itertools import permutations
+
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
@@ -124,14 +126,16 @@ QUATERNION_TO_MATRIX = Exercise(
 def _to_quaternion_cases(rng):
     quarter = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
-    axes = rng.normal(size=(8, 3))
-    axes = axes / np.linalg.norm(axes, axis=1, keepdims=True)
-    # near a half turn about an axis close to each coordinate axis, and about four of no direction
-    tilted = [e + 0.1 * n for e, n in zip(np.eye(3), axes, strict=False)]
-    near = [exp_so3((np.pi - 1e-6) * n / np.linalg.norm(n)) for n in tilted]
-    exact = [2 * np.outer(n, n) - np.eye(3) for n in axes[3:6]]
-    generic = [exp_so3(a * n) for a, n in zip([0.5, 2.0, 3.0], axes[5:], strict=True)]
-    return [(R,) for R in [np.eye(3), *quarter, *generic, *half, *near, *exact]]
+    random = rng.normal(size=(2, 3))
+    generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
+    # about axes of which x, y, z is the largest entry in turn: w smaller than it, nearly 0, and 0
+    leaning = [np.roll([0.8, 0.48, 0.36], k) * rng.choice([-1, 1], size=3) for k in range(3)]
+    near = [exp_so3(a * n) for a in (2.5, np.pi - 1e-6) for n in leaning]
+    # about axes in the coordinate planes, where one branch divides by 0
+    flat = [sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j] for i, j in permutations(range(3), 2) for sign in (1, -1)]
+    exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
+    middling = [exp_so3(2.1 * n) for n in flat]
+    return [(R,) for R in [np.eye(3), *quarter, *generic, *half, *middling, *near, *exact]]
 
 
 _DIVIDED_BY_ZERO = Mistake(
