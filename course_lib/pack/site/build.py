@@ -86,10 +86,7 @@ def _copy_libraries(static: Path, with_plotly: bool) -> None:
 
 def _package(name: str) -> Path:
     """Return the folder of an installed package."""
-    spec = importlib.util.find_spec(name)
-    if spec is None:
-        raise SiteError(f"The package {name} is missing.")
-    return Path(spec.submodule_search_locations[0])
+    return Path(importlib.util.find_spec(name).submodule_search_locations[0])
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:

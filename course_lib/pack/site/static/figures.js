@@ -46,38 +46,39 @@
     const last = figure.frames.length - 1;
     const range = element("input", { type: "range", min: 0, max: last, value: 0, "aria-label": "Frame" }, bar);
     const label = element("span", { "aria-hidden": "true" }, bar);
-    let playing = false;
+    let playing = null; // the run under way: a pause ends it, and playing on is another
 
-    function setPlaying(now) {
-      playing = now;
-      button.textContent = now ? "Pause" : "Play";
+    function setPlaying(run) {
+      playing = run;
+      button.textContent = run ? "Pause" : "Play";
     }
     function show() {
       const i = Number(range.value);
       label.textContent = before + labels[i];
       range.setAttribute("aria-valuetext", label.textContent);
-      const at_once = { mode: "immediate", frame: { duration: 0, redraw: true }, transition: { duration: 0 } };
+      const atOnce = { mode: "immediate", frame: { duration: 0, redraw: true }, transition: { duration: 0 } };
       // Rejected when the next frame is asked for first, which is as it should be.
-      return window.Plotly.animate(live, [figure.frames[i].name], at_once).catch(() => {});
+      return window.Plotly.animate(live, [figure.frames[i].name], atOnce).catch(() => {});
     }
     async function play() {
       if (Number(range.value) === last) range.value = 0;
-      setPlaying(true);
-      while (playing && Number(range.value) < last) {
+      const run = {};
+      setPlaying(run);
+      while (playing === run && Number(range.value) < last) {
         const started = performance.now();
         range.value = Number(range.value) + 1;
         await show();
         await new Promise((done) => setTimeout(done, duration - (performance.now() - started)));
       }
-      setPlaying(false);
+      if (playing === run) setPlaying(null);
     }
-    button.addEventListener("click", () => (playing ? setPlaying(false) : play()));
+    button.addEventListener("click", () => (playing ? setPlaying(null) : play()));
     range.addEventListener("input", () => {
-      setPlaying(false);
+      setPlaying(null);
       show();
     });
-    setPlaying(false);
-    return { show, stop: () => setPlaying(false) };
+    setPlaying(null);
+    return { show, stop: () => setPlaying(null) };
   }
 
   // A scene in 3D is drawn to the scale of its height: in too narrow a page its sides would be cut off. So
@@ -102,45 +103,43 @@
     figure.layout.autosize = true;
     const player = figure.frames && figure.frames.length ? addPlayer(box, live, figure) : null;
 
+    const isDrawn = () => box.classList.contains("drawn");
+    const fit = () => fittingHeight(figure.layout, meant, box.clientWidth);
+
     async function draw() {
-      if (box.classList.contains("drawn")) return;
       box.classList.add("drawn");
+      figure.layout.height = fit();
       const { data, layout, frames } = figure;
-      layout.height = fittingHeight(layout, meant, box.clientWidth);
       await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
       box.style.minHeight = "";
       if (player) await player.show();
     }
     // Plotly keeps camera and zoom in the layout it was given, so that they are still there next time.
     function letGo() {
-      if (!box.classList.contains("drawn")) return;
       if (player) player.stop();
       box.style.minHeight = `${box.offsetHeight}px`; // else the text would jump
       window.Plotly.purge(live);
       box.classList.remove("drawn");
     }
-    window.addEventListener("resize", () => {
-      if (!box.classList.contains("drawn")) return;
-      window.Plotly.relayout(live, { height: fittingHeight(figure.layout, meant, box.clientWidth) });
-    });
-    return { draw, letGo };
+    window.addEventListener("resize", () => isDrawn() && window.Plotly.relayout(live, { height: fit() }));
+
+    // One after the other: a reader may scroll past faster than a figure is drawn.
+    let near = false;
+    let work = Promise.resolve();
+    return (isNear) => {
+      near = isNear;
+      work = work.then(() => (near && !isDrawn() ? draw() : !near && isDrawn() && letGo()));
+    };
   }
 
-  function start() {
-    if (!window.Plotly) return; // the still pictures stay
-    const figures = new Map();
-    const watch = new IntersectionObserver(
-      (entries) => entries.forEach((entry) => {
-        if (entry.isIntersecting) {
-          if (!figures.has(entry.target)) figures.set(entry.target, setUp(entry.target));
-          figures.get(entry.target).draw();
-        } else if (figures.has(entry.target)) {
-          figures.get(entry.target).letGo();
-        }
-      }),
-      { rootMargin: NEAR },
-    );
-    document.querySelectorAll(".plotly-figure").forEach((box) => watch.observe(box));
-  }
-  start();
+  if (!window.Plotly) return; // the still pictures stay
+  const figures = new Map();
+  const watch = new IntersectionObserver(
+    (entries) => entries.forEach(({ target, isIntersecting }) => {
+      if (isIntersecting && !figures.has(target)) figures.set(target, setUp(target));
+      if (figures.has(target)) figures.get(target)(isIntersecting);
+    }),
+    { rootMargin: NEAR },
+  );
+  document.querySelectorAll(".plotly-figure").forEach((box) => watch.observe(box));
 })();
