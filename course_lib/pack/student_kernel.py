@@ -10,6 +10,7 @@ import queue
 import subprocess
 import time
 
+from jupyter_client.kernelspec import KernelSpecManager
 from jupyter_client.manager import KernelManager
 
 from course_lib.checks.plain import write
@@ -28,7 +29,9 @@ class StudentKernel:
         self._folder = str(folder)
 
     def __enter__(self):
-        self._manager = KernelManager()
+        # This environment's kernel, whatever the user has installed; encrypted, since others may listen here.
+        here = KernelSpecManager(kernel_dirs=[])
+        self._manager = KernelManager(kernel_spec_manager=here, kernel_name="python3", transport_encryption="auto")
         self._manager.start_kernel(cwd=self._folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self._client = self._manager.blocking_client()
         # Without the channel for outputs, no amount of them can fill this process's memory.
@@ -52,12 +55,10 @@ class StudentKernel:
     def evaluate(self, expression):
         """Return the string that the expression gives in the kernel, or None where it gives no string."""
         _, given = self._execute("", {"it": expression})
-        text = given.get("it", {}).get("data", {}).get("text/plain", "")
-        if not isinstance(text, str) or len(text) > MOST_CHARACTERS:
-            return None
         try:
-            value = ast.literal_eval(text)  # reads a literal; runs nothing
-        except (ValueError, SyntaxError, RecursionError, MemoryError):
+            text = given["it"]["data"]["text/plain"]
+            value = ast.literal_eval(text) if len(text) <= MOST_CHARACTERS else None  # reads a literal; runs nothing
+        except (LookupError, TypeError, AttributeError, ValueError, SyntaxError, RecursionError, MemoryError):
             return None
         return value if isinstance(value, str) else None
 
@@ -78,7 +79,8 @@ class StudentKernel:
                 continue
             if message["parent_header"].get("msg_id") == asked:
                 content = message["content"]
-                error = f"{content['ename']}: {content['evalue']}" if content["status"] == "error" else None
+                failed = content.get("status") == "error"
+                error = f"{content.get('ename')}: {content.get('evalue')}" if failed else None
                 return error, content.get("user_expressions", {})
         ended = f"more than {WALL_SECONDS} seconds" if self._manager.is_alive() else "the end of its kernel"
         return f"TimeUp: {ended}", {}
