@@ -38,7 +38,7 @@ test: export OMP_NUM_THREADS = 1
 test: export OPENBLAS_NUM_THREADS = 1
 test: environment ## lint, unit tests, and every notebook run against its stored outputs
 	$(PY) -m ruff check --no-cache .
-	.venv/bin/lint-imports --no-cache
+	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null
 	$(PY) -m pytest -o cache_dir=build/pytest -n logical --maxprocesses 8 --dist loadfile \
 		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)

@@ -39,7 +39,7 @@ def frames(rotations, camera=(1.35, 1.1, 0.8)):
 
     rotations: {title: R (3, 3)}.
     """
-    fig = go.Figure(layout=space_layout(list(rotations), camera, height=320))
+    fig = go.Figure(layout=space_layout(list(rotations), camera, half=1.6, height=320))
     for i, R in enumerate(rotations.values()):
         fig.add_traces(_fixed_frame(scene_name(i), 1.0)[:3])
         for j, (colour, name) in enumerate(zip((RED, GREEN, BLUE), "xyz", strict=True)):
