@@ -136,7 +136,7 @@ ARGUMENTS = {
     "log_se2": [{"T": _pose(2)}],
 }
 
-# Used by both modules on arrays they have looked at already; it takes the name to complain about as an argument.
+# Used by both modules on arrays they have looked at already, it looks at nothing itself.
 _SHARED_INSIDE = {"length"}
 
 FUNCTIONS = {

@@ -160,7 +160,7 @@ def _line(points, colour, width, scene):
 def _named_vector(tip, name, colour, scene):
     """A thick line from the origin to the tip, and its name just beyond."""
     font = {"color": colour, "size": 16}
-    label = go.Scatter3d(**_xyz([1.1 * tip]), mode="text", text=[name], textfont=font, hoverinfo="skip", scene=scene)
+    label = go.Scatter3d(**_xyz([1.18 * tip]), mode="text", text=[name], textfont=font, hoverinfo="skip", scene=scene)
     return [_line([np.zeros(3), tip], colour, 8, scene), label]
 
 
