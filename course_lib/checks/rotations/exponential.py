@@ -15,7 +15,7 @@ def unit(rng):
 
 def _exp_cases(rng):
     quarter = np.pi / 2
-    named = [[0.0, 0, 0], [quarter, 0, 0], [0, quarter, 0], [0, 0, quarter], [0.0, 0, 1.0]]
+    named = [[0.0, 0, 0], [quarter, 0, 0], [0, quarter, 0], [0, 0, quarter], [-1.0, 0, 0], [0, -1.0, 0], [0, 0, -1.0]]
     lengths = [1e-12, 1e-4, 0.5, 2.0, np.pi, 5.0]
     return [(np.array(w),) for w in named] + [(size * unit(rng),) for size in lengths]
 

@@ -82,6 +82,7 @@ def _so_cases(rng):
         (np.diag([1.0, -1.0]), TIGHT),
         (np.diag([1.0, 1.0, -1.0]), TIGHT),
         (-turn, TIGHT),
+        (plane_rotation(0.5) @ np.diag([1.0, -0.997]), LOOSE),
         (np.array([[1.0, 1.0], [0.0, 1.0]]), TIGHT),
         (np.diag([2.0, 0.5, 1.0]), TIGHT),
         (2 * turn, TIGHT),

@@ -44,6 +44,7 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_js_files = ["print.js"]
 html_copy_source = False
+html_use_index = False
 html_show_copyright = False
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
