@@ -33,13 +33,11 @@ lab: environment ## open the notebooks in JupyterLab
 
 # One pytest run, whose summary ends the output. Matplotlib builds its font list beforehand, for it
 # tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
-# worker (loadfile), since its cells share a kernel; workers share the cores, so BLAS gets one each.
-test: export OMP_NUM_THREADS = 1
-test: export OPENBLAS_NUM_THREADS = 1
+# worker (loadfile), since its cells share a kernel.
 test: environment ## lint, unit tests, and every notebook run against its stored outputs
 	$(PY) -m ruff check --no-cache .
 	.venv/bin/lint-imports --no-cache --no-logo
-	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null
+	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	$(PY) -m pytest -o cache_dir=build/pytest -n logical --maxprocesses 8 --dist loadfile \
 		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 

@@ -682,12 +682,17 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     progress()
     lines = words(shown[-1]).splitlines()
     assert "3 of 6 points" in lines[0]
+    assert lines[0].startswith("██████████░░░░░░░░░░ ")
     assert lines[1:] == [
         "✓ nearest_so: right (3 of 3)",
         "✗ is_so: wrong (0 of 1)",
         "○ exp_so3: not attempted yet (0 of 2)",
         "Next: is_so",
     ]
+    checks[1](lambda R, tol: True)
+    checks[2].verdict, checks[1].verdict = checks[1].verdict, checks[2].verdict
+    progress()
+    assert words(shown[-1]).endswith("Next: exp_so3")
     for each in checks:
         each.verdict = checks[0].verdict
     progress()

@@ -46,10 +46,8 @@ def _array(value, expected):
     except ValueError:
         kind = f"a {type(value).__name__} whose parts differ in shape"
         raise Unreadable(f"the answer is {expected}. Yours is {kind}.", OTHER_FORM) from None
-    except OverflowError:
-        raise Unreadable(f"the answer is {expected}. Yours holds a number too large for one.", OTHER_FORM) from None
     if array.dtype.kind not in "biufc":
-        raise Unreadable(f"the answer is {expected}. Yours is a {type(value).__name__}.", OTHER_FORM)
+        raise Unreadable(f"the answer is {expected}. Yours is of type {type(value).__name__}.", OTHER_FORM)
     return array
 
 

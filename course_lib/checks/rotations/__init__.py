@@ -11,15 +11,16 @@ from course_lib.checks.rotations import (
     predicates,
     quaternions,
     uniform,
+    unit_quaternions,
 )
 
 is_so = Check(predicates.IS_SO)
-is_quaternion = Check(predicates.IS_QUATERNION)
+is_quaternion = Check(unit_quaternions.IS_QUATERNION)
 is_se = Check(poses.IS_SE)
 exp_so3 = Check(exponential.EXP_SO3)
 log_so3 = Check(logarithm.LOG_SO3)
 nearest_so = Check(nearest.NEAREST_SO)
-nearest_quaternion = Check(nearest.NEAREST_QUATERNION)
+nearest_quaternion = Check(unit_quaternions.NEAREST_QUATERNION)
 nearest_se = Check(nearest_pose.NEAREST_SE)
 quaternion_to_matrix = Check(quaternions.QUATERNION_TO_MATRIX)
 matrix_to_quaternion = Check(quaternions.MATRIX_TO_QUATERNION)

@@ -1,4 +1,4 @@
-"""nearest_so and nearest_quaternion: the valid thing nearest to a damaged one."""
+"""nearest_so: the rotation nearest to a damaged one."""
 
 import numpy as np
 
@@ -206,85 +206,4 @@ NEAREST_SO = Exercise(
         "U diag(1, ..., det(U V^T)) V^T: the sign meets the smallest singular value.",
     ),
     forbidden=("course_lib.rotations.nearest_so", "course_lib.rigid.nearest_se"),
-)
-
-
-def _quaternion_cases(rng):
-    q = rng.normal(size=4)
-    published = np.array([0.78175724, 0.08413272, 0.01788872, 0.66339191])
-    given = [[2.0, 0, 0, 0], [1.0, 1, 1, 1], [-3.0, 0, 4.0, 0], published, q / np.linalg.norm(q), q, -q, 1e-6 * q]
-    return [(np.array(case),) for case in given] + [(10 * q[:, None],)]
-
-
-NEAREST_QUATERNION = Exercise(
-    name="nearest_quaternion",
-    points=1,
-    arguments=("q",),
-    cases=_quaternion_cases,
-    returns=numbers(lambda q: (4,)),
-    properties=(
-        Property(
-            "the answer has length one",
-            lambda u, q: abs(np.linalg.norm(u) - 1) < 1e-9,
-            seen=lambda u, q: f"Its length is {np.linalg.norm(u):.6g}.",
-        ),
-        Property(
-            "no unit quaternion lies nearer to q: the answer points the way q does",
-            lambda u, q: np.abs(u - np.ravel(q) / np.linalg.norm(q)).max() < 1e-9,
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "q is divided by |q|^2",
-            "np.sum(q**2) is the square of the length: take its root.",
-            lambda q: np.ravel(q) / np.sum(q**2),
-        ),
-        Mistake(
-            "q is divided by the sum of its entries", "The length is sqrt(q . q).", lambda q: np.ravel(q) / np.sum(q)
-        ),
-        Mistake(
-            "q is divided by the sum of its entries' sizes",
-            "The length is sqrt(q . q).",
-            lambda q: np.ravel(q) / np.sum(np.abs(q)),
-        ),
-        Mistake(
-            "q is divided by its largest entry",
-            "The length is sqrt(q . q).",
-            lambda q: np.ravel(q) / np.max(np.abs(q)),
-        ),
-        Mistake(
-            "the sign is turned",
-            "-q is the same rotation, but on the far side of the sphere: not the nearest.",
-            lambda q: -np.ravel(q) / np.linalg.norm(q),
-        ),
-        Mistake(
-            "the conjugate is returned",
-            "Only the length is to change.",
-            lambda q: np.ravel(q) / np.linalg.norm(q) * [1, -1, -1, -1],
-        ),
-        Mistake("q comes back as it is", "Divide it by its length.", np.ravel),
-        Mistake(
-            "the sign is turned where w < 0",
-            "q and -q are the same rotation, but not equally near: the answer points the way q does.",
-            lambda q: np.ravel(q) / np.linalg.norm(q) * (1 if np.ravel(q)[0] >= 0 else -1),
-        ),
-        Mistake(
-            "the inverse is returned",
-            "Only the length is to change.",
-            lambda q: np.ravel(q) * [1, -1, -1, -1] / np.sum(q**2),
-        ),
-        Mistake("q is multiplied by its length", "Divide by it.", lambda q: np.ravel(q) * np.linalg.norm(q)),
-        Mistake(
-            "only the vector part is made a unit vector",
-            "All four entries together have length one.",
-            lambda q: np.array([np.ravel(q)[0], *(np.ravel(q)[1:] / (np.linalg.norm(np.ravel(q)[1:]) or 1))]),
-        ),
-        Mistake(
-            "a small number is added to the length",
-            "No quaternion here has length 0: divide by the length itself.",
-            seen=lambda u, q: 0 < np.linalg.norm(q) / np.linalg.norm(u) - np.linalg.norm(q) < 1e-3,
-        ),
-    ),
-    hints=("q / |q|: the direction stays, the length becomes 1.", "np.linalg.norm(q) is the length, for (4, 1) too."),
-    forbidden=("course_lib.rotations.nearest_quaternion",),
 )

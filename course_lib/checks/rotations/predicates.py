@@ -1,4 +1,4 @@
-"""is_so and is_quaternion: what counts as a rotation or a unit quaternion, within a tolerance."""
+"""is_so: what counts as a rotation, within a tolerance. Its helpers serve is_quaternion and is_se too."""
 
 import numpy as np
 
@@ -50,10 +50,6 @@ def is_rotation(R, tol):
     return square(R) and orthogonality_error(R) <= tol and abs(np.linalg.det(R) - 1) <= tol
 
 
-def _is_quaternion(q, tol):
-    return q.shape in ((4,), (4, 1)) and abs(np.linalg.norm(q) - 1) <= tol
-
-
 def plane_rotation(angle):
     return exp_so3([0.0, 0.0, angle])[:2, :2]
 
@@ -68,6 +64,13 @@ def _unit_columns(cosine):
     return np.array([[1.0, cosine], [0.0, np.sqrt(1 - cosine**2)]])
 
 
+def _in_space(M):
+    """The 3x3 matrix that does what M does, and leaves z as it is."""
+    R = np.eye(3)
+    R[:2, :2] = M
+    return R
+
+
 def _so_cases(rng):
     turn = random_rotations(1, rng)[0]
     stretched = plane_rotation(0.5) @ np.diag([1.003, 1.0])
@@ -79,10 +82,12 @@ def _so_cases(rng):
         (plane_rotation(0.5), TIGHT),
         (turn, TIGHT),
         (plane_rotation(np.pi), TIGHT),
+        (plane_rotation(2.0), TIGHT),
+        (plane_rotation(-2.0), TIGHT),
+        (np.array([[0.0, -1.0], [1.0, 0.0]]), TIGHT),
         (np.diag([1.0, -1.0]), TIGHT),
         (np.diag([1.0, 1.0, -1.0]), TIGHT),
         (-turn, TIGHT),
-        (plane_rotation(0.5) @ np.diag([1.0, -0.997]), LOOSE),
         (np.array([[1.0, 1.0], [0.0, 1.0]]), TIGHT),
         (np.diag([2.0, 0.5, 1.0]), TIGHT),
         (2 * turn, TIGHT),
@@ -92,7 +97,10 @@ def _so_cases(rng):
         (stretched, 1e-4),
         (within, LOOSE),
         (turn @ np.diag([1.02, 1 / 1.02, 1.0]), LOOSE),
-        (_unit_columns(-0.1), LOOSE),
+        (_unit_columns(-0.08), LOOSE),
+        (_in_space(_unit_columns(-0.08)), LOOSE),
+        (plane_rotation(0.5) @ np.diag([1.0, -0.997]), LOOSE),
+        (turn @ np.diag([1.0, 1.0, -0.997]), LOOSE),
         (slightly_bent(turn), TIGHT),
         (turn[:, :2], TIGHT),
         (turn[:2], TIGHT),
@@ -198,101 +206,4 @@ IS_SO = Exercise(
         "np.linalg.det(R) is +1 for a rotation and -1 for a reflection; compare it with 1 within tol.",
     ),
     forbidden=("course_lib.rotations.is_so", "course_lib.rigid.is_se"),
-)
-
-
-def _quaternion_cases(rng):
-    q = rng.normal(size=4)
-    q = q / np.linalg.norm(q)
-    return [
-        (np.array([1.0, 0, 0, 0]), TIGHT),
-        (q, TIGHT),
-        (-q, TIGHT),
-        (q[:, None], TIGHT),
-        (np.array([1.0, 1, 0, 0]), TIGHT),
-        (np.zeros(4), TIGHT),
-        (np.array([0.5, 0.5, 0.0, 0.0]), TIGHT),
-        (2 * q[:, None], TIGHT),
-        (1.008 * q, LOOSE),
-        (1.004 * q, LOOSE),
-        (0.992 * q, LOOSE),
-        (1.008 * q, 1e-4),
-        (0.992 * q[:, None], 1e-4),
-        (NEARLY_ONE * q, TIGHT),
-        (np.array([1.0, 0, 0]), TIGHT),
-        (0.5 * np.eye(4), TIGHT),
-    ]
-
-
-def _of_shape(test):
-    """The answers of somebody who asks `test` for the length: with the shape looked at or not."""
-    return (lambda q, tol: q.shape in ((4,), (4, 1)) and test(q, tol), test)
-
-
-IS_QUATERNION = Exercise(
-    name="is_quaternion",
-    points=1,
-    arguments=("q", "tol"),
-    cases=_quaternion_cases,
-    returns=truth,
-    properties=(
-        Property(
-            "a unit quaternion is accepted, as (4,) and as (4, 1)",
-            lambda ok, q, tol: ok,
-            where=lambda q, tol: _is_quaternion(q, min(tol, TIGHT)),
-        ),
-        Property(
-            "another shape than (4,) or (4, 1) is refused",
-            lambda ok, q, tol: not ok,
-            where=lambda q, tol: q.shape not in ((4,), (4, 1)),
-            mistake=Mistake("the shape is not looked at", "q.shape in ((4,), (4, 1)) is the first question."),
-        ),
-        Property(
-            "the answer says whether |q| is within tol of 1",
-            lambda ok, q, tol: ok == _is_quaternion(q, tol),
-            seen=lambda ok, q, tol: f"|q| is {np.linalg.norm(q):.8g}, tol is {tol:g}.",
-        ),
-    ),
-    mistakes=(
-        *ALWAYS_THE_SAME,
-        *either(
-            ("(4, 1) is refused", "A column is a quaternion too; np.ravel(q) makes it flat."),
-            lambda q, tol: q.shape == (4,) and _is_quaternion(q, tol),
-        ),
-        *either(
-            ("(4,) is refused", "A flat q is a quaternion too; np.ravel(q) makes a column flat."),
-            lambda q, tol: q.shape == (4, 1) and _is_quaternion(q, tol),
-        ),
-        *either(
-            ("the length is not looked at", "np.linalg.norm(q) is the second question."),
-            lambda q, tol: q.shape in ((4,), (4, 1)),
-        ),
-        *either(
-            ("|q|^2 is compared with 1", "Within a tolerance the square is not the same: take the root."),
-            *_of_shape(lambda q, tol: abs(np.sum(q**2) - 1) <= tol),
-        ),
-        *either(
-            NO_TOL,
-            *(
-                answer
-                for fixed in FIXED_TOLERANCES
-                for answer in _of_shape(lambda q, tol, fixed=fixed: abs(np.linalg.norm(q) - 1) <= fixed)
-            ),
-        ),
-        *either(RELATIVE, *_of_shape(lambda q, tol: np.isclose(np.linalg.norm(q), 1, rtol=1e-5, atol=tol))),
-        *either(
-            ("the entries are added up without squares", "|q| is the root of the sum of squares."),
-            *_of_shape(lambda q, tol: abs(np.sum(q) - 1) <= tol),
-            *_of_shape(lambda q, tol: abs(np.sum(np.abs(q)) - 1) <= tol),
-        ),
-        *either(
-            ("a length below 1 always passes", "|q| - 1 is negative for a short q: take its absolute value."),
-            *_of_shape(lambda q, tol: np.linalg.norm(q) - 1 <= tol),
-        ),
-    ),
-    hints=(
-        "Two questions: has q the shape (4,) or (4, 1), and is its length 1 within tol?",
-        "np.linalg.norm(np.ravel(q)) is the length for both shapes.",
-    ),
-    forbidden=("course_lib.rotations.is_quaternion",),
 )

@@ -126,6 +126,7 @@ QUATERNION_TO_MATRIX = Exercise(
 def _to_quaternion_cases(rng):
     quarter = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
+    half.append(np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, -1]]))
     random = rng.normal(size=(2, 3))
     generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
     # about axes of which x, y, z is the largest entry in turn: w smaller than it, nearly 0, and 0
