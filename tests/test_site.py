@@ -1,117 +1,56 @@
 """The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
 
-import base64
-import io
 import os
 import runpy
 import shutil
 import sys
 from pathlib import Path
 
-import matplotlib.figure
 import nbformat
 import pytest
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import sync_playwright
+from site_notebooks import (
+    CHECK,
+    HELIX,
+    MATRIX,
+    MOVING,
+    NBGRADER,
+    PLOTLY,
+    SOLUTION,
+    TABLE,
+    TEXT,
+    cell,
+    output,
+    png,
+    write,
+)
 
 from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
-PLOTLY = "application/vnd.plotly.v1+json"
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
-
-TEXT = r"""# Rotations
-
-A rotation keeps lengths, $R^\top R = I$, and [tables](#Tables-and-more) follow. In one line
-$R_{ab} = R_{ac} R_{cd} R_{de} R_{ef} R_{fg} R_{gh} R_{hi} R_{ij} R_{jk} R_{kl} R_{lb}$ is wider than a phone.
-
-$$\exp([\boldsymbol{\omega}]\theta) = I + \sin\theta\,[\omega] + (1 - \cos\theta)[\omega]^2$$
-
-$$
-\begin{aligned}
-a &= b \\
-c &= d + e + f + g + h + i + j + k + l + m + n + o + p + q + r + s + t + u + v + w + x
-\end{aligned}
-$$
-
-\begin{align}
-T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
-\end{align}
-
-- in a list $$x^2$$
-
-## Tables and more
-
-| symbol | meaning |
-| --- | --- |
-| $R$ | rotation |
-"""
-SOLUTION = "### BEGIN SOLUTION\nanswer = 42  #" + " and on" * 40 + "\n### END SOLUTION"
-NBGRADER = {"schema_version": 3, "grade_id": "a", "solution": True, "grade": False, "locked": False}
-CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right: $R$</div>'
-TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
-MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"
-
-HELIX = {
-    "data": [{"type": "scatter3d", "mode": "lines", "x": [0, 1, 0], "y": [0, k, 1], "z": [0, 1, 2]} for k in (1, 2)],
-    "layout": {"title": {"text": "A </script> in a title"}, "width": 700, "height": 450, "scene": {}},
-}
-PLAY = {"label": "Play", "method": "animate", "args": [None, {"frame": {"duration": 20}}]}
-STEPS = [{"label": f"{k / 10} s", "method": "animate", "args": [[str(k)]]} for k in range(40)]
-MOVING = {
-    "data": [{"type": "scatter", "mode": "markers", "x": [0], "y": [0]}],
-    "layout": {
-        "xaxis": {"range": [-1, 41]},
-        "updatemenus": [{"type": "buttons", "buttons": [PLAY]}],
-        "sliders": [{"currentvalue": {"prefix": "time "}, "steps": STEPS}],
-    },
-    "frames": [{"name": str(k), "data": [{"x": [k], "y": [0]}]} for k in range(40)],
-}
-
-
-def _png() -> str:
-    figure = matplotlib.figure.Figure()
-    figure.subplots().plot([0, 1], [0, 1])
-    file = io.BytesIO()
-    figure.savefig(file, format="png")
-    return base64.b64encode(file.getvalue()).decode()
-
-
-def _cell(*outputs, source="pass", tags=(), **metadata):
-    return new_code_cell(source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata})
-
-
-def _output(data, alt=None):
-    metadata = {"image/png": {"alt": alt}} if alt else {}
-    return new_output("display_data", data={"text/plain": "words", **data}, metadata=metadata)
-
-
-def _write(folder, name, *cells):
-    folder.mkdir(exist_ok=True)
-    book = new_notebook(cells=list(cells))
-    book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
-    nbformat.write(book, folder / name)
 
 
 @pytest.fixture(scope="module")
 def notebooks(tmp_path_factory):
     folder = tmp_path_factory.mktemp("site") / "notebooks"
-    _write(
+    write(
         folder,
         "01_rotations.ipynb",
         new_markdown_cell(TEXT),
-        _cell(source=SOLUTION, nbgrader=NBGRADER),
-        _cell(_output({PLOTLY: HELIX, "image/png": _png()}, 'Two "helices" side by side')),
-        _cell(_output({"image/png": _png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
-        _cell(_output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
-        _cell(_output({"text/html": TABLE}), _output({"text/latex": MATRIX})),
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side')),
+        cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
+        cell(output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
+        cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
         *[new_markdown_cell("Words. " * 400) for _ in range(3)],
-        _cell(_output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
-        _cell(source="hidden_input = 1", tags=["hide-input"]),
-        _cell(source="removed_cell = 1", tags=["remove-cell"]),
+        cell(output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
+        cell(source="hidden_input = 1", tags=["hide-input"]),
+        cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
     plain = new_markdown_cell("# Rigid motion\n\nNo figure; see [the first](01_rotations.ipynb). The adjoint.")
-    _write(folder, "02_rigid_motion.ipynb", plain)
+    write(folder, "02_rigid_motion.ipynb", plain)
     return folder
 
 
@@ -368,7 +307,7 @@ def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
 def test_what_a_reader_would_trip_over_stops_the_build(tmp_path):
     book = tmp_path / "notebooks"
     bad = r"Text $\frac{1}{2$ and $\left( x$ and \\( y \\) and [nowhere](#Nothing)."
-    _write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
+    write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
     with pytest.raises(SiteError) as caught:
         build(book, tmp_path / "html")
     message = str(caught.value)
@@ -385,12 +324,12 @@ ERROR = new_output("error", ename="ValueError", evalue="R is not square", traceb
     ("output", "sentence"),
     [
         (ERROR, "01_bad.ipynb, cell 2 stopped with ValueError: R is not square"),
-        (_output({"image/png": "", "text/plain": "<Figure size 640x480>"}), "cell 2 shows a figure without alt"),
-        (_output({PLOTLY: HELIX, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
+        (output({"image/png": "", "text/plain": "<Figure size 640x480>"}), "cell 2 shows a figure without alt"),
+        (output({PLOTLY: HELIX, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
     ],
 )
 def test_outputs_that_must_not_be_published(tmp_path, output, sentence):
-    _write(tmp_path / "notebooks", "01_bad.ipynb", new_markdown_cell("# Bad"), _cell(output))
+    write(tmp_path / "notebooks", "01_bad.ipynb", new_markdown_cell("# Bad"), cell(output))
     with pytest.raises(SiteError, match=sentence):
         build(tmp_path / "notebooks", tmp_path / "html")
 
@@ -406,7 +345,7 @@ def test_says_in_a_sentence_why_there_is_no_site(tmp_path, monkeypatch, capsys):
     books.mkdir()
     monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(books), "--output", str(target)])
     assert run() == f"No site was built. There are no notebooks in {books}.\n"
-    _write(books, "01.ipynb", _cell())
+    write(books, "01.ipynb", cell())
     assert "01.ipynb holds no outputs" in run()
     (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")
     assert "01.ipynb is not a notebook" in run()

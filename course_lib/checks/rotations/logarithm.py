@@ -18,7 +18,7 @@ def _log_cases(rng):
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
     axes = [unit(rng) for _ in range(2)] + [np.array([0.6, -0.8, 0.0]), np.array([0.0, 0.6, -0.8])]
     half += [2 * np.outer(n, n) - np.eye(3) for n in axes]
-    angles = [np.pi / 2, 0.5, 2.0, np.pi - 1e-3, 1e-4]
+    angles = [np.pi / 2, 0.5, 2.0, np.pi - 1e-3, 1.234e-4]
     tiny = exp_so3(1e-9 * np.array([0.48, 0.6, 0.64]) * rng.choice([-1, 1], size=3))
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     # As products of rotations may come out: a trace beyond its bounds, and a half turn that is not quite symmetric.
@@ -66,6 +66,7 @@ LOG_SO3 = Exercise(
             "for R = I the rotation vector is 0",
             lambda w, R: np.abs(w).max() < 1e-9,
             where=lambda R: np.array_equal(R, np.eye(3)),
+            mistake=Mistake("no turn is given an axis", "The angle is 0, so angle times axis is 0 for any axis."),
         ),
         Property(
             "the exponential of the answer is R again",
@@ -82,7 +83,8 @@ LOG_SO3 = Exercise(
             lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-5 * _angle(R),
             where=lambda R: 1e-6 < _angle(R) < 1e-3,
             mistake=Mistake(
-                "small angles are cut off to zero", "For a small angle, a / sin(a) is 1: no cut is needed."
+                "digits are lost at small angles",
+                "a / sin(a) is near 1 there: nothing need be added to sin(a), and nothing rounded.",
             ),
         ),
         Property(

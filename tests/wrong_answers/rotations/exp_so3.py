@@ -165,6 +165,24 @@ def wrong_sine_and_cosine_swapped(w):
     return np.eye(3) + np.cos(angle) * N + (1 - np.sin(angle)) * N @ N
 
 
+def wrong_angle_halved(w):
+    """the angle is halved"""
+    angle = np.linalg.norm(w)
+    if angle == 0:
+        return np.eye(3)
+    N = hat(w / angle)
+    return np.eye(3) + np.sin(angle / 2) * N + (1 - np.cos(angle / 2)) * N @ N
+
+
+def wrong_sine_left_out(w):
+    """the term with sin(a) is left out"""
+    angle = np.linalg.norm(w)
+    if angle == 0:
+        return np.eye(3)
+    N = hat(w / angle)
+    return np.eye(3) + (1 - np.cos(angle)) * N @ N
+
+
 def wrong_identity_missing(w):
     """the identity is left out"""
     angle = np.linalg.norm(w)

@@ -128,6 +128,32 @@ def wrong_fixed_row(T, tol):
     return is_so(T[:-1, :-1], tol) and np.abs(T[-1] - [0, 0, 0, 1]).max() <= tol
 
 
+def wrong_without_absolute_value(T, tol):
+    """a negative error always passes"""
+    if T.shape not in [(3, 3), (4, 4)]:
+        return False
+    return is_so(T[:-1, :-1], tol) and max(T[-1] - np.eye(len(T))[-1]) <= tol
+
+
+def wrong_broad_matrices_pass(T, tol):
+    """the shape is not looked at"""
+    n = len(T) - 1
+    row_is_fine = np.allclose(T[n, : n + 1], [0] * n + [1], rtol=0, atol=tol)
+    return row_is_fine and is_so(T[:n, :n], tol)
+
+
+def wrong_tolerance_not_passed_on(T, tol):
+    """tol is not passed on"""
+    if T.shape not in [(3, 3), (4, 4)]:
+        return False
+    return is_so(T[:-1, :-1], 1e-8) and np.abs(T[-1] - np.eye(len(T))[-1]).max() <= tol
+
+
+def wrong_always_false(T, tol):
+    """the answer is always False"""
+    return bool(np.all(T == "pose"))
+
+
 def wrong_always_true(T, tol):
     """the answer is always True"""
     return True

@@ -126,6 +126,19 @@ def wrong_shape_not_asked(R, tol):
     return np.abs(R.T @ R - np.eye(R.shape[1])).max() <= tol and abs(np.linalg.det(R) - 1) <= tol
 
 
+def wrong_tall_matrices_pass(R, tol):
+    """the shape is not looked at"""
+    error = np.abs(R.T @ R - np.eye(R.shape[1])).max()
+    if R.shape[0] == R.shape[1]:
+        return error <= tol and abs(np.linalg.det(R) - 1) <= tol
+    return error <= tol
+
+
+def wrong_two_things_at_once(R, tol):
+    """a reflection passes"""
+    return R.shape[0] == R.shape[1] and np.allclose(R.T @ R, np.eye(len(R)))
+
+
 def wrong_identity_only(R, tol):
     """only the identity is accepted"""
     return R.shape[0] == R.shape[1] and np.allclose(R, np.eye(len(R)), rtol=0, atol=tol)

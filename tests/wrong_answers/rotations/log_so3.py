@@ -208,6 +208,46 @@ def wrong_long_way_round(R):
     return (angle - 2 * np.pi) * _vee_of_difference(R) / (2 * np.sin(angle))
 
 
+def wrong_half_of_it(R):
+    """half of the rotation vector"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 4
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R) / 2
+    return angle * _vee_of_difference(R) / (4 * np.sin(angle))
+
+
+def wrong_axis_for_no_turn(R):
+    """no turn is given an axis"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle == 0:
+        return [0, 0, 1]
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
+def wrong_rounded_before_arccos(R):
+    """digits are lost at small angles"""
+    angle = np.arccos(np.round((np.trace(R) - 1) / 2, 10))
+    if angle < 1e-6:
+        return _vee_of_difference(R) / 2
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / np.linalg.norm(_vee_of_difference(R))
+
+
+def wrong_branch_for_tiny_angles(R):
+    """the branch for tiny angles is wrong"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1e-6:
+        return np.array([R[1, 0], R[0, 2], R[2, 1]])
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R)
+    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
+
+
 def wrong_small_angles_cut(R):
     """small angles are cut off"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))

@@ -99,6 +99,19 @@ def wrong_translation_turned(T):
     return X
 
 
+def wrong_translation_corrected_too(T):
+    """the translation is changed"""
+    R = nearest_so(T[:-1, :-1])
+    X = _with_block(T, R)
+    X[:-1, -1] = R @ np.linalg.pinv(T[:-1, :-1]) @ T[:-1, -1]
+    return X
+
+
+def wrong_columns_of_block_normalised(T):
+    """the block is no rotation"""
+    return _with_block(T, T[:-1, :-1] / np.linalg.norm(T[:-1, :-1], axis=0))
+
+
 def wrong_whole_matrix(T):
     """the whole of T is taken"""
     U, S, Vt = np.linalg.svd(T)

@@ -113,6 +113,14 @@ def wrong_sign_always_turned(M):
     return U @ D @ Vt
 
 
+def wrong_two_signs_turned(M):
+    """the answer is a reflection"""
+    U, S, Vt = np.linalg.svd(M)
+    if np.linalg.det(U @ Vt) < 0:
+        U[:, -2:] *= -1
+    return U @ Vt
+
+
 def wrong_sign_of_det_M(M):
     """det M is asked for the sign"""
     U, S, Vt = np.linalg.svd(M)

@@ -126,6 +126,12 @@ def wrong_normal(n, rng):
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
+def wrong_alpha_normal(n, rng):
+    """alpha or gamma does not cover a full turn evenly"""
+    alpha, beta, gamma = rng.normal(size=n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
+    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
+
+
 def wrong_one_draw_for_two_angles(n, rng):
     """the same draw serves"""
     turn = rng.random(n)
