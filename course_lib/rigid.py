@@ -12,9 +12,6 @@ import numpy as np
 from course_lib.arguments import real_array, refuse_first, tolerance
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
-# Below this angle the closed forms at the end lose digits that count, and their series are exact to rounding.
-_SMALL = 0.3
-
 
 def transform(R, p):
     """Return the pose T = [[R, p], [0, 1]].
@@ -122,7 +119,8 @@ def exp_se3(twist):
     with np.errstate(all="ignore"):  # what is too large is refused below
         n = omega / np.where(angle > 0, angle, 1.0)
         once = np.cross(n, v)
-        p = v + angle * _one_minus_cos(angle) * once + _one_minus_sinc(angle) * np.cross(n, once)
+        # With a unit axis, what the factors lose at small angles is lost beside 1: no series is needed.
+        p = v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * np.cross(n, once)
     p = _finite(p, "twist")
     return _assemble(exp_so3(omega), p)
 
@@ -134,9 +132,10 @@ def log_se3(T):
     """
     R, p = _split(T, (4, 4))
     omega = log_so3(R)
+    angle = length(omega)[..., None]
+    n = omega / np.where(angle > 0, angle, 1.0)
     with np.errstate(all="ignore"):
-        once = np.cross(omega, p)
-        v = p - once / 2 + _inverse_coefficient(length(omega))[..., None] * np.cross(omega, once)
+        v = p - np.cross(omega, p) / 2 + (1 - _half_cot(angle)) * np.cross(n, np.cross(n, p))
     return np.concatenate([omega, _finite(v, "T")], -1)
 
 
@@ -162,9 +161,8 @@ def log_se2(T):
     R, p = _split(T, (3, 3))
     omega = np.arctan2(R[..., 1, 0], R[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
-    half_cot = 1 - omega**2 * _inverse_coefficient(np.abs(omega))
     with np.errstate(all="ignore"):
-        v = half_cot[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
+        v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
     return np.concatenate([omega[..., None], _finite(v, "T")], -1)
 
 
@@ -204,26 +202,7 @@ def _one_minus_cos(angle):
     return np.sinc(angle / (2 * np.pi)) ** 2 / 2
 
 
-def _one_minus_sinc(angle):
-    """1 - sin(a)/a."""
-    return _series_or_closed(
-        angle,
-        [0, 1 / 6, -1 / 120, 1 / 5040, -1 / 362880, 1 / 39916800, -1 / 6227020800],
-        lambda a: 1 - np.sin(a) / a,
-    )
-
-
-def _inverse_coefficient(angle):
-    """(1 - (a/2) cot(a/2)) / a^2, for a from 0 to pi."""
-    return _series_or_closed(
-        angle,
-        [1 / 12, 1 / 720, 1 / 30240, 1 / 1209600, 1 / 47900160, 691 / 1307674368000, 1 / 74724249600],
-        lambda a: (1 - a / 2 / np.tan(a / 2)) / a**2,
-    )
-
-
-def _series_or_closed(angle, coefficients, closed):
-    """Sum coefficients[k] a^(2k) below _SMALL, closed(a) from there on."""
-    small = angle < _SMALL
-    squared = np.where(small, angle, 0.0) ** 2
-    return np.where(small, np.polynomial.polynomial.polyval(squared, coefficients), closed(np.where(small, 1.0, angle)))
+def _half_cot(angle):
+    """(a/2) cot(a/2), which is 1 at 0."""
+    tangent = np.tan(angle / 2)
+    return np.divide(angle / 2, tangent, out=np.ones_like(tangent), where=tangent != 0)

@@ -23,7 +23,7 @@ from course_lib.checks import rotations as check
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import Check, Progress, describe
 from course_lib.checks.plain import NotPlain, Seed
-from course_lib.checks.rotations.uniform import _arvo as arvo
+from course_lib.checks.rotations.uniform import arvo
 from course_lib.checks.rotations.uniformity import angle_p_value, axis_p_value, trace_p_value
 
 NEAREST_SO = check.nearest_so.exercise

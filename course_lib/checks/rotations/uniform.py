@@ -24,7 +24,7 @@ _TURN = (-np.pi, np.pi)
 _RANGES = [(0, 1), _TURN, _TURN]
 
 
-def _arvo(R):
+def arvo(R):
     """(z, phi, theta) of R = (2 V V^T - I) Rz(theta): for uniform rotations even and independent."""
     x, y, z = R[:, 0, 2], R[:, 1, 2], np.clip((1 - R[:, 2, 2]) / 2, 0, 1)
     phi = np.arctan2(y, x)
@@ -64,7 +64,7 @@ def _uniform(read_rotations):
         ),
         Property(
             "where e_z lands says nothing of the turn about it: all rotations are drawn equally often",
-            lambda value, n, rng: cells_p_value(_arvo(read_rotations(value)), _RANGES, 6) > LEVEL,
+            lambda value, n, rng: cells_p_value(arvo(read_rotations(value)), _RANGES, 6) > LEVEL,
             where=many,
         ),
     )
@@ -125,13 +125,13 @@ RANDOM_ROTATIONS = Exercise(
             "z, phi and theta need a fresh number each.",
             seen=of_many(lambda R: R[:, 2, 2].std() < 1e-6),
         ),
-        Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(_arvo(R), _RANGES))),
-        Mistake(*_GAPS, seen=of_many(lambda R: any(gaps(angle, *_TURN) for angle in _arvo(R)[1:]))),
+        Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(arvo(R), _RANGES))),
+        Mistake(*_GAPS, seen=of_many(lambda R: any(gaps(angle, *_TURN) for angle in arvo(R)[1:]))),
         Mistake(*_AXIS_AND_ANGLE, seen=of_many(_even_angles)),
         Mistake(
             "the root over z is forgotten",
             _NO_ROOT,
-            seen=of_many(lambda R: even(np.sqrt(_arvo(R)[0]), 0, 1)),
+            seen=of_many(lambda R: even(np.sqrt(arvo(R)[0]), 0, 1)),
         ),
         Mistake(*_EULER, seen=of_many(_even_euler_angles)),
     ),
