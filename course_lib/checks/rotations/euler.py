@@ -14,6 +14,7 @@ from course_lib.checks.rotations.sampling import (
     even,
     gaps,
     many,
+    nearly_even,
     of_many,
     tied,
 )
@@ -51,7 +52,7 @@ def _transposed(R):
 
 
 def _other_range(R):
-    return even(_angles(R)[1], -np.pi / 2, np.pi / 2)
+    return nearly_even(_angles(R)[1], -np.pi / 2, np.pi / 2)
 
 
 def _one_axis_twice(R):

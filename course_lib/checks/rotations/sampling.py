@@ -81,11 +81,20 @@ TIED = Mistake(
 )
 
 
-def even(values, low, high):
-    """Whether the values are spread evenly from low to high."""
+def _against_even(values, low, high):
     from scipy.stats import kstest
 
-    return kstest(values, "uniform", args=(low, high - low)).pvalue > LEVEL
+    return kstest(values, "uniform", args=(low, high - low))
+
+
+def even(values, low, high):
+    """Whether the values are spread evenly from low to high."""
+    return _against_even(values, low, high).pvalue > LEVEL
+
+
+def nearly_even(values, low, high):
+    """Whether they are but for a few percent, as an angle that goes many times round."""
+    return _against_even(values, low, high).statistic < 0.05
 
 
 def counts(columns, ranges, bins):

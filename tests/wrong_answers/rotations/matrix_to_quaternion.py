@@ -118,6 +118,29 @@ def wrong_z_branch_missing(R):
     return [(R[0, 2] - R[2, 0]) / (4 * y), (R[0, 1] + R[1, 0]) / (4 * y), y, (R[1, 2] + R[2, 1]) / (4 * y)]
 
 
+def wrong_row_with_the_largest_sum(R):
+    """near a half turn you divide by"""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
+    rows = np.array(
+        [
+            [1 + xx + yy + zz, zy - yz, xz - zx, yx - xy],
+            [zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx],
+            [xz - zx, xy + yx, 1 - xx + yy - zz, yz + zy],
+            [yx - xy, xz + zx, yz + zy, 1 - xx - yy + zz],
+        ]
+    )
+    row = rows[rows.sum(axis=1).argmax()]
+    return row / np.linalg.norm(row)
+
+
+def wrong_x_compared_with_y_only(R):
+    """near a half turn you divide by"""
+    if np.trace(R) <= 0 and R[0, 0] >= R[1, 1]:
+        x = np.sqrt(1 + R[0, 0] - R[1, 1] - R[2, 2]) / 2
+        return [(R[2, 1] - R[1, 2]) / (4 * x), x, (R[0, 1] + R[1, 0]) / (4 * x), (R[0, 2] + R[2, 0]) / (4 * x)]
+    return right_four_branches(R)
+
+
 def wrong_angle_not_halved(R):
     """the angle is not halved"""
     q = np.array(right_four_branches(R))

@@ -129,6 +129,22 @@ def wrong_sign_of_det_M(M):
     return U @ D @ Vt
 
 
+def wrong_sign_of_a_negative_det_M(M):
+    """det M is asked for the sign"""
+    U, S, Vt = np.linalg.svd(M)
+    if np.linalg.det(M) < 0:
+        U[:, -1] *= -1
+    return U @ Vt
+
+
+def wrong_sign_unless_det_M_is_positive(M):
+    """det M is asked for the sign"""
+    U, S, Vt = np.linalg.svd(M)
+    if np.linalg.det(M) <= 0:
+        Vt[-1] = -Vt[-1]
+    return U @ Vt
+
+
 def wrong_det_M_in_place_of_its_sign(M):
     """the answer is not orthogonal"""
     U, S, Vt = np.linalg.svd(M)
