@@ -99,6 +99,8 @@ def test_written_questions_have_an_answer_and_a_rubric(path):
 
 
 def test_stored_outputs_are_clean(path):
+    numbers = [cell.execution_count for cell in code_cells(nbformat.read(path, 4))]
+    assert numbers == list(range(1, len(numbers) + 1))  # nbval passes over a cell that was never run
     for cell, output in outputs(nbformat.read(path, 4)):
         assert output.output_type != "error", cell
         assert output.get("name") != "stderr", cell

@@ -65,7 +65,7 @@ def site(notebooks):
 @pytest.fixture(scope="module")
 def browser():
     names = ("chromium", "chromium-browser", "google-chrome")
-    path = next(filter(None, map(shutil.which, names)), None)
+    path = os.environ.get("BROWSER_PATH") or next(filter(None, map(shutil.which, names)), None)
     if path is None:
         message = f"no browser is installed ({', '.join(names)})"
         pytest.fail(message) if "CI" in os.environ else pytest.skip(message)
