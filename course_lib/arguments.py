@@ -35,10 +35,17 @@ def tolerance(value, name="tol"):
     return float(number)
 
 
-def count(value, name="n"):
-    """Return `value` as an int from zero to a thousand million, beyond which no memory holds the answer."""
-    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not 0 <= value <= 10**9:
-        raise ValueError(f"{name} must be a whole number from 0 to 1,000,000,000; it is {value!r}")
+def positive(value, name):
+    """Return `value` as an array (...) of finite numbers above zero."""
+    array = real_array(value, name, ())
+    refuse_first(array <= 0, name, lambda i: f"must be greater than zero; it is {array[i]:g}")
+    return array
+
+
+def count(value, name="n", least=0):
+    """Return `value` as an int from `least` to a thousand million, beyond which no memory holds the answer."""
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
+        raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
     return int(value)
 
 
@@ -50,6 +57,19 @@ def generator(value, name="rng"):
             f"it is of type {type(value).__name__}"
         )
     return value
+
+
+def broadcast(**batches):
+    """Return the common shape of the batches, {argument: shape}; ValueError names the first that does not fit."""
+    common = ()
+    for name, batch in batches.items():
+        try:
+            common = np.broadcast_shapes(common, batch)
+        except ValueError as mismatch:
+            raise ValueError(
+                f"{name} must have a batch that goes with that of the arguments before it, {common}; it is {batch}"
+            ) from mismatch
+    return common
 
 
 def refuse_first(bad, name, reason):

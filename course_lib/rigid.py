@@ -9,7 +9,7 @@ Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
 
 import numpy as np
 
-from course_lib.arguments import real_array, refuse_first, tolerance
+from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
 
@@ -21,12 +21,7 @@ def transform(R, p):
     R = real_array(R, "R", (2, 2), (3, 3))
     refuse_first(~is_so(R), "R", lambda i: "is not a rotation (nearest_so gives the nearest rotation)")
     p = real_array(p, "p", R.shape[-1:])
-    try:
-        batch = np.broadcast_shapes(R.shape[:-2], p.shape[:-1])
-    except ValueError as mismatch:
-        raise ValueError(
-            f"p must be one vector for each R: the batch of R is {R.shape[:-2]}, that of p {p.shape[:-1]}"
-        ) from mismatch
+    batch = broadcast(R=R.shape[:-2], p=p.shape[:-1])
     return _assemble(np.broadcast_to(R, batch + R.shape[-2:]), np.broadcast_to(p, batch + p.shape[-1:]))
 
 

@@ -1,0 +1,110 @@
+"""Serial arms: where the hand is, and how fast it moves, for given joint angles.
+
+An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero and seen from
+the base. Arrays are batched on the left: joint angles q are (..., n), in radians. Every function raises ValueError,
+naming the argument, for a wrong shape and for entries that are not finite real numbers.
+
+Source: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from course_lib.arguments import positive, real_array, refuse_first
+from course_lib.rigid import adjoint, exp_se3, inverse, is_se, transform
+from course_lib.rotations import length
+
+
+@dataclass(frozen=True)
+class SerialArm:
+    """An arm of n revolute joints. Make one by SerialArm.from_screws or planar_arm.
+
+    screw_axes: (n, 6), (omega, v) of each joint in the base frame at q = 0. home: (n + 1, 4, 4), at q = 0 the pose of
+    the frame on each joint's axis, and of the end last. limits: (n, 2), lowest and highest angle of each joint.
+    """
+
+    screw_axes: np.ndarray
+    home: np.ndarray
+    limits: np.ndarray
+
+    @classmethod
+    def from_screws(cls, omega, points, home, limits=None):
+        """Return the arm whose joint i turns about the direction omega[i] through points[i], with its end at `home`.
+
+        omega, points: (n, 3), at q = 0 in the base frame. home: (4, 4), the end's pose there. limits: (n, 2), low
+        before high; None for joints that turn without end. The frames on the joints are drawn parallel to the base.
+        """
+        omega = real_array(omega, "omega", (3,))
+        if omega.ndim != 2 or len(omega) == 0:
+            raise ValueError(f"omega must be an array of shape (n, 3), one axis a joint; its shape is {omega.shape}")
+        n = len(omega)
+        size = length(omega)
+        refuse_first(size == 0, "omega", lambda i: "is zero: an axis needs a direction")
+        omega = omega / size[:, None]
+        points = _of_shape(points, "points", (n, 3))
+        home = _of_shape(home, "home", (4, 4))
+        refuse_first(~is_se(home), "home", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
+        limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else _of_shape(limits, "limits", (n, 2))
+        refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
+        screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)  # v = -omega x p: MR section 3.3.2.2
+        return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
+
+    @property
+    def n(self):
+        """How many joints there are."""
+        return len(self.screw_axes)
+
+    def frames(self, q):
+        """Return the poses (..., n + 1, 4, 4) in the base frame: the frame carried by each joint, and the end's last.
+
+        q: (..., n). The product of exponentials, MR eq. 4.14, kept at every joint.
+        """
+        moved = self._moved(q)
+        return np.concatenate([moved, moved[..., -1:, :, :]], -3) @ self.home
+
+    def fk(self, q):
+        """Return the pose (..., 4, 4) of the end in the base frame, for q (..., n)."""
+        return self._moved(q)[..., -1, :, :] @ self.home[-1]
+
+    def space_jacobian(self, q):
+        """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
+        moved = self._moved(q)
+        first = np.broadcast_to(np.eye(4), (*moved.shape[:-3], 1, 4, 4))
+        before = np.concatenate([first, moved[..., :-1, :, :]], -3)  # what stands before each joint turns it
+        return np.swapaxes((adjoint(before) @ self.screw_axes[..., None])[..., 0], -1, -2)
+
+    def body_jacobian(self, q):
+        """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
+        return adjoint(inverse(self.fk(q))) @ self.space_jacobian(q)
+
+    def position_jacobian(self, q):
+        """Return (..., 3, n): the velocity of the end's origin, along the base frame's axes, is this times q'."""
+        J = self.space_jacobian(q)
+        p = self.fk(q)[..., None, :3, 3]
+        # The v of a space twist is that of the point passing the base's origin; the end moves by omega x p more.
+        return J[..., 3:, :] + np.swapaxes(np.cross(np.swapaxes(J[..., :3, :], -1, -2), p), -1, -2)
+
+    def _moved(self, q):
+        """The products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""
+        turns = exp_se3(real_array(q, "q", (self.n,))[..., None] * self.screw_axes)
+        for i in range(1, self.n):
+            turns[..., i, :, :] = turns[..., i - 1, :, :] @ turns[..., i, :, :]
+        return turns
+
+
+def planar_arm(lengths):
+    """Return the arm in the plane z = 0 with links of these lengths (n,), in metres, along x at q = 0."""
+    lengths = positive(lengths, "lengths")
+    if lengths.ndim != 1 or len(lengths) == 0:
+        raise ValueError(f"lengths must be an array of shape (n,), one length a link; its shape is {lengths.shape}")
+    ends = np.concatenate([[0.0], np.cumsum(lengths)])
+    points = np.stack([ends, 0 * ends, 0 * ends], -1)
+    return SerialArm.from_screws(np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1]))
+
+
+def _of_shape(value, name, shape):
+    array = real_array(value, name, shape)
+    if array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}; its shape is {array.shape}")
+    return array
