@@ -9,8 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from course_lib import rotations
+from course_lib.figures import lines, show
 from course_lib.figures import rotations as figures
-from course_lib.figures import show
 
 ALT = "Words that say what the picture shows."
 FIGURE = "application/vnd.plotly.v1+json"
@@ -35,7 +35,7 @@ def plain_figures(R):
         figures.angle_histogram({"a": R, "b": R}),
         figures.height_histogram({"a": R}),
         figures.nearest_on_circle(np.array([[0.3, 0.9], [0.8, 0.1]]), {"one": np.eye(2)}),
-        figures.lines([1, 2], {"a": [1, 2], "b": [2, 3]}, xlabel="time (s)", ylabel="angle (rad)", log="xy"),
+        lines([1, 2], {"a": [1, 2], "b": [2, 3]}, xlabel="time (s)", ylabel="angle (rad)", log="xy"),
     ]
 
 

@@ -1,5 +1,6 @@
 """Every picture of the course. Each function returns a figure; show puts it into the notebook."""
 
 from course_lib.figures.display import show
+from course_lib.figures.plain import lines, panels
 
-__all__ = ["show"]
+__all__ = ["lines", "panels", "show"]

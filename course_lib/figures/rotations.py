@@ -3,18 +3,8 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.style import (
-    BLACK,
-    BLUE,
-    COLOURS,
-    GREEN,
-    GREY,
-    PURPLE,
-    RED,
-    plane_figure,
-    scene_name,
-    space_layout,
-)
+from course_lib.figures.space import fixed_frame, line, named_vector, points, scene_name, segments, space_layout, sphere
+from course_lib.figures.style import BLACK, BLUE, COLOURS, GREEN, GREY, PURPLE, RED, plane_figure
 from course_lib.rotations import exp_so3
 
 
@@ -27,10 +17,10 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
     for i, R in enumerate(samples.values()):
         scene = scene_name(i)
         foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
-        fig.add_trace(go.Surface(**_sphere(0.97), scene=scene))
-        fig.add_traces(_fixed_frame(scene, 1.2))
-        fig.add_trace(_points(foot, 1.8, BLACK, scene))
-        fig.add_trace(_segments(foot, tip, BLUE, 2.5, scene))
+        fig.add_trace(go.Surface(**sphere(0.97), scene=scene))
+        fig.add_traces(fixed_frame(scene, 1.2))
+        fig.add_trace(points(foot, 1.8, BLACK, scene))
+        fig.add_trace(segments(foot, tip, BLUE, 2.5, scene))
     return fig
 
 
@@ -41,9 +31,9 @@ def frames(rotations, camera=(1.35, 1.1, 0.8)):
     """
     fig = go.Figure(layout=space_layout(list(rotations), camera, half=1.6, height=320))
     for i, R in enumerate(rotations.values()):
-        fig.add_traces(_fixed_frame(scene_name(i), 1.0)[:3])
+        fig.add_traces(fixed_frame(scene_name(i), 1.0)[:3])
         for j, (colour, name) in enumerate(zip((RED, GREEN, BLUE), "xyz", strict=True)):
-            fig.add_traces(_named_vector(R[:, j], name, colour, scene_name(i)))
+            fig.add_traces(named_vector(R[:, j], name, colour, scene_name(i)))
     return fig
 
 
@@ -55,10 +45,10 @@ def turning_point(w, p, exp=exp_so3, camera=(1.3, 1.0, 0.7)):
     way = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
     n = w / np.linalg.norm(w)
     fig = go.Figure(layout=space_layout([f"about the axis w by {np.linalg.norm(w):.2f} rad"], camera))
-    fig.add_traces(_fixed_frame("scene", 1.0))
-    fig.add_trace(_line(way, BLUE, 6, "scene"))
-    fig.add_traces(_named_vector(1.1 * n, "w", PURPLE, "scene"))
-    fig.add_traces(_named_vector(way[0], "p", BLACK, "scene") + _named_vector(way[-1], "R p", RED, "scene"))
+    fig.add_traces(fixed_frame("scene", 1.0))
+    fig.add_trace(line(way, BLUE, 6, "scene"))
+    fig.add_traces(named_vector(1.1 * n, "w", PURPLE, "scene"))
+    fig.add_traces(named_vector(way[0], "p", BLACK, "scene") + named_vector(way[-1], "R p", RED, "scene"))
     return fig
 
 
@@ -123,72 +113,3 @@ def nearest_on_circle(M, candidates):
     distance.set(xlabel="angle of R (rad)", ylabel="distance from M (Frobenius norm)")
     distance.legend(frameon=False)
     return fig
-
-
-def lines(x, series, *, xlabel, ylabel, title="", log=""):
-    """Return a plain plot of several series over x. log: "x", "y" or "xy" for logarithmic axes.
-
-    series: {label: y (n,)}.
-    """
-    fig, (ax,) = plane_figure(7.2, 3.4)
-    for i, (label, y) in enumerate(series.items()):
-        ax.plot(x, y, label=label, linestyle=("-", "--", ":", "-.")[i % 4], linewidth=2)
-    if "x" in log:
-        ax.set_xscale("log")
-    if "y" in log:
-        ax.set_yscale("log")
-    ax.set(xlabel=xlabel, ylabel=ylabel, title=title)
-    if len(series) > 1:
-        ax.legend(frameon=False)
-    return fig
-
-
-def _xyz(points):
-    return dict(zip("xyz", np.round(np.asarray(points, float), 3).T, strict=True))
-
-
-def _points(points, size, colour, scene):
-    marker = {"size": size, "color": colour}
-    return go.Scatter3d(**_xyz(points), mode="markers", marker=marker, hoverinfo="skip", scene=scene)
-
-
-def _line(points, colour, width, scene):
-    line = {"color": colour, "width": width}
-    return go.Scatter3d(**_xyz(points), mode="lines", line=line, hoverinfo="skip", scene=scene)
-
-
-def _named_vector(tip, name, colour, scene):
-    """A thick line from the origin to the tip, and its name just beyond."""
-    font = {"color": colour, "size": 16}
-    label = go.Scatter3d(**_xyz([1.18 * tip]), mode="text", text=[name], textfont=font, hoverinfo="skip", scene=scene)
-    return [_line([np.zeros(3), tip], colour, 8, scene), label]
-
-
-def _fixed_frame(scene, size):
-    """The three grey axes, then their names."""
-    axes = [_line([np.zeros(3), size * e], GREY, 3, scene) for e in np.eye(3)]
-    font = {"color": GREY, "size": 14}
-    names = go.Scatter3d(
-        **_xyz(1.08 * size * np.eye(3)), mode="text", text=list("xyz"), textfont=font, hoverinfo="skip", scene=scene
-    )
-    return [*axes, names]
-
-
-def _segments(starts, ends, colour, width, scene):
-    """Many separate segments in one trace: NaN (null in JSON) lifts the pen."""
-    gap = np.full_like(starts, np.nan)
-    return _line(np.stack([starts, ends, gap], 1).reshape(-1, 3), colour, width, scene)
-
-
-def _sphere(radius, n=17):
-    polar, around = np.meshgrid(np.linspace(0, np.pi, n), np.linspace(0, 2 * np.pi, 2 * n - 1))
-    height = np.cos(polar)
-    ring = np.sin(polar)
-    x, y = ring * np.cos(around), ring * np.sin(around)
-    return {
-        **dict(zip("xyz", np.round([radius * x, radius * y, radius * height], 3), strict=True)),
-        "colorscale": [[0, "#ececec"], [1, "#ececec"]],
-        "showscale": False,
-        "hoverinfo": "skip",
-        "lighting": {"ambient": 0.9, "diffuse": 0.2, "specular": 0, "fresnel": 0},
-    }

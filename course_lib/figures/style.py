@@ -34,36 +34,3 @@ def plane_figure(width, height, columns=1, **options):
         ax.set_axisbelow(True)
         ax.spines[["top", "right"]].set_visible(False)
     return fig, axes
-
-
-def space_layout(names, camera, half=1.3, height=420):
-    """Return the plotly layout of 3D scenes side by side, each the cube from -half to half, with a title each.
-
-    names: titles. camera: the direction the eye looks from; it stands far enough off to crop nothing.
-    height: pixels.
-    """
-    hidden = {"range": [-half, half], "visible": False}  # the pictures draw the axes they need
-    scenes, titles, width = {}, [], 1 / len(names)
-    distance = 1.75 / sum(c * c for c in camera) ** 0.5
-    for i, name in enumerate(names):
-        scenes[scene_name(i)] = {
-            **{f"{c}axis": hidden for c in "xyz"},
-            "aspectmode": "cube",
-            "domain": {"x": [i * width, (i + 1) * width], "y": [0, 1]},
-            "camera": {"eye": {c: distance * value for c, value in zip("xyz", camera, strict=True)}},
-        }
-        place = {
-            "x": (i + 0.5) * width,
-            "y": 1,
-            "xanchor": "center",
-            "yanchor": "bottom",
-            "xref": "paper",
-            "yref": "paper",
-        }
-        titles.append({"text": name, "showarrow": False, **place})
-    return {**PLOTLY_LAYOUT, **scenes, "annotations": titles, "height": height, "showlegend": False}
-
-
-def scene_name(i):
-    """Return plotly's name of the i-th scene, counted from 0."""
-    return f"scene{i + 1}" if i else "scene"
