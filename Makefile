@@ -13,10 +13,10 @@ unexport PYTHONPATH PYTHONHOME
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html notebooks: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html notebooks: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html notebooks animations: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html notebooks animations: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 
-.PHONY: help environment lab test html notebooks lock clean
+.PHONY: help environment lab test html notebooks animations lock clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -46,6 +46,9 @@ html: environment ## export the notebooks as a static site, build/html/index.htm
 
 notebooks: environment ## run the notebooks and write their outputs into them (authors)
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)
+
+animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
+	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock

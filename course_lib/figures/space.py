@@ -6,21 +6,21 @@ import plotly.graph_objects as go
 from course_lib.figures.style import GREY, PLOTLY_LAYOUT
 
 
-def space_layout(names, camera, half=1.3, height=420):
+def space_layout(names, camera, half=1.3, height=420, distance=1.75):
     """Return the plotly layout of 3D scenes side by side, each the cube from -half to half, with a title each.
 
-    names: titles. camera: the direction the eye looks from; it stands far enough off to crop nothing.
-    height: pixels.
+    names: titles. camera: the direction the eye looks from. height: pixels. distance: of the eye, in edges of the cube;
+    at 1.75 nothing is cropped, nearer is right where the corners are empty.
     """
     hidden = {"range": [-half, half], "visible": False}  # the pictures draw the axes they need
     scenes, titles, width = {}, [], 1 / len(names)
-    distance = 1.75 / sum(c * c for c in camera) ** 0.5
+    scale = distance / sum(c * c for c in camera) ** 0.5
     for i, name in enumerate(names):
         scenes[scene_name(i)] = {
             **{f"{c}axis": hidden for c in "xyz"},
             "aspectmode": "cube",
             "domain": {"x": [i * width, (i + 1) * width], "y": [0, 1]},
-            "camera": {"eye": {c: distance * value for c, value in zip("xyz", camera, strict=True)}},
+            "camera": {"eye": {c: scale * value for c, value in zip("xyz", camera, strict=True)}},
         }
         place = {
             "x": (i + 0.5) * width,

@@ -14,6 +14,7 @@ BLUE, ORANGE, GREEN, PURPLE, SKY, RED, BLACK = (
 )
 COLOURS = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY = "#8a8a8a"
+CRIMSON = "#b2182b"  # for what moves: a red that is no orange, dark enough beside the blue
 
 PLOTLY_LAYOUT = {
     "template": None,

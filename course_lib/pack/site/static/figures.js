@@ -8,16 +8,28 @@
   const CONFIG = { responsive: true, displaylogo: false };
 
   // Plotly's own play button and slider take no keyboard focus; they give way to HTML ones.
-  const drivesFrames = (steps) => steps && steps.length > 0 && steps.every((s) => s.method === "animate");
+  const does = (method) => (control) => {
+    const steps = control.steps || control.buttons || [];
+    return steps.length > 0 && steps.every((s) => s.method === method);
+  };
+  const drivesFrames = does("animate");
+  const movesWindow = does("relayout");
 
   function takeOwnControls(layout) {
     const menus = layout.updatemenus || [];
     const sliders = layout.sliders || [];
-    layout.updatemenus = menus.filter((menu) => !drivesFrames(menu.buttons));
-    layout.sliders = sliders.filter((slider) => !drivesFrames(slider.steps));
+    layout.updatemenus = menus.filter((menu) => !drivesFrames(menu));
+    layout.sliders = sliders.filter((slider) => !drivesFrames(slider) && !movesWindow(slider));
+    // The room below the picture that they stood in, in pixels.
+    const room = (layout.meta && layout.meta.controls) || 0;
+    if (room && layout.sliders.length === 0) {
+      layout.margin.b -= room;
+      layout.height -= room;
+    }
     return {
-      button: menus.filter((menu) => drivesFrames(menu.buttons)).flatMap((menu) => menu.buttons)[0],
-      slider: sliders.find((slider) => drivesFrames(slider.steps)),
+      button: menus.filter(drivesFrames).flatMap((menu) => menu.buttons)[0],
+      slider: sliders.find(drivesFrames),
+      windows: sliders.filter(movesWindow),
     };
   }
 
@@ -28,9 +40,28 @@
     return made;
   }
 
+  // A range for each slider that moves the window over what is drawn.
+  function addWindows(box, live, sliders) {
+    sliders.forEach((slider) => {
+      const bar = element("div", { class: "plotly-player" }, box);
+      const before = (slider.currentvalue && slider.currentvalue.prefix) || "";
+      const settings = { type: "range", min: 0, max: slider.steps.length - 1, "aria-label": before.replace(/:\s*$/, "") || "Value" };
+      const range = element("input", { ...settings, value: slider.active || 0 }, bar);
+      const label = element("span", { "aria-hidden": "true" }, bar);
+      function name() {
+        label.textContent = before + slider.steps[Number(range.value)].label;
+        range.setAttribute("aria-valuetext", label.textContent);
+      }
+      range.addEventListener("input", () => {
+        name();
+        window.Plotly.relayout(live, slider.steps[Number(range.value)].args[0]);
+      });
+      name();
+    });
+  }
+
   // A play button and a range for a figure with frames.
-  function addPlayer(box, live, figure) {
-    const own = takeOwnControls(figure.layout);
+  function addPlayer(box, live, figure, own) {
     const settings = own.button && own.button.args && own.button.args[1];
     const duration = (settings && settings.frame && settings.frame.duration) || 50;
     figure.frames.forEach((frame, i) => (frame.name = String(frame.name ?? i)));
@@ -90,6 +121,11 @@
       const shape = (x[1] - x[0]) / (y[1] - y[0]);
       return (width * shape) / Math.min(1, (meant.width * shape) / meant.height);
     });
+    // A square of the plane stays one.
+    if (layout.yaxis && layout.yaxis.scaleanchor && !layout.xaxis2) {
+      const { l, r, t, b } = layout.margin;
+      heights.push(width - l - r + t + b);
+    }
     return Math.min(meant.height, ...heights);
   }
 
@@ -97,11 +133,13 @@
     const live = box.querySelector(".plotly-live");
     const figure = JSON.parse(box.querySelector("script").textContent);
     figure.layout = figure.layout || {};
+    const own = takeOwnControls(figure.layout);
     const meant = { width: figure.layout.width || WIDTH, height: figure.layout.height || HEIGHT };
     // A width set for paper would not fit a phone.
     delete figure.layout.width;
     figure.layout.autosize = true;
-    const player = figure.frames && figure.frames.length ? addPlayer(box, live, figure) : null;
+    const player = figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
+    addWindows(box, live, own.windows);
 
     const isDrawn = () => box.classList.contains("drawn");
     const fit = () => fittingHeight(figure.layout, meant, box.clientWidth);

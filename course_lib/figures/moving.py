@@ -1,0 +1,75 @@
+"""Moving pictures in the plane: plotly frames with play, pause and a slider, which need no kernel."""
+
+import plotly.graph_objects as go
+
+from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
+
+_CONTROLS = 70  # pixels below the picture for the button and the slider
+
+
+def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
+    """Return the plotly layout of a square of the plane with equal scales. half: from the centre to its edge."""
+    axis = {"showgrid": True, "gridcolor": "#dddddd", "zeroline": False, "linecolor": BLACK, "constrain": "domain"}
+    axis |= {"ticks": "outside", "ticklen": 4}
+    x, y = centre
+    return {
+        **PLOTLY_LAYOUT,
+        "xaxis": axis | {"range": [x - half, x + half], "title": {"text": f"x ({unit})"}},
+        "yaxis": axis
+        | {"range": [y - half, y + half], "title": {"text": f"y ({unit})"}, "scaleanchor": "x", "scaleratio": 1},
+        "height": height,
+        "showlegend": False,
+        "margin": {"l": 60, "r": 20, "t": 20, "b": 50},
+    }
+
+
+def path(places, colour, *, width=2, dash="solid", mode="lines", **options):
+    """A line, or dots with mode="markers", through places (n, 2)."""
+    x, y = zip(*places, strict=True)
+    look = {"marker": {"color": colour, "size": options.pop("size", 7)}} if "markers" in mode else {}
+    if "lines" in mode:
+        look["line"] = {"color": colour, "width": width, "dash": dash}
+    return go.Scatter(x=list(x), y=list(y), mode=mode, hoverinfo="skip", **look, **options)
+
+
+def movie(name, layout, still, moving, times):
+    """Return a figure that plays: `still` traces stay, those in `moving` change from frame to frame.
+
+    name: what its file is called where it is written as an animation. still: traces. moving: a list of traces for each
+    time. times: (n,), seconds; it plays in real time.
+    """
+    n, first = len(times), len(still)
+    traces = list(range(first, first + len(moving[0])))
+    # Frames say only where: the looks are those of the first.
+    where = [[go.Scatter(x=trace.x, y=trace.y) for trace in shown] for shown in moving]
+    frames = [go.Frame(data=shown, traces=traces, name=str(i)) for i, shown in enumerate(where)]
+    pace = {"frame": {"duration": 1000 * (times[-1] - times[0]) / (n - 1), "redraw": False}, "fromcurrent": True}
+    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": False}, "transition": {"duration": 0}}
+    pace["transition"] = {"duration": 0}
+    margin = layout["margin"]
+    fig = go.Figure(
+        [*still, *moving[0]],
+        layout={**layout, "meta": {"movie": name, "seconds": float(times[-1]), "controls": _CONTROLS}},
+    )
+    fig.frames = frames
+    fig.update_layout(
+        height=layout["height"] + _CONTROLS,
+        margin={**margin, "b": margin["b"] + _CONTROLS},
+        updatemenus=[_buttons(pace, at_once)],
+        sliders=[_slider([f"{t:.2f}" for t in times], at_once)],
+    )
+    return fig
+
+
+def _buttons(pace, at_once):
+    play = {"label": "Play", "method": "animate", "args": [None, pace]}
+    pause = {"label": "Pause", "method": "animate", "args": [[None], at_once]}
+    place = {"x": 0, "y": 0, "xanchor": "left", "yanchor": "top", "pad": {"t": 50, "r": 10}}
+    return {"type": "buttons", "direction": "left", "showactive": False, "buttons": [play, pause], **place}
+
+
+def _slider(labels, at_once):
+    steps = [{"label": label, "method": "animate", "args": [[str(i)], at_once]} for i, label in enumerate(labels)]
+    place = {"x": 0.27, "len": 0.73, "y": 0, "yanchor": "top", "pad": {"t": 36}, "ticklen": 0, "minorticklen": 0}
+    value = {"prefix": "time (s): ", "xanchor": "left", "font": {"size": 13, "color": BLACK}}
+    return {"active": 0, "steps": steps, "currentvalue": value, "font": {"color": "rgba(0,0,0,0)"}, **place}

@@ -1,0 +1,90 @@
+"""Write the moving pictures of notebooks as GIF, and as MP4 too where ffmpeg is found.
+
+    python -m course_lib.pack.animations notebooks/*.ipynb
+
+What is written is what a notebook's outputs show: run it and save it first. Pictures in the plane only.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import nbformat
+from matplotlib.animation import FFMpegWriter, PillowWriter
+from matplotlib.figure import Figure
+from tqdm import tqdm
+
+PLOTLY = "application/vnd.plotly.v1+json"
+FOLDER = Path("build/animations")
+_DASHES = {"dash": "--", "dot": ":", "solid": "-"}
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.animations")
+    parser.add_argument("notebooks", nargs="+", type=Path, metavar="NOTEBOOK")
+    movies = []
+    for path in parser.parse_args(arguments).notebooks:
+        try:
+            movies += stored_movies(nbformat.read(path, as_version=4))
+        except (OSError, ValueError) as error:
+            print(f"{path} cannot be read: {str(error).splitlines()[0]:.100}", file=sys.stderr)
+            return 1
+    if not movies:
+        print("No moving picture is stored in these notebooks. Run them and save them first.", file=sys.stderr)
+        return 1
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    writers = {".gif": PillowWriter} | ({".mp4": FFMpegWriter} if FFMpegWriter.isAvailable() else {})
+    for movie in movies:
+        for ending, writer in writers.items():
+            path = FOLDER / f"{movie['layout']['meta']['movie']}{ending}"
+            write(movie, path, writer)
+            print(path)
+    if len(writers) == 1:
+        print("No MP4: ffmpeg was not found.")
+    return 0
+
+
+def stored_movies(notebook):
+    """Return the figures, as plotly's JSON, that figures.moving.movie made and the notebook's outputs hold."""
+    outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
+    return [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
+
+
+def write(movie, path, writer_class):
+    """Write one movie to `path`, frame by frame, with a bar that shows how far it is."""
+    fig, lines = draw(movie)
+    frames = movie["frames"]
+    writer = writer_class(fps=(len(frames) - 1) / movie["layout"]["meta"]["seconds"])
+    with writer.saving(fig, str(path), dpi=100):
+        for frame in tqdm(frames, desc=path.name, unit="frame", leave=False, disable=None):
+            for number, place in zip(frame["traces"], frame["data"], strict=True):
+                lines[number].set_data(place["x"], place["y"])
+            writer.grab_frame(facecolor="white")
+
+
+def draw(movie):
+    """Return a matplotlib figure of the movie's first frame, and the line of each trace."""
+    fig = Figure(figsize=(5.6, 5.6), layout="constrained")
+    ax = fig.subplots()
+    ax.set_aspect("equal")
+    ax.grid(color="#dddddd", linewidth=0.6)
+    ax.set_axisbelow(True)
+    for axis in "xy":
+        settings = movie["layout"][f"{axis}axis"]
+        ax.set(**{f"{axis}lim": settings["range"], f"{axis}label": settings["title"]["text"]})
+    return fig, [ax.plot(trace["x"], trace["y"], **_look(trace))[0] for trace in movie["data"]]
+
+
+def _look(trace):
+    look = {"linestyle": "none"}
+    if "line" in trace:
+        line = trace["line"]
+        look = {"color": line["color"], "linewidth": line["width"], "linestyle": _DASHES[line["dash"]]}
+    if "marker" in trace:
+        look |= {"color": trace["marker"]["color"], "marker": "o", "markersize": 0.8 * trace["marker"]["size"]}
+    return look
+
+
+if __name__ == "__main__":
+    sys.exit(main())
