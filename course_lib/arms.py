@@ -12,8 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.rigid import adjoint, exp_se3, inverse, is_se, transform
+from course_lib.rigid import adjoint, hat_se3, inverse, is_se, transform
 from course_lib.rotations import length
+
+_FARTHEST = 1e100  # metres, so that nothing computed from a place overflows
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,8 @@ class SerialArm:
         size = length(omega)
         refuse_first(size == 0, "omega", lambda i: "is zero: an axis needs a direction")
         omega = omega / size[:, None]
-        points = _of_shape(points, "points", (n, 3))
-        home = _of_shape(home, "home", (4, 4))
+        points = _within_reach(_of_shape(points, "points", (n, 3)), "points")
+        home = _within_reach(_of_shape(home, "home", (4, 4)), "home")
         refuse_first(~is_se(home), "home", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
         limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else _of_shape(limits, "limits", (n, 2))
         refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
@@ -69,10 +71,8 @@ class SerialArm:
 
     def space_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
-        moved = self._moved(q)
-        first = np.broadcast_to(np.eye(4), (*moved.shape[:-3], 1, 4, 4))
-        before = np.concatenate([first, moved[..., :-1, :, :]], -3)  # what stands before each joint turns it
-        return np.swapaxes((adjoint(before) @ self.screw_axes[..., None])[..., 0], -1, -2)
+        moved = self._moved(q)  # by the joints up to each one, whose own turn leaves its screw axis where it is
+        return np.swapaxes((adjoint(moved) @ self.screw_axes[..., None])[..., 0], -1, -2)
 
     def body_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
@@ -87,7 +87,10 @@ class SerialArm:
 
     def _moved(self, q):
         """The products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""
-        turns = exp_se3(real_array(q, "q", (self.n,))[..., None] * self.screw_axes)
+        q = real_array(q, "q", (self.n,))[..., None, None]
+        S = hat_se3(self.screw_axes)
+        # Rodrigues' formula holds for 4 x 4 matrices too where the screw has no pitch: S^3 = -S.
+        turns = np.eye(4) + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * (S @ S)
         for i in range(1, self.n):
             turns[..., i, :, :] = turns[..., i - 1, :, :] @ turns[..., i, :, :]
         return turns
@@ -98,9 +101,14 @@ def planar_arm(lengths):
     lengths = positive(lengths, "lengths")
     if lengths.ndim != 1 or len(lengths) == 0:
         raise ValueError(f"lengths must be an array of shape (n,), one length a link; its shape is {lengths.shape}")
-    ends = np.concatenate([[0.0], np.cumsum(lengths)])
+    ends = np.concatenate([[0.0], np.cumsum(_within_reach(lengths, "lengths"))])
     points = np.stack([ends, 0 * ends, 0 * ends], -1)
     return SerialArm.from_screws(np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1]))
+
+
+def _within_reach(array, name):
+    refuse_first(np.abs(array) > _FARTHEST, name, lambda i: f"must be at most {_FARTHEST:g}; it is {array[i]:g}")
+    return array
 
 
 def _of_shape(value, name, shape):

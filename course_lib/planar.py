@@ -7,6 +7,8 @@ naming the argument, for a wrong shape and for entries that are not finite real 
 Source: Lynch and Park, Modern Robotics (2017), called MR below; others where they are used.
 """
 
+from contextlib import contextmanager
+
 import numpy as np
 
 from course_lib.arguments import broadcast, count, positive, real_array, refuse_first
@@ -79,11 +81,12 @@ def interpolate_body_screw(start, goal, n):
     """
     start, goal = real_array(start, "start", (3,)), real_array(goal, "goal", (3,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1])
-    turn = wrap_angle(_change(start, goal)[..., 2])
-    way = _turned(-start[..., 2], _change(start, goal)[..., :2])
-    twist = log_se2(pose_matrix(np.concatenate([way, turn[..., None]], -1)))
+    change = _change(start, goal)
+    way = _turned(-start[..., 2], change[..., :2])
     s = cubic_time_scaling(np.linspace(0, 1, count(n, least=2)), 1.0)
-    return _along_twist(start, twist, s)
+    with _named("goal"):
+        twist = log_se2(pose_matrix(np.concatenate([way, change[..., 2:]], -1)))
+        return _along_twist(start, twist, s)
 
 
 def propagate_body(start, plan, dt):
@@ -97,9 +100,9 @@ def propagate_body(start, plan, dt):
     poses = start[..., None, :]
     for (velocity, *_), elapsed in _segments(plan, dt, 3):
         step = np.diff(elapsed, prepend=0.0)
-        theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
-        way = np.concatenate([_turned(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
         with np.errstate(all="ignore"):
+            theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
+            way = np.concatenate([_turned(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
             poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * way, -2)], -2)
     return _finite(poses, "plan")
 
@@ -112,8 +115,9 @@ def propagate_body_exact(start, plan, dt):
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
     for (velocity, *_), elapsed in _segments(plan, dt, 3):
-        poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
-    return _finite(poses, "plan")
+        with _named("plan"):
+            poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
+    return poses
 
 
 def propagate_arm(start, plan, dt):
@@ -132,10 +136,11 @@ def propagate_arm(start, plan, dt):
 
 def plan_times(plan, dt):
     """Return the times (n,) from 0 on at which propagate_body and propagate_arm give their results."""
-    times = [np.zeros(1)]
+    times = np.zeros(1)
     for _, elapsed in _segments(plan, dt, None):
-        times.append(times[-1][-1] + elapsed)
-    return np.concatenate(times)
+        with np.errstate(over="ignore"):
+            times = np.append(times, times[-1] + elapsed)
+    return _finite(times, "plan")
 
 
 def pose_matrix(pose):
@@ -150,8 +155,9 @@ def _scaling_arguments(**values):
     arrays = {name: real_array(value, name, ()) for name, value in values.items()}
     broadcast(**{name: array.shape for name, array in arrays.items()})
     t, T = arrays["t"], positive(arrays["T"], "T")
-    outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
-    refuse_first(np.broadcast_to(outside, outside.shape), "t", lambda i: "must lie between 0 and T")
+    with np.errstate(over="ignore"):
+        outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
+    refuse_first(outside, "t", lambda i: "must lie between 0 and T")
     return [np.clip(t, 0, T), *list(arrays.values())[1:]]
 
 
@@ -168,11 +174,15 @@ def _interpolate(start, goal, turning, n, T, v_start, v_goal, scaling):
     change = np.where(turning, wrap_angle(change), change)
     t = np.linspace(0, T, count(n, least=2))[:, None]
     ends = (start, start + change, v_start, v_goal)
-    return scaling(t, T, *(end[..., None, :] for end in ends))
+    if not callable(scaling):
+        raise ValueError(f"scaling must be a time scaling such as cubic_time_scaling; it is {scaling!r:.80}")
+    with _named("goal"):
+        return scaling(t, T, *(end[..., None, :] for end in ends))
 
 
 def _velocities(value, name, k):
-    return np.zeros(k) if np.ndim(value) == 0 and np.all(value == 0) else real_array(value, name, (k,))
+    velocities = real_array(value, name, ())
+    return np.zeros(k) if velocities.shape == () and velocities == 0 else real_array(value, name, (k,))
 
 
 def _change(start, goal):
@@ -198,11 +208,11 @@ def _along_twist(start, twist, s):
     """Return the poses start exp(s twist), (..., n, 3), for s (n,)."""
     with np.errstate(all="ignore"):
         turning = s[:, None] * twist[..., None, :]
-    moved = exp_se2(_finite(turning, "plan"))[..., :2, 2]
+    moved = exp_se2(turning)[..., :2, 2]
     with np.errstate(all="ignore"):
         p = start[..., None, :2] + _turned(start[..., None, 2], moved)
         theta = start[..., None, 2] + turning[..., 0]
-    return np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1)
+    return _finite(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist")
 
 
 def _segments(plan, dt, k):
@@ -212,14 +222,13 @@ def _segments(plan, dt, k):
         raise ValueError(f"dt must be one number; its shape is {dt.shape}")
     pairs = _pairs(plan, k)
     with np.errstate(over="ignore"):
-        steps = [np.ceil(duration / dt - 1e-9) for _, duration in pairs]  # 1.1 / 0.1 is a hair above 11
+        steps = [np.ceil(duration / dt * (1 - 1e-12)) for _, duration in pairs]  # 2.1 / 0.3 is a hair above 7
     if sum(steps) > _MOST_STEPS:
         raise ValueError(f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes {sum(steps):.3g}")
     found = []
     for pair, n in zip(pairs, steps, strict=True):
-        elapsed = dt * np.arange(1, int(n) + 1)
-        elapsed[-1:] = pair[1]  # the last step ends on time
-        found.append((pair, elapsed))
+        elapsed = np.append(dt * np.arange(1, int(n)), pair[1])  # the last step ends on time
+        found.append((pair, elapsed[: int(n)]))
     return found
 
 
@@ -241,6 +250,15 @@ def _pairs(plan, k):
             raise ValueError(f"plan[{i}] must be velocities and one duration, zero or more; it is {pair!r:.80}")
         found.append((velocity, float(duration)))
     return found
+
+
+@contextmanager
+def _named(name):
+    """Let an overflow further down be refused by the name that the caller gave."""
+    try:
+        yield
+    except ValueError as too_large:
+        raise ValueError(f"{name} is too large: {too_large}") from too_large
 
 
 def _finite(values, name):

@@ -18,7 +18,7 @@ from course_lib.arguments import broadcast, real_array, refuse_first
 from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
 
 EXACT = 1e-9  # how far beside the mark an exact answer may end, as a share of the largest length given
-_ON_AXIS = 1e-14  # a distance from the axis that is rounding, as a share of the point's distance from the origin
+_ROUNDING = 1e-14  # what rounding may do to a length, as a share of the largest
 _TOUCH = 1e-7  # two answers nearer than this (radians) are one: the circles touch; what is lost by it is below 1e-14
 
 
@@ -44,11 +44,11 @@ def subproblem0(k, p, q):
     """
     k, p, q = _arguments(k=k, p=p, q=q)
     for name, v in (("p", p), ("q", q)):
-        along = np.abs(_dot(k, v))
+        along = np.abs(_dot(k, _unit(v)))
         refuse_first(
-            along > EXACT * length(v),
+            along > EXACT,
             name,
-            lambda i, along=along: f"must be perpendicular to k: its part along k is {along[i]:.3g} (see subproblem1)",
+            lambda i, along=along: f"must be perpendicular to k: {along[i]:.3g} of it is along k (see subproblem1)",
         )
     return subproblem1(k, p, q)
 
@@ -61,8 +61,9 @@ def subproblem1(k, p, q):
     k, p, q = _arguments(k=k, p=p, q=q)
     free = _on_axis(k, p) | _on_axis(k, q)
     theta = np.where(free, 0.0, _turn(k, p, q))
+    p, q = _to_scale(p, q)
     missed = length(_rotate(k, theta, p) - q)
-    return Turns(theta, np.ones(theta.shape, int), missed <= EXACT * _largest(p, q), free)
+    return Turns(theta, np.ones(theta.shape, int), missed <= EXACT, free)
 
 
 def subproblem2(k1, k2, p1, p2):
@@ -76,34 +77,26 @@ def subproblem2(k1, k2, p1, p2):
     u1, u2 = _unit(p1), _unit(p2)
     n = np.cross(k1, k2)
     sine, cosine = length(n), _dot(k1, k2)
-    parallel = sine <= _ON_AXIS
+    parallel = sine <= _ROUNDING
     n = n / np.where(parallel, 1.0, sine)[..., None]
-    height1, height2 = _dot(k1, u1), _dot(k2, u2)
-    radius1, radius2 = length(np.cross(k1, u1)), length(np.cross(k2, u2))
-    # A point where the circles meet, seen from each axis: its height along the axis, x in the plane of the axes, and
-    # y along n. The smaller circle says most exactly what y is.
-    divisor = np.where(parallel, 1.0, sine)
-    x1, x2 = (height2 - cosine * height1) / divisor, (height1 - cosine * height2) / divisor
-    smaller = radius1 <= radius2
-    radius, x = np.where(smaller, radius1, radius2), np.where(smaller, x1, x2)
-    y = np.sqrt(np.maximum((radius - x) * (radius + x), 0.0))
-    touch = (y <= _TOUCH * radius) | parallel
-    y = np.where(touch, 0.0, y)
-    fixed = _on_axis(k1, p1)
+    heights = _dot(k1, u1), _dot(k2, u2)
+    radii = length(np.cross(k1, u1)), length(np.cross(k2, u2))
+    x, y = _meeting(heights, radii, cosine, np.where(parallel, 1.0, sine))
+    fixed1, fixed2 = _on_axis(k1, u1), _on_axis(k2, u2)
+    free = parallel | fixed1 | fixed2
+    y = np.where(free, 0.0, y)
     across = np.cross(n, k1)
     answers = []
     for side in (y, -y):
-        meeting = x1[..., None] * across + side[..., None] * n  # from k1's axis, in the direction of the meeting point
-        lost = fixed | parallel | (length(meeting) == 0)
-        theta1 = np.where(lost, 0.0, _turn(k1, u1, meeting))
+        meeting = x[..., None] * across + side[..., None] * n  # from k1's axis, in the direction of the meeting point
+        theta1 = np.where(fixed1 | parallel, 0.0, _turn(k1, u1, meeting))
         onto = _rotate(k1, theta1, u1)
-        theta2 = np.where(_on_axis(k2, p2) | _on_axis(k2, onto), 0.0, _turn(k2, u2, onto))
+        theta2 = np.where(fixed2, 0.0, _turn(k2, u2, onto))
         answers.append(np.stack([theta1, theta2], -1))
     theta = np.stack(answers, -2)
+    p1, p2 = _to_scale(p1, p2)
     missed = length(_rotate(k1, theta[..., 0, 0], p1) - _rotate(k2, theta[..., 0, 1], p2))
-    free = parallel | fixed | _on_axis(k2, p2)
-    count = np.where(touch | fixed | _on_axis(k2, p2), 1, 2)
-    return Turns(theta, count, missed <= EXACT * _largest(p1, p2), free)
+    return Turns(theta, np.where(y == 0, 1, 2), missed <= EXACT, free)
 
 
 def subproblem3(k, p, q, d):
@@ -111,14 +104,13 @@ def subproblem3(k, p, q, d):
 
     k, p, q: (..., 3), d: (...). Returns Turns with theta (..., 2). A distance below zero cannot be had: the nearest is.
     """
-    k, p, q = _arguments(k=k, p=p, q=q, d=d)[:3]
-    d = real_array(d, "d", ())
-    scale = np.maximum(_largest(p, q), np.abs(d))
-    safe = np.where(scale > 0, scale, 1.0)
-    p, q, d = p / safe[..., None], q / safe[..., None], d / safe  # so that squares neither overflow nor underflow
-    # |R p - q|^2 = d^2 asks how far R p reaches along q; a negative d for more than there is.
-    reach = (_dot(p, p) + _dot(q, q) - np.maximum(d, 0.0) ** 2) / 2 + np.where(d < 0, 1.0, 0.0)
-    theta, count, free = _reach(k, q, p, reach)
+    k, p, q, d = _arguments(k=k, p=p, q=q, d=d)
+    d = _share(d, np.maximum(length(p), length(q)))
+    p, q = _to_scale(p, q)
+    radius1, radius2, height = length(np.cross(k, p)), length(np.cross(k, q)), _dot(k, p - q)
+    nearest, farthest = height**2 + (radius1 - radius2) ** 2, height**2 + (radius1 + radius2) ** 2
+    asked = np.maximum(d, 0.0)
+    theta, count, free = _either_side(k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked)
     got = length(_rotate(k, theta[..., 0], p) - q)
     return Turns(theta, count, np.abs(got - d) <= EXACT, free)
 
@@ -128,13 +120,12 @@ def subproblem4(k, h, p, d):
 
     k, h, p: (..., 3), d: (...). Returns Turns with theta (..., 2). h need not have length one.
     """
-    k, h, p = _arguments(k=k, h=h, p=p, d=d)[:3]
-    d = real_array(d, "d", ())
-    far, long = length(p), length(h)
-    reach = d / np.where(far > 0, far, 1.0) / np.where(long > 0, long, 1.0)
-    theta, count, free = _reach(k, _unit(h), _unit(p), reach)
-    got = long * far * _dot(_unit(h), _rotate(k, theta[..., 0], _unit(p)))
-    return Turns(theta, count, np.abs(got - d) <= EXACT * np.maximum(long * far, np.abs(d)), free)
+    k, h, p, d = _arguments(k=k, h=h, p=p, d=d)
+    h, p, d = _unit(h), _unit(p), _share(d, length(h), length(p))
+    middle, swing = _dot(k, h) * _dot(k, p), length(np.cross(k, h)) * length(np.cross(k, p))
+    theta, count, free = _either_side(k, p, h, middle + swing - d, d - middle + swing, _ROUNDING)
+    got = _dot(h, _rotate(k, theta[..., 0], p))
+    return Turns(theta, count, np.abs(got - d) <= EXACT, free)
 
 
 def euler_yxy(R):
@@ -152,7 +143,7 @@ def euler_yxy(R):
     b1, b2 = np.where(first, b1, b1[..., ::-1]), np.where(first, b2, b2[..., ::-1])
     rest = np.swapaxes(rot_y(b1) @ rot_x(b2), -1, -2) @ R[..., None, :, :]
     b3 = subproblem1(ey, ex, rest[..., :, 0]).theta
-    return Turns(np.stack([b1, b2, b3], -1), onto.count, np.ones(onto.exact.shape, bool), onto.free)
+    return Turns(np.stack([b1, b2, b3], -1) + 0.0, onto.count, onto.exact, onto.free)
 
 
 def _arguments(**arguments):
@@ -161,33 +152,61 @@ def _arguments(**arguments):
     batch = broadcast(**{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()})
     found = []
     for name, array in arrays.items():
+        if name == "d":
+            found.append(np.broadcast_to(array, batch))
+            continue
+        size = length(array)
+        refuse_first(np.isinf(size), name, lambda i: "is too large: its length exceeds the largest number")
         if name.startswith("k"):
-            refuse_first(length(array) == 0, name, lambda i: "is zero: an axis needs a direction")
+            refuse_first(size == 0, name, lambda i: "is zero: an axis needs a direction")
             array = _unit(array)
-        found.append(np.broadcast_to(array, batch if name == "d" else (*batch, 3)))
+        found.append(np.broadcast_to(array, (*batch, 3)))
     return found
 
 
-def _reach(k, h, p, d):
-    """Solve h . R(k, theta) p = d: theta (..., 2), how many, and whether all turns are as good."""
-    across, beside = np.cross(k, p), np.cross(k, h)
-    swing = length(across) * length(beside)  # how far the height varies: (k.h)(k.p) +- swing
-    free = _on_axis(k, p) | _on_axis(k, h)
-    offset = d - _dot(k, h) * _dot(k, p)
-    cosine = np.clip(np.divide(offset, swing, out=np.zeros_like(swing), where=~free), -1, 1)
-    aside = np.arctan2(np.sqrt((1 - cosine) * (1 + cosine)), cosine)
-    touch = (aside <= _TOUCH) | (aside >= np.pi - _TOUCH)
-    aside = np.where(touch, np.where(cosine > 0, 0.0, np.pi), aside)
-    middle = _turn(k, p, h)
-    both = np.stack([middle - aside, middle + aside], -1)
-    theta = np.where(free[..., None], 0.0, _wrap(both))
-    return theta, np.where(touch | free, 1, 2), free
+def _meeting(heights, radii, cosine, sine):
+    """Return where circles on the unit sphere meet, seen from the first one's axis: x in the plane of the axes, y >= 0
+    across it; y = 0 where they touch or miss.
+
+    x = (height2 - cosine height1) / sine. A cosine near 1 is taken as 1 less a small number, so that its digits are
+    kept; the signs turn axes and points to where the cosines are positive. The smaller circle says best what y is.
+    """
+    sign1, sign2 = np.copysign(1.0, heights[0]), np.copysign(1.0, heights[0] * cosine)
+    less, less1 = _less(np.abs(cosine), sine), _less(sign1 * heights[0], radii[0])
+    less2 = _less(sign2 * heights[1], radii[1])
+    x1 = sign2 * (less * (1 - less1) + less1 - less2) / sine
+    x2 = (less * (1 - less2) + less2 - less1) / sine  # from the second axis, but for its sign
+    smaller = radii[0] <= radii[1]
+    radius, x = np.where(smaller, *radii), np.where(smaller, x1, x2)
+    y = np.sqrt(np.maximum((radius - x) * (radius + x), 0.0))
+    return x1, np.where(y <= _TOUCH * radius, 0.0, y)
+
+
+def _less(cosine, sine):
+    """1 - cosine, with all its digits near 0."""
+    return np.where(cosine > 0, sine**2 / (1 + np.abs(cosine)), 1 - cosine)
+
+
+def _either_side(k, p, q, over, under, rounding):
+    """The turns about k that stand as far to either side of the one that brings p over to q: theta (..., 2), how many
+    they are, and whether all turns are as good.
+
+    From that turn, a, to half a turn on, what is asked for changes by sin^2((theta - a) / 2). over, under: how far it
+    is beyond its value at a, and short of that half a turn on; at most `rounding` means there.
+    """
+    free = _on_axis(k, p) | _on_axis(k, q)
+    over, under = (np.where(part <= rounding, 0.0, part) for part in (over, under))
+    one = (over == 0) | (under == 0) | free
+    middle, aside = _turn(k, p, q), 2 * np.arctan2(np.sqrt(over), np.sqrt(under))
+    other = np.where(one, middle - aside, middle + aside)
+    theta = np.where(free[..., None], 0.0, _wrap(np.stack([middle - aside, other], -1)))
+    return theta, np.where(one, 1, 2), free
 
 
 def _turn(k, p, q):
     """The turn about k from the direction of p to that of q: the angle between their parts across k."""
-    across = np.cross(k, p)
-    return _wrap(np.arctan2(_dot(across, q), _dot(across, np.cross(k, q))))
+    p, q = np.cross(k, _unit(p)), np.cross(k, _unit(q))
+    return _wrap(np.arctan2(_dot(k, np.cross(p, q)), _dot(p, q)))
 
 
 def _rotate(k, theta, p):
@@ -195,7 +214,7 @@ def _rotate(k, theta, p):
 
 
 def _on_axis(k, p):
-    return length(np.cross(k, p)) <= _ON_AXIS * length(p)
+    return length(np.cross(k, _unit(p))) <= _ROUNDING
 
 
 def _unit(v):
@@ -203,8 +222,19 @@ def _unit(v):
     return v / np.where(size > 0, size, 1.0)
 
 
-def _largest(p, q):
-    return np.maximum(length(p), length(q))
+def _to_scale(p, q):
+    """Both vectors over the length of the longer, so that squares neither overflow nor underflow."""
+    largest = np.maximum(length(p), length(q))[..., None]
+    safe = np.where(largest > 0, largest, 1.0)
+    return p / safe, q / safe
+
+
+def _share(d, *sizes):
+    """d over the sizes; what is over 4, as all is over a size of zero, is far out of reach."""
+    with np.errstate(all="ignore"):
+        for size in sizes:
+            d = np.where(d == 0, 0.0, d / size)
+    return np.clip(d, -4, 4)
 
 
 def _dot(a, b):

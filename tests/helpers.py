@@ -1,12 +1,15 @@
-"""What the tests share: truth to 50 digits, samples made without the library, and the groups."""
+"""What the tests share: truth to 50 digits, samples made without the library, the groups, and figures as shown."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import SimpleNamespace
+from unittest import mock
 
 import mpmath
 import numpy as np
 
 from course_lib import rigid, rotations
+from course_lib.figures import show
 
 # Both sides of every place where a formula may change: the ends, the series' limit at 0.3, the neighbourhood of pi.
 ANGLES = [1e-300, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.1, 0.29, 0.2999999, 0.3, 0.3000001, 1.0, np.pi / 2, 2.0]
@@ -166,3 +169,39 @@ GROUPS = [
         ]
     ),
 ]
+
+
+# ---- figures ----
+
+ALT = "Words that say what the picture shows."
+FIGURE = "application/vnd.plotly.v1+json"
+
+
+def shown(fig):
+    """What show hands to the notebook: an object with data and metadata."""
+    with mock.patch("IPython.display.display") as display:
+        show(fig, alt=ALT)
+    (data,), options = display.call_args
+    assert options["raw"]
+    return SimpleNamespace(data=data, metadata=options["metadata"])
+
+
+def stored(fig):
+    """The JSON of a plotly figure as a notebook stores it."""
+    return shown(fig).data[FIGURE]
+
+
+def places(trace):
+    """The points (n, 2) or (n, 3) of a stored trace; NaN where its line has a gap."""
+    return np.array([trace[c] for c in "xyz" if c in trace], float).T
+
+
+def assert_in_scene(figure):
+    """Assert that every point of a stored figure in space lies in the cube that its scene shows."""
+    for trace in figure["data"]:
+        scene = figure["layout"][trace.get("scene", "scene")]
+        for c in "xyz":
+            low, high = scene[f"{c}axis"]["range"]
+            numbers = np.array(trace[c], float)
+            assert np.nanmin(numbers) >= low
+            assert np.nanmax(numbers) <= high

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from helpers import cross_matrix, pose_samples, rotation_samples, twist_matrix
 
-from course_lib import rigid, rotations
+from course_lib import ik, planar, rigid, rotations, subproblems
+from course_lib.arms import planar_arm
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,7 @@ class Numbers:
     core: tuple
     sample: Callable = field(repr=False)  # (rng, batch) -> (*batch, *core)
     spoil: tuple = field(default=(), repr=False)  # functions of one valid item
+    also: tuple = ()  # other shapes of one item that are taken, whatever the other arguments are
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,39 @@ _RNG = Other(
     (None, 0, "seed", np.random, np.random.RandomState(0), np.random.PCG64(0), np.random.default_rng),
 )
 
+_MANY = Other(lambda: 3, (*_N.invalid, 0, 1))
+_NO_NUMBER = (None, "1", 0, -1, np.nan, np.inf, True, 1j, [1.0], [], [[1], [1, 2]], object())
+_SECONDS = Other(lambda: 0.3, _NO_NUMBER)
+_PLANLESS = (None, 1, [1], ["ab"], [()], [((1, 0, 0),)], [((1, 0, 0), 1, 1)], [(None, 1)], [([1, [2]], 1)], [(1, 1)])
+_NO_DURATION = tuple([((1, 0, 0), 1), ((1, 0, 0), bad)] for bad in (-1e-300, np.nan, np.inf, None, "1", [1], True))
+_VELOCITIES = Other(lambda: [((1, 0, 2), 1), ((0, -1, 0), 0.5)], (*_PLANLESS, *_NO_DURATION))
+_ANY_PLAN = Other(lambda: [((1, 0, 2), 1), ((0, -1), 0.5)], (*_PLANLESS, *_NO_DURATION))
+_PLAN = Other(_VELOCITIES.valid, (*_VELOCITIES.invalid, [((1, 0), 1)], [((1, 0, np.nan), 1)], [(np.ones((2, 3)), 1)]))
+_SCALING = Other(lambda: planar.quintic_time_scaling, (None, "cubic", 3, np.ones(3)))
+_ARM = Other(lambda: planar_arm([1, 2, 1, 0.5]), (None, 4, [1, 1], np.eye(4), planar_arm))
+
+
+def _between(low, high, *spoil):
+    return Numbers((), lambda rng, batch: rng.uniform(low, high, batch), spoil)
+
+
+_POSITIVE = _between(1, 2, np.zeros_like, np.negative)
+_TIME = _between(0, 1, lambda t: t - 1.001, lambda t: t + 2, lambda t: np.full_like(t, -1e308))
+_JOINTS = {k: Numbers((k,), _plain(k).sample, also=tuple((n,) for n in range(1, 8))) for k in (3, 4)}
+_SPEEDS = {n: Numbers((n,), _plain(n).sample, also=((),)) for n in (3, 4)}  # one zero stands for them all
+_AXIS = Numbers((3,), _plain(3).sample, (np.zeros_like,))
+_ALONG_Z = Numbers((3,), lambda rng, batch: rng.normal(size=(*batch, 1)) * [0, 0, 1], (np.zeros_like,))
+_NOT_ACROSS = (lambda p: p + 1e-8, lambda p: p * [1e-9, 1e-9, 1] + [0, 0, 1e300])
+_ACROSS_Z = Numbers((3,), lambda rng, batch: rng.normal(size=(*batch, 3)) * [1, 1, 0], _NOT_ACROSS)
+_ENDS = {name: _plain() for name in ("s0", "s1", "v0", "v1")}
+_REST = {"n": _MANY, "T": _SECONDS}
+
+
+def _damped(n):
+    target = Numbers((n,), _plain(n).sample, also=((5 - n,),))
+    return {"arm": _ARM, "q0": _plain(4), "target": target, "alpha": _POSITIVE, "eps": _POSITIVE, "steps": _N}
+
+
 # One entry for each public function; more than one set of arguments where it takes more than one shape.
 ARGUMENTS = {
     "hat": [{"w": _plain(3)}],
@@ -134,6 +169,29 @@ ARGUMENTS = {
     "log_se3": [{"T": _pose(3)}],
     "exp_se2": [{"twist": _plain(3)}],
     "log_se2": [{"T": _pose(2)}],
+    "wrap_angle": [{"angle": _plain()}],
+    "cubic_time_scaling": [{"t": _TIME, "T": _POSITIVE, **_ENDS}],
+    "quintic_time_scaling": [{"t": _TIME, "T": _POSITIVE, **_ENDS, "a0": _plain(), "a1": _plain()}],
+    **{
+        name: [{"start": start, "goal": _plain(k), **_REST, "v_start": v, "v_goal": v, "scaling": _SCALING}]
+        for name, start, k, v in [
+            ("interpolate_body", _plain(3), 3, _SPEEDS[3]),
+            ("interpolate_arm", _JOINTS[4], 4, _SPEEDS[4]),
+        ]
+    },
+    "interpolate_body_screw": [{"start": _plain(3), "goal": _plain(3), "n": _MANY}],
+    "propagate_body": [{"start": _plain(3), "plan": _PLAN, "dt": _SECONDS}],
+    "propagate_body_exact": [{"start": _plain(3), "plan": _PLAN, "dt": _SECONDS}],
+    "propagate_arm": [{"start": _JOINTS[3], "plan": _PLAN, "dt": _SECONDS}],
+    "plan_times": [{"plan": _ANY_PLAN, "dt": _SECONDS}],
+    "pose_matrix": [{"pose": _plain(3)}],
+    "subproblem0": [{"k": _ALONG_Z, "p": _ACROSS_Z, "q": _ACROSS_Z}],
+    "subproblem1": [{"k": _AXIS, "p": _plain(3), "q": _plain(3)}],
+    "subproblem2": [{"k1": _AXIS, "k2": _AXIS, "p1": _plain(3), "p2": _plain(3)}],
+    "subproblem3": [{"k": _AXIS, "p": _plain(3), "q": _plain(3), "d": _plain()}],
+    "subproblem4": [{"k": _AXIS, "h": _plain(3), "p": _plain(3), "d": _plain()}],
+    "euler_yxy": [{"R": _rotation(3)}],
+    "damped_path": [_damped(2), _damped(3)],
 }
 
 # Used by both modules on arrays they have looked at already, it looks at nothing itself.
@@ -141,7 +199,7 @@ _SHARED_INSIDE = {"length"}
 
 FUNCTIONS = {
     name: function
-    for module in (rotations, rigid)
+    for module in (rotations, rigid, planar, subproblems, ik)
     for name, function in vars(module).items()
     if inspect.isfunction(function)
     and function.__module__ == module.__name__
@@ -150,6 +208,9 @@ FUNCTIONS = {
 }
 
 CALLS = [(name, arguments) for name, sets in ARGUMENTS.items() for arguments in sets if name in FUNCTIONS]
+
+# The calls that take arrays, of which there may be batches.
+BATCHED = [call for call in CALLS if any(isinstance(kind, Numbers) for kind in call[1].values())]
 
 
 def call_name(call):
@@ -163,6 +224,16 @@ def valid_arguments(arguments, rng, batch=()):
     return {
         name: kind.sample(rng, batch) if isinstance(kind, Numbers) else kind.valid() for name, kind in arguments.items()
     }
+
+
+def parts(answer):
+    """Return the arrays that an answer consists of, by name: the fields of a Turns, or the one array."""
+    return vars(answer) if isinstance(answer, subproblems.Turns) else {"answer": np.asarray(answer)}
+
+
+def expected_type(name, part):
+    """Return the type of the entries of a part of what the function gives."""
+    return {"count": int, "exact": bool, "free": bool}.get(part, bool if name.startswith("is_") else float)
 
 
 def begins_with(message, argument):

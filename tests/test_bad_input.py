@@ -8,7 +8,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
-from signatures import ARGUMENTS, CALLS, FUNCTIONS, Numbers, Other, begins_with, call_name, valid_arguments
+from signatures import (
+    ARGUMENTS,
+    CALLS,
+    FUNCTIONS,
+    Numbers,
+    Other,
+    begins_with,
+    call_name,
+    expected_type,
+    parts,
+    valid_arguments,
+)
 
 ARRAYS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Numbers)]
 OTHERS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Other)]
@@ -83,9 +94,10 @@ class TestEveryArray:
             refusal(call, argument, NO_REAL_NUMBERS[what](valid), batch)
 
     def test_wrong_shape(self, call, argument):
-        cores = shapes_taken(call, argument)
+        cores = shapes_taken(call, argument) | set(call[1][argument].also)
         sizes = [(), (0,), *((n,) for n in range(1, 8)), *((m, n) for m in range(6) for n in range(6)), (6, 1), (1, 6)]
-        wrong = [shape for shape in [*sizes, (2, 0), (3, 3, 1), (4, 4, 1), (4, 6, 6)] if not fits(shape, cores)]
+        wrong = [shape for shape in [*sizes, (2, 0), (3, 3, 1), (4, 4, 1), (4, 6, 6)] if shape not in cores]
+        wrong = [shape for shape in wrong if not fits(shape, cores - {()} or cores)]
         assert wrong or cores == {()}
         for shape in wrong:
             message = refusal(call, argument, np.zeros(shape))
@@ -133,6 +145,24 @@ def test_batches_that_do_not_match(batches, n):
     R = np.broadcast_to(np.eye(n), (*batches[0], n, n))
     with pytest.raises(ValueError, match=r"^p\b"):
         FUNCTIONS["transform"](R, np.zeros((*batches[1], n)))
+
+
+ARRAYS_AFTER_OTHERS = [
+    (call, argument)
+    for call, argument in ARRAYS
+    if argument != next(name for name, kind in call[1].items() if isinstance(kind, Numbers))
+]
+
+
+@pytest.mark.parametrize(("call", "argument"), ARRAYS_AFTER_OTHERS, ids=case_name)
+def test_the_first_batch_that_does_not_match_is_named(call, argument):
+    name, kinds = call
+    before = list(kinds)[: list(kinds).index(argument)]
+    batches = {**dict.fromkeys(kinds, ()), **dict.fromkeys(before, (2,)), argument: (3,)}
+    rng = np.random.default_rng(6)
+    arguments = {a: valid_arguments({a: kind}, rng, batches[a])[a] for a, kind in kinds.items()}
+    with pytest.raises(ValueError, match=rf"^{argument} must have a batch that .* \(2,\); it is \(3,\)$"):
+        FUNCTIONS[name](**arguments)
 
 
 _EIGHTH = np.array([[1.0, -1, 0], [1, 1, 0], [0, 0, math.sqrt(2)]]) / math.sqrt(2)
@@ -198,6 +228,12 @@ def arrays_for(draw, kind):
     return np.where(where, draw(hnp.arrays(float, shape, elements=NUMBERS)), valid)
 
 
+def others_for(kind):
+    """Draw an argument that is no array: the valid one, or any number where that is one."""
+    valid = kind.valid()
+    return st.one_of(st.just(valid), NUMBERS) if isinstance(valid, float) else st.just(valid)
+
+
 def attempt(name, **arguments):
     """Return the answer and no message, or no answer and the message of the ValueError."""
     try:
@@ -211,19 +247,21 @@ def attempt(name, **arguments):
 @given(data=st.data())
 def test_any_array_is_refused_or_answered(call, data):
     name, kinds = call
-    arguments = {
-        argument: data.draw(arrays_for(kind) if isinstance(kind, Numbers) else NUMBERS, label=argument)
-        for argument, kind in kinds.items()
-    }
-    before = {argument: np.array(value) for argument, value in arguments.items()}
+    arguments = valid_arguments(kinds, np.random.default_rng(6))
+    for argument in sorted(data.draw(st.sets(st.sampled_from(list(kinds)), min_size=1), label="not the usual")):
+        kind = kinds[argument]
+        arguments[argument] = data.draw(arrays_for(kind) if isinstance(kind, Numbers) else others_for(kind))
+    arrays = [value for argument, value in arguments.items() if isinstance(kinds[argument], Numbers)]
+    before = [np.array(value) for value in arrays]
     answer, message = attempt(name, **arguments)
     if message is None:
-        assert np.isfinite(answer).all()
-        assert np.asarray(answer).dtype == (bool if name.startswith("is_") else float)
+        for part, array in parts(answer).items():
+            assert np.isfinite(array).all()
+            assert array.dtype == expected_type(name, part)
     else:
         assert any(begins_with(message, argument) for argument in kinds), message
-    for argument, value in arguments.items():
-        assert np.array_equal(value, before[argument], equal_nan=True)
+    for value, was in zip(arrays, before, strict=True):
+        assert np.array_equal(value, was, equal_nan=True)
 
 
 @pytest.mark.parametrize("call", [call for call in CALLS if "rng" in call[1]], ids=call_name)

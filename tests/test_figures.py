@@ -1,28 +1,15 @@
 """show() and the pictures: words for every picture, numbers that do not depend on the machine, and the right data."""
 
 import json
-from types import SimpleNamespace
-from unittest import mock
 
 import numpy as np
 import pytest
+from helpers import ALT, FIGURE, assert_in_scene, shown, stored
 from matplotlib.figure import Figure
 
 from course_lib import rotations
 from course_lib.figures import lines, show
 from course_lib.figures import rotations as figures
-
-ALT = "Words that say what the picture shows."
-FIGURE = "application/vnd.plotly.v1+json"
-
-
-def shown(fig):
-    """What show hands to the notebook: an object with data and metadata."""
-    with mock.patch("IPython.display.display") as display:
-        show(fig, alt=ALT)
-    (data,), options = display.call_args
-    assert options["raw"]
-    return SimpleNamespace(data=data, metadata=options["metadata"])
 
 
 @pytest.fixture
@@ -87,7 +74,7 @@ def test_numbers_are_rounded_and_zero_has_no_sign():
 
     noisy = [1.0, -0.0, 1 / 3, 1e-17, -1e-17, float("nan")]
     fig = go.Figure(go.Scatter(x=np.array(noisy), y=[1, 2, 3, 4, 5, 6], marker={"size": 1 / 3}))
-    (trace,) = shown(fig).data[FIGURE]["data"]
+    (trace,) = stored(fig)["data"]
     assert json.dumps(trace["x"]) == "[1.0, 0.0, 0.33333, 0.0, 0.0, null]"
     assert trace["y"] == [1, 2, 3, 4, 5, 6]
     assert trace["marker"]["size"] == 0.333333
@@ -96,19 +83,12 @@ def test_numbers_are_rounded_and_zero_has_no_sign():
 def test_the_last_bits_of_a_machine_do_not_reach_the_file(draws):
     shaken = draws * (1 + 1e-15)
     for one, two in zip(space_figures(draws), space_figures(shaken), strict=True):
-        assert json.dumps(shown(one).data[FIGURE]) == json.dumps(shown(two).data[FIGURE])
+        assert json.dumps(stored(one)) == json.dumps(stored(two))
 
 
 def test_nothing_lies_outside_its_scene(draws):
     for fig in space_figures(draws):
-        figure = shown(fig).data[FIGURE]
-        for trace in figure["data"]:
-            axis = figure["layout"][trace.get("scene", "scene")]
-            for c in "xyz":
-                low, high = axis[f"{c}axis"]["range"]
-                numbers = np.array(trace[c], float)
-                assert np.nanmin(numbers) >= low
-                assert np.nanmax(numbers) <= high
+        assert_in_scene(stored(fig))
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from helpers import ANGLES, BATCHES, GROUPS, same_sign, true_exp
 from numpy.testing import assert_allclose
-from signatures import ARGUMENTS, CALLS, FUNCTIONS, Numbers, call_name, valid_arguments
+from signatures import ARGUMENTS, BATCHED, FUNCTIONS, Numbers, call_name, expected_type, parts, valid_arguments
 
 EVERY_GROUP = pytest.mark.parametrize("group", GROUPS, ids=str)
 
@@ -127,7 +127,7 @@ class TestAxioms:
 
 
 @pytest.mark.parametrize("batch", BATCHES, ids=str)
-@pytest.mark.parametrize("call", [call for call in CALLS if "rng" not in call[1]], ids=call_name)
+@pytest.mark.parametrize("call", BATCHED, ids=call_name)
 def test_a_batch_is_the_single_answers_stacked(call, batch):
     name, kinds = call
     rng = np.random.default_rng(8)
@@ -135,24 +135,26 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
     for argument, value in arguments.items():
         if isinstance(kinds[argument], Numbers):
             value.flags.writeable = False  # what the library is given it leaves as it was
-    got = FUNCTIONS[name](**arguments)
-    one = np.asarray(FUNCTIONS[name](**valid_arguments(kinds, rng)))
-    assert got.shape == batch + one.shape
-    assert got.dtype == one.dtype == (bool if name.startswith("is_") else float)
+    got = parts(FUNCTIONS[name](**arguments))
+    for part, one in parts(FUNCTIONS[name](**valid_arguments(kinds, rng))).items():
+        assert got[part].shape == batch + one.shape
+        assert got[part].dtype == one.dtype == expected_type(name, part)
     for index in np.ndindex(batch):
         item = {a: v[index] if isinstance(kinds[a], Numbers) else v for a, v in arguments.items()}
-        assert_allclose(got[index], FUNCTIONS[name](**item), rtol=1e-15, atol=1e-15)
+        for part, one in parts(FUNCTIONS[name](**item)).items():
+            assert_allclose(got[part][index], one, rtol=1e-15, atol=1e-15)
 
 
-@pytest.mark.parametrize("call", [call for call in CALLS if "rng" not in call[1]], ids=call_name)
+@pytest.mark.parametrize("call", BATCHED, ids=call_name)
 @pytest.mark.parametrize("convert", [np.ndarray.tolist, np.float32, np.longdouble, np.asfortranarray])
 def test_lists_and_other_floats_are_taken(call, convert):
     name, kinds = call
     arguments = valid_arguments(kinds, np.random.default_rng(9), (4,))
-    first = next(iter(kinds))
-    got = FUNCTIONS[name](**{**arguments, first: convert(arguments[first])})
-    assert got.dtype == (bool if name.startswith("is_") else float)
-    assert_allclose(got, FUNCTIONS[name](**arguments), rtol=0, atol=1e-5 if convert is np.float32 else 1e-15)
+    first = next(argument for argument, kind in kinds.items() if isinstance(kind, Numbers))
+    got = parts(FUNCTIONS[name](**{**arguments, first: convert(arguments[first])}))
+    for part, expected in parts(FUNCTIONS[name](**arguments)).items():
+        assert got[part].dtype == expected_type(name, part)
+        assert_allclose(got[part], expected, rtol=0, atol=1e-5 if convert is np.float32 else 1e-15)
 
 
 @pytest.mark.parametrize("n", [0, 1, 2, 17])

@@ -29,7 +29,10 @@ def test_importing_the_mathematics_costs_little_more_than_numpy():
     assert least["course_lib.rotations"] <= 1.5 * least["numpy"]
 
 
-@pytest.mark.parametrize("module", ["course_lib", "course_lib.arguments", "course_lib.rotations", "course_lib.rigid"])
+MATHEMATICS = ["arguments", "rotations", "rigid", "planar", "subproblems", "arms", "ik"]
+
+
+@pytest.mark.parametrize("module", ["course_lib", *(f"course_lib.{name}" for name in MATHEMATICS)])
 def test_what_an_import_leaves_alone(module):
     loaded = run(f"import {module}, sys; print(*sys.modules)").split()
     assert module in loaded

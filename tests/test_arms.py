@@ -1,0 +1,230 @@
+"""Serial arms of course_lib.arms: against sums of angles, matrix exponentials and differences."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+from helpers import cross_matrix, pose_samples, twist_matrix
+from numpy.testing import assert_allclose
+
+from course_lib.arms import SerialArm, planar_arm
+from course_lib.rigid import transform
+
+PI = np.pi
+BATCHES = [(), (0,), (1,), (3, 1, 2)]
+
+
+def close(got, expected, atol=1e-14):
+    assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def six_joints():
+    """Return what an arm of six random joints is made from: directions (of any length), points and the end's home."""
+    rng = np.random.default_rng(0)
+    return {"omega": rng.normal(size=(6, 3)), "points": rng.normal(size=(6, 3)), "home": pose_samples(3)(rng, ())}
+
+
+@pytest.fixture(scope="module")
+def arm():
+    return SerialArm.from_screws(**six_joints())
+
+
+def angles(n, *batch, seed=1):
+    return np.random.default_rng(seed).uniform(-4, 4, (*batch, n))
+
+
+def exponential(omega, point, angle):
+    """Return the motion of a turn about an axis through a point, by scipy's matrix exponential of its twist."""
+    omega = omega / np.linalg.norm(omega)
+    return scipy.linalg.expm(angle * twist_matrix(np.concatenate([omega, -np.cross(omega, point)])))
+
+
+# Where the frames are -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lengths", [[1.0], [1, 1, 1, 1], [0.5, 2, 1.5], np.full(12, 0.1)], ids=str)
+def test_frames_of_a_planar_arm_are_sums_of_angles(lengths):
+    arm, n = planar_arm(lengths), len(lengths)
+    q = angles(n, 50)
+    sums = np.cumsum(q, -1)
+    joints = np.cumsum(lengths * np.exp(1j * sums), -1)
+    origins = np.concatenate([np.zeros((50, 1)), joints], -1)
+    theta = np.concatenate([sums, sums[:, -1:]], -1)
+    frames = arm.frames(q)
+    assert frames.shape == (50, n + 1, 4, 4)
+    close(frames[..., :3, 3], np.stack([origins.real, origins.imag, 0 * theta], -1), 2e-14)
+    for i, j in np.ndindex(50, n + 1):
+        c, s = np.cos(theta[i, j]), np.sin(theta[i, j])
+        close(frames[i, j, :3, :3], [[c, -s, 0], [s, c, 0], [0, 0, 1]], 2e-14)
+    assert arm.n == n
+    assert np.array_equal(arm.limits, np.tile([-np.inf, np.inf], (n, 1)))
+
+
+def test_fk_is_the_product_of_exponentials(arm):
+    joints = six_joints()
+    for q in angles(6, 20):
+        moved, frames = np.eye(4), arm.frames(q)
+        for i in range(6):
+            moved = moved @ exponential(joints["omega"][i], joints["points"][i], q[i])
+            close(frames[i], moved @ transform(np.eye(3), joints["points"][i]), 1e-13)
+        close(arm.fk(q), moved @ joints["home"], 1e-13)
+
+
+def test_at_home(arm):
+    joints = six_joints()
+    close(arm.fk(np.zeros(6)), joints["home"])
+    close(arm.frames(np.zeros(6))[:6, :3, 3], joints["points"])
+    assert np.array_equal(arm.frames(np.zeros(6))[:6, :3, :3], np.broadcast_to(np.eye(3), (6, 3, 3)))
+    assert arm.n == 6
+    axes = joints["omega"] / np.linalg.norm(joints["omega"], axis=-1, keepdims=True)
+    close(arm.screw_axes, np.concatenate([axes, -np.cross(axes, joints["points"])], -1))
+
+
+def test_one_joint_moves_only_what_comes_after(arm):
+    q, other = angles(6), angles(6)
+    other[3] += 1
+    before, after = arm.frames(q), arm.frames(other)
+    assert np.array_equal(before[:3], after[:3])
+    close(before[3, :3, 3], after[3, :3, 3])
+    assert (np.abs(before[3:] - after[3:]).max((-2, -1)) > 0.1).all()
+
+
+@pytest.mark.parametrize("turns", [1.0, 1e3, 1e9])
+def test_whole_turns_change_nothing(arm, turns):
+    q = angles(6)
+    close(arm.frames(q + 2 * PI * turns), arm.frames(q), 1e-14 * (1 + 6 * turns))
+    assert np.isfinite(arm.frames(q * 1e307)).all()
+
+
+@pytest.mark.parametrize("batch", BATCHES, ids=str)
+def test_batches(arm, batch):
+    q = angles(6, *batch)
+    q.flags.writeable = False
+    for name, shape in [
+        ("frames", (7, 4, 4)),
+        ("fk", (4, 4)),
+        ("space_jacobian", (6, 6)),
+        ("body_jacobian", (6, 6)),
+        ("position_jacobian", (3, 6)),
+    ]:
+        got = getattr(arm, name)(q)
+        assert got.shape == batch + shape
+        for index in np.ndindex(batch):
+            close(got[index], getattr(arm, name)(q[index].tolist()), 1e-14)
+    close(arm.frames(q)[..., -1, :, :], arm.fk(q), 0)
+
+
+# How fast -------------------------------------------------------------------------------------------------------------
+
+
+def rate(function, q, i, h=1e-3):
+    """Return how fast function(q) changes with q[i], by differences of fourth order."""
+    e = h * np.eye(len(q))[i]
+    return (8 * (function(q + e) - function(q - e)) - (function(q + 2 * e) - function(q - 2 * e))) / (12 * h)
+
+
+def twist_of(matrix):
+    return np.array([matrix[2, 1], matrix[0, 2], matrix[1, 0], *matrix[:3, 3]])
+
+
+@pytest.mark.parametrize("which", ["six", "planar"])
+def test_jacobians_against_differences(arm, which):
+    arm = arm if which == "six" else planar_arm([1, 0.5, 2])
+    for q in angles(arm.n, 20):
+        T = arm.fk(q)
+        for i in range(arm.n):
+            change = rate(arm.fk, q, i)
+            close(arm.space_jacobian(q)[:, i], twist_of(change @ np.linalg.inv(T)), 1e-9)
+            close(arm.body_jacobian(q)[:, i], twist_of(np.linalg.inv(T) @ change), 1e-9)
+            close(arm.position_jacobian(q)[:, i], change[:3, 3], 1e-9)
+
+
+def test_body_and_space_jacobian_are_one_by_the_adjoint(arm):
+    for q in angles(6, 100):
+        R, p = arm.fk(q)[:3, :3], arm.fk(q)[:3, 3]
+        Ad = np.block([[R, np.zeros((3, 3))], [cross_matrix(p) @ R, R]])
+        close(Ad @ arm.body_jacobian(q), arm.space_jacobian(q), 1e-12)
+
+
+def test_position_jacobian_of_a_planar_arm():
+    """Joint i swings the end about itself: a quarter turn on from the way between them."""
+    arm, q = planar_arm([2, 1, 0.5]), angles(3, 40)
+    way = arm.fk(q)[:, None, :3, 3] - arm.frames(q)[:, :3, :3, 3]
+    close(arm.position_jacobian(q), np.stack([-way[..., 1], way[..., 0], 0 * way[..., 0]], -2))
+
+
+def test_a_stretched_arm_is_singular():
+    arm = planar_arm([1, 1, 1])
+    for q in ([0, 0, 0], [0.7, 0, 0], [0.7, PI, 0]):
+        J = arm.position_jacobian(q)[:2]
+        assert np.linalg.svd(J)[1][1] < 1e-15
+        along = np.array([np.cos(q[0]), np.sin(q[0])])
+        close(along @ J, 0)
+    assert np.linalg.svd(arm.position_jacobian([0.7, 0.1, 0])[:2])[1][1] > 0.01
+
+
+# Bad input ------------------------------------------------------------------------------------------------------------
+
+NO_REAL_NUMBERS = [None, "abc", 1j, object(), [[1, 2, 3], [1]], np.nan, True]
+AXIS = {"omega": [[0, 0, 2]], "points": [[1, 0, 0]], "home": np.eye(4), "limits": [[-1, 2]]}
+
+
+def changed(argument, index, value):
+    array = np.array(AXIS[argument], float)
+    array[index] = value
+    return array
+
+
+@pytest.mark.parametrize(
+    ("argument", "value"),
+    [
+        *((argument, value) for argument in AXIS for value in NO_REAL_NUMBERS if argument != "limits" or value),
+        *((argument, np.array(value)[None]) for argument, value in AXIS.items()),
+        *((argument, np.array(value)[:, :-1]) for argument, value in AXIS.items()),
+        *((argument, changed(argument, (0, 0), bad)) for argument in AXIS for bad in (np.nan, np.inf, -np.inf)),
+        *((argument, np.concatenate([value, value])) for argument, value in AXIS.items() if argument != "omega"),
+        ("omega", np.zeros((0, 3))),
+        ("omega", np.zeros((1, 3))),
+        ("omega", [0, 0, 1]),
+        ("points", changed("points", (0, 2), 1.1e100)),
+        ("home", changed("home", (1, 3), -1.1e100)),
+        ("home", changed("home", (0, 0), -1)),
+        ("home", changed("home", (0, 0), 1.001)),
+        ("home", changed("home", (3, 0), 0.1)),
+        ("limits", [[2, -1]]),
+        ("limits", [[1, 1]]),
+    ],
+)
+def test_from_screws_refuses(argument, value):
+    with pytest.raises(ValueError, match=rf"^{argument}\b"):
+        SerialArm.from_screws(**{**AXIS, argument: value})
+
+
+def test_from_screws_names_the_joint():
+    for argument, bad in [("omega", [0, 0, 0]), ("limits", [3, 2]), ("points", [0, 0, 1e200])]:
+        arguments = {"omega": np.ones((3, 3)), "points": np.ones((3, 3)), "home": np.eye(4), "limits": [[0, 1]] * 3}
+        arguments[argument] = [arguments[argument][0], bad, arguments[argument][2]]
+        with pytest.raises(ValueError, match=rf"^{argument}\[1"):
+            SerialArm.from_screws(**arguments)
+
+
+def test_limits_are_kept():
+    limits = [[-1, 2.0], [0, 3]]
+    arm = SerialArm.from_screws(np.ones((2, 3)), np.ones((2, 3)), np.eye(4), limits)
+    assert np.array_equal(arm.limits, limits)
+    assert np.isfinite(arm.fk([50, -50])).all()  # angles beyond them are looked at by nobody here
+
+
+@pytest.mark.parametrize("lengths", [*NO_REAL_NUMBERS, 1.0, [], [[1, 2]], [1, 0], [1, -1], [1, np.inf], [1, 1.1e100]])
+def test_planar_arm_refuses(lengths):
+    with pytest.raises(ValueError, match=r"^lengths\b"):
+        planar_arm(lengths)
+
+
+@pytest.mark.parametrize("name", ["frames", "fk", "space_jacobian", "body_jacobian", "position_jacobian"])
+def test_methods_refuse(name):
+    method = getattr(planar_arm([1e100, 1]), name)
+    for bad in [*NO_REAL_NUMBERS, 1.0, [], [1], [1, 2, 3], [[1], [2]], [0, np.nan], [[0, 0], [np.inf, 0]], "ab"]:
+        with pytest.raises(ValueError, match=r"^q\b"):
+            method(bad)
+    for huge in (1e16, -1e300, np.finfo(float).max):
+        assert np.isfinite(method([huge, huge])).all()

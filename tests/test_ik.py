@@ -1,0 +1,117 @@
+"""Damped steps of course_lib.ik against a plain loop, batches against single paths, and published runs."""
+
+import numpy as np
+import pytest
+from helpers import pose_samples
+from numpy.testing import assert_allclose
+
+from course_lib.arms import SerialArm, planar_arm
+from course_lib.ik import damped_path
+
+FOUR = planar_arm([1, 1, 1, 1])
+RNG = np.random.default_rng(0)
+SIX = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
+
+
+def close(got, expected, atol=1e-14):
+    assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def planar_tip(q):
+    """Return the end of an arm of unit links, and how fast it moves for each joint (2, n), by complex numbers."""
+    links = np.exp(1j * np.cumsum(q))
+    swing = 1j * np.cumsum(links[::-1])[::-1]
+    return np.array([links.sum().real, links.sum().imag]), np.array([swing.real, swing.imag])
+
+
+def plain_loop(tip, q, target, alpha, eps, steps):
+    """q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), as it is written."""
+    path = [np.array(q, float)]
+    for _ in range(steps):
+        p, J = tip(path[-1])
+        damped = eps * np.eye(len(q)) + J.T @ J
+        path.append(path[-1] - alpha * np.linalg.inv(damped) @ J.T @ (p - target))
+    return np.array(path)
+
+
+def test_against_a_plain_loop_in_the_plane():
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        q0, target = rng.uniform(-3, 3, 4), rng.uniform(-3, 3, 2)
+        alpha, eps = rng.uniform(0.05, 1), 10 ** rng.uniform(-1, 1)
+        expected = plain_loop(planar_tip, q0, target, alpha, eps, 60)
+        close(damped_path(FOUR, q0, target, alpha, eps, 60), expected, 1e-10)
+
+
+def test_against_a_plain_loop_in_space():
+    rng = np.random.default_rng(2)
+    for _ in range(10):
+        q0, target = rng.uniform(-3, 3, 6), rng.uniform(-2, 2, 3)
+        expected = plain_loop(lambda q: (SIX.fk(q)[:3, 3], SIX.position_jacobian(q)), q0, target, 0.4, 0.3, 40)
+        got = damped_path(SIX, q0, target, 0.4, 0.3, 40)
+        close(got, expected, 1e-9)
+        assert np.array_equal(got[0], q0)
+
+
+def test_two_coordinates_leave_the_third_alone():
+    q0, target = np.full(6, 0.3), np.array([0.5, -0.4])
+    expected = plain_loop(lambda q: (SIX.fk(q)[:2, 3], SIX.position_jacobian(q)[:2]), q0, target, 0.4, 0.3, 40)
+    close(damped_path(SIX, q0, target, 0.4, 0.3, 40), expected, 1e-10)
+
+
+def test_published_runs():
+    """Four unit links from (0, 0, 0, pi/2), alpha 0.2, eps 2: a target within reach, and one farther than the arm."""
+    start = [0, 0, 0, np.pi / 2]
+    path = damped_path(FOUR, start, [2.1567, 1.8329], 0.2, 2, 99)
+    assert path.shape == (100, 4)
+    error = np.linalg.norm(FOUR.fk(path[-1])[:2, 3] - [2.1567, 1.8329])
+    assert_allclose(error, 8.017270374278147e-06, rtol=1e-9)
+    far = damped_path(FOUR, start, [3, 4], 0.2, 2, 99)
+    close(FOUR.fk(far[-1])[:2, 3], [2.40006024, 3.1994807], 5e-9)
+
+
+def test_a_batch_is_the_single_paths():
+    rng = np.random.default_rng(3)
+    q0, target = rng.uniform(-2, 2, (3, 1, 1, 4)), rng.uniform(-3, 3, (2, 1, 2))
+    alpha, eps = np.array([0.1, 0.5, 1.0, 0.2]), np.array([0.5, 2.0, 1.0, 10.0])
+    got = damped_path(FOUR, q0, target, alpha, eps, 30)
+    assert got.shape == (3, 2, 4, 31, 4)
+    for i, j, k in np.ndindex(3, 2, 4):
+        close(got[i, j, k], damped_path(FOUR, q0[i, 0, 0], target[j, 0], alpha[k], eps[k], 30), 1e-12)
+    assert damped_path(FOUR, np.zeros(4), target[:0], 1, 1, 5).shape == (0, 1, 6, 4)
+
+
+def test_a_target_reached_and_no_steps():
+    q0 = np.array([0.3, -0.5, 1.0, 0.2])
+    assert np.array_equal(damped_path(FOUR, q0, [1, 1], 1, 1, 0), [q0])
+    close(damped_path(FOUR, q0, FOUR.fk(q0)[:2, 3], 1, 1, 3), np.tile(q0, (4, 1)))
+
+
+def test_damping_keeps_the_steps_of_a_stretched_arm_small():
+    """No step is longer than alpha |error| / (2 sqrt(eps)), which is what s / (s^2 + eps) can reach."""
+    for eps in (1e-6, 1e-2, 1.0):
+        path = damped_path(FOUR, [0.5, 1e-4, 0, 0], [-1, 0.3], 0.7, eps, 20)
+        error = np.linalg.norm(FOUR.fk(path[:-1])[:, :2, 3] - [-1, 0.3], axis=-1)
+        assert (np.linalg.norm(np.diff(path, axis=0), axis=-1) <= 0.7 * error / (2 * np.sqrt(eps)) * (1 + 1e-9)).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "named"),
+    [
+        ({"arm": planar_arm}, "arm must be a SerialArm"),
+        ({"q0": [0, 0, 0]}, "q0 must"),
+        ({"target": [1]}, "target must"),
+        ({"target": [1, np.nan]}, r"target must be finite; target\[1\] is nan"),
+        ({"alpha": [1, 0]}, r"alpha\[1\] must be greater than zero; it is 0"),
+        ({"eps": -1e-300}, "eps must be greater than zero"),
+        ({"steps": 2.0}, "steps must be a whole number from 0"),
+        ({"alpha": [1, 2], "eps": [1, 2, 3]}, "eps must have a batch"),
+        ({"alpha": 1.7e308}, "alpha is too large"),
+        ({"target": [1e308, 1e308], "eps": 1e-300}, "alpha is too large"),
+        ({"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300}, "eps is too small"),
+    ],
+)
+def test_refusals(changes, named):
+    arguments = {"arm": FOUR, "q0": np.full(4, 1e-3), "target": [1e3, 1], "alpha": 0.5, "eps": 1.0, "steps": 5}
+    with pytest.raises(ValueError, match=rf"^{named}"):
+        damped_path(**{**arguments, **changes})

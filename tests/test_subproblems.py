@@ -1,0 +1,299 @@
+"""The answers of course_lib.subproblems that solve the problem: put in, and against the angles they were made from.
+
+What comes nearest where nothing solves the problem is in test_subproblems_nearest.py.
+"""
+
+import numpy as np
+import pytest
+from helpers import rotation_samples
+from numpy.testing import assert_allclose
+
+from course_lib import subproblems
+from course_lib.rotations import rot_x, rot_y
+from course_lib.subproblems import euler_yxy, subproblem0, subproblem1, subproblem2, subproblem3, subproblem4
+
+PI = np.pi
+EX, EY, EZ = np.eye(3)
+N = 100_000
+
+
+def unit(v):
+    return v / np.linalg.norm(v, axis=-1, keepdims=True)
+
+
+def dot(a, b):
+    return (a * b).sum(-1)
+
+
+def turn(k, theta, p):
+    """Return p turned about k by theta: Rodrigues' formula, without the library."""
+    k, c, s = unit(np.asarray(k, float)), np.cos(theta)[..., None], np.sin(theta)[..., None]
+    return c * p + s * np.cross(k, p) + (1 - c) * dot(k, p)[..., None] * k
+
+
+def apart(a, b):
+    """Return by how much angles differ, whole turns aside."""
+    return np.abs(np.angle(np.exp(1j * (a - b))))
+
+
+def flags(turns, exact, count, free):
+    assert (turns.exact == exact).all()
+    assert (turns.count == count).all()
+    assert (turns.free == free).all()
+    assert ((turns.theta > -PI) & (turns.theta <= PI)).all()
+
+
+def random_vectors(n, seed, size=N):
+    """Return n times `size` vectors with lengths from 0.01 to 100."""
+    rng = np.random.default_rng(seed)
+    return unit(rng.normal(size=(n, size, 3))) * 10 ** rng.uniform(-2, 2, (n, size, 1))
+
+
+def random_angles(seed, size=N):
+    return np.random.default_rng(seed).uniform(-PI, PI, size)
+
+
+def residual1(turns, k, p, q):
+    return np.linalg.norm(turn(k, turns.theta, p) - q, axis=-1) / np.linalg.norm(p, axis=-1)
+
+
+def residual2(turns, k1, k2, p1, p2):
+    """Return (..., 2), the distance left by each answer as a share of the point's from the origin."""
+    left = [turn(k1, turns.theta[..., i, 0], p1) - turn(k2, turns.theta[..., i, 1], p2) for i in (0, 1)]
+    return np.linalg.norm(np.stack(left, -2), axis=-1) / np.linalg.norm(p1, axis=-1)[..., None]
+
+
+def residual3(turns, k, p, q, d):
+    largest = np.maximum(np.linalg.norm(p, axis=-1), np.linalg.norm(q, axis=-1))
+    got = [np.linalg.norm(turn(k, turns.theta[..., i], p) - q, axis=-1) for i in (0, 1)]
+    return np.abs(np.stack(got, -1) - d[..., None]) / largest[..., None]
+
+
+def residual4(turns, k, h, p, d):
+    got = np.stack([dot(h, turn(k, turns.theta[..., i], p)) for i in (0, 1)], -1)
+    return np.abs(got - d[..., None]) / (np.linalg.norm(p, axis=-1) * np.linalg.norm(h, axis=-1))[..., None]
+
+
+# Random cases, made from known angles ---------------------------------------------------------------------------------
+# A known angle is found as exactly as the problem says what it is: times the change that a turn makes, to rounding.
+
+
+def test_subproblem1():
+    (k, p), theta = random_vectors(2, 0), random_angles(1)
+    got = subproblem1(k, p, turn(k, theta, p))
+    flags(got, True, 1, False)
+    assert residual1(got, k, p, turn(k, theta, p)).max() < 1e-12
+    radius = np.linalg.norm(np.cross(unit(k), unit(p)), axis=-1)
+    assert (apart(got.theta, theta) * radius).max() < 1e-14
+
+
+def test_subproblem0():
+    (k, p), theta = random_vectors(2, 2), random_angles(3)
+    p = np.cross(k, p)
+    got = subproblem0(k, p, turn(k, theta, p))
+    flags(got, True, 1, False)
+    assert apart(got.theta, theta).max() < 1e-14
+    slightly = p[:9] + 1e-10 * np.linalg.norm(p[:9], axis=-1, keepdims=True) * unit(k[:9])
+    assert_allclose(subproblem0(k[:9], slightly, p[:9]).theta, 0, rtol=0, atol=1e-14)
+
+
+def test_subproblem2():
+    (k1, k2, p1), theta1, theta2 = random_vectors(3, 4), random_angles(5), random_angles(6)
+    meeting = turn(k1, theta1, p1)
+    p2 = turn(k2, -theta2, meeting)
+    got = subproblem2(k1, k2, p1, p2)
+    flags(got, True, 2, False)
+    assert residual2(got, k1, k2, p1, p2).max() < 1e-12
+    crossing = np.abs(np.linalg.det(np.stack([unit(k1), unit(k2), unit(meeting)], -1)))
+    radius = np.linalg.norm(np.cross([unit(k1), unit(k2)], unit(meeting)), axis=-1).min(0)
+    off = apart(got.theta, np.stack([theta1, theta2], -1)[:, None]).max(-1)
+    assert (off.min(-1) * crossing * radius).max() < 1e-14
+    # The other one is the mirror image of the meeting point in the plane of the axes.
+    n = unit(np.cross(k1, k2))
+    mirrored = meeting - 2 * dot(n, meeting)[:, None] * n
+    other = np.where((off[:, 0] < off[:, 1])[:, None], got.theta[:, 1], got.theta[:, 0])
+    missed = np.linalg.norm(turn(k1, other[:, 0], p1) - mirrored, axis=-1) / np.linalg.norm(p1, axis=-1)
+    assert (missed * crossing).max() < 1e-13
+
+
+def test_subproblem3():
+    (k, p, q), theta = random_vectors(3, 7), random_angles(8)
+    moved = turn(k, theta, p)
+    d = np.linalg.norm(moved - q, axis=-1)
+    got = subproblem3(k, p, q, d)
+    assert (got.count == 2).mean() > 0.9999  # one point may be small beside the other
+    flags(got, True, got.count, False)
+    assert residual3(got, k, p, q, d).max() < 1e-12
+    largest = np.maximum(np.linalg.norm(p, axis=-1), np.linalg.norm(q, axis=-1))
+    change = np.abs(dot(q, np.cross(unit(k), moved))) / largest**2
+    assert (apart(got.theta, theta[:, None]).min(-1) * change).max() < 1e-14
+    symmetric_about(got.theta[got.count == 2], *(v[got.count == 2] for v in (k, p, q)))
+
+
+def test_subproblem4():
+    (k, p, h), theta = random_vectors(3, 9), random_angles(10)
+    moved = turn(k, theta, p)
+    d = dot(h, moved)
+    got = subproblem4(k, h, p, d)
+    flags(got, True, 2, False)
+    assert residual4(got, k, h, p, d).max() < 1e-12
+    change = np.abs(dot(unit(h), np.cross(unit(k), unit(moved))))
+    assert (apart(got.theta, theta[:, None]).min(-1) * change).max() < 1e-14
+    symmetric_about(got.theta, k, p, h)
+
+
+def symmetric_about(theta, k, p, q):
+    """Assert that the two answers lie as far on either side of the turn that brings p over to q."""
+    middle = subproblem1(k, p, q).theta
+    assert apart(theta.sum(-1), 2 * middle).max() < 1e-10
+    assert (theta[:, 0] != theta[:, 1]).all()
+
+
+# Axes side by side ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_parallel_axes_leave_one_turn_free(sign):
+    (k, p1), theta = random_vectors(2, 11, 1000), random_angles(12, 1000)
+    k2, p2 = sign * 3 * k, turn(k, theta, p1)
+    got = subproblem2(k, k2, p1, p2)
+    flags(got, True, 1, True)
+    assert residual2(got, k, k2, p1, p2).max() < 1e-13
+    assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
+    assert (got.theta[..., 0] == 0).all()
+
+
+@pytest.mark.parametrize("angle", [1e-3, 1e-6, 1e-8, 1e-10, 1e-12])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_nearly_parallel_axes(angle, sign):
+    (k1, p1, other), (theta1, theta2) = random_vectors(3, 13, 1000), random_angles(14, (2, 1000))
+    k2 = sign * turn(unit(np.cross(k1, other)), np.full(1000, angle), k1)
+    p2 = turn(k2, theta2, turn(k1, theta1, p1))
+    got = subproblem2(k1, k2, p1, p2)
+    assert got.exact.all()
+    assert not got.free.any()
+    assert residual2(got, k1, k2, p1, p2).max() < 1e-12
+
+
+# Points on their axes, zero vectors -----------------------------------------------------------------------------------
+
+
+def test_points_on_the_axis_leave_the_turn_free():
+    tilted = np.array([0.6, 0, 0.8])
+    for k in (EZ, 5 * EZ, np.array([1.0, -2, 3])):
+        on = 0.3 * k
+        flags(subproblem1(k, on, on), True, 1, True)
+        flags(subproblem1(k, on, -on), False, 1, True)
+        flags(subproblem1(k, on, on + EX), False, 1, True)
+        flags(subproblem3(k, on, EX, np.linalg.norm(on - EX)), True, 1, True)
+        flags(subproblem3(k, EX, on, np.linalg.norm(on - EX)), True, 1, True)
+        flags(subproblem3(k, EX, on, 2 * np.linalg.norm(on - EX)), False, 1, True)
+        flags(subproblem4(k, EX, on, dot(EX, on)), True, 1, True)
+        flags(subproblem4(k, on, EX, dot(EX, on)), True, 1, True)
+        flags(subproblem4(k, on, EX, dot(EX, on) + 1e-3), False, 1, True)
+        for turns in (subproblem1(k, on, EX), subproblem3(k, on, EX, 9), subproblem4(k, EX, on, 9)):
+            assert (turns.theta == 0).all()
+    for p1, p2, exact in [(EZ, tilted, True), (tilted, EX, False), (EZ, EX, False), (-EZ, tilted, False)]:
+        got = subproblem2(EZ, EY if exact else EX, p1, p2 if not exact else EX)
+        flags(got, exact, 1, True)
+        assert np.array_equal(got.theta[0], got.theta[1])
+    assert_allclose(subproblem2(EZ, EY, EZ, EX).theta[0], [0, -PI / 2], rtol=0, atol=1e-15)
+
+
+def test_zero_vectors():
+    zero = np.zeros(3)
+    for p, q in [(zero, zero), (zero, EX), (EX, zero)]:
+        exact = p is q
+        flags(subproblem0(EZ, p, q), exact, 1, True)
+        flags(subproblem1(EZ, p, q), exact, 1, True)
+        flags(subproblem2(EZ, EX, p, q), exact, 1, True)
+        flags(subproblem3(EZ, p, q, 0 if exact else 1), True, 1, True)
+        flags(subproblem3(EZ, p, q, 2), False, 1, True)
+        flags(subproblem4(EZ, p, q, 0), True, 1, True)
+        flags(subproblem4(EZ, p, q, 1e-300), False, 1, True)
+
+
+# Scales ---------------------------------------------------------------------------------------------------------------
+
+PROBLEMS = {"subproblem1": 1, "subproblem2": 2, "subproblem3": 1, "subproblem4": 1}
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+@pytest.mark.parametrize("scale", [2.0**-1000, 2.0**-500, 2.0**500, 2.0**1000])
+def test_scales_change_nothing(name, scale):
+    """A power of two changes no digit of the numbers, and so it changes none of the answer."""
+    vectors = random_vectors({"subproblem2": 4}.get(name, 3), 15, 200)
+    axes = PROBLEMS[name]
+    d = {"subproblem3": [np.linspace(-1, 9, 200)], "subproblem4": [np.linspace(-9, 9, 200)]}.get(name, [])
+    function = getattr(subproblems, name)
+    expected = function(*vectors, *d)
+    points = [vectors[axes], *vectors[axes + 1 :] * scale] if name == "subproblem4" else vectors[axes:] * scale
+    for got in (
+        function(*vectors[:axes] * scale, *vectors[axes:], *d),
+        function(*vectors[:axes], *points, *(scale * x for x in d)),
+    ):
+        for field, value in vars(got).items():
+            assert np.array_equal(value, getattr(expected, field)), field
+
+
+def test_sizes_far_from_each_other():
+    (k, p, h), theta = random_vectors(3, 16, 1000), random_angles(17, 1000)
+    d = dot(h, turn(k, theta, p))
+    expected = subproblem4(k, h, p, d)
+    for a, b in [(1e-200, 1e150), (1e200, 1e-300), (1e-150, 1e-150), (1e150, 1e150)]:
+        got = subproblem4(k, a * h, b * p, a * b * d)
+        flags(got, True, 2, False)
+        assert_allclose(got.theta, expected.theta, rtol=0, atol=1e-7)
+    for ratio in (1e-20, 1e-200, 1e-300):
+        flags(subproblem1(k, p, ratio * p), False, 1, False)
+        assert np.abs(subproblem1(k, p, ratio * p).theta).max() < 1e-13
+        far = subproblem3(k, ratio * p, h, np.linalg.norm(h, axis=-1))
+        assert far.exact.all()
+        flags(subproblem3(k, ratio * p, ratio * h, np.ones(1000)), False, 1, False)
+    assert_allclose(subproblem1(EZ, [5e-324, 0, 0], [0, 1.7e308, 0]).theta, PI / 2, rtol=1e-15)
+
+
+def test_half_turn_is_pi_and_not_minus_pi():
+    for zero in (0.0, -0.0):
+        assert subproblem1(EZ, [1, zero, zero], [-1, zero, zero]).theta == PI
+        assert subproblem1(-EZ, [1, zero, zero], [-1, zero, zero]).theta == PI
+        assert (subproblem4(EZ, [1, zero, 0], [1, zero, 0], -1).theta == PI).all()
+        assert (subproblem3(EZ, [1, zero, 0], [1, zero, 0], 2).theta == PI).all()
+
+
+# Euler angles ---------------------------------------------------------------------------------------------------------
+
+
+def rebuilt(b):
+    return rot_y(b[..., 0]) @ rot_x(b[..., 1]) @ rot_y(b[..., 2])
+
+
+def test_euler_yxy():
+    R = rotation_samples(3)(np.random.default_rng(18), (200_000,))
+    got = euler_yxy(R)
+    flags(got, True, 2, False)
+    assert np.abs(rebuilt(got.theta) - R[:, None]).max() < 1e-12
+    assert (got.theta[:, 0, 1] >= 0).all()
+    assert_allclose(got.theta[:, 1, 1], -got.theta[:, 0, 1], rtol=0, atol=1e-12)
+    b = np.array([0.3, 1.2, -2.0])
+    assert_allclose(euler_yxy(rebuilt(b)).theta, [b, [0.3 - PI, -1.2, PI - 2.0]], rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize("middle", [0, PI])
+def test_euler_yxy_where_the_outer_turns_are_about_one_axis(middle):
+    rng = np.random.default_rng(19)
+    off = np.concatenate([[0], 10 ** rng.uniform(-18, -1, 5000), 10.0 ** np.arange(-18, 0)])
+    b = rng.uniform(-PI, PI, (len(off), 3))
+    b[:, 1] = np.abs(middle - off)
+    R = rebuilt(b)
+    got = euler_yxy(R)
+    assert got.exact.all()
+    assert np.abs(rebuilt(got.theta) - R[:, None]).max() < 1e-12
+    assert (got.theta[:, 0, 1] >= 0).all()
+    assert got.free[off < 5e-15].all()
+    assert not got.free[off > 5e-14].any()
+    assert np.array_equal(got.count, np.where(got.free, 1, 2))
+    free = got.theta[got.free]
+    assert (free[:, :, 0] == 0).all()
+    assert np.array_equal(free[:, 0], free[:, 1])
+    assert_allclose(free[..., 1], middle, rtol=0, atol=1e-14)
