@@ -138,7 +138,17 @@ def test_choose_takes_the_librarys_function_until_the_students_is_right(shown):
     each(_reflections_stay)
     assert each.choose(_reflections_stay, library)[0] is library
     each(right)
-    assert each.choose(right, library) == (right, "your nearest_so")
+    chosen, whose = each.choose(right, library)
+    assert (chosen.__wrapped__, whose) == (right, "your nearest_so")
+
+
+def test_a_chosen_answer_in_lists_comes_as_an_array(shown):
+    each = Check(NEAREST_SO)
+    lists = lambda M: right(M).tolist()  # noqa: E731
+    each(lists)
+    chosen, whose = each.choose(lists, rotations.nearest_so)
+    assert whose == "your nearest_so"
+    assert chosen(np.eye(2))[:, 0].tolist() == [1, 0]
 
 
 def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):

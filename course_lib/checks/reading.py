@@ -28,16 +28,41 @@ def numbers(shape_of):
         vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
         if array.shape != shape and not vectors:
             raise Unreadable(f"the answer is an array of shape {shape}. Yours has shape {array.shape}.", OTHER_FORM)
-        if array.dtype.kind == "c":
-            if np.abs(array.imag).max(initial=0) > 0:
-                raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
-            array = array.real
-        array = array.astype(float).reshape(shape)
-        if not np.isfinite(array).all():
-            raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
-        return array
+        return _finite(array).reshape(shape)
 
     return reader
+
+
+def rows(width, expected, most=16):
+    """Return a reader of lists of any length, none included, of items of `width` numbers each: an array (n, width).
+
+    With a width of 1 it is an array (n,). One item may stand without the list around it. expected: the list in words.
+    """
+
+    def reader(value, *case):
+        array = _array(value, expected)
+        one_item = array.ndim <= 1 and array.size == width
+        column = width == 1 and array.size == max(array.shape, default=1)
+        if array.size and not (one_item or column or array.shape[1:] in ((width,), (width, 1))):
+            raise Unreadable(f"the answer is {expected}. Yours is {_form(array)}.", OTHER_FORM)
+        if array.size > most * width:
+            raise Unreadable(f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM)
+        items = _finite(array).reshape(array.size // width, width)
+        return items[:, 0] if width == 1 else items
+
+    return reader
+
+
+def _finite(array):
+    """The entries as floats, refused where they are complex or no numbers."""
+    if array.dtype.kind == "c":
+        if np.abs(array.imag).max(initial=0) > 0:
+            raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
+        array = array.real
+    array = array.astype(float)
+    if not np.isfinite(array).all():
+        raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
+    return array
 
 
 def _array(value, expected):
