@@ -13,10 +13,10 @@ unexport PYTHONPATH PYTHONHOME
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html notebooks animations: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html notebooks animations: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html notebooks animations data: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html notebooks animations data: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 
-.PHONY: help environment lab test html notebooks animations lock clean
+.PHONY: help environment lab test html notebooks animations data lock clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -49,6 +49,9 @@ notebooks: environment ## run the notebooks and write their outputs into them (a
 
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
 	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
+
+data: environment ## make the data that the notebooks come with (authors)
+	@$(PY) -m course_lib.pack.data
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock

@@ -4,23 +4,39 @@ An arm is kept as the screw axes of its joints and the poses of its frames, all 
 the base. Arrays are batched on the left: joint angles q are (..., n), in radians. Every function raises ValueError,
 naming the argument, for a wrong shape and for entries that are not finite real numbers.
 
-Source: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below.
+Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig, Introduction to Robotics,
+3rd edition (2005), chapter 3, for modified DH parameters; Siciliano and others, Robotics (2009), section 2.8, for
+standard ones.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
 from course_lib.rigid import adjoint, hat_se3, inverse, is_se, transform
-from course_lib.rotations import length
+from course_lib.rotations import length, rot_x, rot_z
 
 _FARTHEST = 1e100  # metres, so that nothing computed from a place overflows
 
 
 @dataclass(frozen=True)
+class DHRow:
+    """One row of a table of Denavit-Hartenberg parameters: lengths a, d in metres, angles alpha, theta in radians.
+
+    theta is what the joint's angle is counted from. In the modified convention a and alpha lead from the axis before to
+    this one (Craig writes them with the index i - 1), in the standard one from this one to the next.
+    """
+
+    a: float
+    alpha: float
+    d: float
+    theta: float = 0.0
+
+
+@dataclass(frozen=True)
 class SerialArm:
-    """An arm of n revolute joints. Make one by SerialArm.from_screws or planar_arm.
+    """An arm of n revolute joints. Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14 or panda.
 
     screw_axes: (n, 6), (omega, v) of each joint in the base frame at q = 0. home: (n + 1, 4, 4), at q = 0 the pose of
     the frame on each joint's axis, and of the end last. limits: (n, 2), lowest and highest angle of each joint.
@@ -51,6 +67,21 @@ class SerialArm:
         refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
         screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)  # v = -omega x p: MR section 3.3.2.2
         return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
+
+    @classmethod
+    def from_dh(cls, rows, convention="modified", end=None, limits=None):
+        """Return the arm of a table of DH parameters, one DHRow a joint.
+
+        convention: "modified" (Craig) or "standard". end: (4, 4), the end's pose in the last frame; None for that frame
+        itself. limits: as for from_screws. `frames` gives the table's own frames 1 to n, and the end's.
+        """
+        if convention not in ("modified", "standard"):
+            raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r}')
+        frames, axes = _dh_frames(_dh_table(rows), convention)
+        end = np.eye(4) if end is None else _of_shape(end, "end", (4, 4))
+        refuse_first(~is_se(end), "end", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
+        arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
+        return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
 
     @property
     def n(self):
@@ -109,6 +140,63 @@ def planar_arm(lengths):
 def _within_reach(array, name):
     refuse_first(np.abs(array) > _FARTHEST, name, lambda i: f"must be at most {_FARTHEST:g}; it is {array[i]:g}")
     return array
+
+
+def iiwa14():
+    """Return the KUKA LBR iiwa 14 as published in the report: seven axes, the end 1.301 m above the base.
+
+    Geometry: read off the published Jacobian and pose. The manufacturer's flange is 5 mm higher, at 0.360 + 0.420 +
+    0.400 + 0.126 = 1.306 m. Limits: KUKA, LBR iiwa 14 R820 data sheet.
+    """
+    omega = [[0, 0, 1], [0, 1, 0], [0, 0, 1], [0, -1, 0], [0, 0, 1], [0, 1, 0], [0, 0, 1]]
+    points = [[0, 0, 0], [0, 0, 0.36], [0, 0, 0.36], [0, 0, 0.78], [0, 0, 0.78], [0, 0, 1.18], [0, 0, 1.18]]
+    limits = np.deg2rad([170, 120, 170, 120, 170, 120, 175])
+    return SerialArm.from_screws(omega, points, transform(np.eye(3), [0, 0, 1.301]), np.stack([-limits, limits], -1))
+
+
+def panda():
+    """Return the Franka Emika Panda up to its flange, by the manufacturer's modified DH parameters and limits.
+
+    Source: Franka Control Interface documentation, "Robot and interface specifications".
+    """
+    quarter = np.pi / 2
+    rows = [
+        DHRow(a=0, alpha=0, d=0.333),
+        DHRow(a=0, alpha=-quarter, d=0),
+        DHRow(a=0, alpha=quarter, d=0.316),
+        DHRow(a=0.0825, alpha=quarter, d=0),
+        DHRow(a=-0.0825, alpha=-quarter, d=0.384),
+        DHRow(a=0, alpha=quarter, d=0),
+        DHRow(a=0.088, alpha=quarter, d=0),
+    ]
+    low = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
+    high = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
+    flange = transform(np.eye(3), [0, 0, 0.107])
+    return SerialArm.from_dh(rows, "modified", flange, np.stack([low, high], -1))
+
+
+def _dh_table(rows):
+    """Look at rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
+    try:
+        table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
+    except (TypeError, AttributeError) as no_rows:
+        raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
+    if not table:
+        raise ValueError("rows must hold one DHRow a joint; it is empty")
+    return real_array(table, "rows", (4,))
+
+
+def _dh_frames(table, convention):
+    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints turn, both (n, 4, 4)."""
+    frames, axes, before = [], [], np.eye(4)
+    for a, alpha, d, theta in table:
+        along_x = transform(rot_x(alpha), [a, 0, 0])
+        along_z = transform(rot_z(theta), [0, 0, d])
+        frame = before @ (along_x @ along_z if convention == "modified" else along_z @ along_x)
+        axes.append(frame if convention == "modified" else before)
+        frames.append(frame)
+        before = frame
+    return np.array(frames), np.array(axes)
 
 
 def _of_shape(value, name, shape):

@@ -1,4 +1,4 @@
-"""Moving pictures in the plane: plotly frames with play, pause and a slider, which need no kernel."""
+"""Moving pictures, in the plane or in space: plotly frames with play, pause and a slider, which need no kernel."""
 
 import plotly.graph_objects as go
 
@@ -41,10 +41,12 @@ def movie(name, layout, still, moving, times):
     n, first = len(times), len(still)
     traces = list(range(first, first + len(moving[0])))
     # Frames say only where: the looks are those of the first.
-    where = [[go.Scatter(x=trace.x, y=trace.y) for trace in shown] for shown in moving]
+    solid = moving[0][0].type == "scatter3d"
+    axes = "xyz" if solid else "xy"
+    where = [[type(trace)(**{c: trace[c] for c in axes}) for trace in shown] for shown in moving]
     frames = [go.Frame(data=shown, traces=traces, name=str(i)) for i, shown in enumerate(where)]
-    pace = {"frame": {"duration": 1000 * (times[-1] - times[0]) / (n - 1), "redraw": False}, "fromcurrent": True}
-    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": False}, "transition": {"duration": 0}}
+    pace = {"frame": {"duration": 1000 * (times[-1] - times[0]) / (n - 1), "redraw": solid}, "fromcurrent": True}
+    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": solid}, "transition": {"duration": 0}}
     pace["transition"] = {"duration": 0}
     margin = layout["margin"]
     fig = go.Figure(

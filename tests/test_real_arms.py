@@ -1,0 +1,134 @@
+"""Arms from DH parameters, the iiwa and the Panda: against products of their own, print, and one another."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course_lib import trajectory
+from course_lib.arms import DHRow, SerialArm, iiwa14, panda
+from course_lib.pack import data
+
+QUARTER = np.pi / 2
+# The Panda's standard table, which moves like the manufacturer's modified one.
+STANDARD = [
+    DHRow(0, -QUARTER, 0.333),
+    DHRow(0, QUARTER, 0),
+    DHRow(0.0825, QUARTER, 0.316),
+    DHRow(-0.0825, -QUARTER, 0),
+    DHRow(0, QUARTER, 0.384),
+    DHRow(0.088, QUARTER, 0),
+    DHRow(0, 0, 0.107),
+]
+
+
+def craig(row, q):
+    """One row's transform as Craig prints it, equation 3.6."""
+    c, s, ca, sa = np.cos(row.theta + q), np.sin(row.theta + q), np.cos(row.alpha), np.sin(row.alpha)
+    return np.array(
+        [
+            [c, -s, 0, row.a],
+            [s * ca, c * ca, -sa, -sa * row.d],
+            [s * sa, c * sa, ca, ca * row.d],
+            [0, 0, 0, 1],
+        ]
+    )
+
+
+def siciliano(row, q):
+    """One row's transform in the standard convention, Siciliano and others, equation 2.52."""
+    c, s, ca, sa = np.cos(row.theta + q), np.sin(row.theta + q), np.cos(row.alpha), np.sin(row.alpha)
+    return np.array(
+        [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, row.d], [0, 0, 0, 1]]
+    )
+
+
+@pytest.mark.parametrize(("convention", "printed"), [("modified", craig), ("standard", siciliano)])
+def test_frames_are_the_products_of_the_printed_transforms(convention, printed):
+    rng = np.random.default_rng(2)
+    rows = [DHRow(*rng.normal(size=4)) for _ in range(5)]
+    end = SerialArm.from_screws([[0, 0, 1]], [[0.1, 0.2, 0.3]], np.eye(4)).fk([0.7])
+    arm = SerialArm.from_dh(rows, convention, end)
+    for q in rng.uniform(-7, 7, (20, 5)):
+        T, frames = np.eye(4), arm.frames(q)
+        for row, angle, frame in zip(rows, q, frames, strict=False):
+            T = T @ printed(row, angle)
+            np.testing.assert_allclose(frame, T, rtol=0, atol=1e-13)
+        np.testing.assert_allclose(frames[-1], T @ end, rtol=0, atol=1e-13)
+        np.testing.assert_allclose(arm.fk(q), T @ end, rtol=0, atol=1e-13)
+
+
+def test_the_pandas_two_tables_and_its_screws_agree():
+    modified, standard = panda(), SerialArm.from_dh(STANDARD, "standard")
+    screws = modified.screw_axes
+    points = np.cross(screws[:, :3], screws[:, 3:])
+    by_screws = SerialArm.from_screws(screws[:, :3], points, modified.home[-1])
+    q = np.random.default_rng(3).uniform(-3, 3, (1000, 7))
+    for other in (standard, by_screws):
+        np.testing.assert_allclose(other.fk(q), modified.fk(q), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(other.space_jacobian(q), modified.space_jacobian(q), rtol=0, atol=1e-13)
+
+
+def test_the_panda_upright():
+    T = panda().fk(np.zeros(7))
+    np.testing.assert_allclose(T[:3, 3], [0.088, 0, 0.333 + 0.316 + 0.384 - 0.107], atol=1e-15)
+    np.testing.assert_allclose(T[:3, :3], np.diag([1, -1, -1]), atol=1e-15)
+
+
+@pytest.mark.parametrize("make", [iiwa14, panda])
+def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
+    arm = make()
+    assert arm.limits.shape == (7, 2)
+    assert (arm.limits[:, 0] < arm.limits[:, 1]).all()
+    q, h = np.random.default_rng(4).uniform(*arm.limits.T, (50, 7)), 1e-6
+    for i, e in enumerate(np.eye(7)):
+        rate = (arm.fk(q + h * e) - arm.fk(q - h * e)) / (2 * h)
+        twist = rate @ np.linalg.inv(arm.fk(q))
+        J = arm.space_jacobian(q)[..., i]
+        np.testing.assert_allclose(twist[:, :3, 3], J[:, 3:], atol=1e-7)
+        np.testing.assert_allclose(twist[:, [2, 0, 1], [1, 2, 0]], J[:, :3], atol=1e-7)
+        np.testing.assert_allclose(rate[:, :3, 3], arm.position_jacobian(q)[..., i], atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"rows": []}, "rows"),
+        ({"rows": 3}, "rows"),
+        ({"rows": [[0, 0, 0, 0]]}, "rows"),
+        ({"rows": [DHRow(0, np.nan, 0)]}, "rows"),
+        ({"rows": [DHRow(0, "pi", 0)]}, "rows"),
+        ({"rows": [DHRow(1e200, 0, 0)]}, "home"),
+        ({"convention": "craig"}, "convention"),
+        ({"end": np.zeros((4, 4))}, "end"),
+        ({"end": np.eye(3)}, "end"),
+        ({"limits": [[1, -1]] * 7}, "limits"),
+        ({"limits": [[-1, 1]] * 6}, "limits"),
+    ],
+)
+def test_bad_tables_are_refused_by_name(change, name):
+    with pytest.raises(ValueError, match=rf"^{name}\b"):
+        SerialArm.from_dh(**{"rows": STANDARD, "convention": "standard", **change})
+
+
+def test_the_trajectory_that_comes_with_the_course():
+    arm = iiwa14()
+    moved = trajectory.load(Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv", arm.limits)
+    assert moved.t.shape == (200,)
+    t = moved.t
+    wanted = np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
+    np.testing.assert_allclose(arm.fk(moved.q)[:, :3, 3], wanted, rtol=0, atol=1e-6)
+    hand = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
+    np.testing.assert_allclose(hand, data.hand_velocity(t), rtol=0, atol=1e-6)  # the first sample included
+    h = t[1] - t[0]
+    q = moved.q  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
+    weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
+    by_differences = sum(w * q[i : len(q) - 8 + i] for i, w in enumerate(weights))
+    np.testing.assert_allclose(by_differences, moved.qd[4:-4], rtol=0, atol=1e-6)
+
+
+def test_the_trajectory_is_what_make_data_makes():
+    made = data.iiwa_trajectory()
+    stored = trajectory.load(Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv")
+    for name in ("t", "q", "qd"):
+        np.testing.assert_allclose(getattr(stored, name), getattr(made, name), rtol=0, atol=1e-8)

@@ -1,0 +1,116 @@
+"""Joint trajectories: what is read is what was written, and a broken file is refused by row and column."""
+
+import re
+
+import numpy as np
+import pytest
+
+from course_lib.trajectory import Trajectory, load, save
+
+HEADER = "t,q1,q2,qd1,qd2"
+ROWS = ["0,0.1,0.2,1,2", "0.5,0.3,-0.4,3,4", "1,0.5,0.6,5,6"]
+LIMITS = np.array([[-1.0, 1.0], [-0.5, 0.7]])
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(*lines, name="own.csv", encoding="utf-8"):
+        path = tmp_path / name
+        path.write_text("\n".join(lines) + "\n", encoding=encoding)
+        return path
+
+    return write
+
+
+def refusal(path, limits=None):
+    with pytest.raises(ValueError, match=re.escape(path.name)) as refused:
+        load(path, limits)
+    return str(refused.value)
+
+
+def changed(row, column, value):
+    """The rows with one cell changed, both counted as in the message."""
+    cells = ROWS[row - 1].split(",")
+    cells[HEADER.split(",").index(column)] = value
+    return [*ROWS[: row - 1], ",".join(cells), *ROWS[row:]]
+
+
+def test_csv_is_read_by_the_names_of_its_columns(file):
+    shuffled = [",".join(np.array(line.split(","))[[3, 0, 2, 4, 1]]) for line in (HEADER, *ROWS)]
+    for path in (file(HEADER, *ROWS), file(*shuffled, name="b.csv"), file(HEADER, "", *ROWS, "", name="c.CSV")):
+        read = load(path, LIMITS)
+        assert read.t.tolist() == [0, 0.5, 1]
+        assert read.q.tolist() == [[0.1, 0.2], [0.3, -0.4], [0.5, 0.6]]
+        assert read.qd.tolist() == [[1, 2], [3, 4], [5, 6]]
+
+
+def test_a_spreadsheets_csv_is_read(file):
+    assert load(file(HEADER.replace(",", " , "), *ROWS, encoding="utf-8-sig")).q.shape == (3, 2)
+
+
+def test_npy_is_read(tmp_path):
+    table = np.array([row.split(",") for row in ROWS], float)
+    np.save(tmp_path / "a.npy", table)
+    read = load(tmp_path / "a.npy", LIMITS)
+    assert np.array_equal(np.column_stack([read.t, read.q, read.qd]), table)
+
+
+def test_what_is_saved_is_read_again(tmp_path):
+    rng = np.random.default_rng(1)
+    made = Trajectory(np.arange(5) / 7, *rng.normal(size=(2, 5, 7)))
+    save(tmp_path / "a.csv", made)
+    read = load(tmp_path / "a.csv")
+    for name in ("t", "q", "qd"):
+        np.testing.assert_allclose(getattr(read, name), getattr(made, name), rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value", "words"),
+    [
+        (2, "q2", "nan", "is no finite number"),
+        (3, "qd1", "-inf", "is no finite number"),
+        (1, "q1", "left", "'left', which is no number"),
+        (1, "t", "", "'', which is no number"),
+        (2, "q2", "-0.6", "is -0.6000 rad, outside -0.5000 to 0.7000"),
+        (3, "q1", "1.01", "outside -1.0000 to 1.0000"),
+        (3, "t", "0.5", "is 0.5 s, after 0.5 s: time must run forwards"),
+        (2, "t", "-1", "is -1 s, after 0 s"),
+    ],
+)
+def test_a_bad_cell_is_named(file, row, column, value, words):
+    message = refusal(file(HEADER, *changed(row, column, value)), LIMITS)
+    assert f"row {row}, column {column} " in message
+    assert words in message
+
+
+@pytest.mark.parametrize("column", HEADER.split(","))
+def test_a_missing_column_is_named(file, column):
+    keep = [i for i, name in enumerate(HEADER.split(",")) if name != column]
+    lines = [",".join(line.split(",")[i] for i in keep) for line in (HEADER, *ROWS)]
+    assert f"column {column} is missing" in refusal(file(*lines))
+
+
+def test_other_broken_files(file, tmp_path):
+    assert "column q1 stands twice" in refusal(file("t,q1,q1,qd1,qd2", *ROWS))
+    assert "row 2 has 4 columns, the header 5" in refusal(file(HEADER, ROWS[0], "1,2,3,4"))
+    assert "a header and at least one row" in refusal(file(HEADER))
+    assert "column t is missing" in refusal(file(*ROWS))
+    (tmp_path / "x.csv").write_bytes(b"\xff\xfe\x00")
+    assert "cannot be read as CSV" in refusal(tmp_path / "x.csv")
+    (tmp_path / "x.npy").write_bytes(b"no array")
+    assert "cannot be read as NPY" in refusal(tmp_path / "x.npy")
+    np.save(tmp_path / "o.npy", np.array([[1, "a", None]], dtype=object))
+    assert "cannot be read as NPY" in refusal(tmp_path / "o.npy")  # nothing is unpickled
+    np.save(tmp_path / "s.npy", np.zeros((3, 4)))
+    assert "of shape (n, 1 + 2 k)" in refusal(tmp_path / "s.npy")
+    np.save(tmp_path / "c.npy", np.zeros((3, 5), complex))
+    assert "must hold real numbers" in refusal(tmp_path / "c.npy")
+
+
+def test_bad_arguments(file, tmp_path):
+    with pytest.raises(ValueError, match=r"path must name a \.csv or \.npy file"):
+        load(tmp_path / "a.txt")
+    with pytest.raises(FileNotFoundError):
+        load(tmp_path / "none.csv")
+    with pytest.raises(ValueError, match=r"limits must have shape \(2, 2\), for the 2 joints"):
+        load(file(HEADER, *ROWS), np.zeros((7, 2)))

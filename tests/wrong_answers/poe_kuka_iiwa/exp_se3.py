@@ -1,0 +1,434 @@
+"""What students write for exp_se3(twist)."""
+
+import math
+
+import numpy as np
+import scipy.linalg
+
+from course_lib import rigid
+from course_lib.rotations import exp_so3
+from course_lib.rotations import hat as librarys_hat
+
+
+def hat(w):
+    return np.array([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+def _matrix(R, p):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, p
+    return T
+
+
+def _unit(omega):
+    """The angle and the matrix of the unit axis."""
+    a = np.linalg.norm(omega)
+    return a, hat(omega / a)
+
+
+def _rotation(a, N):
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
+
+
+def _way(a, N):
+    return np.eye(3) * a + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N
+
+
+def _either(still, moving):
+    """A branch for no turn and one for any other."""
+
+    def answer(twist):
+        omega, v = twist[:3], twist[3:]
+        if np.linalg.norm(omega) == 0:
+            return still(v)
+        a, N = _unit(omega)
+        return moving(a, N, omega, v)
+
+    return answer
+
+
+def _translation(v):
+    return _matrix(np.eye(3), v)
+
+
+def right_textbook(twist):
+    omega, v = twist[:3], twist[3:]
+    a = np.linalg.norm(omega)
+    if a == 0:
+        return _matrix(np.eye(3), v)
+    N = hat(omega / a)
+    R = np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
+    p = (np.eye(3) * a + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N) @ v / a
+    return _matrix(R, p)
+
+
+def right_matrix_exponential(twist):
+    V = np.zeros((4, 4))
+    V[:3, :3], V[:3, 3] = hat(twist[:3]), twist[3:]
+    return scipy.linalg.expm(V)
+
+
+def right_series_after_halving(twist):
+    V = np.zeros((4, 4))
+    V[:3, :3], V[:3, 3] = hat(twist[:3]) / 64, twist[3:] / 64
+    T, term = np.eye(4), np.eye(4)
+    for k in range(1, 20):
+        term = term @ V / k
+        T = T + term
+    for _ in range(6):
+        T = T @ T
+    return T.tolist()
+
+
+def right_powers_of_omega(twist):
+    W, v = hat(twist[:3]), twist[3:]
+    a = math.hypot(*twist[:3])
+    if a < 1e-100:
+        return _matrix(np.eye(3), v)
+    G = np.eye(3) + (1 - np.cos(a)) / a**2 * W + (a - np.sin(a)) / a**3 * W @ W
+    return _matrix(exp_so3(twist[:3]), G @ v)
+
+
+def right_screw_axis(twist):
+    a = math.hypot(*twist[:3])
+    if a == 0:
+        return [[1, 0, 0, twist[3]], [0, 1, 0, twist[4]], [0, 0, 1, twist[5]], [0, 0, 0, 1]]
+    omega, v = twist[:3] / a, twist[3:] / a
+    R = exp_so3(twist[:3])
+    turned = a * v + (1 - math.cos(a)) * np.cross(omega, v) + (a - math.sin(a)) * np.cross(omega, np.cross(omega, v))
+    return np.vstack([np.c_[R, turned], [0, 0, 0, 1]])
+
+
+def right_about_the_pole(twist):
+    omega, v = twist[:3], twist[3:]
+    a = np.sqrt(omega @ omega)
+    if a < 1e-9:
+        return _matrix(np.eye(3), v)
+    n = omega / a
+    along, across = (n @ v) * n, v - (n @ v) * n
+    # a turn about a point beside the origin: sin(a)/a of the way goes on, (1 - cos(a))/a goes aside
+    aside = 2 * np.sin(a / 2) ** 2 / a
+    p = along + np.sin(a) / a * across + aside * np.cross(n, across)
+    return _matrix(_rotation(a, hat(n)), p).astype(complex)
+
+
+def wrong_zero_not_asked(twist):
+    """for omega = 0 there is no axis"""
+    omega, v = twist[:3], twist[3:]
+    a, N = _unit(omega)
+    return _matrix(_rotation(a, N), _way(a, N) @ v / a)
+
+
+def wrong_omega_asked_and_its_length_divided_by(twist):
+    """|omega| is 1e-170 here"""
+    omega, v = twist[:3], twist[3:]
+    if (omega == 0).all():
+        return _matrix(np.eye(3), v)
+    a, N = _unit(omega)
+    return _matrix(_rotation(a, N), _way(a, N) @ v / a)
+
+
+def wrong_cube_of_a_tiny_length(twist):
+    """|omega| is 1e-170 here"""
+    omega, v = twist[:3], twist[3:]
+    a, W = math.hypot(*omega), hat(omega)
+    if a == 0:
+        return _matrix(np.eye(3), v)
+    G = np.eye(3) + (1 - np.cos(a)) / np.float64(a**2) * W + (a - np.sin(a)) / np.float64(a**3) * W @ W
+    return _matrix(exp_so3(omega), G @ v)
+
+
+def wrong_without_v(twist):
+    """ValueError"""
+    a, N = _unit(twist[:3]) if twist[:3].any() else (1.0, np.zeros((3, 3)))
+    return _matrix(np.eye(3), _way(a, N))
+
+
+def wrong_matrix_beside_the_rotation(twist):
+    """the factor v is missing"""
+    return _either(
+        lambda v: np.hstack([np.eye(3), np.eye(3)]),
+        lambda a, N, omega, v: np.hstack([_rotation(a, N), _way(a, N)]),
+    )(twist)
+
+
+def wrong_first_column_of_the_matrix(twist):
+    """the factor v is missing"""
+    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N)[:, 0]))(twist)
+
+
+def wrong_rows_of_the_matrix_added_up(twist):
+    """the factor v is missing"""
+    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N).sum(axis=1)))(twist)
+
+
+def wrong_identity_for_omega_zero(twist):
+    """for omega = 0 the identity is returned"""
+    return _either(lambda v: np.eye(4), lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v / a))(twist)
+
+
+def wrong_no_length_made_one(twist):
+    """for omega = 0 the identity is returned"""
+    a = np.linalg.norm(twist[:3])
+    N = hat(twist[:3] / (a or 1))
+    return _matrix(_rotation(a, N), _way(a, N) @ twist[3:] / (a or 1))
+
+
+def wrong_p_is_v(twist):
+    """p = v"""
+    return _matrix(exp_so3(twist[:3]), twist[3:])
+
+
+def wrong_p_is_v_turned(twist):
+    """p = R v"""
+    R = exp_so3(twist[:3])
+    return _matrix(R, R @ twist[3:])
+
+
+def wrong_identity_without_the_angle(twist):
+    """I stands where I a belongs"""
+
+    def moving(a, N, omega, v):
+        G = np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_identity_without_the_angle_and_v_not_divided(twist):
+    """I stands where I a belongs"""
+
+    def moving(a, N, omega, v):
+        G = np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N
+        return _matrix(_rotation(a, N), G @ v)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_v_not_divided(twist):
+    """v is not divided by a"""
+    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v))(twist)
+
+
+def wrong_v_divided_twice(twist):
+    """v is divided by a twice"""
+    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v / a**2))(twist)
+
+
+def wrong_factors_of_the_rotation(twist):
+    """the factors of R stand in p"""
+
+    def moving(a, N, omega, v):
+        G = a * np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_factors_swapped(twist):
+    """the factors 1 - cos a and a - sin a are swapped"""
+
+    def moving(a, N, omega, v):
+        G = a * np.eye(3) + (a - np.sin(a)) * N + (1 - np.cos(a)) * N @ N
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_square_left_out_of_p(twist):
+    """the term with [n]^2 is left out of p"""
+
+    def moving(a, N, omega, v):
+        return _matrix(_rotation(a, N), (a * np.eye(3) + (1 - np.cos(a)) * N) @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_sign_in_p(twist):
+    """a sign in the formula of p"""
+
+    def moving(a, N, omega, v):
+        G = a * np.eye(3) + (1 - np.cos(a)) * N + (np.sin(a) - a) * N @ N
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_cosine_in_p(twist):
+    """cos a stands where 1 - cos a belongs"""
+
+    def moving(a, N, omega, v):
+        G = a * np.eye(3) + np.cos(a) * N + (a - np.sin(a)) * N @ N
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_entry_by_entry_in_p(twist):
+    """entry by entry"""
+
+    def moving(a, N, omega, v):
+        G = a * np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N**2
+        return _matrix(_rotation(a, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_axis_not_normalised(twist):
+    """omega is not divided by its length"""
+
+    def moving(a, N, omega, v):
+        return _matrix(_rotation(a, hat(omega)), _way(a, hat(omega)) @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_axis_not_normalised_in_p(twist):
+    """omega is not divided by its length"""
+
+    def moving(a, N, omega, v):
+        return _matrix(_rotation(a, N), _way(a, hat(omega)) @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_length_of_the_whole_twist(twist):
+    """a is the length of the whole twist"""
+    a = np.linalg.norm(twist)
+    if a == 0:
+        return np.eye(4)
+    N = hat(twist[:3] / a)
+    return _matrix(_rotation(a, N), _way(a, N) @ twist[3:] / a)
+
+
+def wrong_exponential_of_each_entry(twist):
+    """np.exp takes each entry"""
+    return np.exp(rigid.hat_se3(twist))
+
+
+def wrong_v_and_omega_swapped(twist):
+    """v and omega are swapped"""
+    return right_textbook(np.append(twist[3:], twist[:3]))
+
+
+def wrong_degrees(twist):
+    """degrees"""
+    return right_textbook(np.append(np.deg2rad(twist[:3]), twist[3:]))
+
+
+def wrong_degrees_in_sine_and_cosine(twist):
+    """degrees"""
+
+    def moving(a, N, omega, v):
+        b = np.deg2rad(a)
+        G = a * np.eye(3) + (1 - np.cos(b)) * N + (a - np.sin(b)) * N @ N
+        return _matrix(_rotation(b, N), G @ v / a)
+
+    return _either(_translation, moving)(twist)
+
+
+def wrong_rotation_transposed(twist):
+    """R^T stands in the block"""
+    T = right_textbook(twist)
+    T[:3, :3] = T[:3, :3].T
+    return T
+
+
+def wrong_inverse(twist):
+    """the motion goes backwards"""
+    return np.linalg.inv(right_textbook(twist))
+
+
+def wrong_first_two_terms(twist):
+    """the series is cut"""
+    return np.eye(4) + rigid.hat_se3(twist)
+
+
+def wrong_first_four_terms(twist):
+    """the series is cut"""
+    V = rigid.hat_se3(twist)
+    return np.eye(4) + V + V @ V / 2 + V @ V @ V / 6
+
+
+def wrong_small_angles_cut(twist):
+    """small angles are cut off"""
+    if np.linalg.norm(twist[:3]) < 1e-3:
+        T = right_matrix_exponential(twist)
+        T[:3, 3] = twist[3:]
+        return T
+    return right_matrix_exponential(twist)
+
+
+def wrong_tiny_angles_cut(twist):
+    """small angles are cut off"""
+    if np.linalg.norm(twist[:3]) < 1e-6:
+        return _matrix(exp_so3(twist[:3]), twist[3:])
+    return right_textbook(twist)
+
+
+def wrong_block_of_tiny_angles_cut(twist):
+    """small angles are cut off"""
+    if np.linalg.norm(twist[:3]) < 1e-6:
+        return _matrix(np.eye(3), twist[3:])
+    return right_textbook(twist)
+
+
+def wrong_rodrigues_with_the_angle_one(twist):
+    """the angle 1 is taken"""
+    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(1.0, N), _way(a, N) @ v / a))(twist)
+
+
+def wrong_last_row_zero(twist):
+    """the last row is not that of a pose"""
+    T = np.zeros((4, 4))
+    T[:3] = right_textbook(twist)[:3]
+    return T
+
+
+def wrong_a_hair_added_to_the_length(twist):
+    """unnamed"""
+    a = np.linalg.norm(twist[:3]) + 1e-5
+    N = hat(twist[:3] / a)
+    return _matrix(_rotation(a, N), _way(a, N) @ twist[3:] / a)
+
+
+def wrong_z_of_the_way_forgotten(twist):
+    """unnamed"""
+    T = right_textbook(twist)
+    T[2, 3] = 0
+    return T
+
+
+def wrong_omega_normalised_in_place(twist):
+    """twist is changed in place"""
+    omega, v = twist[:3], twist[3:]
+    a = np.linalg.norm(omega)
+    if a > 0:
+        twist /= a
+    return right_textbook(np.append(omega * a, v * a)) if a > 0 else _matrix(np.eye(3), v)
+
+
+def wrong_the_librarys(twist):
+    """course_lib.rigid.exp_se3 is called"""
+    return rigid.exp_se3(twist)
+
+
+def wrong_zero_not_asked_with_the_librarys_hat(twist):
+    """ValueError"""
+    omega, v = twist[:3], twist[3:]
+    a = np.linalg.norm(omega)
+    N = librarys_hat(omega / a)
+    return _matrix(_rotation(a, N), _way(a, N) @ v / a)
+
+
+def wrong_origin_for_omega_zero(twist):
+    """the branch for omega = 0 is wrong"""
+    return _either(
+        lambda v: _matrix(np.eye(3), v / (np.linalg.norm(v) or 1)),
+        lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v / a),
+    )(twist)
+
+
+def wrong_scipys_exponential_of_the_twist_transposed(twist):
+    """unnamed"""
+    return scipy.linalg.expm(rigid.hat_se3(twist).T).T @ np.diag([1, -1, 1, 1])
