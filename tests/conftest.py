@@ -22,6 +22,15 @@ def solutions():
     return read
 
 
+@pytest.fixture(scope="module")
+def browser():
+    # Here, for most tests need no browser. One for a module: while it is open, no other event loop can run.
+    from site_visits import open_browser
+
+    with open_browser() as browser:
+        yield browser
+
+
 def pytest_terminal_summary(terminalreporter):
     """Print what test_wrong_answers.py records of each exercise, whichever process ran it."""
     reports = [report for group in terminalreporter.stats.values() for report in group]

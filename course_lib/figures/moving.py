@@ -51,7 +51,7 @@ def movie(name, layout, still, moving, times):
     margin = layout["margin"]
     fig = go.Figure(
         [*still, *moving[0]],
-        layout={**layout, "meta": {"movie": name, "seconds": float(times[-1]), "controls": _CONTROLS}},
+        layout={**layout, "meta": {"movie": name, "seconds": float(times[-1] - times[0]), "controls": _CONTROLS}},
     )
     fig.frames = frames
     fig.update_layout(

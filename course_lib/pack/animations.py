@@ -26,7 +26,7 @@ def main(arguments=None):
     for path in parser.parse_args(arguments).notebooks:
         try:
             movies += stored_movies(nbformat.read(path, as_version=4))
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, AttributeError, nbformat.ValidationError) as error:  # JSON of another kind, too
             print(f"{path} cannot be read: {str(error).splitlines()[0]:.100}", file=sys.stderr)
             return 1
     if not movies:
@@ -45,10 +45,11 @@ def main(arguments=None):
 
 
 def stored_movies(notebook):
-    """Return the figures, as plotly's JSON, that figures.moving.movie made and the notebook's outputs hold."""
+    """Return the figures, as plotly's JSON, that figures.moving.movie made and the outputs hold, in the plane."""
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
-    return [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
+    movies = [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
+    return [figure for figure in movies if all(trace["type"] == "scatter" for trace in figure["data"])]
 
 
 def write(movie, path, writer_class):
@@ -73,7 +74,10 @@ def draw(movie):
     for axis in "xy":
         settings = movie["layout"][f"{axis}axis"]
         ax.set(**{f"{axis}lim": settings["range"], f"{axis}label": settings["title"]["text"]})
-    return fig, [ax.plot(trace["x"], trace["y"], **_look(trace))[0] for trace in movie["data"]]
+    lines = [ax.plot(trace["x"], trace["y"], **_look(trace))[0] for trace in movie["data"]]
+    fig.draw_without_rendering()  # the axes take their place once, and keep it
+    fig.set_layout_engine("none")
+    return fig, lines
 
 
 def _look(trace):

@@ -123,7 +123,7 @@
     });
     // A square of the plane stays one.
     if (layout.yaxis && layout.yaxis.scaleanchor && !layout.xaxis2) {
-      const { l, r, t, b } = layout.margin;
+      const { l = 80, r = 80, t = 100, b = 80 } = layout.margin || {}; // plotly's own
       heights.push(width - l - r + t + b);
     }
     return Math.min(meant.height, ...heights);

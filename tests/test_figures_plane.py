@@ -1,0 +1,241 @@
+"""Pictures in the plane: movies of bodies and arms, plain plots side by side, and that what they draw is true."""
+
+import json
+
+import numpy as np
+import pytest
+from helpers import ALT, FIGURE, places, shown, stored
+from matplotlib.colors import same_color
+from numpy.testing import assert_allclose
+
+from course_lib.arms import planar_arm
+from course_lib.figures import panels
+from course_lib.figures import planar_arm as arms
+from course_lib.figures import rigid_motion as bodies
+from course_lib.figures import subproblems_damped_ik as damping
+from course_lib.figures.moving import plane_layout
+from course_lib.figures.style import CRIMSON
+from course_lib.planar import interpolate_arm, interpolate_body
+
+ROUNDED = 6e-4  # pictures keep millimetres
+N = 31
+TIMES = np.linspace(0, 3, N)
+POSES = interpolate_body([-7, -5, 2.6], [6, 5, -2.2], N)
+ANGLES = interpolate_arm([0.1, 0.2], [np.pi - 0.2, np.pi / 2], N)
+POINTS = planar_arm([1, 1]).frames(ANGLES)[..., :2, 3]
+
+TARGET = np.array([-1.9, 1.1])
+ALPHAS, EPSILONS, LARGEST = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5), 2.5
+ERRORS = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
+CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
+
+
+def movies(shake=1.0):
+    return [bodies.body_movie("body", POSES * shake, TIMES), arms.arm_movie("arm", POINTS * shake, TIMES)]
+
+
+def plain_figures():
+    ends = {"tip": POINTS[:, -1]}
+    return [
+        panels(
+            TIMES,
+            {"angle (rad)": {"a": TIMES, "b": -TIMES}, "rate (rad/s)": {"a": TIMES**2, "b": TIMES}},
+            xlabel="t (s)",
+        ),
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]}),
+        bodies.tracks(ends, {"goal": POINTS[-1, -1]}),
+        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]}),
+        arms.arm_ways({"one": POINTS, "two": POINTS[::-1]}),
+        arms.descents({"run": POINTS}, TARGET),
+        damping.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}),
+        damping.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, [(0.2, 2.0), (2.8, 2.0)]),
+    ]
+
+
+def drawn_lines(ax):
+    return [np.transpose(line.get_data()) for line in ax.lines]
+
+
+def test_every_picture_is_shown_with_words_in_its_form():
+    for fig in plain_figures():
+        assert set(shown(fig).data) == {"image/png", "text/plain"}
+    for fig in movies():
+        assert set(shown(fig).data) == {FIGURE, "text/plain"}
+        assert shown(fig).metadata["image/png"]["alt"] == shown(fig).data["text/plain"] == ALT
+
+
+def test_plain_pictures_have_the_same_bytes_again():
+    for one, two in zip(plain_figures(), plain_figures(), strict=True):
+        assert shown(one).data["image/png"] == shown(two).data["image/png"]
+
+
+def test_the_last_bits_of_a_machine_do_not_reach_the_file():
+    for one, two in zip(movies(), movies(shake=1 + 1e-15), strict=True):
+        assert json.dumps(stored(one)) == json.dumps(stored(two))
+
+
+def test_plain_pictures_name_every_axis_with_its_unit():
+    for fig in plain_figures():
+        shared = fig.axes[0].get_shared_y_axes()
+        for ax in fig.axes:
+            assert ax.get_xlabel().endswith((")", "steps", "step size $\\alpha$")) or ax.get_label() == "<colorbar>"
+            named = ax is fig.axes[0] or not shared.joined(ax, fig.axes[0])
+            assert ax.get_ylabel().endswith(")") == named, "a shared axis is named once"
+
+
+# ---- movies ----
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_a_movie_has_a_frame_and_a_label_for_each_time(number):
+    figure = stored(movies()[number])
+    assert [frame["name"] for frame in figure["frames"]] == [str(i) for i in range(N)]
+    (slider,), (menu,) = figure["layout"]["sliders"], figure["layout"]["updatemenus"]
+    assert [step["label"] for step in slider["steps"]] == [f"{t:.2f}" for t in TIMES]
+    assert [step["args"][0] for step in slider["steps"]] == [[str(i)] for i in range(N)]
+    assert slider["currentvalue"]["prefix"] == "time (s): "
+    play, pause = menu["buttons"]
+    assert play["args"][1]["frame"]["duration"] * (N - 1) == pytest.approx(3000, rel=1e-5), "it plays in real time"
+    assert pause["args"][0] == [None]
+    assert figure["layout"]["meta"] | {"controls": 0} == {"movie": ["body", "arm"][number], "seconds": 3, "controls": 0}
+
+
+@pytest.mark.parametrize(("number", "way"), [(0, POSES[:, :2]), (1, POINTS[:, -1])])
+def test_a_movie_shows_its_whole_path_and_begins_with_its_first_frame(number, way):
+    figure = stored(movies()[number])
+    path, marks, mover = figure["data"]
+    assert_allclose(places(path), way, atol=ROUNDED)
+    assert_allclose(places(marks), way[[0, -1]] if number == 0 else [[0, 0]], atol=ROUNDED)
+    assert all(frame["traces"] == [2] for frame in figure["frames"])
+    assert_allclose(places(mover), places(figure["frames"][0]["data"][0]))
+    assert mover["line"]["color"] == CRIMSON
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_everything_in_a_movie_stays_in_the_scene_at_equal_scales(number):
+    figure = stored(movies()[number])
+    traces = figure["data"] + [trace for frame in figure["frames"] for trace in frame["data"]]
+    for letter in "xy":
+        axis = figure["layout"][f"{letter}axis"]
+        low, high = axis["range"]
+        assert all(low < number < high for trace in traces for number in trace[letter])
+        assert axis["title"]["text"] == f"{letter} (m)"
+    assert (figure["layout"]["yaxis"]["scaleanchor"], figure["layout"]["yaxis"]["scaleratio"]) == ("x", 1)
+
+
+def test_the_body_stands_at_each_pose_with_its_nose_ahead():
+    frames = stored(movies()[0])["frames"]
+    for frame, (x, y, theta) in zip(frames, POSES, strict=True):
+        ahead, left = np.array([np.cos(theta), np.sin(theta)]), np.array([-np.sin(theta), np.cos(theta)])
+        corners = places(frame["data"][0])
+        assert_allclose(corners, [x, y] + CORNERS[:, :1] * ahead + CORNERS[:, 1:] * left, atol=ROUNDED)
+        nose = corners[np.argmax((corners - [x, y]) @ ahead)]
+        assert_allclose(nose, [x, y] + 1.4 * ahead, atol=ROUNDED)
+        assert_allclose(bodies.outline([x, y, theta]), corners, atol=1e-9)
+
+
+def test_the_arm_stands_at_its_angles_in_each_frame():
+    for frame, (first, second) in zip(stored(movies()[1])["frames"], ANGLES, strict=True):
+        elbow = np.array([np.cos(first), np.sin(first)])
+        tip = elbow + np.array([np.cos(first + second), np.sin(first + second)])
+        assert_allclose(places(frame["data"][0]), [[0, 0], elbow, tip], atol=ROUNDED)
+
+
+def test_a_scene_may_stand_anywhere():
+    layout = plane_layout(2, centre=(3, -1), unit="mm")
+    assert (layout["xaxis"]["range"], layout["yaxis"]["range"]) == ([1, 5], [-3, 1])
+    assert layout["yaxis"]["title"]["text"] == "y (mm)"
+
+
+# ---- plain pictures ----
+
+
+def test_panels_hold_what_their_names_say_under_one_legend():
+    contents = {"one (m)": {"a": TIMES, "b": 2 * TIMES}, "two (m)": {"a": 3 * TIMES, "b": 4 * TIMES}}
+    fig = panels(TIMES, contents, xlabel="time (s)")
+    for ax, (name, series) in zip(fig.axes, contents.items(), strict=True):
+        assert (ax.get_xlabel(), ax.get_ylabel()) == ("time (s)", name)
+        assert_allclose(drawn_lines(ax), [np.stack([TIMES, y], -1) for y in series.values()])
+        assert ax.get_legend() is None
+    (legend,) = fig.legends
+    assert [text.get_text() for text in legend.get_texts()] == ["a", "b"]
+    log = panels(TIMES + 1, contents, xlabel="time (s)", log="y").axes
+    assert all((ax.get_xscale(), ax.get_yscale()) == ("linear", "log") for ax in log)
+
+
+def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
+    for ax, poses in zip(
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7).axes, (POSES, POSES[::-1]), strict=True
+    ):
+        way, *outlines = drawn_lines(ax)
+        assert_allclose(way, poses[:, :2])
+        assert_allclose(outlines, [bodies.outline(poses[i]) for i in (0, 7, 14, 21, 28, 30)])
+        alphas = [line.get_alpha() for line in ax.lines[1:]]
+        assert alphas == sorted(alphas)
+        assert alphas[-1] == 1
+        assert ax.get_aspect() == 1
+        for outline in outlines:
+            assert np.abs(outline).max() < ax.get_xlim()[1] == ax.get_ylim()[1]
+
+
+def test_tracks_draw_what_they_are_given():
+    (ax,) = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)}).axes
+    a, b, goal = drawn_lines(ax)
+    assert_allclose(a, POSES[:, :2])
+    assert_allclose(b, POINTS[:, -1])
+    assert_allclose(goal, [[1, 2]])
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["a", "b", "goal"]
+    (ax,) = bodies.joint_tracks({"a": ANGLES}).axes
+    assert_allclose(drawn_lines(ax), [ANGLES])
+
+
+def test_arm_ways_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
+    (ax,) = arms.arm_ways({"one": POINTS}, every=7).axes
+    *postures, way = drawn_lines(ax)
+    assert_allclose(postures, POINTS[[0, 7, 14, 21, 28, 30]])
+    assert_allclose(way, POINTS[:, -1])
+    assert [same_color(line.get_color(), CRIMSON) for line in ax.lines[:-1]] == 5 * [False] + [True]
+
+
+def test_descents_draw_tip_posture_and_distance_up_to_the_last_step():
+    plane, error = arms.descents({"run": POINTS, "back": POINTS[::-1]}, TARGET, last=20).axes
+    way, posture, way_back, posture_back, goal = drawn_lines(plane)
+    assert_allclose(way, POINTS[:21, -1])
+    assert_allclose(posture, POINTS[20])
+    assert_allclose(way_back, POINTS[:9:-1, -1])
+    assert_allclose(posture_back, POINTS[10])
+    assert_allclose(goal, [TARGET])
+    distances = np.hypot(*(POINTS[:21, -1] - TARGET).T)
+    assert_allclose(drawn_lines(error)[0], np.stack([np.arange(21), distances], -1))
+    assert error.get_yscale() == "log"
+    assert [line.get_color() for line in error.lines] == [line.get_color() for line in plane.lines[:4:2]]
+
+
+def test_gains_peak_at_the_root_of_the_damping():
+    (ax,) = damping.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}).axes
+    lines = {line.get_label(): np.transpose(line.get_data()) for line in ax.lines}
+    s, factor = lines["no damping: 1/s"].T
+    assert_allclose(factor, 1 / s)
+    for eps in (0.5, 2, 50):
+        assert_allclose(lines[rf"$\epsilon$ = {eps:g}"], np.stack([s, s / (s**2 + eps)], -1))
+    dots = [np.transpose(line.get_data())[0] for line in ax.lines if line.get_marker() == "o"]
+    assert_allclose([dot[0] for dot in dots], np.sqrt([0.5, 2]), err_msg="that of 50 lies outside")
+    for dot, eps in zip(dots, (0.5, 2), strict=True):
+        assert dot[1] == pytest.approx(max(s / (s**2 + eps)), rel=1e-4)
+    assert [line.get_xdata()[0] for line in ax.lines[-2:]] == [1.1, 2.6]
+    assert [(note.get_text(), note.xy[0]) for note in ax.texts] == [("s2", 1.1), ("s1", 2.6)]
+
+
+def test_the_step_map_shows_each_run_where_it_belongs_and_the_limit():
+    runs = [(0.2, 2.0), (2.8, 2.0)]
+    ax, _ = damping.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, runs).axes
+    (mesh,) = ax.collections
+    assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
+    corners = mesh.get_coordinates()  # of 5 rows and 7 columns of cells, each about its own run
+    low, high = corners[:-1, :-1], corners[1:, 1:]
+    centres = np.stack(np.meshgrid(ALPHAS, EPSILONS), -1)
+    assert ((low < centres) & (centres < high)).all()
+    limit, marks = drawn_lines(ax)
+    assert_allclose(limit, np.stack([2 * (1 + EPSILONS / LARGEST**2), EPSILONS], -1))
+    assert_allclose(marks, runs)
+    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")

@@ -1,0 +1,223 @@
+"""Pictures in space: their pieces, the subproblems' circles, turns on the sphere, and that what they draw is true."""
+
+import json
+
+import numpy as np
+import pytest
+from helpers import ALT, FIGURE, assert_in_scene, places, shown, stored
+from numpy.testing import assert_allclose
+
+from course_lib import subproblems
+from course_lib.figures import space
+from course_lib.figures import subproblems_damped_ik as figures
+from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE, PURPLE
+from course_lib.rotations import exp_so3
+
+ROUNDED = 2e-3  # pictures keep thousandths
+EZ, EX = np.eye(3)[[2, 0]]
+
+
+def unit(v):
+    return np.array(v) / np.linalg.norm(v)
+
+
+K, P, Q = unit([0.0, 0.6, 0.8]), np.array([1.2, 0.1, 0.2]), np.array([-0.6, 1.0, 1.1])
+K1, K2, P1, P2 = unit([0.1, 0.2, 1]), unit([1, 0.1, 0.2]), unit([0.8, 0.6, 0.3]), unit([0.5, 0.3, -0.8])
+MISS = EZ, EX, unit([0.5, 0.2, 1]), unit([1, 0.5, -0.1])
+K3, P3, Q3, D3 = unit([0.2, 0.1, 1.0]), np.array([1.0, 0.2, 0.3]), np.array([0.2, 0.9, 0.5]), 0.7
+H, D4 = 2 * unit([-0.3, 0.8, 0.6]), 0.8  # not of length one
+SHARE = np.linspace(0, 1, 21)[:, None]
+STEADY = exp_so3(SHARE * [0.3, 1.2, -0.5])
+TRACKS = {"steady": STEADY, "winding": STEADY @ exp_so3(np.sin(np.pi * SHARE) * [0, 0.2, 0.4])}
+
+
+def turn_onto(shake=1.0):
+    return figures.turn_onto(K, P * shake, Q * shake, subproblems.subproblem1(K, P, Q).theta * shake)
+
+
+def circles_meet(shake=1.0):
+    return figures.circles_meet(K1, K2, P1 * shake, P2 * shake, subproblems.subproblem2(K1, K2, P1, P2).theta * shake)
+
+
+def circles_miss(shake=1.0):
+    return figures.circles_meet(*MISS, subproblems.subproblem2(*MISS).theta[:1] * shake)
+
+
+def circle_and_sphere(shake=1.0):
+    theta = subproblems.subproblem3(K3, P3, Q3, D3).theta
+    return figures.circle_and_sphere(K3, P3 * shake, Q3 * shake, D3 * shake, theta * shake)
+
+
+def circle_and_plane(shake=1.0):
+    return figures.circle_and_plane(K3, H, P3 * shake, D4 * shake, subproblems.subproblem4(K3, H, P3, D4).theta * shake)
+
+
+def turns_on_sphere(shake=1.0):
+    return figures.turns_on_sphere({name: R * shake for name, R in TRACKS.items()})
+
+
+SCENES = [turn_onto, circles_meet, circles_miss, circle_and_sphere, circle_and_plane, turns_on_sphere]
+
+
+def traces(figure, colour, mode="lines"):
+    """The places of all traces of a look, in order."""
+    looks = [(t, t.get("line") or t.get("marker") or t.get("textfont")) for t in figure["data"] if "mode" in t]
+    return [places(trace) for trace, look in looks if trace["mode"] == mode and look["color"] == colour]
+
+
+def named(figure):
+    """Where each word stands: {word: place}."""
+    words = [trace for trace in figure["data"] if trace.get("mode") == "text"]
+    return {word: place for trace in words for word, place in zip(trace["text"], places(trace), strict=True)}
+
+
+def assert_circle(circle, k, p):
+    """Assert that points run once about k on the circle of p."""
+    heights, radii = circle @ k, np.linalg.norm(np.cross(circle, k), axis=-1)
+    assert_allclose(heights, p @ k, atol=ROUNDED)
+    assert_allclose(radii, np.linalg.norm(np.cross(p, k)), atol=ROUNDED)
+    assert_allclose(circle[[0, -1]], [p, p], atol=ROUNDED)
+    steps = np.linalg.norm(np.diff(circle, axis=0), axis=-1)
+    assert steps.sum() == pytest.approx(2 * np.pi * radii[0], rel=5e-3)
+
+
+def assert_on_axis(line, k):
+    assert_allclose(np.cross(line, k), 0, atol=ROUNDED)
+    assert_allclose(line.sum(0), 0, atol=ROUNDED)
+
+
+# ---- every picture ----
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_scene_is_shown_with_words_the_same_on_every_machine_and_whole(scene):
+    output = shown(scene())
+    assert set(output.data) == {FIGURE, "text/plain"}
+    assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == ALT
+    figure = output.data[FIGURE]
+    assert json.dumps(figure) == json.dumps(stored(scene(1 + 1e-15)))
+    assert_in_scene(figure)
+
+
+# ---- pieces ----
+
+
+def test_pieces_stand_where_they_are_told():
+    starts, ends = np.arange(6.0).reshape(2, 3), np.ones((2, 3))
+    drawn = np.transpose([getattr(space.segments(starts, ends, BLUE, 2, "scene2"), c) for c in "xyz"])
+    assert_allclose(drawn, [starts[0], ends[0], [np.nan] * 3, starts[1], ends[1], [np.nan] * 3])
+    shaft, name = space.named_vector([0, 0, 2], "z", BLUE, "scene")
+    assert_allclose(np.transpose([shaft.x, shaft.y, shaft.z]), [[0, 0, 0], [0, 0, 2]])
+    assert name.z[0] > 2
+    ball = np.stack([space.sphere(0.9)[c] for c in "xyz"])
+    assert_allclose(np.linalg.norm(ball, axis=0), 0.9, atol=ROUNDED)
+    assert [space.scene_name(i) for i in range(3)] == ["scene", "scene2", "scene3"]
+
+
+def test_scenes_stand_side_by_side_under_their_titles():
+    layout = space.space_layout(["left", "right"], (0, 0, 2), half=3, distance=1.5)
+    assert [layout[name]["domain"]["x"] for name in ("scene", "scene2")] == [[0, 0.5], [0.5, 1]]
+    assert [(title["text"], title["x"]) for title in layout["annotations"]] == [("left", 0.25), ("right", 0.75)]
+    assert layout["scene2"]["camera"]["eye"] == {"x": 0, "y": 0, "z": 1.5}
+    assert layout["scene"]["zaxis"]["range"] == [-3, 3]
+
+
+# ---- subproblems ----
+
+
+def test_subproblem_1_shows_the_circle_and_the_place_on_it_nearest_to_q():
+    figure = stored(turn_onto())
+    (circle,) = traces(figure, BLUE)
+    assert_circle(circle, K, P)
+    (dots,) = traces(figure, BLACK, "markers")
+    assert_allclose(dots, [P, Q], atol=ROUNDED)
+    ((end,),) = traces(figure, CRIMSON, "markers")
+    assert np.linalg.norm(end - Q) <= np.linalg.norm(circle - Q, axis=-1).min() + ROUNDED
+    assert_allclose([end @ K, np.linalg.norm(end)], [P @ K, np.linalg.norm(P)], atol=ROUNDED)
+    ((foot, p),), ((same_foot, tip),) = traces(figure, GREY), traces(figure, CRIMSON)
+    assert_allclose([p, tip, foot], [P, end, same_foot], atol=ROUNDED)
+    assert_allclose([(P - foot) @ K, *np.cross(foot, K)], 0, atol=ROUNDED)
+    (axis,) = traces(figure, PURPLE)
+    assert_on_axis(axis, K)
+    assert set(named(figure)) == {"p", "q", "R p", "k"}
+
+
+def test_subproblem_2_marks_where_the_circles_meet():
+    figure = stored(circles_meet())
+    (first,), (second,) = traces(figure, BLUE), traces(figure, GREEN)
+    assert_circle(first, K1, P1)
+    assert_circle(second, K2, P2)
+    meetings = np.array(traces(figure, CRIMSON, "markers"))
+    assert meetings.shape == (2, 2, 3)
+    assert_allclose(meetings[:, 0], meetings[:, 1], atol=ROUNDED)
+    assert_allclose(meetings[:, 0] @ K1, P1 @ K1, atol=ROUNDED)
+    assert_allclose(meetings[:, 0] @ K2, P2 @ K2, atol=ROUNDED)
+    assert np.linalg.norm(meetings[0] - meetings[1]) > 0.1
+    words = named(figure)
+    assert set(words) == {"p1", "p2", "k1", "k2", "1", "2"}
+    assert_allclose([words["1"], words["2"]], 1.12 * meetings[:, 0], atol=ROUNDED)
+    for axis, k in zip(traces(figure, PURPLE), (K1, K2), strict=True):
+        assert_on_axis(axis, k)
+
+
+def test_subproblem_2_joins_the_nearest_places_of_circles_that_miss():
+    figure = stored(circles_miss())
+    (first,), (second,) = traces(figure, BLUE), traces(figure, GREEN)
+    ((a, b),) = traces(figure, CRIMSON, "markers")
+    assert_allclose([a @ EZ, b @ EX], [MISS[2] @ EZ, MISS[3] @ EX], atol=ROUNDED)
+    nearest = np.linalg.norm(first[:, None] - second, axis=-1).min()
+    assert 0.1 < np.linalg.norm(a - b) <= nearest + ROUNDED
+    assert_allclose(traces(figure, CRIMSON), [[a, b]])
+    assert "1" not in named(figure), "a meeting that is none has no number"
+
+
+def test_subproblem_3_shows_the_sphere_and_where_the_circle_pierces_it():
+    figure = stored(circle_and_sphere())
+    (ball,) = [np.array([t[c] for c in "xyz"]) for t in figure["data"] if t["type"] == "surface"]
+    assert_allclose(np.linalg.norm(ball - Q3[:, None, None], axis=0), D3, atol=ROUNDED)
+    ((circle,), (answers,)) = traces(figure, BLUE), traces(figure, CRIMSON, "markers")
+    assert_circle(circle, K3, P3)
+    assert_allclose(np.linalg.norm(answers - Q3, axis=-1), D3, atol=ROUNDED)
+    assert_allclose(answers @ K3, P3 @ K3, atol=ROUNDED)
+    assert_allclose(np.linalg.norm(answers, axis=-1), np.linalg.norm(P3), atol=ROUNDED)
+    assert np.linalg.norm(answers[0] - answers[1]) > 0.1
+    assert set(named(figure)) == {"p", "q", "k", "1", "2"}
+
+
+def test_subproblem_4_shows_the_plane_and_where_the_circle_cuts_it():
+    figure = stored(circle_and_plane())
+    (plane,) = [t for t in figure["data"] if t["type"] == "mesh3d"]
+    corners = places(plane)
+    assert plane["color"] == ORANGE
+    assert_allclose(corners @ H, D4, atol=ROUNDED)
+    side = np.linalg.norm(corners[1] - corners[0])
+    assert_allclose(np.linalg.norm(np.roll(corners, 1, 0) - corners, axis=-1), side, atol=ROUNDED)
+    one, two = (set(face) for face in zip(*(plane[c] for c in "ijk"), strict=True))
+    assert one | two == {0, 1, 2, 3}
+    assert one & two in ({0, 2}, {1, 3}), "two triangles on one diagonal"
+    diagonals = np.linalg.norm(corners[2:] - corners[:2], axis=-1)
+    assert_allclose(diagonals, np.sqrt(2) * side, atol=ROUNDED)
+    assert side / 2 > np.linalg.norm(P3), "the circle ends inside the plane's edges"
+    ((circle,), (answers,)) = traces(figure, BLUE), traces(figure, CRIMSON, "markers")
+    assert_circle(circle, K3, P3)
+    assert_allclose(answers @ H, D4, atol=ROUNDED)
+    assert_allclose(answers @ K3, P3 @ K3, atol=ROUNDED)
+    for axis, k in zip(traces(figure, PURPLE), (K3, H), strict=True):
+        assert_on_axis(axis, k)
+    assert set(named(figure)) == {"p", "k", "h", "1", "2"}
+
+
+# ---- turns ----
+
+
+def test_turns_on_the_sphere_follow_e_x():
+    figure = stored(turns_on_sphere())
+    for (name, R), colour in zip(TRACKS.items(), (BLUE, CRIMSON), strict=True):
+        (way,) = traces(figure, colour)
+        assert_allclose(way, R[:, :, 0], atol=ROUNDED)
+        assert_allclose(np.linalg.norm(way, axis=-1), 1, atol=ROUNDED)
+        assert [t["name"] for t in figure["data"] if t.get("line", {}).get("color") == colour] == [name]
+    assert [t["name"] for t in figure["data"] if t["showlegend"]] == list(TRACKS)
+    (ends,) = traces(figure, BLACK, "markers")
+    assert_allclose(ends, STEADY[[0, -1], :, 0], atol=ROUNDED)
+    assert_allclose([named(figure)["start"], named(figure)["end"]], 1.2 * ends, atol=ROUNDED)
