@@ -8,11 +8,16 @@ from course_lib.checks.rotations.exponential import unit
 from course_lib.rotations import exp_so3, log_so3, random_rotations, rot_x, rot_y, rot_z
 
 _HALF_TURNS = [np.diag([1.0, -1.0, -1.0]), np.diag([-1.0, 1.0, -1.0]), np.diag([-1.0, -1.0, 1.0])]
+_BELOW, _ABOVE = -1 - 2.0**-52, 1 + 2.0**-50  # a hair beyond -1 and 1, as products of rotations may come out
 _COARSE = 1e-6  # how far from Rf a right answer may end at no turn and at a half one, where arccos loses digits
 
 _NO_AXIS = Mistake(
     "the angle is divided by where nothing turns",
     "For R0 = Rf there is no axis, and omega is 0. log_so3 gives angle times axis at once, without a division.",
+)
+_OUTSIDE = Mistake(
+    "arccos is asked outside [-1, 1]: rounding has taken the trace a hair beyond 3 or below -1",
+    "np.clip((np.trace(R) - 1) / 2, -1, 1) before arccos, or log_so3, which needs no arccos.",
 )
 _NO_SINE = Mistake(
     "sin(angle) is divided by at a half turn, where it is 0",
@@ -31,7 +36,9 @@ def _cases(rng):
     axes = [unit(rng), np.array([0.6, 0.0, -0.8]), np.array([-0.36, 0.48, 0.8])]
     half = [(eye, H, 2.0) for H in _HALF_TURNS] + [(starts[-2], _HALF_TURNS[0] @ starts[-2], 0.5)]
     half += [(R, (2 * np.outer(n, n) - eye) @ R, T) for R, n, T in zip(starts[-4:-1], axes, (1.0, 3.0, 2), strict=True)]
-    return [*named, *drawn, *same, *half]
+    tiny = [(starts[1], exp_so3(1e-9 * unit(rng)) @ starts[1], 3.0)]
+    rounded = [(eye, np.diag([_ABOVE] * 3), 1.0), (eye, np.diag([1.0, _BELOW, _BELOW]), 1.0)]
+    return [*named, *drawn, *same, *half, *tiny, *rounded]
 
 
 def _turn(R0, Rf, T):
@@ -44,7 +51,11 @@ def _angle(R0, Rf, T):
 
 
 def _none(*case):
-    return _angle(*case) < 1e-9
+    return _angle(*case) < 1e-12
+
+
+def _tiny(*case):
+    return 1e-12 < _angle(*case) < 1e-6
 
 
 def _half(*case):
@@ -52,7 +63,7 @@ def _half(*case):
 
 
 def _plain(*case):
-    return not _none(*case) and not _half(*case)
+    return 1e-6 < _angle(*case) < np.pi - 1e-6
 
 
 def _fine(*case):
@@ -70,9 +81,10 @@ def _velocity(omega, *case):
     try:
         return numbers(lambda *any_case: (3,))(omega)
     except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and not _plain(*case):
-            raise Unreadable(str(wrong), _NO_AXIS if _none(*case) else _NO_SINE) from None
-        raise
+        if wrong.mistake is not NOT_A_NUMBER or _plain(*case):
+            raise
+        outside = abs(np.trace(case[1] @ case[0].T) - 1) > 2
+        raise Unreadable(str(wrong), _OUTSIDE if outside else _NO_SINE if _half(*case) else _NO_AXIS) from None
 
 
 def _seen(omega, R0, Rf, T):
@@ -125,9 +137,10 @@ def _vector_of(W):
     return np.array([W[2, 1], W[0, 2], W[1, 0]])
 
 
-def _in_one_turn(words, product):
-    """The mistake of the logarithm of another product of rotations, over T."""
-    return _like(words, lambda R0, Rf, T: log_so3(product(R0, Rf)) / T, lambda R0, Rf, T: -log_so3(product(R0, Rf)) / T)
+def _log_of(words, *products):
+    """The mistake of the logarithm of another product of rotations, of either sign, over T."""
+    signed = [(sign, product) for sign in (1, -1) for product in products]
+    return _like(words, *(lambda R0, Rf, T, s=s, p=p: s * log_so3(p(R0, Rf)) / T for s, p in signed))
 
 
 CONSTANT_OMEGA = Exercise(
@@ -147,7 +160,7 @@ CONSTANT_OMEGA = Exercise(
             "it turns the short way: |omega| T is at most pi",
             lambda omega, R0, Rf, T: np.linalg.norm(omega) * T < np.pi + _COARSE,
             lambda omega, R0, Rf, T: f"Yours turns by {np.linalg.norm(omega) * T:.5g} rad.",
-            where=lambda *case: not _none(*case),
+            where=lambda *case: _plain(*case) or _half(*case),
             mistake=Mistake("the long way round is taken", "2 pi - a about the opposite axis is the shorter way."),
         ),
         Property(
@@ -155,6 +168,14 @@ CONSTANT_OMEGA = Exercise(
             lambda omega, R0, Rf, T: np.linalg.norm(omega) * T < _COARSE,
             where=_none,
             mistake=Mistake("an axis is returned where nothing turns", "Angle times axis is 0 there, for any axis."),
+        ),
+        Property(
+            "for a tiny turn omega is the vector of (R - R^T) / 2 over T, with R = Rf R0^T, or zero",
+            lambda omega, *case: (
+                not omega.any() or np.linalg.norm(omega * case[2] - _turn(*case)) < 1e-3 * _angle(*case)
+            ),
+            where=_tiny,
+            mistake=Mistake("the branch for tiny turns is wrong", "There sin(a) is a, and no division is needed."),
         ),
         Property(
             "after T seconds the hand stands at Rf, also where that is half a turn: exp(T [omega]) R0 = Rf",
@@ -213,31 +234,21 @@ CONSTANT_OMEGA = Exercise(
             ),
             lambda R0, Rf, T: (log_so3(Rf) - log_so3(R0)) / T,
         ),
-        *_in_one_turn(
+        *_log_of(
             (
                 "R0 is left out: this is the logarithm of Rf alone",
                 "R0 need not be a turn about the axis of the motion. Only Rf R0^T is.",
             ),
             lambda R0, Rf: Rf,
         ),
-        *_in_one_turn(
-            ("Rf is left out: this is the logarithm of R0 alone", "The turn is that of Rf R0^T."),
-            lambda R0, Rf: R0,
-        ),
-        *_in_one_turn(
+        *_log_of(
             ("the transpose is missing: this is the logarithm of a plain product", "exp(T [omega]) = Rf R0^T."),
             lambda R0, Rf: Rf @ R0,
-        ),
-        *_in_one_turn(
-            ("the transpose is missing: this is the logarithm of a plain product", "exp(T [omega]) = Rf R0^T."),
             lambda R0, Rf: R0 @ Rf,
         ),
         *_like(
-            ("omega is in degrees per second", "rad/s, please: log_so3 is in radians already."),
+            ("degrees and radians are mixed up", "log_so3 is in radians, omega in rad/s: nothing to convert."),
             _scaled(lambda angle, T: 180 / np.pi),
-        ),
-        *_like(
-            ("the angle is taken for degrees", "log_so3 is in radians already: np.deg2rad is not needed."),
             _scaled(lambda angle, T: np.pi / 180),
         ),
         *_like(
@@ -255,6 +266,9 @@ CONSTANT_OMEGA = Exercise(
                 "(R - R^T)/2 is sin(a) [n], and right for small turns only. log_so3 gives a n.",
             ),
             _scaled(lambda angle, T: np.sin(angle) / angle),
+        ),
+        *_like(
+            ("the half is missing: R - R^T is 2 sin(a) [n]", "Divide by 2 sin(a), multiply by a. log_so3 does that."),
             _scaled(lambda angle, T: 2 * np.sin(angle) / angle),
         ),
         *_like(

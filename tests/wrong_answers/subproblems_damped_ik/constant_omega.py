@@ -126,12 +126,12 @@ def wrong_a_whole_turn_more(R0, Rf, T):
 
 
 def wrong_degrees(R0, Rf, T):
-    """degrees per second"""
+    """degrees"""
     return np.rad2deg(log_so3(Rf @ R0.T)) / T
 
 
 def wrong_angle_taken_for_degrees(R0, Rf, T):
-    """taken for degrees"""
+    """degrees"""
     return np.deg2rad(log_so3(Rf @ R0.T) / T)
 
 
@@ -165,6 +165,24 @@ def wrong_nan_at_half_a_turn(R0, Rf, T):
     return angle * across / np.linalg.norm(across) / T
 
 
+def wrong_arccos_outside_its_domain(R0, Rf, T):
+    """arccos is asked outside"""
+    R = Rf @ R0.T
+    angle = np.arccos((np.trace(R) - 1) / 2)
+    if angle < 1e-6:
+        return _vector(R) / 2 / T
+    if angle > np.pi - 1e-6:
+        return _at_half_turn(R) / T
+    return angle * _vector(R) / (2 * np.sin(angle)) / T
+
+
+def wrong_branch_for_tiny_turns(R0, Rf, T):
+    """the half is missing"""
+    R = Rf @ R0.T
+    w = log_so3(R)
+    return w / T if np.linalg.norm(w) > 1e-6 else _vector(R) / T
+
+
 def wrong_divided_by_the_angle_of_no_turn(R0, Rf, T):
     """where nothing turns"""
     w = log_so3(Rf @ R0.T)
@@ -194,7 +212,7 @@ def wrong_skew_part(R0, Rf, T):
 
 
 def wrong_skew_part_whole(R0, Rf, T):
-    """the skew part"""
+    """the half is missing"""
     return _vector(Rf @ R0.T) / T
 
 
