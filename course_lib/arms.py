@@ -111,10 +111,18 @@ class SerialArm:
 
     def position_jacobian(self, q):
         """Return (..., 3, n): the velocity of the end's origin, along the base frame's axes, is this times q'."""
+        return self.geometric_jacobian(q)[..., 3:, :]
+
+    def geometric_jacobian(self, q):
+        """Return (..., 6, n): the end's angular velocity and its origin's velocity, both along the base frame's axes.
+
+        In this order (omega, v), as everywhere here; Siciliano and others, section 3.1, have (v, omega).
+        """
         J = self.space_jacobian(q)
         p = self.fk(q)[..., None, :3, 3]
         # The v of a space twist is that of the point passing the base's origin; the end moves by omega x p more.
-        return J[..., 3:, :] + np.swapaxes(np.cross(np.swapaxes(J[..., :3, :], -1, -2), p), -1, -2)
+        v = J[..., 3:, :] + np.swapaxes(np.cross(np.swapaxes(J[..., :3, :], -1, -2), p), -1, -2)
+        return np.concatenate([J[..., :3, :], v], -2)
 
     def _moved(self, q):
         """The products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""

@@ -1,0 +1,133 @@
+"""Inverse kinematics for poses: what can be reached is reached, inside the limits, and the result tells the truth."""
+
+import numpy as np
+import pytest
+from helpers import pose_samples
+
+from course_lib import rigid, rotations
+from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
+from course_lib.ik import solve
+
+
+def reachable(arm, n, seed=0):
+    return arm.fk(np.random.default_rng(seed).uniform(*arm.limits.T, (n, arm.n)))
+
+
+def apart(T, target):
+    """Metres and radians between poses, by other means than the library's."""
+    turn = np.swapaxes(T[..., :3, :3], -1, -2) @ target[..., :3, :3]
+    off = np.linalg.norm(turn - np.eye(3), axis=(-2, -1))
+    return np.linalg.norm(T[..., :3, 3] - target[..., :3, 3], axis=-1), 2 * np.arcsin(np.minimum(off / np.sqrt(8), 1))
+
+
+@pytest.mark.parametrize("make", [panda, iiwa14])
+def test_a_thousand_targets_from_cold_starts(make):
+    arm = make()
+    targets = reachable(arm, 1000)
+    found = solve(arm, targets, np.random.default_rng(1))
+    assert found.success.all()
+    assert (found.q >= arm.limits[:, 0]).all()
+    assert (found.q <= arm.limits[:, 1]).all()
+    for i, gap in enumerate(apart(arm.fk(found.q), targets)):
+        assert gap.max() <= 1e-6
+        np.testing.assert_allclose(found.residual[:, i], gap, rtol=0, atol=1e-7)
+    assert (found.iterations >= 1).all()
+
+
+def test_an_unreachable_target_ends_nearby_and_says_so():
+    arm = panda()
+    far = rigid.transform(np.diag([1.0, -1, -1]), [3.0, 0, 0.333])
+    found = solve(arm, far, np.random.default_rng(2), starts=20)
+    assert not found.success
+    metres, radians = apart(arm.fk(found.q), far)
+    np.testing.assert_allclose(found.residual, [metres, radians], atol=1e-7)
+    # No better than the stretched arm can, and not much worse.
+    assert 2.1 < metres < 2.4
+    assert (found.q >= arm.limits[:, 0]).all()
+    assert (found.q <= arm.limits[:, 1]).all()
+
+
+def test_a_target_that_only_a_posture_beyond_the_limits_reaches_is_not_reached():
+    free = panda()
+    narrow = SerialArm(free.screw_axes, free.home, np.tile([-0.1, 0.1], (7, 1)))
+    found = solve(narrow, free.fk([0.5, 0.4, 0.3, -1.5, 0.2, 1.5, 0.1]), np.random.default_rng(3), starts=10)
+    assert not found.success
+    assert np.abs(found.q).max() <= 0.1
+
+
+def test_the_start_that_is_given_is_used():
+    arm = panda()
+    q0 = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
+    there = solve(arm, arm.fk(q0), np.random.default_rng(4), q0=q0)
+    assert there.iterations == 1
+    np.testing.assert_allclose(there.q, q0, atol=1e-12)
+    near = solve(arm, arm.fk(q0 + 0.01), np.random.default_rng(4), q0=q0)
+    assert near.success
+    assert np.abs(near.q - q0).max() < 0.1
+    outside = solve(arm, arm.fk(q0), np.random.default_rng(4), q0=q0 + 100)
+    assert outside.success
+
+
+def test_the_same_seed_gives_the_same_answer():
+    arm, targets = panda(), reachable(panda(), 20)
+    one, two = (solve(arm, targets, np.random.default_rng(5)) for _ in range(2))
+    assert all(np.array_equal(vars(one)[name], vars(two)[name]) for name in vars(one))
+
+
+@pytest.mark.parametrize("batch", [(), (0,), (1,), (2, 1, 3)])
+def test_batches(batch):
+    arm = iiwa14()
+    targets = reachable(arm, 6)[: int(np.prod(batch))].reshape(*batch, 4, 4)
+    found = solve(arm, targets, np.random.default_rng(6))
+    assert found.q.shape == (*batch, 7)
+    assert found.success.shape == found.iterations.shape == batch
+    assert found.residual.shape == (*batch, 2)
+    assert found.success.all()
+
+
+def test_joints_without_limits():
+    arm = SerialArm.from_screws(
+        iiwa14().screw_axes[:, :3], np.cross(*np.split(iiwa14().screw_axes, 2, 1)), iiwa14().home[-1]
+    )
+    assert solve(arm, reachable(iiwa14(), 20), np.random.default_rng(7)).success.all()
+
+
+def test_an_arm_that_cannot_turn_its_hand_freely_says_what_it_reached():
+    arm = planar_arm([1, 1, 1])
+    inside, tilted = arm.fk([0.3, 0.5, -0.4]), rigid.transform(rotations.rot_x(0.5), [2.0, 0.5, 0])
+    found = solve(arm, [inside, tilted], np.random.default_rng(8), starts=10)
+    assert found.success.tolist() == [True, False]
+    assert found.residual[1, 1] > 0.1
+
+
+BAD_POSE = np.diag([1.0, 1, -1, 1])
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"arm": 3}, "arm"),
+        ({"targets": np.eye(3)}, "targets"),
+        ({"targets": [np.eye(4), BAD_POSE]}, r"targets\[1\]"),
+        ({"targets": np.full((4, 4), np.nan)}, "targets"),
+        ({"rng": 3}, "rng"),
+        ({"q0": np.zeros(6)}, "q0"),
+        ({"q0": np.zeros((5, 7))}, "q0"),
+        ({"q0": np.full(7, np.inf)}, "q0"),
+        ({"starts": 0}, "starts"),
+        ({"steps": 1.5}, "steps"),
+    ],
+)
+def test_bad_input_is_refused_by_name(change, name):
+    valid = {"arm": panda(), "targets": reachable(panda(), 2), "rng": np.random.default_rng(0)}
+    with pytest.raises(ValueError, match=rf"^{name} "):
+        solve(**{**valid, **change})
+
+
+def test_poses_anywhere_end_in_finite_numbers():
+    targets = pose_samples(3)(np.random.default_rng(9), (10,)) * np.where(np.eye(4)[3] == 1, 1e6, 1)[:, None].T
+    targets[:, 3, 3] = 1
+    found = solve(panda(), targets, np.random.default_rng(10), starts=2)
+    assert np.isfinite(found.q).all()
+    assert np.isfinite(found.residual).all()
+    assert not found.success.any()
