@@ -88,6 +88,8 @@ def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
         np.testing.assert_allclose(twist[:, :3, 3], J[:, 3:], atol=1e-7)
         np.testing.assert_allclose(twist[:, [2, 0, 1], [1, 2, 0]], J[:, :3], atol=1e-7)
         np.testing.assert_allclose(rate[:, :3, 3], arm.position_jacobian(q)[..., i], atol=1e-7)
+        turning = twist[:, [2, 0, 1], [1, 2, 0]]
+        np.testing.assert_allclose(np.c_[turning, rate[:, :3, 3]], arm.geometric_jacobian(q)[..., i], atol=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -64,10 +64,9 @@ class Mistake:
 
     def explains_all(self, cases, values, failing):
         """Return whether its `answer` accounts for the wrong answers, and for the others where it speaks of them."""
-        if self.answer is None:
+        if self.answer is None or not all(self.explains(values[i], cases[i]) for i in failing):
             return False
-        fits = [self.explains(value, case) for value, case in zip(values, cases, strict=True)]
-        return all(fits[i] for i in failing) and False not in fits
+        return all(self.explains(value, case) is not False for value, case in zip(values, cases, strict=True))
 
 
 @dataclass(frozen=True)
