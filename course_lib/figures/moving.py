@@ -4,7 +4,7 @@ import plotly.graph_objects as go
 
 from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 
-_CONTROLS = 70  # pixels below the picture for the button and the slider
+_CONTROLS = 82  # pixels below the picture for the button and the slider
 
 
 def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
@@ -66,12 +66,12 @@ def movie(name, layout, still, moving, times):
 def _buttons(pace, at_once):
     play = {"label": "Play", "method": "animate", "args": [None, pace]}
     pause = {"label": "Pause", "method": "animate", "args": [[None], at_once]}
-    place = {"x": 0, "y": 0, "xanchor": "left", "yanchor": "top", "pad": {"t": 50, "r": 10}}
+    place = {"x": 0, "y": 0, "xanchor": "left", "yanchor": "top", "pad": {"t": 60, "r": 10}}
     return {"type": "buttons", "direction": "left", "showactive": False, "buttons": [play, pause], **place}
 
 
 def _slider(labels, at_once):
     steps = [{"label": label, "method": "animate", "args": [[str(i)], at_once]} for i, label in enumerate(labels)]
-    place = {"x": 0.27, "len": 0.73, "y": 0, "yanchor": "top", "pad": {"t": 36}, "ticklen": 0, "minorticklen": 0}
+    place = {"x": 0.27, "len": 0.73, "y": 0, "yanchor": "top", "pad": {"t": 48}, "ticklen": 0, "minorticklen": 0}
     value = {"prefix": "time (s): ", "xanchor": "left", "font": {"size": 13, "color": BLACK}}
     return {"active": 0, "steps": steps, "currentvalue": value, "font": {"color": "rgba(0,0,0,0)"}, **place}
