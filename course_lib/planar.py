@@ -163,7 +163,6 @@ def _scaling_arguments(**values):
 
 def _interpolate(start, goal, turning, n, T, v_start, v_goal, scaling):
     """Each coordinate by the time scaling, the turning ones the short way round."""
-    broadcast(start=start.shape[:-1], goal=goal.shape[:-1])
     k = start.shape[-1]
     v_start, v_goal = _velocities(v_start, "v_start", k), _velocities(v_goal, "v_goal", k)
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])

@@ -9,7 +9,6 @@ from course_lib.checks.subproblems_damped_ik.solutions import (
     across,
     all_of_them,
     angle_about,
-    by_arctan,
     mended,
     near,
     predicted,
@@ -17,6 +16,7 @@ from course_lib.checks.subproblems_damped_ik.solutions import (
     turned,
     unless_empty,
     where_two,
+    wrong_middles,
 )
 from course_lib.checks.subproblems_damped_ik.turn_onto import X, Y, Z, off_axis
 from course_lib.subproblems import subproblem3
@@ -186,32 +186,7 @@ SUBPROBLEM3 = Exercise(
             ("the 2 of the law of cosines is missing", "d'^2 = |p'|^2 + |q'|^2 - 2 |p'| |q'| cos(angle)."),
             _by_cosine(_right_square, lambda a, b, p, q: np.linalg.norm(a) * np.linalg.norm(b)),
         ),
-        *predicted(
-            (
-                "the turn from p to q is left out: arccos alone is the angle beside q",
-                "theta = subproblem1(k, p, q) +- arccos(...).",
-            ),
-            _by_cosine(_right_square, middle=lambda k, p, q: 0.0),
-        ),
-        *predicted(
-            (
-                "the turn from p to q is wrong beyond a quarter turn: arctan ends there",
-                "np.arctan2(sine, cosine) looks at both signs. Take subproblem1.",
-            ),
-            _by_cosine(_right_square, middle=by_arctan),
-        ),
-        *predicted(
-            (
-                "the turn from p to q has lost its sign",
-                "arccos cannot tell one way round from the other. Take subproblem1.",
-            ),
-            _by_cosine(_right_square, middle=lambda k, p, q: abs(angle_about(k, p, q))),
-        ),
-        *mended(
-            ("the turn from q to p is taken, not that from p to q", "theta = subproblem1(k, p, q) +- arccos(...)."),
-            _misses,
-            np.negative,
-        ),
+        *wrong_middles("q", lambda middle: _by_cosine(_right_square, middle=middle), _misses),
         *predicted(
             (
                 "the law of cosines has its sign turned",

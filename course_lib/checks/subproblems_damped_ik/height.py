@@ -10,13 +10,13 @@ from course_lib.checks.subproblems_damped_ik.solutions import (
     across,
     all_of_them,
     angle_about,
-    by_arctan,
     mended,
     predicted,
     too_few,
     turned,
     unless_empty,
     where_two,
+    wrong_middles,
 )
 from course_lib.checks.subproblems_damped_ik.turn_onto import X, Y, Z, off_axis
 from course_lib.subproblems import subproblem4
@@ -174,32 +174,7 @@ SUBPROBLEM4 = Exercise(
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(b) / np.linalg.norm(h)),
             _by_cosine(_right_offset, lambda a, b, h, p: (np.linalg.norm(a) * np.linalg.norm(b)) ** 2),
         ),
-        *predicted(
-            (
-                "the turn from p to h is left out: arccos alone is the angle beside h",
-                "theta = subproblem1(k, p, h) +- arccos(...).",
-            ),
-            _by_cosine(_right_offset, middle=lambda k, p, h: 0.0),
-        ),
-        *predicted(
-            (
-                "the turn from p to h is wrong beyond a quarter turn: arctan ends there",
-                "np.arctan2(sine, cosine) looks at both signs. Take subproblem1.",
-            ),
-            _by_cosine(_right_offset, middle=by_arctan),
-        ),
-        *predicted(
-            (
-                "the turn from p to h has lost its sign",
-                "arccos cannot tell one way round from the other. Take subproblem1.",
-            ),
-            _by_cosine(_right_offset, middle=lambda k, p, h: abs(angle_about(k, p, h))),
-        ),
-        *mended(
-            ("the turn from h to p is taken, not that from p to h", "theta = subproblem1(k, p, h) +- arccos(...)."),
-            _misses,
-            np.negative,
-        ),
+        *wrong_middles("h", lambda middle: _by_cosine(_right_offset, middle=middle), _misses),
         *predicted(
             (
                 "sine and cosine are swapped",

@@ -161,3 +161,27 @@ def too_few(one, misses):
             seen=lambda found, *case: len(found) == 0,
         ),
     )
+
+
+def wrong_middles(goal, angles, misses):
+    """The ways to be wrong about the turn from p to `goal`, to whose sides the two answers lie.
+
+    angles(middle): the answers of somebody who takes middle(k, p, goal) for that turn.
+    """
+    take = f"theta = subproblem1(k, p, {goal}) +- arccos(...)."
+    turn = f"the turn from p to {goal}"
+    return (
+        *predicted((f"{turn} is left out: arccos alone is the angle beside {goal}", take), angles(lambda *case: 0.0)),
+        *predicted(
+            (
+                f"{turn} is wrong beyond a quarter turn: arctan ends there",
+                "np.arctan2(sine, cosine) looks at both signs. Take subproblem1.",
+            ),
+            angles(by_arctan),
+        ),
+        *predicted(
+            (f"{turn} has lost its sign", "arccos cannot tell one way round from the other. Take subproblem1."),
+            angles(lambda *case: abs(angle_about(*case))),
+        ),
+        *mended((f"the turn from {goal} to p is taken, not that from p to {goal}", take), misses, np.negative),
+    )
