@@ -16,7 +16,7 @@ unexport PYTHONPATH PYTHONHOME
 test html notebooks animations data: export IPYTHONDIR = $(CURDIR)/build/ipython
 test html notebooks animations data: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 
-.PHONY: help environment lab test html notebooks animations data lock clean
+.PHONY: help environment lab test html student notebooks animations data lock clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -43,6 +43,9 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 
 html: environment ## export the notebooks as a static site, build/html/index.html
 	@$(PY) -m course_lib.pack.site
+
+student: environment ## write the release to students, without solutions, build/student.zip
+	@$(PY) -m course_lib.pack.release
 
 notebooks: environment ## run the notebooks and write their outputs into them (authors)
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)

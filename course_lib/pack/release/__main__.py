@@ -1,0 +1,29 @@
+"""``python -m course_lib.pack.release``: write the students' zip and say what is in it."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from course_lib.pack.release import ReleaseError
+from course_lib.pack.release.bundle import collect, named, write_zip
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.release", description=__doc__)
+    parser.add_argument("--root", type=Path, default=Path("."), help="folder of the project")
+    parser.add_argument("--output", type=Path, default=Path("build/student.zip"), help="file to write")
+    chosen = parser.parse_args(arguments)
+    try:
+        release, files = named(collect(chosen.root))
+        write_zip(chosen.output, files)
+    except (ReleaseError, OSError) as error:
+        print(f"No release was written. {error}", file=sys.stderr)
+        return 1
+    notebooks = sum(name.endswith(".ipynb") for name in files)
+    size = chosen.output.stat().st_size / 1000
+    print(f"{chosen.output}: release {release}, {notebooks} notebooks, {len(files)} files, {size:.0f} kB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

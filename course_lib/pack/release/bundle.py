@@ -1,0 +1,138 @@
+"""What goes to students, by rules: nothing here is a second copy of a file of the project."""
+
+import hashlib
+import importlib.metadata
+import os
+import re
+import tomllib
+import zipfile
+from pathlib import Path
+
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+from course_lib.pack.release import ReleaseError
+from course_lib.pack.release.stubs import students_copy
+
+FOLDER = "robot-kinematics"
+RELEASE = "@RELEASE@"  # stands in the files until their contents, and so the release, are known
+STUDENTS = Path(__file__).parent / "students"  # what only students have
+SET_UP = "course_lib/pack/environment.sh"
+LOCK_SAYS = "# The versions of all packages that this release was made with.\n"
+
+
+# ---- the files ----
+
+
+def collect(root):
+    """Return {path in the zip: bytes} of everything that students get, from the project at `root`."""
+    notebooks = sorted(root.glob("notebooks/[0-9][0-9]_*.ipynb"))
+    if not notebooks:
+        raise ReleaseError(f"There are no notebooks in {root / 'notebooks'}.")
+    project = (root / "pyproject.toml").read_text(encoding="utf-8")
+    files = {f"notebooks/{path.name}": _notebook(path) for path in notebooks}
+    files |= _as_they_are(root, _data(root) + _package(root) + [root / SET_UP])
+    files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
+    files["pyproject.toml"] = reduced_project(project).encode()
+    lock = (root / "environment.txt").read_text(encoding="utf-8")
+    files["environment.txt"] = reduced_lock(lock, wanted(project)).encode()
+    return files
+
+
+def _notebook(path):
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise ReleaseError(f"{path.name} is no notebook: it is not UTF-8.") from error
+    return students_copy(text, path.name, RELEASE).encode()
+
+
+def _data(root):
+    """The data that notebooks read. A picture there is for the project's own README."""
+    return [path for path in (root / "notebooks/data").iterdir() if path.suffix in (".csv", ".json")]
+
+
+def _package(root):
+    """The helper package, less what only make runs."""
+    package = root / "course_lib"
+    return [path for path in package.rglob("*.py") if path.relative_to(package).parts[0] != "pack"]
+
+
+def _as_they_are(folder, paths):
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+
+
+# ---- what it takes to install ----
+
+
+def reduced_project(text):
+    """Return pyproject.toml with only the tables by which the package is installed."""
+    tables = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
+    return "".join(table for table in tables if table.startswith(("[build-system]", "[project]"))).rstrip() + "\n"
+
+
+def wanted(project):
+    """Return the requirements of a pyproject.toml that students need: to run the package, and to install it."""
+    tables = tomllib.loads(project)
+    return [*tables["project"]["dependencies"], *tables["dependency-groups"]["build"]]
+
+
+def reduced_lock(lock, requirements):
+    """Return the lines of a lock that the requirements need, and what those need in turn.
+
+    Markers are taken for true, but for extras: the lock's own markers say where a line counts.
+    """
+    lines = [line for line in lock.splitlines() if not line.startswith("#")]
+    pinned = {Requirement(line).name for line in lines}
+    left, seen = [Requirement(text) for text in requirements], set()
+    while left:
+        asked = left.pop()
+        name = canonicalize_name(asked.name)
+        for extra in {"", *asked.extras}:
+            if name in pinned and (name, extra) not in seen:
+                seen.add((name, extra))
+                left += [need for need in _needs(name) if _extra(need) == extra]
+    names = {name for name, _ in seen}
+    return LOCK_SAYS + "".join(f"{line}\n" for line in lines if Requirement(line).name in names)
+
+
+def _needs(name):
+    """What an installed package requires, whatever the markers; nothing of one for another system."""
+    try:
+        return [Requirement(text) for text in importlib.metadata.requires(name) or []]
+    except importlib.metadata.PackageNotFoundError:
+        return []
+
+
+def _extra(requirement):
+    """The extra that a requirement belongs to, or ""."""
+    found = re.search(r"extra == ['\"]([\w.-]+)", str(requirement.marker or ""))
+    return found[1] if found else ""
+
+
+# ---- the zip ----
+
+
+def named(files):
+    """Return the release, the project's version and a hash of all contents, and the files that now name it."""
+    version = tomllib.loads(files["pyproject.toml"].decode())["project"]["version"]
+    digest = hashlib.sha256()
+    for name in sorted(files):
+        digest.update(f"{name}\n{len(files[name])}\n".encode() + files[name])
+    release = f"{version}-{digest.hexdigest()[:8]}"
+    return release, {
+        f"{FOLDER}-{release}/{name}": content.replace(RELEASE.encode(), release.encode())
+        for name, content in files.items()
+    }
+
+
+def write_zip(path, files):
+    """Write a zip that is the same bytes for the same files: no clock, no user, no order of a file system."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_name(f"{path.name}.part")  # so that an interruption leaves no half of a zip
+    with zipfile.ZipFile(part, "w") as archive:  # stored: how far it can be pressed differs between zlibs
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(name, date_time=(2000, 1, 1, 0, 0, 0))
+            entry.create_system, entry.external_attr = 3, 0o100644 << 16  # as if from Unix, also on Windows
+            archive.writestr(entry, files[name])
+    os.replace(part, path)

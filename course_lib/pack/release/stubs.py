@@ -1,0 +1,88 @@
+"""A student's copy of a notebook: stubs for solutions, prompts for written answers, nothing in the outputs."""
+
+import ast
+
+import nbformat
+
+from course_lib.pack.notebooks import tidy
+from course_lib.pack.release import ReleaseError
+
+BEGIN, END = "BEGIN SOLUTION", "END SOLUTION"  # anywhere in a line, as nbgrader has it
+PROMPT = "*Type your answer here.*"
+FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
+
+
+def students_copy(text, name, release):
+    """Return the text of a notebook without what its solution cells hold and without outputs.
+
+    name: the notebook's, for messages. release: goes into its metadata. Raises ReleaseError, naming notebook and
+    cell, where the markers are not paired, a stub would be no function, or words for graders stand in other cells.
+    """
+    notebook = _read(text, name)
+    for number, cell in enumerate(notebook.cells, 1):
+        _empty(cell, f"{name}, cell {cell.get('id', number)}")
+    notebook.metadata["course"] = {**notebook.metadata.get("course", {}), "release": release}
+    tidy(notebook)
+    return nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+
+
+def _read(text, name):
+    try:
+        notebook = nbformat.reads(text, as_version=4)
+        nbformat.validate(notebook)
+    except (ValueError, LookupError, TypeError, AttributeError, nbformat.ValidationError) as error:
+        # A half-resolved merge, most often; the others come of JSON that is something else.
+        raise ReleaseError(f"{name} is no notebook: {str(error).splitlines()[0]:.100}") from error
+    return notebook
+
+
+def _empty(cell, place):
+    """Take out of one cell what students write themselves, or shall see only after they have run it."""
+    nbgrader = cell.metadata.get("nbgrader", {})
+    if nbgrader.get("solution"):
+        code = cell.cell_type == "code"
+        cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place) if code else PROMPT
+    found = [words for words in FOR_GRADERS if words in cell.source]
+    if found:
+        raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell.')
+    if cell.cell_type == "code":
+        cell.outputs, cell.execution_count = [], None
+    if nbgrader:  # as nbgrader does it: its cells cannot be deleted by accident, nor the locked ones edited
+        cell.metadata["deletable"] = False
+        if nbgrader.get("locked"):
+            cell.metadata["editable"] = False
+
+
+def stub(source, exercise, place):
+    """Return the source of an answer cell with the marked lines replaced by one that says what to write."""
+    kept, inside, blocks = [], False, 0
+    for line in source.splitlines():
+        if (BEGIN if inside else END) in line:
+            what = "a second BEGIN SOLUTION before END" if inside else "an END SOLUTION without BEGIN"
+            raise ReleaseError(f"{place}: {what} SOLUTION.")
+        if BEGIN in line:
+            indent = line[: len(line) - len(line.lstrip())]
+            kept.append(f'{indent}raise NotImplementedError("Write {exercise} here.")')
+            inside, blocks = True, blocks + 1
+        elif END in line:
+            inside = False
+        elif not inside:
+            kept.append(line)
+    if inside:
+        raise ReleaseError(f"{place}: a BEGIN SOLUTION without END SOLUTION.")
+    if not blocks:
+        raise ReleaseError(f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION: no stub.")
+    text = "\n".join(kept)
+    if not _defines(text, exercise):
+        raise ReleaseError(f"{place}: without its solution this is no function `{exercise}` that raises: no stub.")
+    return text
+
+
+def _defines(text, exercise):
+    """Return whether the text is Python that defines the exercise's function, and that function raises."""
+    try:
+        statements = ast.parse(text).body
+    except SyntaxError:
+        return False
+    functions = [s for s in statements if isinstance(s, ast.FunctionDef) and s.name == exercise]
+    return any(isinstance(line, ast.Raise) for function in functions for line in function.body)

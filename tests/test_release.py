@@ -1,0 +1,230 @@
+"""The students' zip: what is in it, the same bytes for the same tree, and sentences where it cannot be written."""
+
+import importlib.metadata
+import os
+import re
+import shutil
+import subprocess
+import tomllib
+import zipfile
+from pathlib import Path
+
+import nbformat
+import pytest
+from flit_core import buildapi
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+from course_lib.pack.release.__main__ import main
+
+ROOT = Path(__file__).parents[1]
+PARTS = ["course_lib", "notebooks", "environment.txt", "pyproject.toml"]
+
+
+def released(root, output):
+    """Write the zip and return {path below the one folder at its top: content}, and that folder's name."""
+    assert main(["--root", str(root), "--output", str(output)]) == 0
+    with zipfile.ZipFile(output) as archive:
+        files = {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
+        (top,) = {name.split("/")[0] for name in archive.namelist()}
+    return files, top
+
+
+@pytest.fixture(scope="module")
+def zipped(tmp_path_factory):
+    return tmp_path_factory.mktemp("release") / "student.zip"
+
+
+@pytest.fixture(scope="module")
+def release(zipped):
+    return released(ROOT, zipped)
+
+
+@pytest.fixture(scope="module")
+def files(release):
+    return release[0]
+
+
+@pytest.fixture
+def tree(tmp_path):
+    """A copy of the project, with what an author's folder holds besides."""
+    for part in PARTS:
+        if (ROOT / part).is_dir():
+            shutil.copytree(ROOT / part, tmp_path / "copy" / part, ignore=shutil.ignore_patterns("__pycache__", ".*"))
+        else:
+            shutil.copy(ROOT / part, tmp_path / "copy" / part)
+    (tmp_path / "copy/notebooks/Untitled.ipynb").write_text("{}")
+    (tmp_path / "copy/course_lib/__pycache__").mkdir()
+    (tmp_path / "copy/course_lib/__pycache__/rotations.cpython-311.pyc").write_bytes(b"\0")
+    return tmp_path / "copy"
+
+
+# ---- what is in it ----
+
+
+def test_holds_what_students_need_and_nothing_else(files):
+    kinds = [
+        r"Makefile|README\.md|carry_over\.py|environment\.txt|pyproject\.toml",
+        r"notebooks/\d\d_\w+\.ipynb",
+        r"notebooks/data/\w+\.(csv|json)",
+        r"course_lib/\w+\.py",
+        r"course_lib/(checks|figures)/(\w+/)?\w+\.py",
+        r"course_lib/pack/environment\.sh",
+    ]
+    assert [name for name in files if not re.fullmatch("|".join(kinds), name)] == []
+    named = {path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")}
+    assert {name.split("/")[1] for name in files if name.endswith(".ipynb")} == named
+    text = b"".join(content for name, content in files.items() if name.endswith(".ipynb"))
+    for name in re.findall(rb"data/\w+\.\w+", text):
+        assert f"notebooks/{name.decode()}" in files
+
+
+def test_metadata_for_grading_is_kept_and_protected(files):
+    for name in (name for name in files if name.endswith(".ipynb")):
+        ours, theirs = nbformat.read(ROOT / name, 4), nbformat.reads(files[name].decode(), 4)
+        nbformat.validate(theirs)
+        assert [c.id for c in theirs.cells] == [c.id for c in ours.cells]
+        for before, after in zip(ours.cells, theirs.cells, strict=True):
+            nbgrader = before.metadata.get("nbgrader")
+            assert after.metadata.get("nbgrader") == nbgrader
+            if nbgrader:
+                assert after.metadata.deletable is False
+                assert after.metadata.get("editable", True) is not nbgrader.locked
+            if not (nbgrader and nbgrader.solution):
+                assert after.source == before.source
+            elif after.cell_type == "markdown":
+                assert after.source == "*Type your answer here.*"
+            else:
+                shown = before.source.split("    ### BEGIN SOLUTION")[0]
+                assert after.source == f'{shown}    raise NotImplementedError("Write {nbgrader.grade_id} here.")'
+
+
+def test_its_number_stands_in_every_notebook_the_readme_and_the_folder(release):
+    files, top = release
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    number = re.fullmatch(rf"robot-kinematics-({re.escape(version)}-[0-9a-f]{{8}})", top)[1]
+    assert f"Release {number}." in files["README.md"].decode()
+    for name in (name for name in files if name.endswith(".ipynb")):
+        assert nbformat.reads(files[name].decode(), 4).metadata.course.release == number
+    assert [name for name, content in files.items() if b"@RELEASE@" in content] == []
+
+
+def test_same_tree_same_bytes_and_another_tree_another_number(zipped, release, tree, tmp_path):
+    again, other = tmp_path / "again.zip", tmp_path / "other.zip"
+    _, top = released(tree, again)
+    assert again.read_bytes() == zipped.read_bytes()
+    assert top == release[1]
+    (tree / "course_lib/rotations.py").write_text("# changed\n")
+    assert released(tree, other)[1] != top
+    with zipfile.ZipFile(again) as archive:
+        entries = archive.infolist()
+    assert [entry.filename for entry in entries] == sorted(entry.filename for entry in entries)
+    assert {(e.date_time, e.external_attr >> 16, e.create_system) for e in entries} == {
+        ((2000, 1, 1, 0, 0, 0), 0o100644, 3)
+    }
+
+
+# ---- what it takes to install ----
+
+
+def unpack(zipped, release, folder):
+    with zipfile.ZipFile(zipped) as archive:
+        archive.extractall(folder)
+    return folder / release[1]
+
+
+def test_its_package_can_be_built(zipped, release, tmp_path, monkeypatch):
+    monkeypatch.chdir(unpack(zipped, release, tmp_path))
+    wheel = buildapi.build_wheel(str(tmp_path))
+    with zipfile.ZipFile(tmp_path / wheel) as archive:
+        assert "course_lib/checks/notebook.py" in archive.namelist()
+    project = tomllib.loads(Path("pyproject.toml").read_text())
+    assert project.keys() == {"build-system", "project"}
+    assert project["project"] == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+
+
+def test_its_lock_is_part_of_ours_and_holds_all_that_its_packages_need(files):
+    ours = (ROOT / "environment.txt").read_text().splitlines()
+    theirs = files["environment.txt"].decode().splitlines()[1:]
+    assert [line for line in theirs if line not in ours] == []
+    pins = {canonicalize_name(Requirement(line).name) for line in theirs}
+    assert {"numpy", "jupyterlab", "plotly", "flit-core", "ipykernel"} <= pins
+    assert pins & {"pytest", "hypothesis", "nbgrader", "sphinx", "ruff", "playwright", "kaleido", "tqdm"} == set()
+    for name in pins & {canonicalize_name(found.name) for found in importlib.metadata.distributions()}:
+        needs = [Requirement(text) for text in importlib.metadata.requires(name) or []]
+        here = [need for need in needs if need.marker is None or need.marker.evaluate({"extra": ""})]
+        assert {canonicalize_name(need.name) for need in here} <= pins, name
+
+
+def test_its_make_knows_what_students_need(zipped, release, tmp_path):
+    folder = unpack(zipped, release, tmp_path)
+    assert [line.split()[1] for line in make(folder).splitlines()] == ["lab", "update"]
+    assert 'carry_over.py "../with a space"' in make(folder, "-n", "update", "FROM=../with a space")
+    ours, theirs = ((path / "Makefile").read_text() for path in (ROOT, folder))
+    lab = re.compile(r"^lab: environment ##.*\n((?:\t.*\n)+)", re.MULTILINE)
+    assert lab.search(ours)[1] == lab.search(theirs)[1]
+    readme = (folder / "README.md").read_text()
+    assert set(re.findall(r"^    make (\w+)", readme, re.MULTILINE)) == {"lab", "update"}
+
+
+def make(folder, *arguments):
+    """Run make as a student does; the make that runs these tests leaves its own settings in the environment."""
+    outside = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS"))}
+    done = subprocess.run(["make", *arguments], cwd=folder, env=outside, capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+# ---- what can be wrong ----
+
+
+def answer(*lines):
+    return "\n".join(["def wrap_angle(angle):", '    """Return it."""', *lines])
+
+
+BEGIN, END = "    ### BEGIN SOLUTION", "    ### END SOLUTION"
+WRONG = [
+    (answer(BEGIN, "    return 1"), "a BEGIN SOLUTION without END SOLUTION"),
+    (answer("    return 1", END), "an END SOLUTION without BEGIN SOLUTION"),
+    (answer(BEGIN, BEGIN, "    return 1", END), "a second BEGIN SOLUTION before END SOLUTION"),
+    (answer("    return 1"), "an answer cell without ### BEGIN SOLUTION"),
+    ("\n".join([BEGIN[4:], answer("    return 1"), END[4:]]), "no function `wrap_angle` that raises: no stub"),
+    (answer(BEGIN, "    return 1", END, "  return 2"), "no function `wrap_angle` that raises: no stub"),
+]
+
+
+@pytest.mark.parametrize(("source", "told"), WRONG, ids=range(len(WRONG)))
+def test_an_answer_that_makes_no_stub_is_named(tree, tmp_path, capsys, source, told):
+    sentence = refused(tree, tmp_path, capsys, "wrap-angle-answer", source)
+    assert sentence.startswith("No release was written. 02_rigid_motion.ipynb, cell wrap-angle-answer: ")
+    assert told in sentence
+
+
+@pytest.mark.parametrize("words", ["### BEGIN SOLUTION", "**Model answer.** It is", "*Rubric (2): 1 for*"])
+def test_words_for_graders_in_another_cell_are_named(tree, tmp_path, capsys, words):
+    sentence = refused(tree, tmp_path, capsys, "wrap-angle-task", words)
+    assert "02_rigid_motion.ipynb, cell wrap-angle-task" in sentence
+
+
+@pytest.mark.parametrize("text", ["<<<<<<< HEAD\n{}", "[1, 2]", '{"cells": 3}', "\udcff"], ids=range(4))
+def test_what_is_no_notebook_is_named(tree, tmp_path, capsys, text):
+    (tree / "notebooks/02_rigid_motion.ipynb").write_bytes(text.encode(errors="surrogateescape"))
+    assert main(["--root", str(tree), "--output", str(tmp_path / "student.zip")]) == 1
+    assert "02_rigid_motion.ipynb is no notebook" in one_sentence(capsys)
+
+
+def refused(tree, tmp_path, capsys, cell_id, source):
+    """Put a source into a cell of one notebook, and return what the release says to that."""
+    path = tree / "notebooks/02_rigid_motion.ipynb"
+    notebook = nbformat.read(path, 4)
+    next(cell for cell in notebook.cells if cell.id == cell_id).source = source
+    nbformat.write(notebook, path)
+    assert main(["--root", str(tree), "--output", str(tmp_path / "student.zip")]) == 1
+    assert not (tmp_path / "student.zip").exists()
+    return one_sentence(capsys)
+
+
+def one_sentence(capsys):
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert len(said.err.splitlines()) == 1
+    return said.err

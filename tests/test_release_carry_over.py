@@ -1,0 +1,122 @@
+"""A student's answers, taken over from an older release into a newer one."""
+
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from course_lib.pack.release.__main__ import main
+
+ROOT = Path(__file__).parents[1]
+NAME = "02_rigid_motion.ipynb"
+CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far\n'
+
+
+@pytest.fixture(scope="module")
+def unpacked(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("student")
+    assert main(["--root", str(ROOT), "--output", str(folder / "student.zip")]) == 0
+    with zipfile.ZipFile(folder / "student.zip") as archive:
+        archive.extractall(folder)
+    return next(path for path in folder.iterdir() if path.is_dir())
+
+
+@pytest.fixture
+def folders(unpacked, tmp_path):
+    """An older release and a newer one, both as they come."""
+    return shutil.copytree(unpacked, tmp_path / "old one"), shutil.copytree(unpacked, tmp_path / "new")
+
+
+def cell_of(notebook, name):
+    return next(c for c in notebook.cells if c.metadata.get("nbgrader", {}).get("grade_id") == name)
+
+
+def write(folder, **sources):
+    notebook = nbformat.read(folder / "notebooks" / NAME, 4)
+    for name, source in sources.items():
+        cell_of(notebook, name).source = source
+    nbformat.write(notebook, folder / "notebooks" / NAME)
+
+
+def source(folder, name):
+    return cell_of(nbformat.read(folder / "notebooks" / NAME, 4), name).source
+
+
+def carry_over(old, new):
+    command = [sys.executable, str(new / "carry_over.py"), str(old)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+
+
+def test_answers_in_code_and_words_are_taken_over_and_the_old_is_only_read(folders):
+    old, new = folders
+    write(old, wrap_angle=CODE, explain_wrap="Because.\n\nπ.")
+    before = (old / "notebooks" / NAME).read_bytes()
+    done = carry_over(old, new)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"{NAME}: answers taken over: 2\n" in done.stdout
+    assert (source(new, "wrap_angle"), source(new, "explain_wrap")) == (CODE, "Because.\n\nπ.")
+    assert (old / "notebooks" / NAME).read_bytes() == before
+    nbformat.validate(nbformat.read(new / "notebooks" / NAME, 4))
+
+    assert f"{NAME}: answers taken over: 0\n" in carry_over(old, new).stdout
+    names = [path.name for path in (new / "notebooks").iterdir()]
+    assert sorted(names) == sorted(path.name for path in (old / "notebooks").iterdir())
+
+
+def test_everything_else_stays_as_it_is_in_the_new_release(folders):
+    old, new = folders
+    write(old, wrap_angle=CODE, task_wrap_angle="an older task", check_wrap_angle="pass")
+    fresh = nbformat.read(new / "notebooks" / NAME, 4)
+    carry_over(old, new)
+    cell_of(fresh, "wrap_angle").source = CODE
+    assert nbformat.read(new / "notebooks" / NAME, 4) == fresh
+
+
+def test_begun_work_counts_as_an_answer(folders):
+    old, new = folders
+    begun = 'def wrap_angle(angle):\n    """Return it."""\n    # one idea\n    raise NotImplementedError("Later.")'
+    broken = "def interpolate_arm(start, goal, n:\n    raise NotImplementedError()"
+    write(old, wrap_angle=begun, interpolate_arm=broken)
+    carry_over(old, new)
+    assert (source(new, "wrap_angle"), source(new, "interpolate_arm")) == (begun, broken)
+
+
+def test_nothing_written_in_the_new_release_is_lost_and_a_newer_stub_stays(folders):
+    old, new = folders
+    newer = 'def arm_frames(theta, links):\n    """Newer."""\n    raise NotImplementedError("Write arm_frames here.")'
+    write(old, wrap_angle=CODE)
+    write(new, wrap_angle=CODE.replace("7", "8"), arm_frames=newer)
+    assert "answers taken over: 0; answered here already: wrap_angle\n" in carry_over(old, new).stdout
+    assert source(new, "wrap_angle") == CODE.replace("7", "8")
+    assert source(new, "arm_frames") == newer
+
+
+def test_a_split_cell_is_put_together_and_an_exercise_that_is_gone_is_named(folders):
+    old, new = folders
+    notebook = nbformat.read(old / "notebooks" / NAME, 4)
+    second = cell_of(notebook, "wrap_angle").copy()
+    cell_of(notebook, "wrap_angle").source, second["source"], second["id"] = "turn = 7", CODE, "another"
+    notebook.cells.append(second)
+    cell_of(notebook, "arm_frames").source = "pass"
+    cell_of(notebook, "arm_frames").metadata.nbgrader.grade_id = "frames"
+    nbformat.write(notebook, old / "notebooks" / NAME)
+    assert "answers taken over: 1; no longer asked: frames\n" in carry_over(old, new).stdout
+    assert source(new, "wrap_angle") == f"turn = 7\n\n{CODE}"
+
+
+def test_what_cannot_be_read_is_told_in_a_sentence(folders):
+    old, new = folders
+    for folder in (old / "notebooks", old / "nowhere"):
+        done = carry_over(folder, new)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr == "Name the folder of the older release, the one that holds its notebooks/.\n"
+    (old / "notebooks" / NAME).write_text("<<<<<<< {}")
+    before = (new / "notebooks" / NAME).read_bytes()
+    done = carry_over(old, new)
+    assert f"{NAME}: left as it is" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert (new / "notebooks" / NAME).read_bytes() == before

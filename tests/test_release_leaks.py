@@ -1,0 +1,197 @@
+"""Nothing that students are to find out themselves is in their zip: no solution, no model answer, no rubric, no output.
+
+Code is compared as ast.unparse writes it, so that comments, quotes and line breaks do not matter, and names do; text
+as it stands. A solution counts as found where three of its lines in a row are, or all of them where it has fewer.
+"""
+
+import ast
+import re
+import textwrap
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from course_lib.pack.release.bundle import collect
+
+ROOT = Path(__file__).parents[1]
+BLOCK = re.compile(r"^ *### BEGIN SOLUTION\n(.*?)^ *### END SOLUTION", re.DOTALL | re.MULTILINE)
+RUN = 3  # lines
+LONG = 40  # characters of a sentence that nobody writes by chance
+
+# Where (exercise, file) may say the same: the careful version, and what the check itself asks for.
+MAY = {
+    ("matrix_to_quaternion", "course_lib/rotations.py"),
+    ("is_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
+    ("nearest_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
+}
+
+
+def answer_cells():
+    """Every cell with an author's answer, as (exercise, cell)."""
+    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")):
+        for cell in nbformat.read(path, 4).cells:
+            nbgrader = cell.metadata.get("nbgrader", {})
+            if nbgrader.get("solution"):
+                yield nbgrader["grade_id"], cell
+
+
+def lines(text):
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
+def code(text):
+    """The lines of Python as ast.unparse writes them; none of text that is no Python."""
+    try:
+        return lines(ast.unparse(ast.parse(textwrap.dedent(text))))
+    except (SyntaxError, ValueError):
+        return []
+
+
+def runs(written):
+    """What counts as a solution, or a part of it: `written` lines, three at a time, each as one text."""
+    if len(written) == 1:
+        return {written[0].removeprefix("return ")}
+    return {"\n".join(written[i : i + RUN]) for i in range(max(1, len(written) - RUN + 1))}
+
+
+def secrets():
+    """{text: exercise} of everything that is looked for."""
+    found = {}
+    for exercise, cell in answer_cells():
+        if cell.cell_type == "code":
+            for block in BLOCK.findall(cell.source):
+                found |= dict.fromkeys(runs(code(block)) | runs(lines(block)), exercise)
+        else:
+            sentences = re.split(r"(?<=[.:;?!])\s|\*", " ".join(cell.source.split()))
+            found |= {words.strip(): exercise for words in sentences if len(words.strip()) >= LONG}
+    return found
+
+
+def texts(name, content):
+    """What one file says: its lines, its code's lines as ast.unparse has them, and its words in one line."""
+    text = content.decode()
+    sources = [text]
+    if name.endswith(".ipynb"):
+        sources += [cell["source"] for cell in nbformat.reads(text, 4).cells]
+    for source in sources:
+        yield "\n".join(lines(source))
+        yield "\n".join(code(source))
+        yield " ".join(source.split())
+
+
+def leaks(files, wanted):
+    """The (exercise, file, text) that are found in the files."""
+    return {
+        (wanted[secret], name, secret)
+        for name, content in files.items()
+        for text in texts(name, content)
+        for secret in wanted
+        if secret in text
+    }
+
+
+@pytest.fixture(scope="module")
+def files():
+    return collect(ROOT)
+
+
+@pytest.fixture(scope="module")
+def wanted():
+    return secrets()
+
+
+def leaking(files, wanted):
+    return {(exercise, name) for exercise, name, _ in leaks(files, wanted)} - MAY
+
+
+def test_every_answer_is_looked_for(wanted):
+    assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
+    assert len(wanted) > 3 * len(set(wanted.values()))
+
+
+def test_no_solution_and_no_word_of_a_model_answer_or_rubric_goes_out(files, wanted):
+    found = {leak for leak in leaks(files, wanted) if leak[:2] not in MAY}
+    assert found == set()
+
+
+def test_no_output_goes_out(files):
+    assert outputs(files) == []
+
+
+def outputs(files):
+    notebooks = {name: nbformat.reads(text.decode(), 4) for name, text in files.items() if name.endswith(".ipynb")}
+    cells = [(name, cell) for name, notebook in notebooks.items() for cell in notebook.cells]
+    return [(name, cell.id) for name, cell in cells if cell.get("outputs") or cell.get("execution_count")]
+
+
+def test_markers_and_words_for_graders_are_gone(files):
+    text = {name: content.decode() for name, content in files.items()}
+    words = ["BEGIN SOLUTION", "END SOLUTION", "Model answer", "Rubric"]
+    assert [(name, word) for name in text for word in words if word in text[name]] == []
+
+
+# ---- the search finds what is put there ----
+
+
+def of_kind(kind):
+    """One exercise and its answer's source, without markers."""
+    for exercise, cell in answer_cells():
+        if cell.cell_type == kind and len(cell.source.splitlines()) > 6:
+            return exercise, re.sub(r".*### (BEGIN|END) SOLUTION\n?", "", cell.source)
+    raise AssertionError(f"no {kind} answer")
+
+
+def with_cell(files, new_cell, **changed):
+    """The files, one notebook with one cell more or with a changed one."""
+    name = "notebooks/02_rigid_motion.ipynb"
+    notebook = nbformat.reads(files[name].decode(), 4)
+    if new_cell is not None:
+        notebook.cells.append(new_cell)
+    else:
+        next(cell for cell in notebook.cells if cell.cell_type == "code").update(changed)
+    return files | {name: nbformat.writes(notebook).encode()}
+
+
+def body(source):
+    """What a function does, without its first line and its docstring, with other blanks and a comment."""
+    written = textwrap.dedent("\n".join(source.splitlines()[2:]))
+    return written.replace(" = ", "  =  ", 1) + "  # by the way"
+
+
+PLANTS = {
+    "a cell": lambda files, source: with_cell(files, nbformat.v4.new_code_cell(source)),
+    "a cell of other lines": lambda files, source: with_cell(files, nbformat.v4.new_code_cell(body(source))),
+    "words": lambda files, source: with_cell(files, nbformat.v4.new_markdown_cell(f"```\n{source}\n```")),
+    "a module": lambda files, source: files | {"course_lib/help.py": source.encode()},
+    "a text": lambda files, source: files | {"notes.txt": source.encode()},
+    "an output": lambda files, source: with_cell(files, None, outputs=[stream(source)]),
+}
+
+
+def stream(text):
+    return nbformat.v4.new_output("stream", name="stdout", text=text)
+
+
+@pytest.mark.parametrize("place", PLANTS)
+def test_a_planted_solution_is_found(files, wanted, place):
+    exercise, source = of_kind("code")
+    planted = PLANTS[place](files, source)
+    if place == "an output":
+        assert outputs(planted) != []
+    else:
+        assert exercise in {found for found, _ in leaking(planted, wanted)}
+
+
+def test_every_single_part_of_an_answer_is_found(wanted):
+    missed = [secret for secret in wanted if not leaks({"a.txt": f"# see\n  {secret}\n".encode()}, {secret: "it"})]
+    assert missed == []
+
+
+def test_planted_words_are_found(files, wanted):
+    exercise, source = of_kind("markdown")
+    longest = max((secret for secret in wanted if wanted[secret] == exercise), key=len)
+    broken = longest.replace(" ", "\n", 3)
+    for words in (source, longest, broken):
+        planted = with_cell(files, nbformat.v4.new_markdown_cell(words))
+        assert (exercise, "notebooks/02_rigid_motion.ipynb") in leaking(planted, wanted)
