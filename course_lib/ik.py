@@ -110,8 +110,20 @@ def _step(arm, q, error):
     return np.clip(q + (np.swapaxes(J, -1, -2) @ np.linalg.solve(damped, error[..., None]))[..., 0], low, high)
 
 
+def pose_error(T, target):
+    """Return what is left to do from the poses T (..., 4, 4) to the targets (..., 4, 4): (..., 6), a turn and a way.
+
+    The turn is a rotation vector, in radians, the way is the origin's, both along the base's axes: in the order and
+    the axes of SerialArm.geometric_jacobian, so that J q' is about equal to it for a small one. Sugihara, section II.
+    """
+    T, target = real_array(T, "T", (4, 4)), real_array(target, "target", (4, 4))
+    for name, poses in (("T", T), ("target", target)):
+        refuse_first(~is_se(poses), name, lambda i: "is not a pose (rigid.nearest_se gives one near it)")
+    broadcast(T=T.shape[:-2], target=target.shape[:-2])
+    return _error(T, target)
+
+
 def _error(T, target):
-    """The turn and the way, (..., 6), along the base's axes, that lead from the poses T to the targets."""
     turn = log_so3(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
     return np.concatenate([turn, target[..., :3, 3] - T[..., :3, 3]], -1)
 

@@ -192,6 +192,7 @@ ARGUMENTS = {
     "subproblem4": [{"k": _AXIS, "h": _plain(3), "p": _plain(3), "d": _plain()}],
     "euler_yxy": [{"R": _rotation(3)}],
     "damped_path": [_damped(2), _damped(3)],
+    "pose_error": [{"T": _pose(3), "target": _pose(3)}],
 }
 
 # length is used on arrays that were looked at already, it looks at nothing itself; solve has tests of its own.

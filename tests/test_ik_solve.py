@@ -6,7 +6,7 @@ from helpers import pose_samples
 
 from course_lib import rigid, rotations
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
-from course_lib.ik import solve
+from course_lib.ik import pose_error, solve
 
 
 def reachable(arm, n, seed=0):
@@ -131,3 +131,19 @@ def test_poses_anywhere_end_in_finite_numbers():
     assert np.isfinite(found.q).all()
     assert np.isfinite(found.residual).all()
     assert not found.success.any()
+
+
+def test_the_pose_error_leads_from_one_pose_to_the_other():
+    T, target = pose_samples(3)(np.random.default_rng(8), (2, 1000))
+    left = pose_error(T, target)
+    turned = rotations.exp_so3(left[:, :3]) @ T[:, :3, :3]
+    np.testing.assert_allclose(turned, target[:, :3, :3], atol=1e-13)
+    np.testing.assert_allclose(T[:, :3, 3] + left[:, 3:], target[:, :3, 3], atol=1e-13)
+    assert np.linalg.norm(left[:, :3], axis=-1).max() <= np.pi + 1e-12
+
+
+def test_the_pose_error_belongs_to_the_geometric_jacobian():
+    arm, rng = panda(), np.random.default_rng(9)
+    q, way = rng.uniform(*arm.limits.T, (100, 7)), 1e-6 * rng.normal(size=(100, 7))
+    moved = (arm.geometric_jacobian(q) @ way[..., None])[..., 0]
+    np.testing.assert_allclose(pose_error(arm.fk(q - way / 2), arm.fk(q + way / 2)), moved, atol=1e-13)

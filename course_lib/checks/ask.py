@@ -15,6 +15,7 @@ import warnings
 
 import numpy as np
 
+from course_lib.checks.adapters import ADAPTERS
 from course_lib.checks.plain import NotPlain, Seed, read, write
 
 CPU_SECONDS = 20
@@ -24,7 +25,8 @@ def reply(function, questions):
     """Return the answers to `questions` as JSON texts.
 
     function: the student's, or None where there is none.
-    questions: JSON text of {"cases": [arguments, ...], "forbidden": [dotted names], "seconds": CPU time for all}.
+    questions: JSON text of {"cases": [arguments, ...], "forbidden": [dotted names], "seconds": CPU time for all}, and
+    where the function is not simply called, "through" (a key of ADAPTERS) and "names" of the arguments.
     Returns JSON text: a list with a dict for each case, with keys among "value" (what came back, a JSON text of its
     own), "changed" (positions of the arguments changed in place), "warning" (the first one's text), and "error"
     ({"type", "message", "line", "source"}, the line being of the student's own code).
@@ -33,24 +35,25 @@ def reply(function, questions):
     cases = asked["cases"]
     if function is None:
         return write([_error("NotImplementedError", "")] * len(cases))
+    through, names = ADAPTERS[asked.get("through", "")], asked.get("names", [])
     answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
     with contextlib.suppress(TimeUp), _silence(), _taken_away(asked["forbidden"], function) as refused:
         with _clock(asked["seconds"]):
             for case in cases:
-                answers.append(refused or _answer(function, case))
+                answers.append(refused or _answer(function, case, through, names))
                 if answers[-1].get("error", {}).get("type") in ("TimeUp", "NotAllowed"):
                     last = answers[-1]
                     break
     return write(answers + [last] * (len(cases) - len(answers)))  # the other cases would end alike
 
 
-def _answer(function, case):
+def _answer(function, case, through, names):
     before = [write(argument) for argument in case]
     arguments = [_made_real(read(text)) for text in before]
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("default")
-            value = function(*arguments)
+            value = through(function, names, arguments)
         answer = {"value": write(value), "changed": _changed(before, arguments)}
         return answer | ({"warning": str(caught[0].message)[:300]} if caught else {})
     except NotPlain as kind:

@@ -76,6 +76,8 @@ class Exercise:
     arguments: the names of the function's arguments. cases(rng): lists of arguments, the simplest first.
     returns(value, *arguments): the answer as the properties want it (see reading.py); raises Unreadable.
     forbidden: dotted names that the answer may not call.
+    through: how the function is called, a key of adapters.ADAPTERS.
+    errors: known errors of the student's code: the type's name, words of the message, and the Mistake they point to.
     """
 
     name: str
@@ -87,6 +89,8 @@ class Exercise:
     mistakes: tuple[Mistake, ...]
     hints: tuple[str, ...]
     forbidden: tuple[str, ...] = ()
+    through: str = ""
+    errors: tuple[tuple[str, str, Mistake], ...] = ()
 
 
 class Unreadable(ValueError):
@@ -134,6 +138,7 @@ def judge(exercise, student, seed=PUBLIC_SEED):
     """
     cases = exercise.cases(np.random.default_rng(seed))
     questions = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": CPU_SECONDS}
+    questions |= {"through": exercise.through, "names": list(exercise.arguments)}
     try:
         answers = read(student.reply(write(questions)))
         if len(answers) != len(cases):
@@ -211,8 +216,13 @@ def _no_answer(exercise, case, type, message, line, source):
         return Verdict(exercise, WRONG, "your own lines compute the answer.", mistake)
     if type == "TimeUp":
         return Verdict(exercise, ERROR, f"{call} took {message}. Does a loop never end?", case=case)
+    if type == "NoNumber":
+        reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
+        return Verdict(exercise, WRONG, reason, ANOTHER_SYMBOL)
     where = f"Line {line} of its cell, `{source}`, raises" if source else f"Calling {call} raises"
-    return Verdict(exercise, ERROR, f"{where} {type}: {message}", case=case)
+    known = (mistake for kind, words, mistake in exercise.errors if kind == type and words in message)
+    shown = None if exercise.through else case  # the numbers that are shown are not what the function was given
+    return Verdict(exercise, ERROR, f"{where} {type}: {message}", next(known, None), shown)
 
 
 def _attempt(formula, *arguments):
@@ -223,6 +233,10 @@ def _attempt(formula, *arguments):
         return None
 
 
+ANOTHER_SYMBOL = Mistake(
+    "a symbol made elsewhere stands in the answer",
+    "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
+)
 FORGOTTEN_RETURN = Mistake("a return is missing", "The last line of a function is often `return ...`.")
 
 

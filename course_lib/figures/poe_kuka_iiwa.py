@@ -3,9 +3,9 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.moving import movie
-from course_lib.figures.space import fixed_frame, line, name_at, points, segments, space_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, PURPLE, RED, plane_figure
+from course_lib.figures import serial_arm
+from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, PURPLE, plane_figure
 
 CAMERA = (1.2, 1.4, 0.6)
 _REACH = 0.75  # metres from the middle of the picture to its sides
@@ -17,7 +17,7 @@ def screw_motion(way, through, axis):
     layout = space_layout([""], (1.4, 0.9, 0.6), half=1.35, distance=1.5)
     drawn = [*fixed_frame("scene", 0.5), line(way[:, :3, 3], BLUE, 6, "scene")]
     drawn.append(line([through - 0.4 * axis, through + 1.1 * axis], PURPLE, 5, "scene"))
-    drawn += _frames(way[[0, len(way) // 3, 2 * len(way) // 3, -1]], 0.35, 6)
+    drawn += serial_arm.frame_axes(way[[0, len(way) // 3, 2 * len(way) // 3, -1]], 0.35, 6)
     drawn.append(name_at(through + 1.2 * axis, "S", PURPLE, "scene"))
     return go.Figure(drawn, layout={**layout, "annotations": []})
 
@@ -39,17 +39,8 @@ def arm_with_axes(arm, size=0.35):
 
 def arm_movie(name, arm, q, times):
     """Return the arm moving: a line through its joints, a small frame at each, and the hand's path. q: (m, n)."""
-    frames = arm.frames(q)
-    frames[..., :3, 3] -= _MIDDLE
-    layout = space_layout([""], CAMERA, half=_REACH, height=520, distance=1.4)
-    layout |= {"annotations": [], "margin": {"l": 10, "r": 10, "t": 10, "b": 10}}
-    base = -_MIDDLE
-    still = [line(frames[:, -1, :3, 3], BLUE, 5, "scene", "dash"), points([base], 9, BLACK, "scene")]
-    moving = []
-    for at in frames:
-        arm_line = line([base, *at[:, :3, 3]], GREY, 10, "scene").update(mode="lines+markers", marker={"size": 4})
-        moving.append([arm_line, *_frames(at, 0.12, 4)])
-    return movie(name, layout, still, moving, times)
+    look = {"middle": _MIDDLE, "half": _REACH, "camera": CAMERA}
+    return serial_arm.arm_movie(name, arm.frames(q), times, base=np.zeros(3), traced=-1, **look)
 
 
 def plane_projections(path):
@@ -78,12 +69,3 @@ def against_each_other(velocities):
             ax.set(xlabel=f"v{'xyz'[i]} (m/s)", ylabel=f"v{'xyz'[j]} (m/s)")
         row[1].set_title(title)
     return fig
-
-
-def _frames(poses, size, width):
-    """The axes of frames (n, 4, 4): all x axes in one trace, all y axes, all z axes."""
-    feet = poses[:, :3, 3]
-    return [
-        segments(feet, feet + size * poses[:, :3, i], colour, width, "scene")
-        for i, colour in enumerate((RED, GREEN, BLUE))
-    ]

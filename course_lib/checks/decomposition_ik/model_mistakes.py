@@ -1,0 +1,181 @@
+"""The mistakes in the models of fit_cells."""
+
+import numpy as np
+
+from course_lib.checks.decomposition_ik.affine_models import clusters, least_squares, models
+from course_lib.checks.decomposition_ik.branches import split
+from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
+from course_lib.checks.exercise import Mistake
+
+ONE_FOR_BOTH = (
+    "one model serves both branches",
+    "The two elbows are two surfaces: split_branches first, and then one model for each label.",
+)
+THETA1_ONLY = ("only theta1 has a model", "A model has two rows: one for theta1, one for theta2.")
+
+
+def _changed(change):
+    return lambda *case: change(models(*case))
+
+
+def _fitted(fit):
+    return lambda *case: models(*case, fit=fit)
+
+
+def _through_zero(xy, theta):
+    return np.column_stack([np.linalg.lstsq(xy, theta, rcond=None)[0].T, [0, 0]])
+
+
+def _about_the_mean(xy, theta):
+    return np.column_stack([least_squares(xy, theta)[:, :2], theta.mean(axis=0)])
+
+
+def _transposed(fit):
+    return np.column_stack([fit[..., :2].T, fit[..., 2]])
+
+
+def one_for_both(*case):
+    return models(*case, labels=_one_cluster)[:, [0, 0]]
+
+
+def _second_row(change):
+    return _changed(lambda right: np.stack([right[:, :, 0], change(right[:, :, 0])], 2))
+
+
+def _together(xy, theta, cell, count):
+    """The answer of those who split all samples at once, not cell by cell."""
+    named = split(theta)
+    each = [models(xy, theta, np.where(named == k, cell, -1), count, labels=_one_cluster) for k in (0, 1)]
+    return np.stack([found[:, 0] for found in each], 1)
+
+
+def _one_cluster(theta):
+    return np.zeros(len(theta))
+
+
+def _outside_last(writes):
+    """The answer of those for whom cell -1 is a cell too, whose models go to the last place where writes(*case)."""
+
+    def answer(xy, theta, cell, count):
+        found = models(xy, theta, np.where(cell < 0, count, cell), count + 1)
+        if (cell < 0).any() and writes(cell, count):
+            found[-2] = found[-1]
+        return found[:-1]
+
+    return answer
+
+
+def _few_fitted(value, xy, theta, cell, count):
+    """Whether everything is right but that clusters of one or two samples have a model too."""
+    right = models(xy, theta, cell, count)
+    few = [place for place, samples in clusters(theta, cell, count).items() if 0 < len(samples) < 3]
+    changed = np.array(value)
+    for place in few:
+        changed[place] = np.nan
+    return bool(few) and not np.isnan([value[place] for place in few]).all() and same_with_gaps(changed, right)
+
+
+def _any_order(value, *case):
+    """Whether the models of each cell are right, but for the order of the two."""
+    right = models(*case)
+    return all(same_with_gaps(a, b) or same_with_gaps(a, b[::-1]) for a, b in zip(value, right, strict=True))
+
+
+MISTAKES = (
+    *like(
+        ("the intercept stands first", "The order is the factor of x, that of y, and then the intercept."),
+        _changed(lambda right: right[..., [2, 0, 1]]),
+    ),
+    *like(
+        (
+            "the models have no intercept: they are forced through zero",
+            "LinearRegression fits one unless fit_intercept=False; lstsq needs a column of ones.",
+        ),
+        _fitted(_through_zero),
+        _changed(lambda right: right * [1, 1, 0]),
+    ),
+    *like(
+        ("the intercept is the mean of the angles", "The intercept is the angle at x = y = 0: intercept_."),
+        _fitted(_about_the_mean),
+    ),
+    *like(
+        (
+            "the coefficients are transposed",
+            "coef_[j, i] is the factor of coordinate i for angle j: it is A[j, i] already. lstsq gives (3, 2).",
+        ),
+        _fitted(lambda xy, theta: _transposed(least_squares(xy, theta))),
+        _fitted(lambda xy, theta: least_squares(xy, theta).T.reshape(2, 3)),
+    ),
+    *like(
+        ("the factors of x and y are swapped", "xy[:, 0] is x: its factor stands first."),
+        _changed(lambda right: right[..., [1, 0, 2]]),
+    ),
+    *like(("theta1 and theta2 are swapped", "Row 0 is for theta1."), _changed(lambda right: right[:, :, ::-1])),
+    *like(
+        ("the models are in degrees", "Angles are radians everywhere."),
+        _changed(np.rad2deg),
+    ),
+    *like(
+        THETA1_ONLY,
+        _second_row(lambda row: row),
+        _second_row(np.zeros_like),
+        _second_row(lambda row: np.full_like(row, np.nan)),
+    ),
+    *like(
+        ONE_FOR_BOTH,
+        one_for_both,
+        _changed(lambda right: right[:, [0, 0]]),
+        lambda *case: models(*case, labels=_one_cluster),
+    ),
+    *like(
+        (
+            "place and joint angles are exchanged: these are models of the places",
+            "The inverse is asked: fit(xy, theta), from the place to the angles.",
+        ),
+        _fitted(lambda xy, theta: least_squares(theta, xy)),
+    ),
+    *like(
+        (
+            "the samples outside all cells, with number -1, go into the last cell",
+            "models[-1] is the last cell in Python. Go through c in range(count) and take cell == c.",
+        ),
+        lambda xy, theta, cell, count: models(xy, theta, cell % count, count),
+        _outside_last(lambda cell, count: True),
+        _outside_last(lambda cell, count: not (cell == count - 1).any()),
+    ),
+    *like(
+        (
+            "a missing model is 0 instead of nan",
+            "0 is an angle like any other. Begin with np.full((count, 2, 2, 3), np.nan).",
+        ),
+        _changed(np.nan_to_num),
+    ),
+    *like(
+        ("a cluster of exactly 3 samples is left out", "Three samples determine a plane: fewer than 3 is < 3."),
+        lambda *case: models(*case, least=4),
+    ),
+    *like(
+        (
+            "the samples of all cells are clustered together",
+            "Each cell has clusters of its own: split_branches(theta[own]).",
+        ),
+        _together,
+    ),
+    *like(
+        (
+            "the samples are split by the sign of theta2",
+            "A cell may hold one elbow only, and theta2 has one sign: take the two clusters of split_branches.",
+        ),
+        lambda *case: models(*case, labels=lambda theta: theta[:, 1] <= 0),
+    ),
+    Mistake(
+        "clusters of fewer than 3 samples are fitted all the same",
+        "A plane has three unknowns: with two samples, many fit. Ask if (labels == k).sum() < 3.",
+        seen=_few_fitted,
+    ),
+    Mistake(
+        "the clusters stand in the wrong order",
+        "As in split_branches: cluster 0 is the one whose mean theta2 is the larger.",
+        seen=_any_order,
+    ),
+)

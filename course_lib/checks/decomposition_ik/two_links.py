@@ -1,0 +1,92 @@
+"""What the checks of cells and models share: the arm of two links, samples of it, and answers with nan in them."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Mistake, Unreadable, same
+from course_lib.checks.reading import numbers
+
+
+def place(theta):
+    """Return where the end is, (..., 2), for joint angles (..., 2)."""
+    first, second = theta[..., 0], theta[..., 0] + theta[..., 1]
+    return np.stack([np.cos(first) + np.cos(second), np.sin(first) + np.sin(second)], -1)
+
+
+def solutions(xy):
+    """Return the two pairs of joint angles (..., 2, 2) for places (..., 2) in reach: theta2 > 0 first."""
+    bend = 2 * np.arccos(np.clip(np.linalg.norm(xy, axis=-1) / 2, -1, 1))
+    middle = np.arctan2(xy[..., 1], xy[..., 0])
+    return np.stack([np.stack([middle - side * bend / 2, side * bend], -1) for side in (1, -1)], -2)
+
+
+def lump(rng, middle, widths, n):
+    """Return n points (n, 2) in a box around `middle`, which is exactly their mean."""
+    points = rng.uniform(-1, 1, (n, 2))
+    return np.array(middle) + (points - points.mean(axis=0)) * np.array(widths)
+
+
+def with_gaps(shape_of):
+    """Return a reader of arrays like numbers, in which nan may stand."""
+    plain = numbers(shape_of)
+
+    def reader(value, *case):
+        try:
+            array = np.asarray(value)
+        except ValueError:
+            return plain(value, *case)  # which says what is wrong with it
+        if array.dtype.kind not in "fc":
+            return plain(value, *case)
+        gaps = np.isnan(array)
+        found = plain(np.where(gaps, 0, array), *case)
+        return np.where(gaps.reshape(found.shape), np.nan, found)
+
+    return reader
+
+
+def with_forms(shape_of, known):
+    """Return such a reader that names the mistake of an array with another shape: known(array, *arguments), or None."""
+    plain = with_gaps(shape_of)
+
+    def reader(value, *case):
+        try:
+            return plain(value, *case)
+        except Unreadable as wrong:
+            raise Unreadable(str(wrong), _known(known, value, *case) or wrong.mistake) from None
+
+    return reader
+
+
+def _known(known, value, *case):
+    try:
+        array = np.asarray(value)
+    except ValueError:  # lists of lists of different lengths
+        return None
+    return known(array, *case) if array.dtype.kind in "biuf" else None
+
+
+def same_with_gaps(value, predicted):
+    """Return whether two arrays are the same numbers, with nan in the same places."""
+    value, predicted = np.asarray(value), np.asarray(predicted)
+    gaps = np.isnan(value)
+    if value.shape != predicted.shape or (gaps != np.isnan(predicted)).any():
+        return False
+    return same(np.where(gaps, 0, value), np.where(gaps, 0, predicted))
+
+
+def like(words, *answers):
+    """One mistake, name and hint in `words`, that may be made in more than one way, in answers with nan in them."""
+    name, hint = words
+
+    def seen(answer):
+        def looks(value, *case):
+            predicted = answer(*case)
+            return predicted is not None and same_with_gaps(value, predicted)
+
+        return looks
+
+    return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
+
+
+def in_words(numbers):
+    """Numbers as one writes them: (0.1, -2)."""
+    return "(" + ", ".join(f"{number:.4g}" for number in np.asarray(numbers).ravel() + 0.0) + ")"

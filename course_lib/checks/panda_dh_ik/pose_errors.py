@@ -1,0 +1,188 @@
+"""pose_error: what is left to do from one pose to another, as the geometric Jacobian counts it."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.panda_dh_ik.error_mistakes import MISTAKES
+from course_lib.checks.panda_dh_ik.error_parts import half_turn, left, place_left, turn_left
+from course_lib.checks.poe_kuka_iiwa.chains import FINE, away_from_zero, in_words, near, of_shape, turned_hand
+from course_lib.checks.reading import NOT_A_NUMBER
+from course_lib.checks.rotations.exponential import unit
+from course_lib.rigid import transform
+from course_lib.rotations import exp_so3, length
+
+# As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below pi.
+_ROUNDED_HALF_TURN = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
+_TINY = 1e-6  # below it, rounding takes part of the digits of a product of rotations
+_AT_NO_TURN = Mistake(
+    "the logarithm divides by zero, or asks arccos outside [-1, 1], where hardly any turn is left",
+    "The trace of R_target R^T is 3 there, or a hair more. rotations.log_so3 takes care of it.",
+)
+_SIX = "e has six numbers: first p_target - p, then the rotation vector phi. np.concatenate joins them."
+_HALVES = Mistake("the halves are not joined", _SIX)
+_fitted = of_shape(
+    lambda T, T_target: (6,),
+    (lambda *case: (2, 3), _HALVES),
+    (lambda *case: (3, 2), _HALVES),
+    (lambda *case: (3,), Mistake("only one half is returned", _SIX)),
+    (lambda *case: (2,), Mistake("two lengths are returned", _SIX + " Their lengths alone lose the directions.")),
+    (lambda *case: (4, 4), Mistake("a matrix is returned", _SIX)),
+    (
+        lambda *case: (7,),
+        Mistake(
+            "the difference of places and quaternions is returned",
+            "Seven numbers fit no Jacobian of six rows, and two quaternions stand for one rotation. " + _SIX,
+        ),
+    ),
+)
+
+
+def _read(value, T, T_target):
+    """Return the answer as an array (6,)."""
+    try:
+        return _fitted(value, T, T_target)
+    except Unreadable as wrong:
+        if wrong.mistake is NOT_A_NUMBER and length(left(T, T_target)[3:]) < _TINY:
+            raise Unreadable(str(wrong), _AT_NO_TURN) from None
+        if isinstance(value, list | tuple) and [np.size(part) for part in value] == [3, 3]:
+            raise Unreadable(str(wrong), _HALVES) from None
+        raise
+
+
+def _cases(rng):
+    x, z = np.eye(3)[[0, 2]]
+    at, degree = transform(np.eye(3), [1.0, 0, 0]), np.pi / 180
+    named = [
+        (np.eye(4), np.eye(4)),
+        (np.eye(4), at),
+        (at, transform(np.eye(3), [1.0, 2, 3])),
+        (at, transform(exp_so3(0.1 * z), [1.0, 0, 0])),
+        (transform(exp_so3(np.pi / 2 * x), [1.0, 0, 0]), transform(exp_so3(0.5 * z), [0, 2.0, 0])),
+    ]
+    same = [turned_hand(rng) for _ in range(6)]
+    pure = [T @ np.eye(4) for T in same[:2]]
+    shifted = [(T, transform(T[:3, :3], away_from_zero(rng, 3))) for T in pure]
+    angles = [10 * degree, 90 * degree, 1e-9, 1e-9, 1e-9, 1e-5, 3e-3, 170 * degree, 179.9 * degree]
+    angles += [np.pi, np.pi]
+    turned = [_turned(turned_hand(rng), angle * unit(rng)) for angle in angles]
+    nearly_half = (np.pi - 2e-4) * unit(rng)  # either way round, for of two opposite axes one alone is right
+    turned += [_turned(same[0], phi) for phi in (nearly_half, -nearly_half)]
+    turned += [_turned(T, np.pi * axis) for T in (np.eye(4), at) for axis in np.eye(3)]
+    turned += [_turned(transform(exp_so3(179 * degree * x), [0.5, 0, 1]), 2 * degree * x)]
+    turned += [(T, T @ _ROUNDED_HALF_TURN) for T in (np.eye(4), at)]
+    any_two = [_moved(turned_hand(rng), rng) for _ in range(4)]
+    far = [(transform(np.eye(3), [20.0, -30, 5]) @ T, T_target) for T, T_target in any_two[:2]]
+    return [*named, *((T, T.copy()) for T in same), *shifted, *turned, *any_two, *far, named[4]]
+
+
+def _turned(T, phi):
+    """The pose and itself, turned about its own origin."""
+    return T, transform(exp_so3(phi) @ T[:3, :3], T[:3, 3])
+
+
+def _moved(T, rng):
+    """The pose and another, at another place and turned by an angle well below a half turn."""
+    return T, transform(exp_so3(rng.uniform(0.8, 2.6) * unit(rng)) @ T[:3, :3], away_from_zero(rng, 3))
+
+
+def _same_turn(T, T_target):
+    return np.array_equal(T[:3, :3], T_target[:3, :3])
+
+
+def _angle(T, T_target):
+    return length(left(T, T_target)[3:])
+
+
+def _fine(T, T_target):
+    """What a right rotation vector may be off by: near half a turn, angle / sin(angle) and arccos lose some digits."""
+    to_half = np.pi - _angle(T, T_target)
+    return 1e-7 if half_turn(T, T_target) else max(FINE, 1e-14 / to_half**2)
+
+
+def _off_turn(e, T, T_target):
+    ours = left(T, T_target)[3:]
+    return (
+        f"{np.rad2deg(length(ours)):.4g} degrees are left, phi = {in_words(ours)}; yours are "
+        f"{np.rad2deg(length(e[3:])):.4g}, phi = {in_words(e[3:])}."
+    )
+
+
+def _off_tiny(e, T, T_target):
+    return f"The turn left is {_angle(T, T_target):.3g} rad; yours differs by {_gap(e, T, T_target):.2g}."
+
+
+def _gap(e, T, T_target):
+    return length(e[3:] - left(T, T_target)[3:])
+
+
+POSE_ERROR = Exercise(
+    name="pose_error",
+    points=2,
+    arguments=("T", "T_target"),
+    cases=_cases,
+    returns=_read,
+    properties=(
+        Property(
+            "at the target nothing is left to do: the error is 0",
+            lambda e, T, T_target: np.abs(e).max() < FINE,
+            where=lambda T, T_target: np.array_equal(T, T_target),
+        ),
+        Property(
+            "the first three numbers are p_target - p, along the world's axes",
+            lambda e, T, T_target: near(e[:3], place_left(T, T_target)),
+            seen=lambda e, T, T_target: f"That is {in_words(place_left(T, T_target))}; yours are {in_words(e[:3])}.",
+        ),
+        Property(
+            "where both are turned alike, the last three numbers are 0",
+            lambda e, T, T_target: np.abs(e[3:]).max() < FINE,
+            seen=lambda e, T, T_target: f"Yours are {in_words(e[3:])}.",
+            where=_same_turn,
+        ),
+        Property(
+            "the rotation vector phi takes R to R_target: exp([phi]) R = R_target",
+            lambda e, T, T_target: np.abs(exp_so3(e[3:]) - turn_left(T, T_target)).max() < 10 * _fine(T, T_target),
+            seen=_off_turn,
+        ),
+        Property(
+            "phi is the shortest way: its angle is at most pi",
+            lambda e, T, T_target: length(e[3:]) < np.pi + 1e-6,
+            seen=_off_turn,
+            mistake=Mistake("the long way round is taken", "2 pi - a about the opposite axis is the shorter way."),
+        ),
+        Property(
+            "a tiny turn keeps its digits, as the last steps to a target need them",
+            lambda e, T, T_target: _gap(e, T, T_target) <= 1e-5 * _angle(T, T_target),
+            seen=_off_tiny,
+            where=lambda T, T_target: 0 < _angle(T, T_target) < 1e-2 and not _same_turn(T, T_target),
+        ),
+        Property(
+            "phi is the logarithm of R_target R^T as a rotation vector",
+            lambda e, T, T_target: _gap(e, T, T_target) < _fine(T, T_target),
+            seen=_off_turn,
+            where=lambda T, T_target: not half_turn(T, T_target),
+        ),
+    ),
+    mistakes=MISTAKES,
+    hints=(
+        "The places may be subtracted: p_target - p. Rotations are compared by a product: the turn X that is left "
+        "takes R to R_target, X R = R_target.",
+        "So X = R_target R^T, seen along the world's axes as the Jacobian's lower half is. Its logarithm is "
+        "rotations.log_so3(X).",
+        "np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)])",
+    ),
+    errors=(
+        (
+            "ValueError",
+            "is not a rotation",
+            Mistake(
+                "the logarithm is asked of something that is no rotation",
+                "Rotations are compared by a product, R_target @ R.T, not by a difference; * is entry by entry.",
+            ),
+        ),
+        (
+            "ValueError",
+            "of shape (..., 3, 3)",
+            Mistake("the logarithm is given the whole pose", "It takes the block: T[:3, :3]."),
+        ),
+    ),
+)

@@ -1,0 +1,189 @@
+"""Functions asked with SymPy symbols, and judged by numbers."""
+
+import math
+import textwrap
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from course_lib.checks import ask, plain
+from course_lib.checks import decomposition_ik as check
+from course_lib.checks.adapters import ADAPTERS, NoNumber, with_symbols
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Here, judge
+from course_lib.checks.notebook import describe
+from course_lib.pack.student_kernel import StudentKernel
+
+DH_SYMBOLIC = check.dh_symbolic.exercise
+
+RIGHT_ONE = """
+    import sympy as sp
+    def dh_symbolic(a, alpha, d, theta):
+        c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
+        return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+"""
+
+
+def matrix(a, alpha, d, theta):
+    c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
+    return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+
+
+def put(function, **arguments):
+    """Put one case to the function as ask.py does; return its answer."""
+    asked = {"cases": [list(arguments.values())], "forbidden": [], "seconds": 5}
+    asked |= {"through": "symbols", "names": list(arguments)}
+    return plain.read(ask.reply(function, plain.write(asked)))[0]
+
+
+def value(function, **arguments):
+    return plain.read(put(function, **arguments)["value"])
+
+
+def test_floats_go_in_as_real_symbols_of_their_names_and_whole_numbers_as_they_are():
+    given = []
+
+    def notes(a, theta):
+        given.extend([a, theta])
+        return theta
+
+    assert value(notes, a=2, theta=0.5) == 0.5
+    assert given[0] == 2
+    assert isinstance(given[1], sp.Symbol)
+    assert given[1].name == "theta"
+    assert given[1].is_real
+    assert given[1] != sp.Symbol("theta", real=True)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda x: sp.Matrix([[sp.cos(x), 0], [1, x]]),
+        lambda x: sp.ImmutableMatrix([[sp.cos(x), 0], [1, x]]),
+        lambda x: sp.SparseMatrix([[sp.cos(x), 0], [1, x]]),
+        lambda x: sp.Array([[sp.cos(x), 0], [1, x]]),
+        lambda x: sp.MatMul(sp.Matrix([[sp.cos(x), 0], [1, x]]), sp.eye(2)),
+        lambda x: np.array([[sp.cos(x), 0], [1, x]]),
+        lambda x: [[sp.cos(x), 0.0], (1, x)],
+        lambda x: ([(sp.exp(sp.I * x) + sp.exp(-sp.I * x)) / 2, sp.Integer(0)], [sp.Rational(2, 2), x]),
+        lambda x: sp.Matrix([[sp.cos(sp.Symbol("y")), 0], [1, sp.Symbol("y")]]).subs(sp.Symbol("y"), x),
+    ],
+)
+def test_an_answer_in_any_form_comes_back_as_its_numbers(function):
+    got = np.asarray(value(function, x=0.3), float)
+    assert np.abs(got - [[math.cos(0.3), 0], [1, 0.3]]).max() < 1e-15
+
+
+def test_a_number_keeps_all_its_digits():
+    assert value(lambda x: x, x=0.1 + 0.2) == 0.1 + 0.2
+    assert value(lambda x: sp.pi * x, x=1e-12) == pytest.approx(math.pi * 1e-12, rel=1e-15)
+
+
+def test_numbers_that_are_complex_or_infinite_come_back_as_such():
+    assert value(lambda x: sp.sqrt(-x), x=4.0) == 2j
+    assert value(lambda x: [sp.oo * (x + 1)], x=1.0) == [math.inf]
+    assert np.isnan(value(lambda x: 1 / (x - x), x=1.0))
+
+
+@pytest.mark.parametrize("text", ["__import__('os').abort()", "1 + 1", "x"])
+def test_no_text_is_made_into_an_expression(text):
+    assert value(lambda x: text, x=0.5) == text
+    assert value(lambda x: [x, text], x=0.5) == [0.5, text]
+    assert value(lambda x: {"x": text}, x=0.5) == {"x": text}
+
+
+class Hostile:
+    """An object that would have itself taken for an expression, a number or an array."""
+
+    def _touched(self, *arguments, **named):
+        raise AssertionError("asked what it is")
+
+    _sympy_ = _sympystr = __str__ = __repr__ = __float__ = __complex__ = __array__ = __iter__ = evalf = subs = _touched
+
+
+@pytest.mark.parametrize("wrap", [lambda thing: thing, lambda thing: [thing], lambda thing: ([1, thing],)])
+def test_what_is_no_expression_is_not_asked_what_it_is(wrap):
+    error = put(lambda x: wrap(Hostile()), x=0.5)["error"]
+    assert (error["type"], error["message"]) == ("NotPlain", "a Hostile")
+
+
+@pytest.mark.parametrize("thing", [sp.true, sp.Symbol, sp.S.EmptySet, sp.Eq(sp.Symbol("x"), 1)])
+def test_what_sympy_has_besides_expressions_is_not_plain(thing):
+    assert put(lambda x: [thing], x=0.5)["error"]["type"] == "NotPlain"
+
+
+def test_lists_without_end_are_not_plain():
+    def endless(x):
+        answer = [x]
+        answer.append(answer)
+        return answer
+
+    assert put(endless, x=0.5)["error"]["type"] == "NotPlain"
+
+
+@pytest.mark.parametrize("entry", [sp.Symbol("theta"), sp.Function("f")(1), 2 * sp.Symbol("theta", real=True)])
+def test_what_stays_an_expression_is_no_number(entry):
+    with pytest.raises(NoNumber, match=r"theta|f"):
+        with_symbols(lambda theta: [theta, entry], ["theta"], [0.5])
+
+
+def test_without_an_adapter_a_function_is_simply_called():
+    assert ADAPTERS[""](lambda x, y: x - y, ["x", "y"], [3, 1]) == 2
+
+
+# In the messages of a check
+
+
+def test_symbols_left_over_are_refused_in_words():
+    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: matrix(a, alpha, d, sp.Symbol("theta"))))
+    assert verdict.state == WRONG
+    assert "One of yours is cos(theta)." in describe(verdict)
+    assert "a symbol made elsewhere stands in the answer" in describe(verdict)
+
+
+def _numpy(a, alpha, d, theta):
+    return np.cos(theta)
+
+
+def _math(a, alpha, d, theta):
+    return sp.Matrix([math.sin(alpha)])
+
+
+def _numpy_on_an_expression(a, alpha, d, theta):
+    return np.sin(2 * theta + alpha)
+
+
+def _two_arguments(a, alpha, d, theta):
+    return np.arctan2(theta, alpha)
+
+
+@pytest.mark.parametrize("function", [_numpy, _math, _numpy_on_an_expression, _two_arguments])
+def test_a_function_for_numbers_used_on_symbols_is_named_with_the_students_line(function):
+    verdict = judge(DH_SYMBOLIC, Here(function))
+    assert verdict.state == ERROR
+    text = describe(verdict)
+    assert "`return " in text
+    assert "For theta" not in text
+    assert "numpy's or math's function is used on symbols: take SymPy's" in text
+
+
+def test_other_errors_are_not_taken_for_it():
+    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: sp.Matrix([[1, 2]]) * sp.Matrix([[1, 2]])))
+    assert verdict.state == ERROR
+    assert verdict.mistake is None
+
+
+def test_a_matrix_of_numbers_is_wrong_and_no_error():
+    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: np.eye(4)))
+    assert verdict.state == WRONG
+    assert verdict.case == (0, 0, 0, 1)
+
+
+def test_from_a_kernel_of_its_own(tmp_path):
+    with StudentKernel(tmp_path) as kernel:
+        student = kernel.function("dh_symbolic")
+        assert judge(DH_SYMBOLIC, student).state == NOT_ATTEMPTED
+        assert kernel.run(textwrap.dedent(RIGHT_ONE)) is None
+        assert judge(DH_SYMBOLIC, student, seed=7741).state == RIGHT
+        assert kernel.run("sp.cos = sp.sin") is None
+        assert judge(DH_SYMBOLIC, student, seed=7741).state == WRONG
