@@ -13,10 +13,12 @@ unexport PYTHONPATH PYTHONHOME
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html notebooks animations data: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html notebooks animations data: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html grade notebooks animations data: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html grade notebooks animations data: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+# Many small k-means, in parallel tests: threads of their own would only get in each other's way.
+test html notebooks: export OMP_NUM_THREADS = 1
 
-.PHONY: help environment lab test html student notebooks animations data lock clean
+.PHONY: help environment lab test html student grade notebooks animations data lock clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -46,6 +48,10 @@ html: environment ## export the notebooks as a static site, build/html/index.htm
 
 student: environment ## write the release to students, without solutions, build/student.zip
 	@$(PY) -m course_lib.pack.release
+
+grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n), build/grades/
+	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") \
+		$(if $(SEED),--seed "$(SEED)") -- "$(SUBMISSIONS)"
 
 notebooks: environment ## run the notebooks and write their outputs into them (authors)
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)

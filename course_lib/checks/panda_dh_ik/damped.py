@@ -44,7 +44,7 @@ def _cases(rng):
         (some, FLAT, [0, 0], 0.25),
         (some, FLAT, [1e-5, 2e-5], 0.25),
         (np.array([1.0, 2]), SQUARE, [1, 3], 0.5),
-        (np.array([1.0, 2]), SQUARE, [1, 3], 2.0),
+        (np.array([8.0, -9]), SQUARE, [1, 3], 2.0),
         (some, FLAT[[0, 0]], [1, 2], 0.25),
         (np.array([1, 2, -1]), WHOLE, [1, 3], 0.5),
     ]

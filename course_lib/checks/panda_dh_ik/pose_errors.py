@@ -185,4 +185,5 @@ POSE_ERROR = Exercise(
             Mistake("the logarithm is given the whole pose", "It takes the block: T[:3, :3]."),
         ),
     ),
+    forbidden=("course_lib.ik.pose_error",),
 )

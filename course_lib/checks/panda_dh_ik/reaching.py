@@ -93,6 +93,11 @@ def _turn_off(q, T, q0):
     return f"With your angles it is turned by {_left(q, T)[1]:.3g} rad away from it."
 
 
+def _moved(q, T, q0):
+    j = int(np.argmax(np.abs(q - q0)))
+    return f"Your answer reaches T as well, but joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}."
+
+
 def _at(pose_of, target_of=lambda T: T, needed=1e-3):
     """A `seen`: whether some pose that the answer gives is another target than the one asked for."""
     return lambda q, T, q0: _given(q) and bool((_missing(pose_of(q), target_of(T)) < needed).all())
@@ -114,13 +119,13 @@ def _wrapped(q, T, q0):
 
 
 def _nearly(q, T, q0):
-    return _given(q) and bool((_left(q, T) < NEAR).all())
+    return _given(q) and bool(REACHED < _left(q, T).max() < NEAR)
 
 
 def _one_part(q, T, q0, part):
-    """Whether the place (0) or the turn (1) is reached and the other one was not tried for."""
-    left, at_first = _left(q, T), _left(q0, T)
-    return left[part] <= REACHED and left[1 - part] > min(NEAR, at_first[1 - part] / 10)
+    """Whether the place (0) or the turn (1) is reached and the other one is not."""
+    left = _left(q, T)
+    return _reachable(T, q0) and left[part] <= REACHED < left[1 - part]
 
 
 _EARLY = Mistake(
@@ -186,6 +191,16 @@ PANDA_IK = Exercise(
             ),
         ),
         Property(
+            "the steps begin at q0: where q0 reaches T already, the answer is q0",
+            lambda q, T, q0: np.abs(q - q0).max() < 0.1,
+            _moved,
+            where=_at_once,
+            mistake=Mistake(
+                "q0 is not where the steps begin",
+                "q = np.clip(q0, low, high) for the first start; random postures are for the starts after it.",
+            ),
+        ),
+        Property(
             "a target close by is reached: seven numbers are returned, not NaN",
             lambda q, *case: _given(q),
             where=_close_by,
@@ -208,6 +223,7 @@ PANDA_IK = Exercise(
         ),
     ),
     mistakes=(
+        Mistake(_EARLY.name, _EARLY.hint, seen=lambda q, *case: _nearly(q, *case) and _inside(q, *case)),
         Mistake(
             "the answer is in degrees",
             "Angles are radians everywhere: no np.rad2deg.",
@@ -256,11 +272,10 @@ PANDA_IK = Exercise(
             "e has six numbers: the way that is left and the turn that is left. pose_error gives both.",
             seen=lambda q, T, q0: _given(q) and _one_part(q, T, q0, 1),
         ),
-        Mistake(_EARLY.name, _EARLY.hint, seen=lambda q, *case: _nearly(q, *case) and _inside(q, *case)),
         Mistake(
             "q0 itself is returned",
             "q0 is where the steps begin. Return the q they lead to.",
-            seen=lambda q, T, q0: _given(q) and np.abs(q - q0).max() < 1e-9,
+            seen=lambda q, T, q0: _reachable(T, q0) and _given(q) and np.abs(q - q0).max() < 1e-9,
         ),
     ),
     hints=(

@@ -12,6 +12,7 @@ PANDA = panda()
 LOW, HIGH = PANDA.limits.T
 BASE = transform(np.eye(3), [-0.2, 0.13, 0.6])
 _LOW_DOWN = np.array([0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8])  # its flange is within reach of the base, and of the world
+_BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond half a turn
 
 # Postures whose flange poses are not reached from the ready posture without another start: damped steps of many kinds
 # (damping constant, or by the error, large and small), clipped to the limits after each step, end beside these poses;
@@ -61,11 +62,17 @@ def cases(rng):
     at_limit = _posture(rng, 0.5)
     at_limit[0] = HIGH[0] - 0.01
     hard = HARD[rng.permutation(len(HARD))[:3]]
-    moved = flange(READY) @ transform(exp_so3([0, 3e-6, 0]), [2e-6, 0, 2e-6])  # who stops too early answers q0
-    far = transform(flange(READY)[:3, :3], [3.0, 0.13, 0.6])
+    here = flange(READY)
+    hardly = here @ transform(exp_so3([0, 1.3e-6, 0]), [9e-7, 0, 9e-7])  # who stops too early answers q0
+    shifted = transform(here[:3, :3], here[:3, 3] - [0.03, 0.02, 0.04])
+    turned = transform(exp_so3([0.1, 0.2, -0.3]) @ here[:3, :3], here[:3, 3])
+    far = transform(here[:3, :3], [3.0, 0.13, 0.6])
     return [
-        (flange(READY), READY),
-        (moved, READY),
+        (here, READY),
+        (flange(_BEYOND), _BEYOND),
+        (hardly, READY),
+        (shifted, READY),
+        (turned, READY),
         (flange(_about(READY, rng, 0.05)), READY),
         (flange(_about(READY, rng, 0.1)), READY),
         (flange(_about(start, rng, 0.1)), start),

@@ -1,7 +1,6 @@
 """What students write for panda_ik(T, q0)."""
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from course_lib import ik, rigid, rotations
 from course_lib.arms import panda
@@ -110,22 +109,6 @@ def right_constant_small_damping(T, q0):
             q = np.clip(ik_step_dls(q, geometric_jacobian(frames), e, 1e-4), low, high)
         q = random.uniform(low, high)
     return np.nan * q
-
-
-def right_least_squares_with_bounds(T, q0):
-    def error(q):
-        return -pose_error(panda_fk(q)[-1], T)
-
-    def slopes(q):
-        return geometric_jacobian(panda_fk(q))
-
-    random, start = np.random.default_rng(0), np.clip(q0, low + 1e-6, high - 1e-6)
-    for _ in range(1 if out_of_reach(T) else 60):
-        found = least_squares(error, start, slopes, bounds=(low, high), xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=60)
-        if np.abs(found.fun).max() < 5e-7:
-            return found.x
-        start = random.uniform(low, high)
-    return np.full(7, np.nan)
 
 
 def right_many_starts_at_once(T, q0):
@@ -259,6 +242,16 @@ def wrong_degrees(T, q0):
 def wrong_start_returned(T, q0):
     """q0 itself is returned"""
     return q0
+
+
+def wrong_start_at_random(T, q0):
+    """q0 is not where the steps begin"""
+    return search(T, np.random.default_rng(5).uniform(low, high))
+
+
+def wrong_start_in_the_middle(T, q0):
+    """q0 is not where the steps begin"""
+    return search(T, (low + high) / 2)
 
 
 def wrong_nothing_found(T, q0):

@@ -1,0 +1,61 @@
+"""Measure what notebook 6 draws: memory, error and time of tables of local models, and of the closed form.
+
+The times are of this machine. All of it is for 50,000 samples, 50 x 50 cells and queries even in the joints' ranges.
+"""
+
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+
+from course_lib.checks.decomposition_ik import stand_ins
+from course_lib.grid_ik import GridIK, planar_forward
+
+FILE = Path("notebooks/data/decomposition_costs.json")
+LOWEST, HIGHEST = np.deg2rad([0, -90]), np.deg2rad([170, 90])
+CELLS, QUERIES = 50, 200_000
+
+
+def measured(rng):
+    """Return {name: {"bytes", "mean_error" in metres, "seconds" a query}}."""
+    theta = rng.uniform(LOWEST, HIGHEST, (50_000, 2))
+    xy = stand_ins.fk_2r(theta)
+    queries = stand_ins.fk_2r(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2)))
+    box = xy.min(0), xy.max(0)
+    queries = queries[((queries >= box[0]) & (queries <= box[1])).all(-1)]
+
+    def number(places):
+        column, row = stand_ins.cell_index(places, *box, CELLS).T
+        return column * CELLS + row
+
+    def by_k_means():
+        models = stand_ins.fit_cells(xy, theta, number(xy), CELLS**2)
+        return models.nbytes, lambda places: stand_ins.predict(models, number(places), places)
+
+    def grid(forward):
+        fitted = GridIK((CELLS, CELLS), forward).fit(xy, theta)
+        return fitted.nbytes, fitted.predict
+
+    ways = {
+        "the report's table": by_k_means(),
+        "GridIK, models alone": grid(None),
+        "GridIK, corrected": grid(planar_forward),
+        "closed form": (2 * 8, stand_ins.ik_2r),  # two lengths
+    }
+    return {name: _cost(size, answer, queries) for name, (size, answer) in ways.items()}
+
+
+def _cost(size, answer, queries):
+    taken = []
+    for _ in range(5):
+        start = time.perf_counter()
+        angles = answer(queries)
+        taken.append(time.perf_counter() - start)
+    error = np.nanmean(stand_ins.approximation_error(queries, angles))
+    return {"bytes": size, "mean_error": float(f"{error:.2g}"), "seconds": float(f"{min(taken) / len(queries):.2g}")}
+
+
+def write():
+    """Measure and write the file."""
+    FILE.write_text(json.dumps(measured(np.random.default_rng(0)), indent=1) + "\n", encoding="utf-8")

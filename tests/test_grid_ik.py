@@ -1,0 +1,278 @@
+"""GridIK beside the report's way and the closed form: how exact, complete, fast and large, and what is refused."""
+
+import pickle
+import time
+import tracemalloc
+from functools import partial
+
+import numpy as np
+import pytest
+from report_grid import HIGH, LOW, ReportGrid, area_queries, closed_form, in_range, places, samples
+from sklearn.base import clone
+from sklearn.exceptions import NotFittedError
+from sklearn.utils.estimator_checks import check_estimator
+
+from course_lib.arms import planar_arm
+from course_lib.grid_ik import GridIK, planar_forward
+
+SAMPLES = samples(50_000, 0)
+QUERIES = {"of uniform angles": samples(20_000, 1)[0], "of the reachable area": area_queries(20_000, 2)}
+EVERY_QUERY = pytest.mark.parametrize("xy", QUERIES.values(), ids=QUERIES)
+FORWARDS = pytest.mark.parametrize("forward", [planar_forward, None], ids=["forward", "models alone"])
+
+
+@pytest.fixture(scope="module")
+def report():
+    """Return the report's estimator, fitted, and the seconds that took."""
+    start = time.perf_counter()
+    return ReportGrid().fit(*SAMPLES), time.perf_counter() - start
+
+
+def fitted(forward=planar_forward, **parameters):
+    return GridIK(forward=forward, **parameters).fit(*SAMPLES)
+
+
+def misses(theta, xy):
+    """Return how far the answers lead from their queries, one number for each answer of either branch."""
+    off = np.linalg.norm(places(theta) - xy[:, None], axis=-1)
+    return off[~np.isnan(off)]
+
+
+def least_seconds(runs, *functions):
+    """Return the least time of each function over several runs in turns."""
+    took = np.full(len(functions), np.inf)
+    for _ in range(runs):
+        for i, function in enumerate(functions):
+            start = time.perf_counter()
+            function()
+            took[i] = min(took[i], time.perf_counter() - start)
+    return took
+
+
+@EVERY_QUERY
+@FORWARDS
+def test_far_more_exact_than_the_report(report, forward, xy):
+    theirs, ours = misses(report[0].predict(xy), xy), misses(fitted(forward).predict(xy), xy)
+    assert ours.mean() <= theirs.mean() / 100
+    assert ours.max() <= theirs.max() / 100
+    if forward:
+        assert ours.max() <= 1.5e-9
+
+
+@EVERY_QUERY
+@pytest.mark.parametrize(("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)])
+def test_nearly_every_posture_is_found_and_no_other(forward, share, off, xy):
+    got, true = fitted(forward).predict(xy), in_range(closed_form(xy))
+    found, exists = ~np.isnan(got[..., 0]), ~np.isnan(true[..., 0])
+    assert (found & exists).sum() >= share * exists.sum()
+    assert 0.3 < exists.mean() < 0.95  # there are queries where one branch has nothing
+    assert (found & ~exists).sum() <= (0 if forward else 1e-4 * found.sum())
+    np.testing.assert_allclose(got[found & exists], true[found & exists], rtol=0, atol=off)
+    assert np.array_equal(np.isnan(got[..., 0]), np.isnan(got[..., 1]))
+    assert (got[:, 0, 1][found[:, 0]] >= 0).all()
+    assert (got[:, 1, 1][found[:, 1]] <= 0).all()
+
+
+def test_any_place_in_a_wide_square_is_answered_rightly_or_not_at_all():
+    xy = np.random.default_rng(3).uniform(-3, 3, (100_000, 2))
+    got, true = fitted().predict(xy), in_range(closed_form(xy))
+    assert not (np.isnan(true) & ~np.isnan(got)).any()
+    assert misses(got, xy).max() <= 1.5e-9
+    assert np.isnan(fitted().predict([[1e308, -1e308], [-5e-324, 1e9]])).all()
+
+
+def test_beside_the_edge_where_the_branches_meet():
+    edge = np.stack([np.cos(angle := np.linspace(0.1, 2.9, 500)), np.sin(angle)], -1)
+    for gap in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10]:
+        xy = (2 - gap) * edge
+        got = fitted().predict(xy)
+        answered = ~np.isnan(got).any((1, 2))  # not where the chord of the box or a cell without samples is in the way
+        assert answered.mean() > 0.97
+        np.testing.assert_allclose(places(got[answered]), np.stack([xy[answered]] * 2, 1), rtol=0, atol=1e-9)
+        assert np.isnan(fitted().predict((2 + 1e-8 + gap) * edge)).all()
+    models = fitted(None)
+    assert np.isnan(models.predict(2.01 * edge)).all()
+    assert misses(models.predict(1.9999 * edge), 1.9999 * edge).max() < 1e-3
+
+
+@FORWARDS
+@pytest.mark.parametrize("gone", [(0,), (1,), (0, 1)])
+def test_where_a_branch_was_not_sampled_it_has_no_answer(forward, gone):
+    xy, theta = SAMPLES
+    hole, inner = (np.linalg.norm(xy - [0.3, 1.6], axis=-1) < radius for radius in (0.25, 0.1))
+    keep = ~(hole & np.isin(theta[:, 1] < 0, gone))
+    whole, holed = fitted(forward).predict(xy[inner]), GridIK(forward=forward).fit(xy[keep], theta[keep])
+    assert len(whole) > 100
+    assert not np.isnan(whole).any()
+    for branch in (0, 1):
+        got = holed.predict(xy[inner])[:, branch]
+        assert np.isnan(got).all() if branch in gone else np.array_equal(got, whole[:, branch])
+
+
+@pytest.mark.parametrize("cells", [(25, 100), (100, 25)])
+def test_cells_need_not_be_as_many_along_both_axes(cells):
+    xy = QUERIES["of uniform angles"]
+    off = misses(fitted(None, cells=cells).predict(xy), xy)
+    assert len(off) > len(xy)
+    assert off.max() < 5e-3
+
+
+def test_more_steps_and_a_finer_tolerance():
+    xy = QUERIES["of uniform angles"]
+    one, three = (misses(fitted(steps=steps).predict(xy), xy) for steps in (1, 3))
+    assert len(one) < 0.999 * len(three)
+    assert misses(fitted(tol=1e-14, steps=5).predict(xy), xy).max() <= 2e-14
+
+
+def test_many_times_faster_to_fit_than_the_report(report):
+    (ours,) = least_seconds(3, lambda: fitted())
+    assert ours <= report[1] / 20
+
+
+def test_a_million_queries_take_little_longer_than_the_closed_form_and_little_memory():
+    model, (xy, _) = fitted(), samples(1_000_000, 4)
+    ours, closed = least_seconds(3, lambda: model.predict(xy), lambda: closed_form(xy))
+    assert ours <= 10 * closed
+    tracemalloc.start()
+    answer = model.predict(xy)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak <= answer.nbytes + xy.nbytes + 8e6
+
+
+@FORWARDS
+@pytest.mark.parametrize(("cells", "n"), [((50, 50), 50_000), ((200, 200), 800_000)])
+def test_bytes_a_cell(forward, cells, n):
+    model = GridIK(cells, forward).fit(*samples(n, 5))
+    arrays = [value for value in vars(model).values() if isinstance(value, np.ndarray)]
+    assert model.nbytes == sum(array.nbytes for array in arrays)
+    assert 30 * np.prod(cells) < model.nbytes < 40 * np.prod(cells)
+
+
+@FORWARDS
+def test_the_same_answers_again_in_any_order_and_one_by_one(forward):
+    xy, (places_, theta) = QUERIES["of uniform angles"][:300], SAMPLES
+    model = fitted(forward)
+    got = model.predict(xy)
+    assert np.array_equal(got, fitted(forward).predict(xy), equal_nan=True)
+    assert np.array_equal(got, model.fit(places_, theta).predict(xy), equal_nan=True)
+    assert np.array_equal(got, pickle.loads(pickle.dumps(model)).predict(xy), equal_nan=True)
+    singly = np.concatenate([model.predict(xy[i : i + 1]) for i in range(len(xy))])
+    np.testing.assert_allclose(singly, got, rtol=0, atol=1e-7)
+    order = np.random.default_rng(6).permutation(len(theta))
+    shuffled = GridIK(forward=forward).fit(places_[order], theta[order]).predict(xy)
+    np.testing.assert_allclose(places(shuffled), places(got), rtol=0, atol=1e-4 if forward is None else 3e-9)
+    assert model.predict(np.empty((0, 2))).shape == (0, 2, 2)
+
+
+def test_lists_other_floats_and_read_only_arrays_are_taken_and_left_alone():
+    xy, theta = (array[:4000].copy() for array in SAMPLES)
+    before = xy.copy(), theta.copy()
+    xy.flags.writeable = theta.flags.writeable = False
+    model = GridIK([10, 20], planar_forward)
+    expected = model.fit(xy, theta).predict(xy)
+    assert np.array_equal(xy, before[0])
+    assert np.array_equal(theta, before[1])
+    for convert in (np.ndarray.tolist, np.longdouble, np.asfortranarray):
+        got = model.fit(convert(xy), convert(theta)).predict(convert(xy))
+        assert np.array_equal(got, expected, equal_nan=True)
+    assert model.predict(xy.astype(np.float32)).dtype == float
+    assert model.cells == [10, 20]
+
+
+@pytest.mark.parametrize("lengths", [(1.0, 0.6), (0.3, 1.0), (400.0, 300.0)])
+def test_other_arms(lengths):
+    theta = np.random.default_rng(7).uniform(LOW, HIGH, (50_000, 2))
+    forward = partial(planar_forward, lengths=lengths)
+    xy = np.stack(forward(theta.T)[0], -1)
+    got = GridIK(forward=forward).fit(xy[:40_000], theta[:40_000]).predict(xy[40_000:])
+    own = got[np.arange(10_000), (theta[40_000:, 1] < 0).astype(int)]
+    there = ~np.isnan(own[:, 0])
+    assert there.mean() > 0.998
+    np.testing.assert_allclose(own[there], theta[40_000:][there], rtol=0, atol=1e-4)
+
+
+def test_a_serial_arm_as_forward_and_samples_of_one_branch():
+    arm = planar_arm([1, 1])
+
+    def forward(theta):
+        J = arm.position_jacobian(theta.T)[:, :2]
+        return arm.fk(theta.T)[:, :2, 3].T, np.moveaxis(J, 0, -1)
+
+    theta = SAMPLES[1][:500]
+    for got, expected in zip(planar_forward(theta.T), forward(theta.T), strict=True):
+        np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)
+    xy, theta = (array[SAMPLES[1][:, 1] < 0][:5000] for array in SAMPLES)
+    got, same = (GridIK((20, 20), f).fit(xy, theta).predict(xy[:500]) for f in (forward, planar_forward))
+    np.testing.assert_allclose(got, same, rtol=0, atol=1e-7)
+    assert np.isnan(got[:, 0]).all()
+    assert not np.isnan(got[:, 1]).any()
+
+
+CHECKS = """estimator_cloneable estimator_tags_renamed valid_tag_types estimator_repr no_attributes_set_in_init
+    estimators_unfitted do_not_raise_errors_in_init_or_set_params mixin_order parameters_default_constructible
+    get_params_invariance set_params fit1d"""
+
+
+def test_what_scikit_learn_asks_of_every_estimator():
+    """The other checks fit three and more columns, or a target of one; what they look at is tested above."""
+    results = check_estimator(GridIK(), on_skip=None, on_fail=None)
+    passed = {result["check_name"] for result in results if result["status"] == "passed"}
+    assert {f"check_{name}" for name in CHECKS.split()} <= passed
+    model = fitted(cells=(30, 40), steps=2)
+    again = clone(model)
+    assert again.get_params() == model.get_params() == {**GridIK().get_params(), **vars(again)}
+    assert again.set_params(tol=1e-6).tol == 1e-6
+    assert not hasattr(again, "n_features_in_")
+    assert model.n_features_in_ == 2
+    assert model.fit(*SAMPLES) is model
+
+
+XY, THETA = (array[:100] for array in SAMPLES)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"xy": XY[:, :1]}, r"xy must be an array of real numbers of shape \(..., 2\); its shape is \(100, 1\)"),
+        ({"xy": XY[0]}, r"xy must be an array of shape \(n, 2\)"),
+        ({"xy": np.full((100, 2), np.nan)}, r"xy must be finite; xy\[0, 0\] is nan"),
+        ({"theta": [["a", "b"]]}, "theta must be an array of real numbers"),
+        ({"theta": THETA[:, 0]}, "theta must be an array of real numbers of shape"),
+        ({"theta": THETA[:99]}, "theta must hold the angles of each of the 100 places of xy; it holds 99"),
+        ({"theta": THETA * 1e4}, r"theta\[0, 0\] must be at most 1000"),
+        ({"cells": (11, 10)}, "xy must hold a sample for each of the 110 cells; it holds 100"),
+        ({"xy": XY * [0, 1]}, "xy must spread along x and along y"),
+        ({"xy": XY * [1, 1e101]}, "xy must spread along x and along y"),
+        ({"xy": np.empty((0, 2)), "theta": np.empty((0, 2))}, "xy must hold a sample for each of the 9 cells"),
+        ({"cells": 3}, "cells must be two whole numbers"),
+        ({"cells": (3, 3, 3)}, "cells must be two whole numbers"),
+        ({"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
+        ({"cells": (3.0, 3)}, r"cells\[0\] must be a whole number from 1"),
+        ({"forward": 3}, "forward must be a function"),
+        ({"forward": lambda theta: None}, "forward must return a pair"),
+        ({"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
+        ({"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
+        ({"forward": lambda theta: planar_forward(np.rad2deg(theta))}, "forward must lead from theta to xy; it misses"),
+        ({"steps": 0}, "steps must be a whole number from 1"),
+        ({"tol": -1}, "tol must be one number, zero or more"),
+    ],
+)
+def test_bad_input_is_refused_by_name_and_leaves_the_estimator_as_it_was(change, words):
+    valid = {"cells": (3, 3), "forward": planar_forward, "xy": XY, "theta": THETA}
+    arguments = {**valid, **change}
+    xy, theta = arguments.pop("xy"), arguments.pop("theta")
+    model = GridIK(**arguments)
+    with pytest.raises(ValueError, match=f"^{words}"):
+        model.fit(xy, theta)
+    with pytest.raises(NotFittedError):
+        model.predict(XY)
+
+
+@pytest.mark.parametrize("xy", [XY[0], XY[:, :1], [[np.nan, 1]], None, [["a", "b"]]])
+def test_bad_queries_are_refused(xy):
+    model = GridIK((3, 3))
+    with pytest.raises(NotFittedError):
+        _ = model.nbytes
+    with pytest.raises(ValueError, match=r"^xy must be"):
+        model.fit(XY, THETA).predict(xy)
