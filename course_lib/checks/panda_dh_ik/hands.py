@@ -126,8 +126,7 @@ PANDA_FK = Exercise(
             seen=lambda T, q: f"Yours are {in_words(T[0, 3])} in the first, {in_words(T[-1, 3])} in the last.",
         ),
         Property(
-            "with all angles 0 the frames stand in the world as the drawing shows them, the flange at "
-            "(-0.112, 0.13, 1.526)",
+            "with all angles 0 the frames stand where the table puts them, the flange at (-0.112, 0.13, 1.526)",
             lambda T, q: near(T, frames(q)),
             seen=_off,
             where=lambda q: not q.any(),

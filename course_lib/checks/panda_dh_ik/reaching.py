@@ -140,7 +140,8 @@ _NOT_CONVERGING = Mistake(
 )
 _STUCK = Mistake(
     "the steps got stuck, and no other start is tried, or too few are",
-    "After 40 steps without success begin again at random.uniform(low, high), 60 times at most.",
+    "After 40 steps without success begin again at random.uniform(low, high), 60 times at most. If you do that, "
+    "eps is too large at the end: let it follow the error.",
 )
 _LAST = Mistake(
     "the steps got stuck, and the last angles are returned all the same",
