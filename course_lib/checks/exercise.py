@@ -23,6 +23,7 @@ class Property:
     seen(value, *arguments): what was seen instead, in words; optional.
     where(*arguments): which cases it speaks of; optional.
     mistake: what it points to where no mistake of the exercise explains the answers; optional.
+    points: how many of the exercise's an answer earns for this alone, where it is wrong in something else.
     """
 
     text: str
@@ -31,6 +32,7 @@ class Property:
     where: Callable | None = None
     across: bool = False
     mistake: "Mistake | None" = None
+    points: int = 0
 
     def failing(self, cases, values):
         """Return the positions of the cases in which the property does not hold."""
@@ -103,7 +105,10 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of a check. case, answer: the smallest failing case and what was answered, where there is one."""
+    """What came of a check. case, answer: the smallest failing case and what was answered, where there is one.
+
+    credit: the points that a wrong answer has earned all the same.
+    """
 
     exercise: Exercise
     state: str
@@ -112,10 +117,11 @@ class Verdict:
     case: tuple | None = None
     answer: object = None
     note: str = ""
+    credit: int = 0
 
     @property
     def points(self):
-        return self.exercise.points if self.state == RIGHT else 0
+        return self.exercise.points if self.state == RIGHT else self.credit
 
 
 class Here:
@@ -190,7 +196,9 @@ def _wrong(exercise, wanted, cases, values, failing):
     case, value = cases[failing[0]], values[failing[0]]
     seen = _attempt(wanted.seen, value, *case) if wanted.seen else None
     reason = f"{wanted.text}." + (f" {seen}" if seen else "")
-    return Verdict(exercise, WRONG, reason, _named(exercise, wanted, cases, values, failing), case, value)
+    mistake = _named(exercise, wanted, cases, values, failing)
+    earned = sum(each.points for each in exercise.properties if each.points and not each.failing(cases, values))
+    return Verdict(exercise, WRONG, reason, mistake, case, value, credit=min(earned, exercise.points - 1))
 
 
 def _named(exercise, wanted, cases, values, failing):

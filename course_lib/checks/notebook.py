@@ -91,7 +91,8 @@ def describe(verdict):
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
     if verdict.state == NOT_ATTEMPTED:
         return f"{mark} {exercise.name}: not attempted yet"
-    lines = [f"{mark} {exercise.name}: " + ("not right yet" if verdict.state == WRONG else verdict.state)]
+    earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
+    lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
     if verdict.state == ERROR:
         lines.append(verdict.reason)
     if verdict.case is not None:

@@ -98,6 +98,7 @@ EXP_SE3 = Exercise(
             "the upper left 3x3 block is the rotation by |omega| about omega, as rodrigues gives it",
             lambda T, twist: np.abs(T[BLOCK] - _right_block(twist)).max() < FINE,
             seen=told(lambda T: T[BLOCK], _right_block),
+            points=1,
         ),
         Property(
             "for v = 0 the origin stays where it is: p = 0",

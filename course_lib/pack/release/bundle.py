@@ -31,7 +31,7 @@ def collect(root):
         raise ReleaseError(f"There are no notebooks in {root / 'notebooks'}.")
     project = (root / "pyproject.toml").read_text(encoding="utf-8")
     files = {f"notebooks/{path.name}": _notebook(path) for path in notebooks}
-    files |= _as_they_are(root, _data(root) + _package(root) + [root / SET_UP])
+    files |= _as_they_are(root, _pages(root) + _data(root) + _package(root) + [root / SET_UP])
     files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
     files["pyproject.toml"] = reduced_project(project).encode()
     lock = (root / "environment.txt").read_text(encoding="utf-8")
@@ -45,6 +45,11 @@ def _notebook(path):
     except UnicodeDecodeError as error:
         raise ReleaseError(f"{path.name} is no notebook: it is not UTF-8.") from error
     return students_copy(text, path.name, RELEASE).encode()
+
+
+def _pages(root):
+    """The pages of text that notebooks lead to."""
+    return list((root / "notebooks").glob("*.md"))
 
 
 def _data(root):

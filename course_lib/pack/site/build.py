@@ -69,7 +69,10 @@ def _gather(sources: list[Path], pages: Path) -> list[Counts]:
     # Pictures and data that a notebook's text links to lie beside it.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
-    names = "\n".join(source.stem for source in sources)
+    # Pages of text beside the notebooks are pages of the site too.
+    names = "\n".join(
+        [*(source.stem for source in sources), *sorted(page.stem for page in sources[0].parent.glob("*.md"))]
+    )
     (pages / "index.md").write_text(HOME.format(pages=names), encoding="utf-8")
     return [prepare(source, pages) for source in sources]
 
