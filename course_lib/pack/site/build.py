@@ -45,6 +45,7 @@ def build(notebooks: Path, output: Path, say=print) -> None:
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
         counts = _gather(sources, pages)
+        written = len(sources) + len(list(pages.glob("*.md")))
         figures = sum(count.figures for count in counts)
         pictures = sum(count.pictures for count in counts)
         say(f"Read {_number(len(sources), 'notebook')}: {_number(figures, 'live figure')}, "
@@ -61,7 +62,7 @@ def build(notebooks: Path, output: Path, say=print) -> None:
             shutil.rmtree(output)
         site.rename(output)
     size = sum(file.stat().st_size for file in output.rglob("*") if file.is_file()) / 1e6
-    say(f"Wrote {_number(len(sources) + 1, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
+    say(f"Wrote {_number(written, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
 def _gather(sources: list[Path], pages: Path) -> list[Counts]:

@@ -10,7 +10,7 @@ html_title = project
 language = "en"
 
 extensions = ["myst_nb"]
-include_patterns = ["index.md", "*.ipynb"]
+include_patterns = ["*.md", "*.ipynb"]
 
 nb_execution_mode = "off"
 nb_merge_streams = True
