@@ -1,7 +1,6 @@
 """Functions asked with SymPy symbols, and judged by numbers."""
 
 import math
-import textwrap
 
 import numpy as np
 import pytest
@@ -10,9 +9,8 @@ import sympy as sp
 from course_lib.checks import ask, plain
 from course_lib.checks import decomposition_ik as check
 from course_lib.checks.adapters import ADAPTERS, NoNumber, with_symbols
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Here, judge
+from course_lib.checks.exercise import ERROR, WRONG, Here, judge
 from course_lib.checks.notebook import describe
-from course_lib.pack.student_kernel import StudentKernel
 
 DH_SYMBOLIC = check.dh_symbolic.exercise
 
@@ -177,13 +175,3 @@ def test_a_matrix_of_numbers_is_wrong_and_no_error():
     verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: np.eye(4)))
     assert verdict.state == WRONG
     assert verdict.case == (0, 0, 0, 1)
-
-
-def test_from_a_kernel_of_its_own(tmp_path):
-    with StudentKernel(tmp_path) as kernel:
-        student = kernel.function("dh_symbolic")
-        assert judge(DH_SYMBOLIC, student).state == NOT_ATTEMPTED
-        assert kernel.run(textwrap.dedent(RIGHT_ONE)) is None
-        assert judge(DH_SYMBOLIC, student, seed=7741).state == RIGHT
-        assert kernel.run("sp.cos = sp.sin") is None
-        assert judge(DH_SYMBOLIC, student, seed=7741).state == WRONG

@@ -189,7 +189,7 @@ lock() {
     [ ! -f environment.txt ] || logged cp environment.txt build/environment.txt || explain
     # The --no-... keep out what differs between machines, an index's address above all.
     logged "$uv" pip compile --universal --fork-strategy fewest --python-version 3.11 \
-        pyproject.toml --group test --group site --group build ${UPGRADE:+--upgrade} \
+        pyproject.toml --group test --group site --group grade --group build ${UPGRADE:+--upgrade} \
         --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
         -o build/environment.txt || explain
     {

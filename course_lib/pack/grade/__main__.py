@@ -1,0 +1,140 @@
+"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write what came of it."""
+
+import argparse
+import contextlib
+import functools
+import secrets
+import sys
+from collections import Counter
+from pathlib import Path
+
+from course_lib.pack.grade.class_page import class_page
+from course_lib.pack.grade.collect import find
+from course_lib.pack.grade.feedback import write_feedback
+from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all, write_whole
+from course_lib.pack.grade.marks import TO_BE_READ, MarksUnreadable, marked, marks_text, read_marks
+from course_lib.pack.grade.sandbox import notice
+from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.tables import grades_text, handed, totals_text
+
+
+def main(arguments=None, grade=grade):
+    """Grade; return 1 with a plain sentence where that fails. grade: what grades one submission."""
+    chosen = _parser().parse_args(arguments)
+    try:
+        _grade(chosen, grade)
+    except (GradingStopped, MarksUnreadable) as error:
+        print(f"Grading stopped. {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"Grading stopped. {error.filename or 'A file'}: {error.strerror or error}.", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\nStopped. What was graded is kept: the same command goes on from there.", file=sys.stderr)
+        return 130
+    return 0
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
+    parser.add_argument("submissions", help="folder that holds what was handed in")
+    parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
+    parser.add_argument("--jobs", type=int, default=-1, help="how many at once; one for each processor if not given")
+    parser.add_argument("--scheduler", default="", help="address of a Dask cluster that does the work, tcp://...")
+    parser.add_argument("--seed", type=int, help="of the cases that are asked; drawn once and kept if not given")
+    return parser
+
+
+def _grade(chosen, grade):
+    output, submissions = chosen.output, _submissions(chosen)
+    output.mkdir(parents=True, exist_ok=True)
+    with _alone(output / ".lock"):
+        read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
+        seed = _seed(output / "seed", chosen.seed)
+        print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
+        outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs or 1, chosen.scheduler)
+        _write(output, handed(outcomes))
+
+
+def _submissions(chosen):
+    """Find what was handed in; stop where there is nothing, or where the results would stand among it."""
+    if not chosen.submissions:
+        raise GradingStopped("Name the folder that holds what was handed in: make grade SUBMISSIONS=folder.")
+    folder, output = Path(chosen.submissions), chosen.output.resolve()
+    if not folder.is_dir():
+        raise GradingStopped(f"There is no folder {folder}.")
+    if folder.resolve() in [output, *output.parents]:
+        raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
+    found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")))
+    if not found:
+        raise GradingStopped(f"There is nothing in {folder}.")
+    return found
+
+
+@contextlib.contextmanager
+def _alone(path):
+    """Keep a second run from writing to the same folder. Ends with this process, however that ends."""
+    with path.open("w") as file:
+        with contextlib.suppress(ImportError):
+            import fcntl
+
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError as error:
+                raise GradingStopped(f"Another run is writing to {path.parent}.") from error
+        for part in path.parent.rglob(".*.part"):  # of a run that was killed
+            part.unlink()
+        yield
+
+
+def _seed(path, given):
+    """The seed of the cases: the one given, or else the one kept beside the grades, drawn by the first run."""
+    if given is not None:
+        if given < 0:
+            raise GradingStopped("The seed is a whole number, 0 or more.")
+        return given
+    if not path.exists():
+        write_whole(path, f"{secrets.randbits(62)}\n")
+    try:
+        return int(path.read_text())
+    except ValueError as error:
+        raise GradingStopped(f"{path} holds no whole number: mend it, or delete it to draw a new one.") from error
+
+
+# ---- what is written ----
+
+
+def _write(output, everything):
+    rows = read_marks(output / "questions.csv")  # again: somebody may have typed marks meanwhile
+
+    @functools.cache
+    def marks_of(place):
+        each = by_place[place]
+        return [marked(question, each.student, each.notebook, rows) for question in each.result["questions"]]
+
+    def its_marks(each):
+        return [] if each.instead else marks_of(each.submission.place)
+
+    by_place = {each.submission.place: each for each in everything}
+    listed = [(each.student, each.notebook, answer) for each in everything for answer in its_marks(each)]
+    write_whole(output / "questions.csv", marks_text(listed, rows))
+    write_whole(output / "grades.csv", grades_text(everything, its_marks))
+    write_whole(output / "totals.csv", totals_text(everything, its_marks))
+    write_feedback(output / "feedback", everything, its_marks)
+    write_whole(output / "class.html", class_page(everything, its_marks))
+    print(_summary(output, everything, listed))
+
+
+def _summary(output, everything, listed):
+    states = Counter(each.result.get("state", "graded") for each in everything)
+    said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
+    lines = [f"{output / 'grades.csv'}: {said}."]
+    if left := sum(answer.state.startswith(TO_BE_READ) for _, _, answer in listed):
+        lines.append(f"{left} written answers are to be read: type marks into {output / 'questions.csv'}.")
+    if "not graded" in states:
+        lines.append("What could not be graded has its reason in the table; the same command tries it again.")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

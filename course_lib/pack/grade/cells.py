@@ -1,0 +1,190 @@
+"""Which statements of a notebook its functions need, read from the source alone; the sandbox's script takes this too.
+
+A notebook that draws, prints and tries things for a minute defines its functions in a moment. What the functions
+need is found by names: whatever binds or changes a name that they read, and what that reads in turn.
+"""
+
+import ast
+import re
+import symtable
+from dataclasses import dataclass, field
+
+RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # cell magics around plain Python
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+IMPORTS = (ast.Import, ast.ImportFrom)
+SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # what they bind is bound for certain, whatever it was before
+
+
+@dataclass
+class Statement:
+    """One statement at the top of a cell, and the names it binds, reads and changes."""
+
+    cell: int
+    tree: ast.stmt
+    binds: set = field(default_factory=set)
+    reads: set = field(default_factory=set)
+    changes: set = field(default_factory=set)
+
+
+def statements(sources):
+    """Return the Statements of a notebook's code cells, but stubs of functions that are written elsewhere."""
+    found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
+    written = {name for each in found if not is_stub(each.tree) for name in each.binds}
+    return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
+
+
+def without_stubs(sources):
+    """Return the sources, with blank lines for the stubs of functions that are written elsewhere."""
+    kept = {(each.cell, each.tree.lineno) for each in statements(sources)}
+    blanked = []
+    for number, source in enumerate(sources):
+        lines = source.splitlines()
+        for tree in parsed(source):
+            if is_stub(tree) and (number, tree.lineno) not in kept:
+                lines[tree.lineno - 1 : tree.end_lineno] = [""] * (tree.end_lineno - tree.lineno + 1)
+        blanked.append("\n".join(lines))
+    return blanked
+
+
+def needed(found, names):
+    """Return those of the Statements that functions of these names need: all imports, and what leads to what they read.
+
+    A function reads when it is called, so what it reads is looked for before the statement that names it.
+    """
+    imported = {name for each in found for name in each.binds if isinstance(each.tree, IMPORTS)}
+    kept = [isinstance(each.tree, IMPORTS) for each in found]
+    left, seen = [(name, len(found)) for name in names], set()
+    while left:
+        name, end = left.pop()
+        if (name, end) in seen:
+            continue
+        seen.add((name, end))
+        for position in range(end - 1, -1, -1):
+            each = found[position]
+            if name not in each.binds and (name in imported or name not in each.changes):
+                continue
+            kept[position] = True
+            later = end if isinstance(each.tree, FUNCTIONS) else position
+            left += [(read, later) for read in each.reads]
+            if name in each.binds and isinstance(each.tree, SIMPLE):
+                break
+    return [each for each, keep in zip(found, kept, strict=True) if keep]
+
+
+def parsed(source):
+    """Return the statements of a cell; of a cell that is no Python, those that are, each by itself."""
+    plain = without_magics(source)
+    try:
+        return ast.parse(plain).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return [tree for piece in _pieces(plain) for tree in _parsed_alone(*piece)]
+
+
+def without_magics(source):
+    """Return the source with blank lines for what only IPython understands."""
+    lines = source.splitlines()
+    first = next((line for line in lines if line.strip()), "")
+    if first.startswith("%%") and re.match(r"%%(\w*)", first)[1] not in RUNS_ITS_CELL:
+        return ""
+    return "\n".join("" if re.match(r"\s*[%!?]|.*\?$", line) and "#" not in line else line for line in lines)
+
+
+def is_stub(tree):
+    """Return whether this is a function that only says that it is not written yet."""
+    if not isinstance(tree, ast.FunctionDef):
+        return False
+    body = [line for line in tree.body if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]
+    return len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
+
+
+# ---- one statement ----
+
+
+def _looked_at(number, tree):
+    found = Statement(number, tree)
+    found.reads = _read(tree)
+    _bound(tree, found.binds)
+    for node in _outside_scopes(tree):
+        if isinstance(node, ast.Subscript | ast.Attribute) and not isinstance(node.ctx, ast.Load):
+            found.changes |= _base(node)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            found.changes |= _base(node.func)
+    if isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Call) and not _only_shows(tree.value):
+        found.changes |= {node.id for node in tree.value.args if isinstance(node, ast.Name)}
+    if isinstance(tree, FUNCTIONS):
+        found.changes = set()
+    return found
+
+
+def _read(tree):
+    """The names of the notebook's own level that a statement reads, or would read when it is called."""
+    try:
+        left, names = [symtable.symtable(ast.unparse(tree), "", "exec")], set()
+        while left:
+            table = left.pop()
+            top = table.get_type() == "module"
+            names |= {one.get_name() for one in table.get_symbols() if one.is_referenced() and (top or one.is_global())}
+            left += table.get_children()
+        return names
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+
+
+def _bound(tree, names):
+    """Add the names that a statement binds at the top of the notebook."""
+    for node in _outside_scopes(tree):
+        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            names.add(node.id)
+        elif isinstance(node, FUNCTIONS):
+            names.add(node.name)
+        elif isinstance(node, ast.alias):
+            names.add((node.asname or node.name).partition(".")[0])
+        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+            names.add(node.name)
+
+
+def _outside_scopes(tree):
+    """Every node below but those in functions, classes and comprehensions."""
+    left = [tree]
+    while left:
+        node = left.pop()
+        yield node
+        if not isinstance(node, SCOPES):
+            left += ast.iter_child_nodes(node)
+
+
+def _base(node):
+    """The name at the begin of a.b[0].c, as a set."""
+    while isinstance(node, ast.Subscript | ast.Attribute | ast.Call):
+        node = node.func if isinstance(node, ast.Call) else node.value
+    return {node.id} if isinstance(node, ast.Name) else set()
+
+
+def _only_shows(call):
+    name = call.func.id if isinstance(call.func, ast.Name) else ""
+    return name in ("print", "show", "display") or "check" in _base(call.func)
+
+
+# ---- a cell that is no Python ----
+
+
+def _pieces(source):
+    """Return (lines before, text) of the pieces that may be statements: each begins at the left edge."""
+    pieces, after_decorator = [], False
+    for number, line in enumerate(source.splitlines()):
+        begins = re.match(r"[A-Za-z_@(\[{]", line) and not re.match(r"(else|elif|except|finally|case)\b", line)
+        if begins and not after_decorator:
+            pieces.append((number, line))
+        elif pieces:
+            pieces[-1] = (pieces[-1][0], f"{pieces[-1][1]}\n{line}")
+        after_decorator = line.startswith("@")
+    return pieces
+
+
+def _parsed_alone(before, text):
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+    return ast.increment_lineno(tree, before).body

@@ -1,0 +1,178 @@
+"""A page about the class: how the points are spread, which exercises are hard, which mistakes are frequent."""
+
+import io
+import re
+import textwrap
+import warnings
+from collections import Counter
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.pack.grade.feedback import escaped, page, wide_table
+from course_lib.pack.grade.tables import clean, totals
+
+MOST = 15  # bars of a picture
+INK = "#010203"  # becomes the page's own colour of text, light or dark
+STATES = {RIGHT: "right", WRONG: "wrong", ERROR: "error", NOT_ATTEMPTED: "not attempted"}
+COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: "#8c8c8c"}
+
+
+def class_page(everything, marks_of):
+    """Return the page, from what tables.handed gives."""
+    of, students, waiting = totals(everything, marks_of)
+    graded = [each for each in everything if each.graded and not each.instead and each.student]
+    said = f"{_number(len(students), 'student')}, {_number(len(graded), 'notebook')} graded"
+    left = sum(waiting.values())
+    said += f", {_number(left, 'written answer')} still to be read, which count nothing yet." if left else "."
+    parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(of, students)]
+    parts += [_distribution(of, students), _hardest(graded), _mistakes(graded)]
+    return page("The class", "\n".join(part for part in parts if part))
+
+
+def _number(count, name):
+    return f"{count} {name}" if count == 1 else f"{count} {name}s"
+
+
+# ---- what the page shows ----
+
+
+def _notebooks(of, students):
+    rows = []
+    for notebook, most in of.items():
+        points = sorted(line[notebook] for line in students.values() if notebook in line)
+        middle = (points[(len(points) - 1) // 2] + points[len(points) // 2]) / 2
+        rows.append((notebook, len(points), f"{sum(points) / len(points):.1f}", f"{middle:g}", most))
+    return _table(("notebook", "handed in", "mean", "median", "of"), rows)
+
+
+def _distribution(of, students):
+    """How many students have how much of the points of the notebooks that they handed in."""
+    shares = []
+    for line in students.values():
+        most = sum(of.get(notebook, 0) for notebook in line)
+        if most:
+            shares.append(sum(line.values()) / most)
+    if not shares:
+        return ""
+    counts = [0] * 10
+    for share in shares:
+        counts[min(int(share * 10 + 1e-9), 9)] += 1
+    names = [f"{10 * i} to {10 * i + 10} %" for i in range(10)]
+    figure, axes = _figure(3)
+    axes.bar([10 * i + 5 for i in range(10)], counts, width=9, color="#4a90d9")
+    axes.set_xticks(range(0, 101, 10))
+    axes.set_xlabel("points, in percent of what the notebooks that were handed in give")
+    axes.set_ylabel("students")
+    axes.yaxis.get_major_locator().set_params(integer=True)
+    most = max(range(10), key=lambda i: counts[i])
+    alt = f"Bars: how many students have how many percent of the points. Most, {counts[most]}, have {names[most]}."
+    rows = list(zip(names, counts, strict=True))
+    return _section("How the points are spread", figure, alt, _table(("points", "students"), rows))
+
+
+def _hardest(graded):
+    """The exercises that fewest have right, with what the others have."""
+    states = {}
+    for each in graded:
+        for exercise in each.result["exercises"]:
+            name = _short(f"{each.notebook}: {exercise['exercise']}")
+            if exercise["state"] in COLOURS:  # and not of a file that could not be read
+                states.setdefault(name, Counter())[exercise["state"]] += 1
+    order = sorted(states, key=lambda name: (states[name][RIGHT] / states[name].total(), name))
+    shown = [name for name in order if states[name][RIGHT] < states[name].total()][:MOST]
+    if not shown:
+        return ""
+    figure, axes = _figure(1.3 + 0.32 * len(shown))
+    begin = [0.0] * len(shown)
+    for state, colour in COLOURS.items():
+        width = [100 * states[name][state] / states[name].total() for name in shown]
+        axes.barh(range(len(shown)), width, left=begin, color=colour, label=STATES[state])
+        begin = [x + w for x, w in zip(begin, width, strict=True)]
+    _label_bars(axes, shown)
+    axes.set_xlabel("percent of the notebooks that could be read")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, labelcolor=INK)
+    hardest = order[0]
+    alt = f"Bars: what came of the exercises, hardest first. {hardest} is right for {states[hardest][RIGHT]} "
+    alt += f"of {states[hardest].total()}."
+    rows = [(name, *(states[name][state] for state in COLOURS)) for name in order]
+    return _section("Hardest exercises", figure, alt, _table(("exercise", *STATES.values()), rows))
+
+
+def _mistakes(graded):
+    """The mistakes that the checks called by name."""
+    counts = Counter(
+        _short(f"{exercise['exercise']}: {exercise['mistake']}")
+        for each in graded
+        for exercise in each.result["exercises"]
+        if exercise["mistake"]
+    )
+    order = sorted(counts, key=lambda name: (-counts[name], name))
+    if not order:
+        return ""
+    shown = order[:MOST]
+    figure, axes = _figure(1 + 0.45 * len(shown))
+    axes.barh(range(len(shown)), [counts[name] for name in shown], color="#d9792f")
+    _label_bars(axes, [textwrap.fill(name, 55) for name in shown])
+    axes.set_xlabel("students")
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    alt = f"Bars: how many made each mistake, most frequent first. {_number(counts[order[0]], 'student')}: {order[0]}."
+    rows = [(name, counts[name]) for name in order]
+    return _section("Most frequent mistakes", figure, alt, _table(("mistake", "students"), rows))
+
+
+def _short(text):
+    """The text on one line that fits beside a bar."""
+    text = " ".join(clean(text).split())
+    return text if len(text) <= 120 else text[:120] + " ..."
+
+
+# ---- how it is drawn ----
+
+
+def _figure(height):
+    """Return a figure, without pyplot and so without a window, and its axes."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8, height), layout="constrained")
+    axes = figure.add_subplot()
+    axes.tick_params(colors=INK)
+    for side in axes.spines.values():
+        side.set_color(INK)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    axes.xaxis.label.set_color(INK)
+    axes.yaxis.label.set_color(INK)
+    axes.set_facecolor("none")
+    return figure, axes
+
+
+def _label_bars(axes, names):
+    # A dollar sign in what a student wrote is no formula.
+    axes.set_yticks(range(len(names)), names, parse_math=False)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+
+
+def _svg(figure):
+    """Return the figure as an element of the page, the same bytes for the same figure."""
+    import matplotlib
+
+    file = io.StringIO()
+    # Letters as outlines: the page looks alike wherever it is read, with whatever fonts.
+    with matplotlib.rc_context({"svg.hashsalt": "class", "svg.fonttype": "path"}), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of letters that the font lacks
+        figure.savefig(file, format="svg", transparent=True, metadata={"Date": None})
+    text = file.getvalue()
+    text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)
+    return text.replace(INK, "currentColor").strip()
+
+
+def _section(title, figure, alt, table):
+    label = escaped(alt)
+    svg = _svg(figure).replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1)
+    numbers = f"<details>\n<summary>The numbers</summary>\n{table}\n</details>"
+    return f"<h2>{escaped(title)}</h2>\n<figure>\n{svg}\n<figcaption>{label}</figcaption>\n</figure>\n{numbers}"
+
+
+def _table(columns, rows):
+    head = "".join(f"<th>{escaped(name)}</th>" for name in columns)
+    lines = ["<tr>" + "".join(f"<td>{escaped(value)}</td>" for value in row) + "</tr>" for row in rows]
+    return wide_table(f"<tr>{head}</tr>", lines)

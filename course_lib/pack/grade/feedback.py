@@ -1,0 +1,138 @@
+"""A page for each submission that tells its student what was found. All text from submissions is escaped."""
+
+import html
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.pack.grade.collect import file_names
+from course_lib.pack.grade.jobs import write_whole
+from course_lib.pack.grade.tables import clean
+
+LONGEST = 100_000  # characters of one message or answer
+MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
+
+PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
+<title>{title}</title>
+<style>
+:root {{ color-scheme: light dark; --good: #1d6f42; --bad: #a8480a; --none: #666; --line: #8886; --soft: #eee; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --good: #6fcf97; --bad: #f2a365; --none: #aaa; --soft: #2b2b2b; }} }}
+body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 50rem; margin: 2rem auto; padding: 0 1rem; }}
+h1, h2 {{ line-height: 1.2; overflow-wrap: anywhere; }}
+h2 {{ font-size: 1.1rem; margin: 2rem 0 0.5rem; }}
+table {{ border-collapse: collapse; }}
+th, td {{ text-align: left; padding: 0.2rem 1rem 0.2rem 0; border-bottom: 1px solid var(--line); }}
+td.number, th.number {{ text-align: right; }}
+pre {{ background: var(--soft); padding: 0.6rem 0.8rem; margin: 0.4rem 0;
+  white-space: pre-wrap; overflow-wrap: anywhere; }}
+.wide {{ overflow-x: auto; }}
+figure {{ margin: 1rem 0; }}
+svg {{ max-width: 100%; height: auto; }}
+.good {{ color: var(--good); }} .bad {{ color: var(--bad); }} .none {{ color: var(--none); }}
+.problem {{ border-left: 0.3rem solid var(--bad); padding-left: 0.8rem; }}
+</style>
+</head>
+<body>
+<main>
+{body}
+</main>
+</body>
+</html>
+"""
+
+
+def page(title, body):
+    """Return a page that needs no network and runs no script. body: HTML."""
+    return PAGE.format(title=escaped(title), body=body)
+
+
+def escaped(text):
+    """Return text as HTML that shows it, at a length that a page bears."""
+    text = clean(text)
+    return html.escape(text if len(text) <= LONGEST else text[:LONGEST] + "\n... (cut here)")
+
+
+def wide_table(head, rows):
+    """Return a table that is scrolled by itself where the page is narrower. head, rows: HTML of its lines."""
+    body = "\n".join(rows)
+    return f'<div class="wide"><table>\n<thead>{head}</thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
+
+
+# ---- one submission ----
+
+
+def feedback_page(each, answers):
+    """Return the page of one submission. each: a Handed; answers: the Marked of its written answers."""
+    read = sum(answer.points or 0 for answer in answers)
+    waiting = sum(answer.points is None for answer in answers)
+    body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
+    if each.graded:
+        later = f", {waiting} written answers still to be read" if waiting else ""
+        body.append(f"<p><strong>{each.points + read:g} of {each.of} points</strong>{later}</p>")
+    body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
+    body.append(_overview(each.result["exercises"], answers))
+    body += [_exercise(exercise) for exercise in each.result["exercises"] if exercise["message"]]
+    body += [_answer(answer) for answer in answers]
+    release = f", release {escaped(each.result['release'])}" if each.result["release"] else ""
+    body.append(f'<p class="none">Graded from {escaped(each.submission.place)}{release}.</p>')
+    return page(f"{each.notebook}, {each.student}", "\n".join(body))
+
+
+def _overview(exercises, answers):
+    """A line for each exercise; those with more to say are links to that."""
+    if not exercises and not answers:
+        return ""
+    lines = [(e["exercise"], e["state"], e["points"], e["of"], e["message"]) for e in exercises]
+    lines += [(a.question, a.state, "" if a.points is None else f"{a.points:g}", a.of, a.text) for a in answers]
+    rows = []
+    for name, state, points, of, more in lines:
+        mark, colour = _mark(state)
+        name = f'<a href="#{escaped(name)}">{escaped(name)}</a>' if more else escaped(name)
+        numbers = f'<td class="number">{points}</td><td class="number">{of}</td>'
+        rows.append(f'<tr><td>{name}</td><td class="{colour}">{mark} {escaped(state)}</td>{numbers}</tr>')
+    head = '<tr><th>exercise</th><th>state</th><th class="number">points</th><th class="number">of</th></tr>'
+    return wide_table(head, rows)
+
+
+def _mark(state):
+    return MARKS.get(state, ("·", "none"))
+
+
+def _exercise(exercise):
+    name, points = escaped(exercise["exercise"]), f"{exercise['points']} of {exercise['of']}"
+    heading = f'<h2 id="{name}">{name}: {escaped(exercise["state"])}, {points}</h2>'
+    return f"{heading}\n<pre>{escaped(exercise['message'])}</pre>"
+
+
+def _answer(answer):
+    name, points = escaped(answer.question), "" if answer.points is None else f", {answer.points:g} of {answer.of}"
+    heading = f'<h2 id="{name}">{name}: {escaped(answer.state)}{points}</h2>'
+    comment = f"\n<p>{escaped(answer.comment)}</p>" if answer.comment else ""
+    return f"{heading}\n<pre>{escaped(answer.text)}</pre>{comment}"
+
+
+# ---- all of them ----
+
+
+def write_feedback(folder, everything, marks_of):
+    """Write <student>/<notebook>.html for what counts, and delete the pages of students who are not in this run."""
+    counting = [each for each in everything if not each.instead and each.student]
+    students = file_names({each.student for each in counting})
+    pages = {}
+    for each in counting:
+        pages.setdefault(each.student, {}).setdefault(each.notebook or each.submission.place, each)
+    written = set()
+    for student, its in pages.items():
+        names = file_names(set(its))
+        for notebook, each in its.items():
+            path = folder / students[student] / f"{names[notebook]}.html"
+            write_whole(path, feedback_page(each, marks_of(each)))
+            written.add(path)
+    for path in folder.glob("*/*.html"):
+        if path not in written:
+            path.unlink()
+            if not any(path.parent.iterdir()):
+                path.parent.rmdir()

@@ -1,0 +1,236 @@
+"""Grade many submissions, here or on a cluster, and keep each result in a file of its own at once."""
+
+import contextlib
+import functools
+import hashlib
+import json
+import os
+import platform
+import tempfile
+import threading
+import time
+import warnings
+from pathlib import Path
+
+from joblib import Parallel, delayed, parallel_config
+from tqdm import tqdm
+
+from course_lib.pack.grade.collect import Refused, read
+
+LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
+CLUSTER_SECONDS = 60  # to wait for a scheduler, and for its first worker
+ROOT = Path(__file__).parents[3]
+
+
+class GradingStopped(Exception):
+    """The whole run cannot go on; the text says why."""
+
+
+# ---- what a result depends on ----
+
+
+@functools.cache
+def course_hash():
+    """Return a hash of all that a grade depends on but the submission and the seed: this package and the notebooks."""
+    package = [path for path in (ROOT / "course_lib").rglob("*.py") if "pack" not in path.relative_to(ROOT).parts]
+    grading = [path for path in (ROOT / "course_lib/pack/grade").glob("*.py") if path.stem not in ABOUT_RESULTS]
+    notebooks = [*ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"), *ROOT.glob("notebooks/data/*.*")]
+    files = sorted([*package, *grading, *notebooks, ROOT / "environment.txt"])
+    digest = hashlib.sha256()
+    for path in files:
+        content = path.read_bytes()
+        digest.update(f"{path.relative_to(ROOT).as_posix()}\n{len(content)}\n".encode() + content)
+    return digest.hexdigest()[:12]
+
+
+ABOUT_RESULTS = ("collect", "jobs", "tables", "marks", "feedback", "class_page", "__main__")
+
+
+def result_name(submission, content, seed):
+    """Return the name of a result's file: the submission, its content, the seed and the course."""
+    parts = f"{submission.place}\n{submission.notebook}".encode(), content, f"seed {seed}".encode()
+    return "-".join([*(hashlib.sha256(part).hexdigest()[:12] for part in parts), course_hash()]) + ".json"
+
+
+# ---- files of results ----
+
+
+def write_whole(path, text):
+    """Write a file so that whoever is killed meanwhile leaves the old one or the new one, never half."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, part = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=".part")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.replace(part, path)
+    except BaseException:
+        os.unlink(part)
+        raise
+
+
+def stored(path):
+    """Return the result that a file holds, or None where there is no whole one."""
+    try:
+        result = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return result if isinstance(result, dict) and set(EMPTY) <= set(result) else None
+
+
+EMPTY = {"notebook": "", "release": "", "problems": [], "exercises": [], "questions": []}
+
+
+def without_grade(submission, reason, state):
+    """Return what stands for the result where there is none. state: "refused", or "not graded" (not kept)."""
+    return EMPTY | {"notebook": submission.notebook, "problems": [reason], "state": state}
+
+
+# ---- the work ----
+
+
+def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
+    """Return [(submission, result)] in the order of `submissions`; what the files hold already is not graded again.
+
+    results: folder of the results' files. grade(content, notebook, seed): returns a result. jobs: how many at once,
+    -1 for as many as there are processors. scheduler: address of a Dask cluster that does the work, or "".
+    """
+    done, left = {}, {}
+    for submission in submissions:
+        try:
+            path = results / result_name(submission, _content(submission), seed)
+        except Refused as reason:
+            done[submission] = without_grade(submission, str(reason), "refused")
+            continue
+        kept = stored(path)
+        if kept is None:
+            left[submission] = path
+        else:
+            done[submission] = kept
+    with tqdm(total=len(submissions), initial=len(done), desc="grading", unit="notebook") as bar, _backend(scheduler):
+        whose = course_hash() if scheduler else os.getpid()
+        _grade_left(left, done, bar, seed, grade, jobs, whose)
+    return [(submission, done[submission]) for submission in submissions]
+
+
+def _content(submission):
+    if submission.refused:
+        raise Refused(submission.refused)
+    return read(submission.path)
+
+
+def _grade_left(left, done, bar, seed, grade, jobs, whose):
+    """Grade what is left, into `done` and the files."""
+    handed_out = []
+
+    def work(some):
+        for submission in some:
+            handed_out.append(submission)
+            with contextlib.suppress(Refused):  # read only now, since all at once may be more than the memory holds
+                yield delayed(_one)(submission, grade, seed, whose, _content(submission))
+
+    def take(some, jobs):
+        outcomes = Parallel(jobs, batch_size=1, return_as="generator_unordered")(work(some))
+        with warnings.catch_warnings(), contextlib.closing(outcomes):
+            warnings.simplefilter("ignore")  # of work that is given up, where the run stops
+            for submission, digest, outcome in outcomes:
+                done[submission] = _kept(submission, digest, outcome, left[submission])
+                bar.update()
+
+    def attempt(some, jobs):
+        """Return in words what stopped the work, or "". What has come in until then is kept."""
+        before = len(handed_out)
+        try:
+            take(some, jobs)
+        except GradingStopped:
+            raise
+        except Exception as error:  # a worker was killed, by whatever
+            if len(handed_out) == before:
+                raise GradingStopped(f"There is nobody to do the work ({type(error).__name__}).") from error
+            return f"The process at work on it ended ({type(error).__name__})"
+        return ""
+
+    rest = list(left)
+    while rest:
+        attempt(rest, jobs)
+        # Where a worker's end stopped them all, who was at work then is graded alone, apart from this process.
+        for submission in [s for s in handed_out if s not in done]:
+            reason = attempt([submission], max(2, jobs)) or "The file went away"
+            if submission not in done:
+                done[submission] = without_grade(submission, f"It could not be graded. {reason}.", "not graded")
+                bar.update()
+        rest = [submission for submission in rest if submission not in done]
+
+
+def _one(submission, grade, seed, whose, content):
+    """Grade one submission, wherever this runs. Never raises: one result must not stop the others.
+
+    whose: on a cluster the course's hash where the run began, on the same machine the process that began it.
+    """
+    digest = hashlib.sha256(content).hexdigest()[:12]
+    if isinstance(whose, int):
+        _end_with(whose)
+    elif whose != course_hash():
+        return submission, digest, {"stop": f"The worker {platform.node()} has another version of the course."}
+    try:
+        return submission, digest, {"result": grade(content, submission.notebook, seed)}
+    except Exception as error:  # an error of the grader itself
+        return submission, digest, {"failed": f"{type(error).__name__}: {error}"[:500]}
+
+
+@functools.cache
+def _end_with(parent):
+    """End this process soon after its parent, also where that was killed: joblib's would wait for minutes."""
+
+    def watch():
+        while os.getppid() == parent:
+            time.sleep(0.5)
+        os._exit(1)
+
+    if os.getpid() != parent:
+        threading.Thread(target=watch, daemon=True).start()
+
+
+def _kept(submission, digest, outcome, path):
+    """Write a result to its file and return it. What is not to be kept is graded again by the next run."""
+    if "stop" in outcome:
+        raise GradingStopped(outcome["stop"])
+    if "failed" in outcome:
+        return without_grade(submission, f"The grader failed: {outcome['failed']}", "not graded")
+    if digest != path.name.split("-")[1]:
+        return without_grade(submission, "The file changed while it was graded. Run again.", "not graded")
+    try:
+        write_whole(path, json.dumps(outcome["result"], sort_keys=True, indent=1))
+    except OSError as error:
+        raise GradingStopped(f"A result could not be written: {error}.") from error
+    return outcome["result"]
+
+
+@contextlib.contextmanager
+def _backend(scheduler):
+    """Let joblib work on the cluster of this scheduler, or on this machine where there is none."""
+    if not scheduler:
+        yield
+        return
+    try:
+        from distributed import Client
+        from joblib._dask import DaskDistributedBackend
+    except ImportError as error:
+        raise GradingStopped("A cluster needs the package `distributed`: make environment installs it.") from error
+    try:
+        client = Client(scheduler, timeout=CLUSTER_SECONDS)
+    except (OSError, ValueError) as error:
+        raise GradingStopped(f"No scheduler answers at {scheduler}.") from error
+
+    class Cluster(DaskDistributedBackend):
+        def effective_n_jobs(self, n_jobs):
+            # With one job joblib would work here instead of there, and workers that come later would find no work.
+            return max(LEAST_JOBS, super().effective_n_jobs(n_jobs))
+
+        def submit(self, func, callback=None):
+            # joblib hears of results only, and would wait for ever for a job that killed all its workers.
+            future = super().submit(func, callback)
+            future.add_done_callback(lambda ended: ended.exception() and callback(ended.exception()))
+            return future
+
+    with client, parallel_config(backend=Cluster(client=client, wait_for_workers_timeout=CLUSTER_SECONDS)):
+        yield

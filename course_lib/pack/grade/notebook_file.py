@@ -1,0 +1,192 @@
+"""What a file that was handed in holds: code cells, written answers, the release; whatever wrote it, however broken.
+
+Nothing of it is believed but the sources of its cells, and the release that it names.
+"""
+
+import functools
+import importlib
+import itertools
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from course_lib.pack.grade.course_copy import PACKAGE
+from course_lib.pack.release.stubs import PROMPT
+
+NOTEBOOKS = PACKAGE.parent / "notebooks"
+MOST_BYTES = 100_000_000
+MOST_CELLS = 5_000
+MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
+
+
+class Unreadable(ValueError):
+    """A file that is no notebook; the text says why."""
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell. name: its grade_id in nbgrader's metadata, where there is one; only written answers go by it."""
+
+    kind: str
+    source: str
+    name: str = ""
+    id: str = ""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question that is answered in writing. after: the source of the cell with its task."""
+
+    name: str
+    points: int
+    id: str
+    after: str
+
+
+@dataclass(frozen=True)
+class Course:
+    """One notebook of the course: its name, its package of checks, its exercises and its written questions."""
+
+    name: str
+    package: str
+    exercises: tuple
+    questions: tuple
+
+
+# ---- what was handed in ----
+
+
+def read(content):
+    """Return (cells, release) of a file's bytes. Raises Unreadable."""
+    if len(content) > MOST_BYTES:
+        raise Unreadable(f"It is larger than {MOST_BYTES // 10**6} MB.")
+    if not content.strip():
+        raise Unreadable("The file is empty.")
+    try:
+        book = json.loads(_text(content))
+    except (ValueError, RecursionError):
+        raise Unreadable("It is no notebook: it is not JSON.") from None
+    listed = _listed(book)
+    if listed is None:
+        raise Unreadable("It is no notebook: it has no list of cells.")
+    if len(listed) > MOST_CELLS:
+        raise Unreadable(f"It has more than {MOST_CELLS} cells.")
+    cells = [cell for cell in map(_cell, listed) if cell]
+    if sum(len(cell.source) for cell in cells) > MOST_CODE:
+        raise Unreadable(f"Its cells hold more than {MOST_CODE // 10**6} million characters.")
+    release = _within(book, "metadata", "course", "release")
+    return cells, release[:100] if isinstance(release, str) else ""
+
+
+def _text(content):
+    for mark, encoding in ((b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"), (b"", "utf-8-sig")):
+        if content.startswith(mark):
+            return content.decode(encoding)
+    return ""
+
+
+def _listed(book):
+    """The cells of a notebook of any version as a list; before version 4 they lay in worksheets."""
+    if not isinstance(book, dict):
+        return None
+    if isinstance(book.get("cells"), list):
+        return book["cells"]
+    if isinstance(book.get("worksheets"), list):
+        sheets = [_within(sheet, "cells") for sheet in book["worksheets"]]
+        return [cell for sheet in sheets if isinstance(sheet, list) for cell in sheet]
+    return None
+
+
+def _cell(cell):
+    source = _within(cell, "source") or _within(cell, "input")
+    if isinstance(source, list):
+        source = "".join(line for line in source if isinstance(line, str))
+    if not isinstance(source, str):
+        return None
+    words = [_within(cell, "cell_type"), _within(cell, "metadata", "nbgrader", "grade_id"), _within(cell, "id")]
+    # Lone surrogates are legal in JSON and nowhere else.
+    return Cell(*(w.encode("utf-8", "replace").decode() if isinstance(w, str) else "" for w in _order(words, source)))
+
+
+def _order(words, source):
+    kind, name, number = words
+    return kind, source, name, number
+
+
+def _within(value, *keys):
+    for key in keys:
+        value = value.get(key) if isinstance(value, dict) else None
+    return value
+
+
+def code(cells):
+    return [cell.source for cell in cells if cell.kind == "code"]
+
+
+def defines(sources, name):
+    """Return whether some cell looks as if it defined a function of this name: a guess, to save time by."""
+    return any(re.search(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*=[^=])", source, re.MULTILINE) for source in sources)
+
+
+def may_bind(sources, name):
+    """Return whether the cells may bind this name when they are run as a whole: a guess, to save time by."""
+    binds = (
+        rf"\b{name}\b.*=|\b(import|as|for|def|class|with|global)\b.*\b{name}\b|\b(exec|globals|setattr)\b|%run|%load"
+    )
+    return bool(name) and any(re.search(binds, source) for source in sources)
+
+
+# ---- what the course asks ----
+
+
+def course_of(name, cells):
+    """Return the Course that a file of this name belongs to, by its exercises where the name does not say; or None."""
+    known = courses()
+    if name in known:
+        return known[name]
+    sources = code(cells)
+    counts = {course.name: sum(defines(sources, e.name) for e in course.exercises) for course in known.values()}
+    best = max(counts, key=counts.get, default=None)
+    return known[best] if best and counts[best] else None
+
+
+@functools.cache
+def courses():
+    """Return {name: Course} of all notebooks of the course."""
+    found = {}
+    for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
+        package = path.stem.partition("_")[2]
+        checks = importlib.import_module(f"course_lib.checks.{package}").CHECKS
+        exercises = tuple(check.exercise for check in checks)
+        found[path.stem] = Course(path.stem, package, exercises, tuple(_questions(path)))
+    return found
+
+
+def _questions(path):
+    before = ""
+    for cell in json.loads(Path(path).read_text(encoding="utf-8"))["cells"]:
+        about, source = cell["metadata"].get("nbgrader", {}), "".join(cell["source"])
+        if about.get("solution") and about.get("grade"):
+            yield Question(about["grade_id"], int(about["points"]), cell["id"], before)
+        before = source
+
+
+def answer(question, cells):
+    """Return what was written: in the cell of the question's name, or of its id, or after its task; or ""."""
+    for wanted in (lambda cell: cell.name == question.name, lambda cell: cell.id == question.id):
+        found = [cell.source for cell in cells if cell.kind != "code" and wanted(cell)]
+        if found:
+            return _written("\n\n".join(found))
+    for task, following in itertools.pairwise(cells):
+        if _same_words(task.source, question.after) and following.kind != "code":
+            return _written(following.source)
+    return ""
+
+
+def _written(text):
+    return "" if text.strip() == PROMPT else text.strip()
+
+
+def _same_words(one, other):
+    return one.split() == other.split()

@@ -1,0 +1,157 @@
+"""Run a notebook's cells and put questions to its functions: the script that is started in the sandbox.
+
+Everything it says is a claim: the student's code runs in this very process and may say anything in its name.
+It reads one JSON object with the cells, runs them, then reads {"ask": name, ...} again and again, and answers each
+from a child of its own, so that what one answer does to its process costs no other one.
+"""
+
+import ast
+import contextlib
+import json
+import linecache
+import os
+import random
+import resource
+import select
+import shutil
+import signal
+import sys
+import time
+import types
+
+
+def main():
+    course = sys.argv[1]
+    sys.path.insert(0, course)
+    requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for standard in (0, 1, 2):
+        os.dup2(nowhere, standard)
+    shutil.copytree(f"{course}/data", "data", dirs_exist_ok=True)
+
+    def say(**message):
+        data = json.dumps(message).encode() + b"\n"
+        while data:
+            data = data[os.write(replies, data) :]
+
+    from course_lib.checks import ask
+
+    order = json.loads(requests.readline())
+    run = run_whole if order["whole"] else run_needed
+    space, defined = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
+    say(defined=[name for name in order["names"] if name in defined])
+    for line in requests:
+        asked = json.loads(line)
+        say(exercise=asked["ask"], **in_a_child(asked, lambda a: ask.reply(space.get(a["ask"]), a["questions"])))
+
+
+# ---- cells ----
+
+
+def run_whole(sources, names, without, say):
+    """Run the cells as Jupyter does, going on after errors; return their namespace, and what it holds."""
+    from cells import without_stubs
+    from IPython.core.interactiveshell import InteractiveShell
+    from traitlets.config import Config
+
+    shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
+    for number, source in enumerate(without_stubs(sources)):
+        if (number, 0) in without:
+            continue
+        say(running=[number, 0])
+        with contextlib.suppress(BaseException):
+            done = shell.run_cell(source, store_history=False)
+            error = done.error_before_exec or done.error_in_exec
+            if error is not None:
+                say(failed=number, error=words(error))
+    return shell.user_ns, shell.user_ns
+
+
+def run_needed(sources, names, without, say):
+    """Run only what the functions of these names need, statement by statement; return their namespace, and all names
+    that the cells bind."""
+    from cells import needed, statements
+
+    module = types.ModuleType("__main__")
+    space = vars(module)
+    space["display"] = print
+    sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
+    for number, source in enumerate(sources):
+        text = source.splitlines(keepends=True)
+        linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
+    found = statements(sources)
+    left = [each for each in needed(found, names) if (each.cell, each.tree.lineno) not in without]
+    for _ in range(2):  # again, for cells that were moved before those that they need
+        failed = []
+        for each in left:
+            say(running=[each.cell, each.tree.lineno])
+            try:
+                exec(compile(ast.Module([each.tree], []), f"<cell {each.cell}>", "exec"), space)
+            except NameError:
+                failed.append(each)
+            except BaseException as error:
+                say(failed=each.cell, error=words(error))
+        left = failed
+    return space, {name for each in found for name in each.binds}
+
+
+def words(error):
+    """The error in one line; its text is the student's to make, and may fail or be endless."""
+    try:
+        return f"{type(error).__name__}: {error}"[:300].replace("\n", " ")
+    except BaseException:
+        return "an error"
+
+
+# ---- answers ----
+
+
+def in_a_child(asked, answer):
+    """Return {"reply": text} from a child process, or {"ended": why}."""
+    seconds = asked["seconds"]
+    there, here = os.pipe()
+    try:
+        child = os.fork()
+    except OSError as error:
+        return {"none": str(error)}
+    if child == 0:
+        speak(here, asked, answer)
+    os.close(here)
+    parts, deadline, over = [], time.monotonic() + seconds, False
+    while not over:
+        ready, _, _ = select.select([there], [], [], max(deadline - time.monotonic(), 0))
+        data = os.read(there, 1 << 20) if ready else b""
+        parts.append(data)
+        over = not data or data.endswith(b"\n") or sum(map(len, parts)) > asked["reply"]
+    with contextlib.suppress(OSError):
+        os.killpg(child, signal.SIGKILL)
+    with contextlib.suppress(OSError):
+        os.kill(child, signal.SIGKILL)
+    os.close(there)
+    _, status = os.waitpid(child, 0)
+    text = b"".join(parts).decode(errors="replace")
+    if text.endswith("\n"):
+        return {"reply": text[:-1]}
+    if sum(map(len, parts)) > asked["reply"]:
+        return {"ended": "its answer is too long to be read"}
+    return {"ended": "", "late": not ready, "status": os.waitstatus_to_exitcode(status)}
+
+
+def speak(pipe, asked, answer):
+    """In the child: answer, and end whatever happens."""
+    try:
+        os.setpgid(0, 0)
+        used = resource.getrusage(resource.RUSAGE_SELF)
+        most = int(used.ru_utime + used.ru_stime + asked["cpu"])
+        resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
+        random.seed(0)
+        sys.modules["numpy"].random.seed(0)  # the same grade for the same file, whatever it draws
+        data = answer(asked).encode() + b"\n"
+        while data:
+            data = data[os.write(pipe, data) :]
+    finally:
+        os._exit(0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,240 @@
+"""Grade one submission: every verdict is formed here, from answers that its own process gives as plain data.
+
+The cheap way comes first: only what the functions need is run, without anything that any exercise forbids. What remains
+open is asked once more, each exercise in a process of its own with all but what it forbids itself, and only then is
+the whole notebook run.
+"""
+
+import json
+import re
+import time
+from dataclasses import dataclass, field, replace
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, Verdict, judge
+from course_lib.checks.notebook import describe
+from course_lib.checks.plain import read, write
+from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.course_copy import contents
+from course_lib.pack.grade.notebook_file import Unreadable, course_of, courses
+from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox
+
+UNREADABLE = "cannot be read"
+ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
+MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
+
+
+@dataclass
+class Outcome:
+    """What came of one exercise. again: the ways of asking once more that may do better."""
+
+    verdict: Verdict
+    again: frozenset = frozenset()
+
+
+@dataclass
+class Run:
+    """A submission while it is graded. left_out: {number of a cell that ended or stopped it: how}."""
+
+    sources: list
+    limits: Limits
+    seed: int
+    package: str
+    exercises: tuple
+    left_out: dict = field(default_factory=dict)
+    begin: float = field(default_factory=time.monotonic)
+
+    def seconds_left(self):
+        return self.begin + self.limits.submission_seconds - time.monotonic()
+
+
+def grade(text, notebook, seed, limits=None):
+    """Return what a submission earns, as plain data; never raises for anything that the submission holds.
+
+    text: the file's bytes. notebook: the name it was handed in as. seed: of the cases, a secret of the grader's.
+    """
+    try:
+        cells, release = notebook_file.read(text)
+    except Unreadable as problem:
+        course = course_of(notebook, [])
+        return _result(notebook, "", course, [str(problem)], {}, [])
+    course = course_of(notebook, cells)
+    if course is None:
+        problem = "It is none of the course's notebooks: neither its name nor its functions say which."
+        return _result(notebook, release, None, [problem], {}, cells)
+    run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises)
+    outcomes = ask_all(run)
+    return _result(notebook, release, course, _problems(run), outcomes, cells)
+
+
+def ask_all(run):
+    """Return {exercise's name: Outcome}, trying the cheap ways first."""
+    everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
+    outcomes = attempt(run, run.exercises, everything, whole=False)
+    for exercise in run.exercises:
+        if ALONE in outcomes[exercise.name].again and run.seconds_left() > 0:
+            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=False)
+    left = [exercise for exercise in run.exercises if WHOLE in outcomes[exercise.name].again]
+    if left and run.seconds_left() > 0:
+        outcomes |= attempt(run, left, everything, whole=True)
+    for exercise in left:
+        if ALONE in outcomes[exercise.name].again and run.seconds_left() > 0:
+            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)
+    return outcomes
+
+
+def attempt(run, exercises, forbidden, whole):
+    """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
+    checks = {course.package: [e.name for e in course.exercises] for course in courses().values()}
+    files, without, how = contents(checks, forbidden), [], ""
+    for _ in range(MOST_RESTARTS):
+        if run.seconds_left() < 0:
+            return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
+        order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
+        with Sandbox(files, run.limits) as sandbox:
+            guilty, end, defined = run_cells(sandbox, order, run)
+            if not end:
+                return {e.name: ask(sandbox, run, e, whole or e.name in defined, how) for e in exercises}
+        how = end
+        if guilty is None:
+            break
+        run.left_out[guilty[0]] = how
+        without.append(guilty)
+    reason = f"The notebook could not be run: {how}."
+    return {e.name: Outcome(Verdict(e, ERROR, reason), frozenset({ALONE})) for e in exercises}
+
+
+def run_cells(sandbox, order, run):
+    """Let the cells run. Returns what ran last, how it ended the sandbox or "", and which names the cells define."""
+    limits = run.limits
+    current, wait = None, limits.start_seconds
+    deadline = time.monotonic() + min(limits.start_seconds + limits.notebook_seconds, max(run.seconds_left(), 1))
+    try:
+        sandbox.send(order)
+        while True:
+            message = sandbox.receive(min(wait, deadline - time.monotonic()))
+            if isinstance(message.get("defined"), list):
+                return current, "", message["defined"]
+            place = message.get("running")
+            if isinstance(place, list) and len(place) == 2 and all(isinstance(number, int) for number in place):
+                current, wait = place, limits.cell_seconds
+    except Ended as end:
+        return current, str(end), []
+
+
+def ask(sandbox, run, exercise, final, left_out):
+    """Put an exercise's questions to the sandbox and judge what comes back.
+
+    final: whether a function that is not there is nowhere. left_out: why something was left out of this run, or "".
+    """
+    if run.seconds_left() < 0:
+        return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
+    student = Student(sandbox, run, exercise.name)
+    try:
+        verdict = judge(exercise, student, run.seed)
+    except Exception as error:
+        verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
+    if student.ended:
+        return Outcome(Verdict(exercise, ERROR, student.ended), frozenset({ALONE}))
+    if verdict.state == RIGHT:
+        return Outcome(verdict)
+    if left_out and (verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and final)):
+        reason = f"{verdict.reason}\nA cell that it may need was left out: {left_out}.".strip()
+        verdict = replace(verdict, state=ERROR, reason=reason)
+    if verdict.state == NOT_ATTEMPTED:
+        return Outcome(verdict, frozenset() if final else frozenset({WHOLE}))
+    elsewhere = notebook_file.may_bind(run.sources, student.missing)
+    return Outcome(verdict, frozenset({ALONE, WHOLE} if elsewhere else {ALONE}))
+
+
+class Student:
+    """Passes one exercise's questions to a sandbox. See judge."""
+
+    def __init__(self, sandbox, run, name):
+        self._sandbox, self._run, self._name = sandbox, run, name
+        self.ended, self.missing = "", ""
+
+    def reply(self, questions):
+        limits = self._run.limits
+        asked = read(questions) | {"seconds": limits.cpu_seconds}
+        request = {"ask": self._name, "questions": write(asked), "seconds": limits.answer_seconds}
+        request |= {"cpu": limits.cpu_seconds + 2, "reply": limits.reply}
+        deadline = time.monotonic() + limits.answer_seconds + 3
+        try:
+            self._sandbox.send(request)
+            message = {}
+            while message.get("exercise") != self._name:
+                message = self._sandbox.receive(deadline - time.monotonic())
+        except Ended as end:
+            self.ended = f"No answer came: {end}."
+            return ""
+        text = message.get("reply")
+        if isinstance(text, str):
+            self.missing = _missing_name(text)
+            return text
+        self.ended = _how_it_ended(message, limits)
+        return ""
+
+
+def _missing_name(reply):
+    """The name that was not there when the function was called, or ""."""
+    try:
+        messages = (a["error"]["message"] for a in read(reply) if "error" in a and a["error"]["type"] == "NameError")
+        found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
+        return found[1] if found else ""
+    except (ValueError, LookupError, TypeError, AttributeError):
+        return ""
+
+
+def _time_is_up(limits):
+    return f"It was not asked: all that came before took {limits.submission_seconds} seconds."
+
+
+def _how_it_ended(message, limits):
+    if message.get("late") is True:
+        return f"Your function was not done after {limits.answer_seconds} seconds. Does a loop never end?"
+    if message.get("ended"):
+        return f"What came back cannot be read: {str(message['ended'])[:200]}."
+    status = message.get("status")
+    if status in (-9, -24):
+        return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?"
+    return "Your function ended the process that it runs in."
+
+
+# ---- the result ----
+
+
+def _result(notebook, release, course, problems, outcomes, cells):
+    found = {"notebook": course.name if course else notebook, "release": _shown(release), "problems": problems}
+    exercises = course.exercises if course else ()
+    found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
+    questions = course.questions if course else ()
+    found["questions"] = [
+        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells)[:100_000]} for q in questions
+    ]
+    return json.loads(json.dumps(found))
+
+
+def _row(exercise, outcome):
+    row = {"exercise": exercise.name, "points": 0, "of": exercise.points, "mistake": ""}
+    if outcome is None:
+        return row | {"state": UNREADABLE, "message": "The file cannot be read."}
+    verdict = outcome.verdict
+    mistake = verdict.mistake.name if verdict.mistake else ""
+    return row | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
+
+
+def _message(verdict):
+    """The words of the check without its first line, for the state stands beside it."""
+    if verdict.state == RIGHT:
+        return _shown(verdict.note)
+    lines = describe(verdict).splitlines()[1:]
+    return _shown("\n".join(line for line in lines if not line.startswith(f"check.{verdict.exercise.name}.hint()")))
+
+
+def _shown(text):
+    """The text without what would steer a terminal or break a file: it may hold what a student's code said."""
+    return "".join(sign if sign.isprintable() or sign == "\n" else "\N{REPLACEMENT CHARACTER}" for sign in text)
+
+
+def _problems(run):
+    return [f"Code cell {number + 1} was left out: {how}." for number, how in sorted(run.left_out.items())]

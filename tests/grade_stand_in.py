@@ -1,0 +1,52 @@
+"""What stands for the grading of one submission where tests are about what happens around it.
+
+A submission is JSON that says what to do: {"points": [1, 0], "log": folder that gets a file for each call,
+"seconds": to take, "do": "raise", "end" (the process) or nothing, "texts": written answers}.
+"""
+
+import json
+import os
+import sys
+import time
+import uuid
+from pathlib import Path
+
+
+def grade(content, notebook, seed):
+    told = json.loads(content)
+    if "log" in told:
+        Path(told["log"], f"{uuid.uuid4()}").write_text(str(os.getpid()))
+    time.sleep(told.get("seconds", 0))
+    if told.get("do") == "raise":
+        raise ValueError("a grader has errors too")
+    if told.get("do") == "end":
+        os._exit(1)
+    return result(told.get("points", ()), told.get("texts", ()), notebook)
+
+
+def result(points=(), texts=(), notebook="01_rotations", **changed):
+    """A result as grade gives it: an exercise of 2 points for each of `points`, a question for each of `texts`."""
+    exercises = [
+        {"exercise": f"exercise_{i}", "points": p, "of": 2, "state": "right" if p else "wrong"}
+        | {"message": "" if p else "What should hold: it is a rotation.", "mistake": "" if p else "R^T is returned"}
+        for i, p in enumerate(points)
+    ]
+    questions = [{"question": f"explain_{i}", "of": 2, "text": text} for i, text in enumerate(texts)]
+    plain = {"notebook": notebook, "release": "0.1.0-abc", "problems": []}
+    return plain | {"exercises": exercises, "questions": questions} | changed
+
+
+def hand_in(folder, name, **told):
+    """Write a submission; name: its path in the folder."""
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(told))
+    return path
+
+
+if __name__ == "__main__":  # the whole command, with this in place of the grading
+    import grade_stand_in
+
+    from course_lib.pack.grade.__main__ import main
+
+    sys.exit(main(grade=grade_stand_in.grade))

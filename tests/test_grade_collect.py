@@ -1,0 +1,148 @@
+"""What was handed in is found, whatever it is called; what is no notebook of the student's own is refused in words."""
+
+import os
+import unicodedata
+
+import pytest
+
+from course_lib.pack.grade import collect
+from course_lib.pack.grade.collect import Refused, file_names, find, read, shown, split
+
+NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
+
+
+def write(folder, *names):
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text("{}")
+
+
+def found(folder):
+    return [(each.student, each.notebook) for each in find(folder, NOTEBOOKS) if not each.refused]
+
+
+def refused(folder):
+    return {each.place: each.refused for each in find(folder, NOTEBOOKS) if each.refused}
+
+
+# ---- names ----
+
+STEMS = {
+    "anna_01_rotations": ("anna", "01_rotations"),
+    "anna_maria_von_b_01_rotations": ("anna_maria_von_b", "01_rotations"),
+    "Anna Maria_02_rigid_motion": ("Anna Maria", "02_rigid_motion"),
+    "Zoë Ünal_06_decomposition_ik": ("Zoë Ünal", "06_decomposition_ik"),
+    "李小龍_01_rotations": ("李小龍", "01_rotations"),
+    "anna_rotations": ("anna", "01_rotations"),
+    "anna_01_Rotations (2)": ("anna", "01_rotations"),
+    "anna_01_rotations-Copy1": ("anna", "01_rotations"),
+    "anna_01_rotations - Copy (3)": ("anna", "01_rotations"),
+    "anna_01_rotations-2": ("anna", "01_rotations"),
+    "01_rotations": ("", "01_rotations"),
+    "anna_02_01_rotations": ("anna_02", "01_rotations"),
+    "anna_homework": ("", ""),
+    "anna_counterrotations": ("", ""),
+}
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_a_name_is_split_into_student_and_notebook(stem):
+    assert split(stem, NOTEBOOKS) == STEMS[stem]
+
+
+def test_a_name_made_to_take_long_does_not():
+    assert split("rotations" + " copy_-_" * 30 + "!", NOTEBOOKS) == ("", "")
+
+
+def test_both_layouts_are_read(tmp_path):
+    write(tmp_path, "anna_b/01_rotations.ipynb", "anna_b/02_rigid_motion (1).ipynb", "Zoë Ü_01_rotations.ipynb")
+    write(tmp_path, "carl/hand-in/notebooks/anything.ipynb", "dora_my work.ipynb")
+    both = [("anna_b", "01_rotations"), ("anna_b", "02_rigid_motion"), ("Zoë Ü", "01_rotations")]
+    assert sorted(found(tmp_path)) == sorted([*both, ("carl", "anything"), ("dora_my work", "dora_my work")])
+
+
+def test_two_spellings_of_one_name_are_one_student(tmp_path):
+    one, other = (unicodedata.normalize(form, "Zoë") for form in ("NFC", "NFD"))
+    write(tmp_path, f"{one}/01_rotations.ipynb", f"{other}_02_rigid_motion.ipynb")
+    assert {student for student, _ in found(tmp_path)} == {one}
+
+
+def test_what_programs_leave_behind_is_passed_over(tmp_path):
+    write(tmp_path, "anna/.ipynb_checkpoints/01_rotations-checkpoint.ipynb", "anna/01_rotations.ipynb", ".DS_Store")
+    write(tmp_path, "__MACOSX/anna/01_rotations.ipynb", "anna/._01_rotations.ipynb", "anna/numpy.py")
+    assert found(tmp_path) == [("anna", "01_rotations")]
+    assert refused(tmp_path) == {}
+
+
+def test_names_are_shown_on_one_line_and_as_they_read(tmp_path):
+    assert shown("a\nb\u202ec") == "a\\x0ab\\x202ec"
+    assert shown(os.fsdecode(b"a\xff")) == "a\\xff"
+    (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
+    assert found(tmp_path) == [("a\\xff", "01_rotations")]
+
+
+# ---- what is refused ----
+
+
+def test_links_are_refused_and_not_followed(tmp_path):
+    write(tmp_path, "anna/01_rotations.ipynb")
+    (tmp_path / "bob").mkdir()
+    (tmp_path / "bob/01_rotations.ipynb").symlink_to("../anna/01_rotations.ipynb")
+    (tmp_path / "bob/all").symlink_to("../anna")
+    (tmp_path / "carl_01_rotations.ipynb").symlink_to("anna/01_rotations.ipynb")
+    (tmp_path / "dora").symlink_to("anna")
+    (tmp_path / "emil_01_rotations.ipynb").symlink_to("/nowhere")
+    assert found(tmp_path) == [("anna", "01_rotations")]
+    reasons = refused(tmp_path)
+    links = ["bob/01_rotations.ipynb", "bob/all", "carl_01_rotations.ipynb", "dora", "emil_01_rotations.ipynb"]
+    assert sorted(reasons) == links
+    assert all("link" in reason for reason in reasons.values())
+    who = {each.student for each in find(tmp_path, NOTEBOOKS)}
+    assert who == {"anna", "bob", "carl", "dora", "emil"}
+
+
+def test_what_is_no_notebook_has_its_reason(tmp_path):
+    write(tmp_path, "anna_01_rotations.py", "01_rotations.ipynb", "bob/report.pdf", "roster.csv")
+    (tmp_path / "carl").mkdir()
+    (tmp_path / "dora_01_rotations.ipynb").mkdir()
+    reasons = refused(tmp_path)
+    assert found(tmp_path) == []
+    assert "does not end in .ipynb" in reasons["anna_01_rotations.py"]
+    assert "does not say whose" in reasons["01_rotations.ipynb"]
+    assert "holds report.pdf" in reasons["bob"]
+    assert "empty" in reasons["carl"]
+    assert "empty" in reasons["dora_01_rotations.ipynb"]
+    students = {each.place: each.student for each in find(tmp_path, NOTEBOOKS)}
+    assert (students["anna_01_rotations.py"], students["roster.csv"]) == ("anna", "")
+
+
+def test_only_files_of_a_bearable_size_are_read(tmp_path, monkeypatch):
+    write(tmp_path, "file")
+    assert read(tmp_path / "file") == b"{}"
+    (tmp_path / "link").symlink_to("file")
+    os.mkfifo(tmp_path / "pipe")  # opened in the usual way, it would wait for a writer
+    for name in "link", "pipe", "nothing", ".":
+        with pytest.raises(Refused, match=r"\.$"):
+            read(tmp_path / name)
+    monkeypatch.setattr(collect, "MOST_BYTES", 1)
+    with pytest.raises(Refused, match="larger than"):
+        read(tmp_path / "file")
+
+
+# ---- names of files ----
+
+UNSAFE = ["..", ".", "", "../../etc", "a/b", "a\\b", "a\x00b", "/", "~", "con", "AUX.txt", "Anna", "anna", "x" * 300]
+UNSAFE += ["é" * 200, "a\nb", "<b>", "name.", " name", "-rf", "Zoë Ünal", "C:\\x", "\ud800"]
+
+
+def test_a_students_name_never_is_a_path(tmp_path):
+    names = file_names(UNSAFE)
+    assert len({name.casefold() for name in names.values()}) == len(UNSAFE)
+    for name in names.values():
+        assert (tmp_path / name).resolve().parent == tmp_path.resolve()
+        assert len(name.encode()) < 250
+        assert not set(name) & set('/\\:<>"|?*\n\x00')
+        assert not name.startswith(".")
+        assert not name.endswith((".", " "))
+        (tmp_path / name).mkdir()
+    assert names["Zoë Ünal"] == "Zoë Ünal"

@@ -1,0 +1,180 @@
+"""The pages that come of grading: all that is from a submission shows as text, and nothing needs a network."""
+
+import re
+import xml.etree.ElementTree as ET
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from grade_stand_in import result
+from site_visits import CONTRAST, Visit
+
+from course_lib.pack.grade.class_page import class_page
+from course_lib.pack.grade.collect import Submission
+from course_lib.pack.grade.feedback import feedback_page, write_feedback
+from course_lib.pack.grade.jobs import without_grade
+from course_lib.pack.grade.marks import marked
+from course_lib.pack.grade.tables import Handed, handed
+
+EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m {brace}"
+TAGS = {"html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "p", "strong", "a", "pre"}
+TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "figure", "figcaption", "details", "summary"}
+DRAWN = {"svg", "defs", "g", "path", "use", "clippath", "rect"}
+
+
+class Read(HTMLParser):
+    """The tags, attributes and text of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.attributes, self.text = set(), [], ""
+        text.encode()
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.add(tag)
+        self.attributes += attributes
+
+    def handle_data(self, data):
+        self.text += data
+
+
+def of(student, points=(), texts=(), place=None, notebook="01_rotations", **changed):
+    submission = Submission(student, notebook, place or f"{student}/{notebook}.ipynb", Path("nowhere"))
+    return submission, result(points, texts, notebook, **changed)
+
+
+def marks_of(each):
+    return [marked(question, each.student, each.notebook, {}) for question in each.result["questions"]]
+
+
+def evil_one():
+    submission, evil = of(EVIL, [2, 0], [EVIL], place=EVIL, notebook=EVIL, release=EVIL, problems=[EVIL])
+    evil["exercises"][1] |= {"message": EVIL, "mistake": EVIL, "exercise": EVIL}
+    return submission, evil
+
+
+def assert_inert(text, tags=TAGS):
+    """Assert that a page shows the evil text as text, runs nothing and asks for nothing."""
+    read = Read(text)
+    assert read.tags <= tags
+    assert "<script>alert(1)</script>" in read.text
+    assert not any(name.startswith("on") or name in ("src", "srcset", "action") for name, _ in read.attributes)
+    assert all(value.startswith("#") for name, value in read.attributes if name in ("href", "xlink:href"))
+    assert not re.search(r"@import|url\((?!#)", text)
+    assert ("content", "default-src 'none'; style-src 'unsafe-inline'") in read.attributes
+
+
+# ---- feedback ----
+
+
+def test_feedback_tells_what_was_found():
+    each = Handed(*of("zoe", [2, 0], ["because"]))
+    read = Read(feedback_page(each, marks_of(each)))
+    for words in "2 of 6 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because":
+        assert words in read.text
+    for words in "✓ right", "✗ wrong", "to be read", "release 0.1.0-abc", "zoe/01_rotations.ipynb":
+        assert words in read.text
+    anchors = [value[1:] for name, value in read.attributes if name == "href"]
+    assert anchors == ["exercise_1", "explain_0"]
+    assert all(("id", anchor) in read.attributes for anchor in anchors)
+
+
+def test_feedback_shows_what_is_from_a_submission_as_text():
+    each = Handed(*evil_one())
+    assert_inert(feedback_page(each, marks_of(each)))
+
+
+def test_feedback_is_written_for_what_counts_and_only_below_its_folder(tmp_path):
+    everything = handed(
+        [
+            of("zoe", [2], place="a"),
+            of("zoe", [0], place="b"),
+            of("zoe", [2], notebook="02_rigid_motion"),
+            of("../../up", [2]),
+            of("..", [2]),
+            of("anna", [2], notebook="../../x"),
+            of("", place="roster.csv"),
+            (of("bob")[0], without_grade(of("bob")[0], "It is a link to another file.", "refused")),
+        ]
+    )
+    folder = tmp_path / "out" / "feedback"
+    write_feedback(folder, everything, marks_of)
+    written = sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file())
+    assert len(written) == 6
+    assert all(path.startswith("out/feedback/") and path.count("/") == 3 for path in written)
+    assert {"out/feedback/zoe/01_rotations.html", "out/feedback/zoe/02_rigid_motion.html"} <= set(written)
+    assert "<strong>2 of 2 points" in (folder / "zoe/01_rotations.html").read_text()
+    assert "It is a link" in (folder / "bob/01_rotations.html").read_text()
+
+    write_feedback(folder, [each for each in everything if each.student == "zoe"], marks_of)
+    assert [path.name for path in folder.iterdir()] == ["zoe"]
+
+
+# ---- the class ----
+
+
+def a_class():
+    outcomes = [of(f"s{i}", [2 * (i % 2), 2 * (i % 5 == 0), 2], ["because"]) for i in range(12)]
+    twice = [of("s1", [points], notebook="02_rigid_motion", place=f"{points}") for points in (2, 0)]
+    return handed([*outcomes, *twice])
+
+
+def pictures(page):
+    return [ET.fromstring(svg) for svg in re.findall(r"<svg .*?</svg>", page, re.DOTALL)]
+
+
+def test_the_class_page_shows_three_pictures_with_words():
+    page = class_page(a_class(), marks_of)
+    read = Read(page)
+    drawn = pictures(page)
+    words = [svg.get("aria-label") for svg in drawn]
+    assert [svg.get("role") for svg in drawn] == ["img"] * 3
+    assert "Most, 6, have 50 to 60 %." in words[0]  # four of eight points, of which two are for the answer not read
+    assert "01_rotations: exercise_1 is right for 3 of 12." in words[1]
+    assert "9 students: exercise_1: R^T is returned." in words[2]
+    assert all(alt in read.text for alt in words)
+    assert "12 students, 13 notebooks graded, 12 written answers still to be read" in read.text
+    assert "currentColor" in page
+    assert "#010203" not in page
+    assert read.tags <= TAGS | DRAWN
+
+
+def test_the_same_class_gives_the_same_page():
+    assert class_page(a_class(), marks_of) == class_page(a_class(), marks_of)
+
+
+def test_the_class_page_shows_what_is_from_a_submission_as_text():
+    page = class_page(handed([evil_one()]), marks_of)
+    assert_inert(page, TAGS | DRAWN)
+    assert len(pictures(page)) == 3
+
+
+@pytest.mark.parametrize("points", [[], [2, 2]])
+def test_a_class_without_mistakes_or_grades_has_a_page(points):
+    page = class_page(handed([of("zoe", points)]), marks_of)
+    assert len(pictures(page)) == (1 if points else 0)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_both_pages_read_on_light_and_on_dark(browser, tmp_path, theme):
+    everything = a_class()
+    (tmp_path / "class.html").write_text(class_page(everything, marks_of), encoding="utf-8")
+    page = feedback_page(everything[0], marks_of(everything[0]))
+    (tmp_path / "one.html").write_text(page, encoding="utf-8")
+    for name in "class.html", "one.html":
+        visit = Visit(browser, tmp_path / name, theme=theme, width=400)
+        elements = visit.page.query_selector_all("h1, h2, p, td, th, a, pre, summary, svg")
+        assert len(elements) > 10
+        assert min(element.evaluate(CONTRAST_ON_PAGE) for element in elements) > 4.5
+        assert visit.page.evaluate("document.documentElement.scrollWidth") <= 400
+        assert visit.complaints == []
+        assert [url for url in visit.requests if not url.startswith("file:")] == []
+        visit.context.close()
+
+
+# A page without a background of its own stands on the browser's, which the colour "Canvas" names.
+CONTRAST_ON_PAGE = f"""element => {{
+  document.documentElement.style.backgroundColor = "Canvas";
+  return ({CONTRAST})(element);
+}}"""

@@ -1,0 +1,78 @@
+"""Submissions that want points they did not earn, or to harm: each with the reason told, and nothing else touched."""
+
+import os
+import time
+from dataclasses import replace
+
+import pytest
+from hostile.build import (
+    NAMES,
+    OTHERS,
+    PROJECT,
+    SEED,
+    SHORT,
+    answers,
+    book,
+    few_exercises,
+    processes,
+    said,
+    sources,
+    traces,
+)
+
+from course_lib.pack.grade.sandbox import APART, kind
+from course_lib.pack.grade.submission import grade
+
+pytestmark = pytest.mark.skipif(kind() != APART, reason="namespaces are not allowed here")
+
+
+ENDS_BY_ITSELF = ("memory", "too long")  # though not soon on a machine that is busy
+
+
+@pytest.fixture(autouse=True)
+def only_a_few_exercises(monkeypatch):
+    few_exercises(monkeypatch)
+
+
+@pytest.fixture
+def graders(tmp_path):
+    """A folder such as a grader has, with another student's work and results."""
+    for place in (
+        "grades.csv",
+        "submissions/other/01_rotations.ipynb",
+        "build/grades/feedback/other/01_rotations.html",
+    ):
+        file = tmp_path / place
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("as the grader left it")
+        file.chmod(0o666)
+    return tmp_path
+
+
+def contents(folder):
+    """What the folder holds, and whether something was left where a submission might write."""
+    found = {str(path): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    for place in (folder, PROJECT, "/", "/tmp", "/var/tmp", "/etc", os.path.expanduser("~")):
+        found[f"in {place}"] = {"HOSTILE", "grades.csv"} & set(os.listdir(place))
+    return found
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_hostile_submission_earns_and_harms_nothing(name, solutions, graders):
+    first, right = answers(solutions)
+    others = [right[name] for name in OTHERS]
+    before, folders, files, begin = processes(), traces(), contents(graders), time.monotonic()
+    limits = replace(SHORT, answer_seconds=30) if said(name, "says") in ENDS_BY_ITSELF else SHORT
+    result = grade(book(first, *sources(name, graders), *others), "01_rotations", SEED, limits)
+    rows = {row["exercise"]: row for row in result["exercises"]}
+    row, earns = rows["nearest_so"], said(name, "says") == "earns"
+    assert row["points"] == (3 if earns else 0), row
+    assert earns or (row["state"] not in ("right", "not attempted yet") and row["message"]), row
+    assert earns or said(name, "says") in row["message"] + row["mistake"], row
+    assert said(name, "problem") in " ".join(result["problems"]), result["problems"]
+    assert {o: rows[o]["points"] for o in OTHERS} == {o: rows[o]["of"] for o in OTHERS}, [rows[o] for o in OTHERS]
+    assert sum(r["points"] for r in rows.values()) == sum(rows[o]["of"] for o in OTHERS) + row["points"]
+    assert time.monotonic() - begin < 120
+    assert processes() <= before
+    assert traces() <= folders
+    assert contents(graders) == files

@@ -1,0 +1,249 @@
+"""A run of the grading: killed and started again, on one processor or several, with a grader that fails."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import nbformat
+import pytest
+from grade_stand_in import grade, hand_in
+
+from course_lib.pack.grade.__main__ import main
+
+ROOT = Path(__file__).parents[1]
+TABLES = ("grades.csv", "totals.csv", "questions.csv")
+SOON = 120  # seconds that a loaded machine may take
+
+
+@pytest.fixture
+def place(tmp_path):
+    """A folder with submissions, output and a log of what was graded."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "log").mkdir()
+    return tmp_path
+
+
+def run(place, *options, grade=grade, output="out"):
+    return main([str(place / "in"), "--output", str(place / output), *options], grade=grade)
+
+
+def calls(place):
+    return len(list((place / "log").iterdir()))
+
+
+def tables(place, output="out"):
+    return [(place / output / name).read_bytes() for name in TABLES]
+
+
+def fill(place, count=6, **told):
+    for i in range(count):
+        texts = [f"because {i}"]
+        hand_in(
+            place / "in", f"s{i}_01_rotations.ipynb", points=[2, i % 3], texts=texts, log=str(place / "log"), **told
+        )
+
+
+# ---- once is enough ----
+
+
+def test_what_was_graded_is_not_graded_again(place):
+    fill(place)
+    assert run(place, "--jobs", "1") == 0
+    first = tables(place)
+    assert calls(place) == 6
+    assert run(place, "--jobs", "1") == 0
+    assert calls(place) == 6
+    assert tables(place) == first
+
+    hand_in(place / "in", "s3_01_rotations.ipynb", points=[0, 0], log=str(place / "log"))
+    run(place, "--jobs", "1")
+    assert calls(place) == 7
+    assert tables(place) != first
+    run(place, "--jobs", "1", "--seed", "5")
+    assert calls(place) == 13
+
+
+def test_a_result_that_is_no_whole_file_is_graded_again(place):
+    fill(place, 3)
+    run(place, "--jobs", "1")
+    first = tables(place)
+    one, other, _ = sorted((place / "out/results").iterdir())
+    one.write_text(one.read_text()[:50])
+    other.write_text("{}")
+    run(place, "--jobs", "1")
+    assert calls(place) == 5
+    assert tables(place) == first
+
+
+def test_another_course_is_graded_again(place, monkeypatch):
+    fill(place, 2)
+    run(place, "--jobs", "1")
+    monkeypatch.setattr("course_lib.pack.grade.jobs.course_hash", lambda: "another")
+    run(place, "--jobs", "1")
+    assert calls(place) == 4
+
+
+def test_the_same_tables_on_one_processor_and_on_several(place):
+    fill(place)
+    assert run(place, "--jobs", "1", "--seed", "1") == 0
+    assert run(place, "--jobs", "3", "--seed", "1", output="more") == 0
+    assert calls(place) == 12
+    assert tables(place) == tables(place, "more")
+    assert b"s5,01_rotations,exercise_1,2,2,right" in tables(place)[0]
+
+
+def test_killed_in_the_middle_it_goes_on_where_it_was_and_leaves_no_process(place):
+    fill(place, 8, seconds=0.4)
+    command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]
+    with subprocess.Popen([*command, "--jobs", "2"], stderr=subprocess.DEVNULL) as process:
+        wait_until(lambda: len(list(place.glob("out/results/*.json"))) >= 3 or process.poll() is not None)
+        assert process.poll() is None, "it ended before it could be killed"
+        process.kill()
+    assert not (place / "out/grades.csv").exists()
+    workers = {int(path.read_text()) for path in (place / "log").iterdir()}
+    wait_until(lambda: not any(alive(worker) for worker in workers))
+    done, begun = len(list(place.glob("out/results/*.json"))), calls(place)
+    assert 3 <= done < 8
+
+    (place / "out/results/.half.part").write_text("{")
+    assert run(place, "--jobs", "1") == 0
+    assert calls(place) - begun == 8 - done
+    assert not list(place.rglob("*.part"))
+    again = tables(place)
+    shutil.copy(place / "out/seed", place / "seed")
+    assert run(place, "--jobs", "1", "--seed", (place / "seed").read_text(), output="at once") == 0
+    assert tables(place, "at once") == again
+
+
+def wait_until(happened):
+    deadline = time.monotonic() + SOON
+    while not happened():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def alive(pid):
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z" if Path("/proc").is_dir() else True
+
+
+# ---- what fails ----
+
+
+def test_a_grader_that_fails_costs_only_the_one_and_is_tried_again(place):
+    fill(place, 3)
+    hand_in(place / "in", "s1_01_rotations.ipynb", do="raise", log=str(place / "log"))
+    assert run(place, "--jobs", "1") == 0
+    grades = (place / "out/grades.csv").read_text()
+    assert "s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: The grader failed: ValueError: a grader has" in grades
+    assert "s2,01_rotations,exercise_0,2,2,right" in grades
+    run(place, "--jobs", "1")
+    assert calls(place) == 4
+
+
+def test_a_worker_that_ends_costs_only_the_one(place):
+    fill(place, 6)
+    hand_in(place / "in", "s1_01_rotations.ipynb", do="end")
+    assert run(place, "--jobs", "2") == 0
+    grades = (place / "out/grades.csv").read_text()
+    assert "s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: It could not be graded." in grades
+    assert grades.count("exercise_0,2,2,right") == 5
+
+
+def test_two_runs_do_not_write_to_one_folder(place, capsys):
+    fill(place, 2)
+
+    def meanwhile(content, notebook, seed):
+        assert run(place, "--jobs", "1") == 1
+        return grade(content, notebook, seed)
+
+    assert run(place, "--jobs", "1", grade=meanwhile) == 0
+    assert "Another run is writing to" in capsys.readouterr().err
+    assert calls(place) == 2
+
+
+def test_marks_typed_during_a_run_are_kept(place):
+    fill(place, 1)
+    run(place, "--jobs", "1")
+    typed = (place / "out/questions.csv").read_text().replace(",2,,,to be read", ",2,2,,to be read")
+
+    def meanwhile(content, notebook, seed):
+        (place / "out/questions.csv").write_text(typed)
+        return grade(content, notebook, seed)
+
+    run(place, "--jobs", "1", "--seed", "5", grade=meanwhile)
+    assert "s0,01_rotations,explain_0,2,2,read," in (place / "out/grades.csv").read_text()
+
+
+SENTENCES = {
+    "There is no folder": lambda place: shutil.rmtree(place / "in"),
+    "There is nothing in": lambda place: None,
+    "holds no whole number": lambda place: (fill(place, 1), hand_in(place / "out", "seed", seed="x")),
+    "has no columns": lambda place: (fill(place, 1), hand_in(place / "out", "questions.csv").write_text("a;b\n1;2\n")),
+    "lies inside": lambda place: (place / "in/out").mkdir() or (place / "out").symlink_to("in/out"),
+    "Not a directory|File exists": lambda place: (fill(place, 1), (place / "out").write_text("")),
+}
+
+
+@pytest.mark.parametrize("words", SENTENCES)
+def test_what_stops_a_run_is_said_in_a_sentence(place, capsys, words):
+    SENTENCES[words](place)
+    assert run(place, "--jobs", "1") == 1
+    said = capsys.readouterr().err
+    assert any(option in said for option in words.split("|"))
+    assert said.startswith("Grading stopped. ")
+    assert said.endswith(".\n")
+    assert calls(place) == 0
+
+
+def test_without_a_folder_make_says_what_to_name(capsys):
+    assert main([""]) == 1
+    assert "make grade SUBMISSIONS=folder" in capsys.readouterr().err
+
+
+def test_the_seed_is_drawn_once_and_kept(place):
+    seeds = []
+
+    def seen(content, notebook, seed):
+        seeds.append(seed)
+        return grade(content, notebook, seed)
+
+    fill(place, 1)
+    for output, options in [("out", ()), ("out", ()), ("other", ()), ("out", ("--seed", "7"))]:
+        shutil.rmtree(place / output / "results", ignore_errors=True)
+        run(place, "--jobs", "1", *options, output=output, grade=seen)
+    assert seeds[0] == seeds[1] != seeds[2]
+    assert seeds[3] == 7
+    assert int((place / "out/seed").read_text()) == seeds[0]
+
+
+# ---- all of it ----
+
+
+def test_a_notebook_is_graded_by_make_grades_command(place):
+    cells = ["def is_so(R, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
+    (place / "in/anna").mkdir()
+    nbformat.write(notebook, place / "in/anna/01_rotations.ipynb")
+    (place / "in/bob_01_rotations.ipynb").write_text("no JSON")
+    (place / "in/carl_01_rotations.ipynb").symlink_to("anna/01_rotations.ipynb")
+    command = [sys.executable, "-m", "course_lib.pack.grade", str(place / "in"), "--output", str(place / "out")]
+    done = subprocess.run([*command, "--jobs", "1"], cwd=ROOT, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert "grading: 100%" in done.stderr
+    grades = (place / "out/grades.csv").read_text()
+    assert "anna,01_rotations,is_so,0,1,not attempted yet" in grades
+    assert "bob,01_rotations,is_so,0,1," in grades
+    assert 'carl,01_rotations,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
+    assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
+        [*TABLES, "class.html", "feedback", "results", "seed"]
+    )
+    kept = [json.loads(path.read_text()) for path in (place / "out/results").iterdir()]
+    assert sorted(len(result["exercises"]) for result in kept) == [13, 13]

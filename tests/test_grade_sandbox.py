@@ -1,0 +1,70 @@
+"""What stands around a submission: the ways to keep it apart, its copy of the course, and what of it is run."""
+
+import pytest
+from hostile.build import SEED, SHORT, answers, book, few_exercises, processes, sources
+
+from course_lib.pack.grade import sandbox
+from course_lib.pack.grade.cells import needed, statements
+from course_lib.pack.grade.course_copy import contents
+from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.submission import grade
+
+NAME, FULL = "01_rotations", 8
+
+
+def points(result):
+    return sum(row["points"] for row in result["exercises"])
+
+
+@pytest.fixture
+def few(monkeypatch, solutions):
+    """The cell with the imports and those with right answers; the notebook has no other exercises."""
+    few_exercises(monkeypatch)
+    first, found = answers(solutions)
+    return first, list(found.values())
+
+
+@pytest.mark.parametrize("kind", sandbox.NOTICES)
+def test_each_way_of_keeping_apart_grades_alike(few, kind, monkeypatch):
+    if not sandbox.works(kind):
+        pytest.skip(f"{kind}: not possible here")
+    monkeypatch.setattr(sandbox, "kind", lambda: kind)
+    loop = "def nearest_so(M):\n    while True:\n        pass"
+    assert points(grade(book(few[0], *few[1]), NAME, SEED)) == FULL
+    result = grade(book(few[0], *few[1], loop), NAME, SEED, SHORT)
+    assert points(result) == FULL - 3
+    assert "Does a loop never end?" in next(r for r in result["exercises"] if r["exercise"] == "nearest_so")["message"]
+    before = processes()
+    assert points(grade(book(few[0], *few[1], *sources("daemon")), NAME, SEED, SHORT)) == FULL
+    assert processes() <= before
+
+
+@pytest.mark.parametrize("name", courses())
+def test_the_copy_of_the_course_holds_no_judge_and_nothing_that_is_asked_for(name):
+    course = courses()[name]
+    forbidden = {dotted for exercise in course.exercises for dotted in exercise.forbidden}
+    files = contents({course.package: [e.name for e in course.exercises]}, frozenset(forbidden))
+    checks = {path for path in files if path.startswith("course_lib/checks/")}
+    assert checks == {f"course_lib/checks/{file}" for file in ("__init__.py", "ask.py", "plain.py", "adapters.py")} | {
+        f"course_lib/checks/{course.package}/{file}" for file in ("__init__.py", "stand_ins.py")
+    }
+    assert not any(path.startswith("course_lib/pack") or path.endswith(".ipynb") for path in files)
+    for dotted in forbidden:
+        package, module, function = [*dotted.split("."), ""][:3]
+        if package == "course_lib":
+            source = files[f"course_lib/{module}.py"].decode()
+            assert f'NotAllowed("{dotted}")' in source or f"NotAllowed('{dotted}')" in source
+            assert source.count(f"def {function}(") == 1
+            assert f"class {function}" not in source
+
+
+def test_only_what_a_function_needs_is_run():
+    cells = [
+        "import numpy as np\nimport time",
+        "k = 3\nother = 4\nnp.abs = None",
+        "for k in range(5):\n    pass\ntable = []\ntable.append(k)\ntime.sleep(1000)",
+        "def helper(x):\n    other = x\n    return table[0] * other\nprint(helper(2))",
+        "def wanted(x, k=1):\n    return helper(x) + k",
+    ]
+    kept = [each.tree.lineno + 10 * each.cell for each in needed(statements(cells), ["wanted"])]
+    assert kept == [1, 2, 11, 21, 23, 24, 31, 41]

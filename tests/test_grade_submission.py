@@ -1,0 +1,270 @@
+"""One submission and what it earns: whatever program wrote the file, the student's function is what counts."""
+
+import json
+import random
+from dataclasses import replace
+
+import nbformat
+import pytest
+from hostile.build import OTHERS, SEED, SHORT, answers, book, cell, few_exercises
+
+from course_lib.pack.grade.notebook_file import NOTEBOOKS, courses
+from course_lib.pack.grade.submission import UNREADABLE, grade
+from course_lib.pack.release.stubs import PROMPT, students_copy
+
+NAME = "01_rotations"
+
+
+def states(result):
+    return {row["exercise"]: row["state"] for row in result["exercises"]}
+
+
+def states_and_words(result):
+    return {row["exercise"]: (row["state"], row["message"]) for row in result["exercises"]}
+
+
+def points(result):
+    return sum(row["points"] for row in result["exercises"])
+
+
+@pytest.fixture
+def few(monkeypatch, solutions):
+    """The cell with the imports and those with right answers; the notebook has no other exercises."""
+    few_exercises(monkeypatch)
+    first, found = answers(solutions)
+    return first, list(found.values())
+
+
+FULL = 1 + 1 + 1 + 2 + 3  # what these earn
+
+
+# ---- as the course has them ----
+
+
+@pytest.mark.parametrize("name", courses())
+def test_all_solutions_of_a_notebook_earn_all_points(name):
+    result = grade((NOTEBOOKS / f"{name}.ipynb").read_bytes(), name, SEED)
+    assert set(states(result).values()) == {"right"}, result
+    assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)
+    assert all(question["text"] and question["of"] for question in result["questions"])
+    assert result["notebook"] == name
+
+
+def test_the_students_copy_as_it_is_given_out_is_not_attempted_yet():
+    text = students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, "0.1.0-abcd")
+    result = grade(text.encode(), NAME, SEED)
+    assert set(states(result).values()) == {"not attempted yet"}
+    assert points(result) == 0
+    assert result["release"] == "0.1.0-abcd"
+    assert {question["text"] for question in result["questions"]} == {""}
+    assert result["problems"] == []
+
+
+# ---- as other programs and students change them ----
+
+
+def split(first, rest):
+    return [line for source in [first, *rest] for line in source.partition("\n\n")[::2]]
+
+
+def in_an_order(seed):
+    def shuffled(first, rest):
+        cells = [first, *rest]
+        random.Random(seed).shuffle(cells)
+        return cells
+
+    return shuffled
+
+
+CHANGES = {
+    "as they are": lambda first, rest: [first, *rest],
+    "merged into one": lambda first, rest: ["\n\n".join([first, *rest])],
+    "split": split,
+    "moved": in_an_order(1),
+    "moved otherwise": in_an_order(2),
+    "duplicated": lambda first, rest: [first, *rest, *rest],
+    "stubs left below": lambda first, rest: [first, *rest, "def nearest_so(M):\n    raise NotImplementedError\n"],
+    "an earlier attempt": lambda first, rest: [first, "def nearest_so(M):\n    return M\n", *rest],
+    "a cell that raises": lambda first, rest: [first, "1 / 0\n" + rest[0], *rest[1:]],
+    "a cell that is no Python": lambda first, rest: [first, "\n".join(rest) + "\n\nfor x in:\n    pass\n"],
+    "magics": lambda first, rest: ["%matplotlib inline\n!ls\n" + first, "%%time\n" + rest[0], "?print", *rest[1:]],
+    "defined by exec": lambda first, rest: [first, f"exec({rest[0]!r})", *rest[1:]],
+    "another name": lambda first, rest: [first, *rest, "mine = nearest_so\nnearest_so = lambda M: mine(M)"],
+    "another newline": lambda first, rest: [source.replace("\n", "\r\n") for source in [first, *rest]],
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_cells_that_were_changed_keep_their_points(few, change):
+    result = grade(book(*CHANGES[change](*few)), NAME, SEED)
+    assert points(result) == FULL, result
+
+
+def worksheets(cells):
+    for each in cells:
+        each["input"] = each.pop("source").splitlines(keepends=True)
+    return {"worksheets": [{"cells": cells}], "cells": None, "nbformat": 3}
+
+
+WRITTEN = {
+    "no ids, an old minor version": lambda cells: {"nbformat_minor": 0},
+    "nbformat 3": worksheets,
+    "nbformat 5": lambda cells: {"nbformat": 5},
+    "clashing ids": lambda cells: {"cells": [each | {"id": "a"} for each in cells]},
+    "a kernel that is not there": lambda cells: {"metadata": {"kernelspec": {"name": "julia", "language": "julia"}}},
+    "lists of lines": lambda cells: {"cells": [each | {"source": each["source"].splitlines(True)} for each in cells]},
+    "cells that are none": lambda cells: {"cells": [None, 3, "x", [], {}, {"source": 5}, *cells]},
+    "outputs kept": lambda cells: {
+        "cells": [each | {"outputs": [{"text": "x" * 10**6}], "execution_count": 7} for each in cells]
+    },
+    "Colab": lambda cells: {
+        "metadata": {"colab": {"provenance": []}, "accelerator": "GPU"},
+        "cells": [each | {"metadata": {"id": "aB3", "outputId": "x", "cellView": "form"}} for each in cells],
+    },
+}
+
+
+@pytest.mark.parametrize("written", WRITTEN)
+def test_a_file_of_any_make_keeps_its_points(few, written):
+    cells = [cell(source) for source in [few[0], *few[1]]]
+    result = grade(book(**{"cells": cells} | WRITTEN[written](cells)), NAME, SEED)
+    assert points(result) == FULL, result
+
+
+def test_the_file_may_begin_with_a_mark_or_be_in_utf_16(few):
+    text = book(few[0], *few[1]).decode()
+    for encoding in ("utf-8-sig", "utf-16"):
+        assert points(grade(text.encode(encoding), NAME, SEED)) == FULL
+
+
+def test_a_notebook_of_another_name_is_known_by_its_functions(few):
+    assert grade(book(few[0], *few[1]), "Untitled (1)", SEED)["notebook"] == NAME
+
+
+def test_a_notebook_of_no_known_name_and_functions_is_no_notebook_of_the_course():
+    result = grade(book("print(1)"), "größe", SEED)
+    assert (result["notebook"], result["exercises"]) == ("größe", [])
+    assert "none of the course's notebooks" in result["problems"][0]
+
+
+def test_correct_work_that_warns_and_writes_to_stderr_keeps_its_points(few):
+    line = "    import sys, warnings; warnings.warn('odd'); print(1 / np.zeros(2), file=sys.stderr)\n"
+    loud = few[1][0].replace("):\n", "):\n" + line, 1)
+    assert loud != few[1][0]
+    assert points(grade(book(few[0], loud, *few[1][1:]), NAME, SEED)) == FULL
+
+
+def test_what_a_notebook_claims_of_itself_changes_nothing():
+    about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
+    said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]
+    cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=said)]
+    row = next(r for r in grade(book(cells=cells), NAME, SEED)["exercises"] if r["exercise"] == "nearest_so")
+    assert (row["points"], row["of"], row["state"]) == (0, 3, "wrong")
+
+
+def test_the_library_may_be_used_for_what_an_exercise_does_not_ask(few):
+    own = few[1][-2] if "def nearest_so" in few[1][-2] else next(s for s in few[1] if "def nearest_so" in s)
+    uses = own.replace("return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @")
+    assert uses != own
+    result = grade(book(few[0], uses), NAME, SEED)
+    assert states(result)["nearest_so"] == "right"
+
+
+def test_the_same_file_gives_the_same_grade(few):
+    guess = "def is_so(R, tol):\n    return bool(np.random.random() < 0.5)"
+    results = [grade(book(few[0], *few[1], guess), NAME, SEED) for _ in range(2)]
+    assert results[0] == results[1]
+
+
+def test_the_seed_chooses_the_cases(few):
+    tells = "def nearest_so(M):\n    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n    return M\n"
+    told = [states_and_words(grade(book(few[0], tells), NAME, seed))["nearest_so"] for seed in (1, 1, 2)]
+    assert told[0] == told[1]
+    assert told[0] != told[2]
+
+
+def test_a_submission_that_takes_too_long_altogether_is_left_with_what_it_has(few):
+    sleeps = "import time\ndef is_so(R, tol):\n    time.sleep(100)"
+    limits = replace(SHORT, answer_seconds=2, submission_seconds=2)
+    result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
+    assert "was not done after 2 seconds" in states_and_words(result)["is_so"][1]
+    assert "not asked" in states_and_words(result)["nearest_se"][1]
+
+
+def test_messages_hold_no_signs_that_steer_a_terminal(few):
+    rude = "def is_so(R, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + chr(0x202e))"
+    message = states_and_words(grade(book(few[0], rude), NAME, SEED))["is_so"][1]
+    assert "[2J" in message
+    assert not {"\x1b", "\ud800", "\u202e"} & set(message)
+
+
+def test_an_exercise_whose_cells_were_deleted_is_not_attempted_and_the_others_are_graded(few):
+    kept = [source for source in few[1] if "def nearest_so" not in source]
+    result = grade(book(few[0], *kept), NAME, SEED)
+    assert states(result)["nearest_so"] == "not attempted yet"
+    assert points(result) == FULL - 3
+
+
+# ---- files that are none ----
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (b"", "empty"),
+        (b"  \n", "empty"),
+        (b"{", "not JSON"),
+        (b"\x80\x81", "not JSON"),
+        (b"[" * 100_000, "not JSON"),
+        (b"[]", "no list of cells"),
+        (b'{"cells": 3}', "no list of cells"),
+        (b'{"cells": [' + b"{}," * 6000 + b"{}]}", "more than"),
+        (book("x" * 3_000_000), "million characters"),
+    ],
+    ids=["empty", "blank", "half", "no text", "deep", "a list", "no cells", "many cells", "much code"],
+)
+def test_a_file_that_is_no_notebook_says_why_for_every_exercise(content, why):
+    result = grade(content, NAME, SEED)
+    assert why in result["problems"][0]
+    assert [row["exercise"] for row in result["exercises"]] == [e.name for e in courses()[NAME].exercises]
+    assert set(states(result).values()) == {UNREADABLE}
+    assert points(result) == 0
+    assert len(result["questions"]) == 3
+
+
+@pytest.mark.parametrize(
+    "source", ["\ud800", "(" * 10_000, "-" * 200_000 + "1", "x = " + "[" * 5000, "\0", "def f(:\n" * 5000], ids=repr
+)
+def test_sources_that_no_parser_likes_cost_the_others_nothing(few, source):
+    assert points(grade(book(few[0], source, *few[1]), NAME, SEED, SHORT)) == FULL
+
+
+# ---- written answers ----
+
+
+def test_written_answers_are_found_by_name_by_id_and_by_their_task():
+    notebook = nbformat.read(NOTEBOOKS / f"{NAME}.ipynb", 4)
+    wanted = ["explain_tolerance", "explain_crowding", "explain_which-nearest"]
+    for change in (lambda c: None, lambda c: c.metadata.clear(), lambda c: (c.metadata.clear(), c.pop("id", None))):
+        for number, each in enumerate(c for c in notebook.cells if c.get("id", "").startswith("explain")):
+            if each["id"].endswith("answer"):
+                each.source = f"because {number}"
+        for each in notebook.cells:
+            change(each)
+        cells = [dict(c) for c in notebook.cells if c.cell_type == "markdown"]
+        found = {q["question"]: q["text"] for q in grade(book(cells=cells), NAME, SEED)["questions"]}
+        assert list(found) == wanted
+        assert all(text.startswith("because") for text in found.values()), found
+
+
+def test_an_answer_that_was_not_typed_is_none():
+    cells = [cell(PROMPT, "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})]
+    assert grade(book(cells=cells), NAME, SEED)["questions"][0]["text"] == ""
+
+
+def test_a_result_is_plain_data(few):
+    result = grade(book(few[0], *few[1]), NAME, SEED)
+    assert json.loads(json.dumps(result)) == result
+    assert set(OTHERS) <= {row["exercise"] for row in result["exercises"]}
+    keys = {"exercise", "points", "of", "state", "message", "mistake"}
+    assert all(set(row) == keys for row in result["exercises"])

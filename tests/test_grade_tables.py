@@ -1,0 +1,263 @@
+"""The tables of grades: what counts, cells that spreadsheets leave alone, and marks that no run loses."""
+
+import csv
+import functools
+import io
+from pathlib import Path
+
+import pytest
+from grade_stand_in import result
+
+from course_lib.checks.exercise import NOT_ATTEMPTED
+from course_lib.pack.grade.collect import Submission
+from course_lib.pack.grade.jobs import without_grade
+from course_lib.pack.grade.marks import (
+    COLUMNS,
+    OLDER,
+    READ,
+    TO_BE_READ,
+    MarksUnreadable,
+    marked,
+    marks_text,
+    read_marks,
+)
+from course_lib.pack.grade.tables import GRADES, cell, cell_text, grades_text, handed, totals_text
+from course_lib.pack.release.stubs import PROMPT
+
+
+def submission(student, notebook="01_rotations", place=None):
+    place = place or f"{student}/{notebook}.ipynb"
+    return Submission(student, notebook, place, Path(place))
+
+
+def outcome(student, points=(), texts=(), notebook="01_rotations", place=None, **changed):
+    return submission(student, notebook, place), result(points, texts, notebook, **changed)
+
+
+def its_marks(each, rows):
+    return [marked(question, each.student, each.notebook, rows) for question in each.result["questions"]]
+
+
+def read_table(text):
+    return list(csv.DictReader(io.StringIO(text, newline="")))
+
+
+class Class:
+    """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps it."""
+
+    def __init__(self, path, *outcomes):
+        self.path, self.rows, self.everything = path, read_marks(path), handed(outcomes)
+        self.marks_of = functools.partial(its_marks, rows=self.rows)
+
+    def questions(self):
+        listed = [(each.student, each.notebook, answer) for each in self.everything for answer in self.marks_of(each)]
+        self.path.write_text(marks_text(listed, self.rows), encoding="utf-8", newline="")
+        return read_table(self.path.read_text(encoding="utf-8"))
+
+    def grades(self):
+        return read_table(grades_text(self.everything, self.marks_of))
+
+    def totals(self):
+        return read_table(totals_text(self.everything, self.marks_of))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "questions.csv"
+
+
+def type_in(path, encoding="utf-8", separator=",", newline="\r\n", **columns):
+    """Fill in the first line of the reader's table, and save it as some spreadsheet would."""
+    rows = read_table(path.read_text(encoding="utf-8"))
+    rows[0] |= columns
+    with path.open("w", encoding=encoding, errors="replace", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, delimiter=separator, lineterminator=newline)
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+# ---- what counts ----
+
+
+def test_grades_have_a_line_for_each_exercise_and_question(path):
+    rows = Class(path, outcome("zoe", [2, 0], ["because"]), outcome("anna", [0])).grades()
+    assert list(rows[0]) == list(GRADES)
+    lines = [(row["student"], row["exercise"], row["points"], row["of"], row["state"]) for row in rows]
+    zoes = [("zoe", "exercise_0", "2", "2", "right"), ("zoe", "exercise_1", "0", "2", "wrong")]
+    question = ("zoe", "explain_0", "", "2", TO_BE_READ)
+    assert lines == [("anna", "exercise_0", "0", "2", "wrong"), *zoes, question]
+    assert rows[0]["message"] == "What should hold: it is a rotation."
+    assert {row["release"] for row in rows} == {"0.1.0-abc"}
+
+
+def test_totals_have_a_line_for_each_student_and_nothing_where_nothing_was_handed_in(path):
+    rows = Class(
+        path,
+        outcome("zoe", [2, 0], ["because", PROMPT]),
+        outcome("zoe", [2], notebook="02_rigid_motion"),
+        outcome("anna", [2, 2]),
+    ).totals()
+    assert [list(row.values()) for row in rows] == [
+        ["anna", "4", "", "4", "10", "0"],
+        ["zoe", "2", "2", "4", "10", "1"],
+    ]
+    assert list(rows[0]) == ["student", "01_rotations", "02_rigid_motion", "total", "of", "to be read"]
+
+
+def test_of_two_files_for_one_notebook_the_better_counts_once(path):
+    worse, better = outcome("zoe", [0, 2], place="a"), outcome("zoe", [2, 2], place="b")
+    broken = submission("zoe", place="c"), without_grade(submission("zoe", place="c"), "It is a link.", "refused")
+    for outcomes in [worse, better, broken], [broken, better, worse]:
+        both = Class(path, *outcomes)
+        assert both.totals()[0]["total"] == "4"
+        said = [(row["state"], row["message"]) for row in both.grades()]
+        assert ("not counted", "Another file of this notebook counts: b.") in said
+        assert ("refused", "c: It is a link.") in said
+        assert len(said) == 4
+
+
+def test_refused_files_are_told_with_their_reason_and_cost_nobody_else(path):
+    mine = submission("anna")
+    nobodys = submission("", "", "roster.csv")
+    both = Class(
+        path,
+        (mine, without_grade(mine, "It is a link to another file.", "refused")),
+        (nobodys, without_grade(nobodys, "It is no notebook.", "refused")),
+        outcome("zoe", [2], problems=["Code cell 3 was left out."]),
+    )
+    states = [(row["student"], row["points"], row["state"], row["message"]) for row in both.grades()]
+    assert ("anna", "0", "refused", "anna/01_rotations.ipynb: It is a link to another file.") in states
+    assert ("", "0", "refused", "roster.csv: It is no notebook.") in states
+    assert ("zoe", "", "note", "Code cell 3 was left out.") in states
+    assert [(row["student"], row["total"]) for row in both.totals()] == [("anna", "0"), ("zoe", "2")]
+
+
+# ---- cells ----
+
+FORMULAS = ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "\x00=1", "=cmd|' /C calc'!A0", "\uff1d1"]
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_no_cell_begins_as_a_formula_does(text):
+    for lines in (False, True):
+        assert cell(text, lines).startswith("'")
+        assert cell(cell(text, lines), lines) == cell(text, lines)
+    assert cell_text(cell(text)) == " ".join(text.replace("\x00", "").split()) or text[0].isspace()
+
+
+def test_other_cells_stay_as_they_are():
+    for text in "R^T", "a = b", "'quoted'", "Zoë", "1.5", "":
+        assert cell(text) == cell_text(cell(text)) == text
+    assert [cell(number) for number in (0, 2, 1.5, -1, 123456)] == ["0", "2", "1.5", "-1", "123456"]
+
+
+def test_what_cannot_be_written_or_read_is_left_out(path):
+    evil = outcome("=anna", [0], ["\ud800 x\x00\x1b[31m \r\n=1"], release="-1\n")
+    evil[1]["exercises"][0]["message"] = "=" + "m" * 5000 + "\ud800"
+    written = Class(path, evil)
+    grades = grades_text(written.everything, written.marks_of)
+    grades.encode()
+    assert "\x1b" not in grades
+    (row, _) = read_table(grades)
+    assert (row["student"], row["release"]) == ("'=anna", "'-1")
+    assert row["message"].startswith("'=m")
+    assert len(row["message"]) < 1100
+    assert written.questions()[0]["answer"] == "? x[31m \n=1"
+    assert written.totals()[0]["student"] == "'=anna"
+
+
+# ---- marks ----
+
+ZOE = functools.partial(outcome, "zoe", [2])
+
+
+def test_a_mark_is_merged_by_the_next_run_and_stays(path):
+    assert [row["state"] for row in Class(path, ZOE(texts=["because"])).questions()] == [TO_BE_READ]
+    type_in(path, mark="1,5", comment="- nearly")
+    for _ in range(2):
+        merged = Class(path, ZOE(texts=["because"]))
+        assert [(row["mark"], row["state"]) for row in merged.questions()] == [("1,5", READ)]
+        question = merged.grades()[1]
+        assert (question["points"], question["state"], question["message"]) == ("1.5", READ, "'- nearly")
+        assert merged.marks_of(merged.everything[0])[0].comment == "- nearly"
+        assert (merged.totals()[0]["total"], merged.totals()[0]["to be read"]) == ("3.5", "0")
+    text = path.read_text()
+    Class(path, ZOE(texts=["because"])).questions()
+    assert path.read_text() == text
+
+
+def test_a_changed_answer_asks_to_be_read_again_and_the_old_mark_is_kept_below(path):
+    Class(path, ZOE(texts=["because"])).questions()
+    type_in(path, mark="2")
+    for _ in range(2):
+        again = Class(path, ZOE(texts=["because of this"]))
+        lines = [(row["answer"], row["mark"], row["state"]) for row in again.questions()]
+        assert lines == [("because of this", "", TO_BE_READ), ("because", "2", OLDER)]
+        assert again.totals()[0]["total"] == "2"
+    assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
+
+
+def test_the_same_words_of_another_student_are_marked_for_themselves(path):
+    Class(path, outcome("anna", texts=["because"]), ZOE(texts=["because"])).questions()
+    type_in(path, mark="2")
+    rows = Class(path, outcome("anna", texts=["because"]), ZOE(texts=["because"])).totals()
+    assert [(row["student"], row["total"]) for row in rows] == [("anna", "2"), ("zoe", "2")]
+
+
+def test_marks_of_who_is_not_in_this_run_are_kept(path):
+    Class(path, ZOE(texts=["because"])).questions()
+    type_in(path, mark="2")
+    Class(path, outcome("anna", texts=["so"])).questions()
+    assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
+
+
+@pytest.mark.parametrize(
+    "saved", [{"encoding": "utf-8-sig"}, {"encoding": "cp1252", "separator": ";"}, {"separator": "\t"}]
+)
+def test_a_table_saved_by_a_spreadsheet_is_read(path, saved):
+    student = "Zoë 李"
+    Class(path, outcome(student, texts=['für; und\nweiter, "so"'])).questions()
+    type_in(path, mark="1", **saved)
+    (row,) = read_marks(path).values()
+    assert row["student"].startswith("Zoë")
+    assert Class(path, outcome(student, texts=['für; und\nweiter, "so"'])).totals()[0]["total"] == "1"
+
+
+@pytest.mark.parametrize("typed", ["3", "-1", "two", "nan", "inf", "1e99"])
+def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
+    Class(path, ZOE(texts=["because"])).questions()
+    type_in(path, mark=typed)
+    again = Class(path, ZOE(texts=["because"]))
+    assert again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is no number from 0 to 2"
+    assert cell_text(again.questions()[0]["mark"]) == typed
+    assert again.totals()[0]["total"] == "2"
+
+
+def test_an_unanswered_question_has_nothing_to_be_read(path):
+    empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
+    assert empty.questions() == []
+    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", NOT_ATTEMPTED)] * 2
+
+
+def test_a_copied_line_takes_no_mark_away(path):
+    Class(path, ZOE(texts=["because"])).questions()
+    before = path.read_text()
+    type_in(path, mark="2", newline="\n")
+    path.write_text(path.read_text() + before.split("\n", 1)[1])
+    assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
+
+
+@pytest.mark.parametrize("text", ["student,notebook\nzoe,01\n", "key;marks;comment\n1;2;3\n", "x" * 200_000])
+def test_a_table_that_lost_its_columns_stops_the_run(path, text):
+    path.write_text(text + "\nmore")
+    with pytest.raises(MarksUnreadable, match=r"questions\.csv"):
+        read_marks(path)
+
+
+def test_a_long_answer_fits_into_a_cell_and_is_told_apart_to_its_end(path):
+    answers = ["a" * 40_000 + end for end in "xy"]
+    Class(path, ZOE(texts=answers[:1])).questions()
+    type_in(path, mark="2")
+    (new, old) = Class(path, ZOE(texts=answers[1:])).questions()
+    assert (new["mark"], old["mark"]) == ("", "2")
+    assert len(new["answer"]) < 32_767
