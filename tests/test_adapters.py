@@ -14,13 +14,6 @@ from course_lib.checks.notebook import describe
 
 DH_SYMBOLIC = check.dh_symbolic.exercise
 
-RIGHT_ONE = """
-    import sympy as sp
-    def dh_symbolic(a, alpha, d, theta):
-        c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
-        return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-"""
-
 
 def matrix(a, alpha, d, theta):
     c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
