@@ -32,13 +32,17 @@ def browser():
 
 
 def pytest_terminal_summary(terminalreporter):
-    """Print what test_wrong_answers.py records of each exercise, whichever process ran it."""
+    """Print what test_wrong_answers.py and test_mutants.py record of each exercise, whichever process ran them."""
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
-    rows = sorted({tuple(row) for name, row in recorded if name == "bank"})
-    if rows:
-        rows.insert(0, ("notebook", "exercise", "mistakes refused", "mistakes named", "right ones accepted"))
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-        terminalreporter.section("checks against the bank of answers")
-        for row in rows:
-            terminalreporter.line("  ".join(map(str.ljust, row, widths)).rstrip())
+    for kind, title, heads in (
+        ("bank", "checks against the bank of answers", "mistakes refused,mistakes named,right ones accepted"),
+        ("mutants", "checks against mutants of the solutions", "mutants,tried,refused,alive and equivalent,holes"),
+    ):
+        rows = sorted({tuple(row) for name, row in recorded if name == kind})
+        if rows:
+            rows.insert(0, ("notebook", "exercise", *heads.split(",")))
+            widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+            terminalreporter.section(title)
+            for row in rows:
+                terminalreporter.line("  ".join(map(str.ljust, row, widths)).rstrip())

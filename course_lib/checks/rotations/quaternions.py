@@ -136,7 +136,8 @@ def _to_quaternion_cases(rng):
     flat = [sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j] for i, j in permutations(range(3), 2) for sign in (1, -1)]
     exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
     middling = [exp_so3(2.1 * n) for n in flat]
-    return [(R,) for R in [np.eye(3), *quarter, *generic, *half, *middling, *near, *exact]]
+    wide = [exp_so3(3.0 * e) for e in np.eye(3)]  # w is small, and two other entries are 0
+    return [(R,) for R in [np.eye(3), *quarter, *generic, *half, *wide, *middling, *near, *exact]]
 
 
 _DIVIDED_BY_ZERO = Mistake(

@@ -1,0 +1,245 @@
+"""Mutants of the notebooks' solutions that their checks let live, and why; see test_mutants.py."""
+
+# Why a mutant answers as the solution does, as far as the task asks.
+REASONS = {
+    "order": (
+        "the two change nothing by changing places: a sum, a product of a number, a distance, or a list of solutions"
+    ),
+    "transposed": (
+        "the number is the same for the transpose: its shape or length here, R R^T = 1 as R^T R = 1, det R^T = det R"
+    ),
+    "vector": "a vector has no transpose in numpy: it stays as it is",
+    "sign": "cos(-a) = cos(a); zeros, nan and lengths have no sign that shows, and a sign before both factors is none",
+    "half turn": "at half a turn either sign of the axis is right, and R + I is symmetric",
+    "bound": (
+        "the bound itself is met by no input but one of rounding, and on either side of it the same number comes out"
+    ),
+    "rounding": "what is added, dropped or changed is smaller than the rounding that the check allows to anybody",
+    "distribution": "the angles are even over the full turn, and what is drawn has the same distribution",
+    "mean": "the weighted differences from the mean add up to zero: what is added to the other factor drops out",
+    "axis part": "what lies along the axis is dropped by the other factor, which lies across it",
+    "unasked": "it matters only where the task asks nothing, or where it takes any answer",
+    "same place": "the last axis of an array of this many dimensions, or the same integer once numpy has rounded it",
+    "rows": "as many rows differ from each other, and of an empty array none",
+}
+
+# {exercise: {the changed line: the key of its reason}}
+EQUIVALENT = {
+    "is_so": {
+        "if R.T.shape not in ((2, 2), (3, 3)):": "transposed",
+        "error = np.abs(R.T @ R - np.eye(len(R.T))).max()": "transposed",
+        "return error <= tol and abs(np.linalg.det(R.T) - 1) <= tol": "transposed",
+        "if R.shape not in ((3, 3), (2, 2)):": "order",
+        "error = np.abs(np.eye(len(R)) - R.T @ R).max()": "order",
+        "error = np.abs(R @ R.T - np.eye(len(R))).max()": "transposed",
+        "return error <= tol and abs(1 - np.linalg.det(R)) <= tol": "order",
+    },
+    "is_quaternion": {
+        "return q.shape in ((4, 1), (4,)) and abs(np.linalg.norm(q) - 1) <= tol": "order",
+        "return q.shape in ((4,), (4, 1)) and abs(1 - np.linalg.norm(q)) <= tol": "order",
+    },
+    "is_se": {
+        "if T.shape not in ((4, 4), (3, 3)):": "order",
+        "return is_so(T[:-1, :-1], tol) and np.abs(last_row - T[-1]).max() <= tol": "order",
+    },
+    "exp_so3": {
+        "a = -np.linalg.norm(w)": "sign",
+        "return np.eye(3) + np.sin(a) * N + N @ ((1 - np.cos(a)) * N)": "order",
+    },
+    "log_so3": {
+        "longest = -columns[:, np.linalg.norm(columns, axis=0).argmax()]": "half turn",
+        "if a <= 1e-06:": "bound",
+        "if np.pi - a <= 1e-06:": "bound",
+    },
+    "nearest_so": {
+        "signs[-1] = np.linalg.det(Vt @ U)": "transposed",
+        "signs[-1] = np.linalg.det(U.T @ Vt)": "transposed",
+        "signs[-1] = np.linalg.det(U @ Vt.T)": "transposed",
+    },
+    "quaternion_to_matrix": {
+        "return np.eye(3) + 2 * q[0] * V + V @ (2 * V)": "order",
+    },
+    "random_rotations_euler": {
+        "alpha, gamma = -(2 * np.pi * rng.random((2, n)))": "distribution",
+        "return rot_z(-gamma) @ rot_y(beta) @ rot_x(alpha)": "distribution",
+        "return rot_z(gamma) @ rot_y(beta) @ rot_x(-alpha)": "distribution",
+        "alpha, gamma = -2 * np.pi * rng.random((2, n))": "distribution",
+    },
+    "propagate_body": {
+        "while left >= 1e-09:": "bound",
+        "while left > 1.1000000000000001e-09:": "rounding",
+        "h = min(left, dt)": "order",
+    },
+    "propagate_body_exact": {
+        "steps = int(np.ceil(duration / dt - 1.1000000000000001e-09))": "rounding",
+    },
+    "propagate_arm": {
+        "while left >= 1e-09:": "bound",
+        "while left > 1.1000000000000001e-09:": "rounding",
+        "h = min(left, dt)": "order",
+    },
+    "hat_se3": {
+        "matrix = -np.zeros((4, 4))": "sign",
+    },
+    "rodrigues": {
+        "return np.eye(3) + np.sin(theta) * N + (1 - np.cos(-theta)) * N @ N": "sign",
+        "return np.eye(3) + np.sin(theta) * N + N @ ((1 - np.cos(theta)) * N)": "order",
+    },
+    "exp_se3": {
+        "T[:3, 3] = v + np.cross(omega, v) / 2.2": "rounding",
+        "if largest <= 1e-05:": "bound",
+        "T[:3, :3] += W": "rounding",
+        "T[:3, :3] += W + W @ W.T / 2": "rounding",
+        "T[:3, :3] += W + W @ W": "rounding",
+    },
+    "adjoint": {
+        "return np.block([[R, -np.zeros((3, 3))], [hat(p) @ R, R]])": "sign",
+    },
+    "forward_kinematics": {
+        "for S, angle in zip(theta, screws, strict=True):": "order",
+    },
+    "space_jacobian": {
+        "columns.append(adjoint(T) @ S.T)": "vector",
+        "T = T @ exp_se3(np.array(S.T) * angle)": "vector",
+    },
+    "twist_in_frames": {
+        "omega, v = (np.array(V_s.T[:3]), np.array(V_s[3:]))": "vector",
+        "omega, v = (np.array(V_s[:3]), np.array(V_s.T[3:]))": "vector",
+        "return np.array([V_s.T, adjoint(inverse(T)) @ V_s, third])": "vector",
+        "return np.array([V_s, adjoint(inverse(T)) @ V_s.T, third])": "vector",
+    },
+    "dh_symbolic": {
+        "c, s = (sp.cos(-theta), sp.sin(theta))": "sign",
+    },
+    "fk_2r": {
+        "return np.stack([np.cos(first) + np.cos(-both), np.sin(first) + np.sin(both)], -1)": "sign",
+        "first, both = (theta[..., 0] + theta[..., 1], theta[..., 0])": "order",
+    },
+    "ik_2r": {
+        "if cosine >= 1 + 1e-12:": "bound",
+    },
+    "cell_index": {
+        "outside = ((xy < low) | (xy > high)).any(axis=-1)": "same place",
+        "index[outside] = -1.1": "same place",
+    },
+    "split_branches": {
+        "if len(theta) == 0 or len(np.unique(-theta, axis=0)) < 2:": "rows",
+        "return -np.zeros(len(theta), int)": "sign",
+        "if len(np.unique(theta, axis=0)) < 2:": "rows",
+        "return k_means.labels_ if centres[0, 1] >= centres[1, 1] else 1 - k_means.labels_": "unasked",
+        "if len(theta) == 1 or len(np.unique(theta, axis=0)) < 2:": "rows",
+    },
+    "fit_cells": {
+        "models = -np.full((count, 2, 2, 3), np.nan)": "sign",
+        "for k in (1, 0):": "order",
+    },
+    "predict": {
+        "angles[np.asarray(cell) < 0] = -np.nan": "sign",
+    },
+    "approximation_error": {
+        "return np.linalg.norm(np.asarray(xy)[:, None] - fk_2r(angles), axis=-1)": "same place",
+        "return np.linalg.norm(fk_2r(angles) - np.asarray(xy)[:, None], axis=-1.1)": "same place",
+    },
+    "register_points": {
+        "B = (w[:, None] * (dst + middle_dst)).T @ (src - middle_src)": "mean",
+        "B = (w[:, None] * (dst - middle_dst)).T @ (src + middle_src)": "mean",
+        "R = U @ np.diag([1, 1, np.linalg.det(U.T @ Vt)]) @ Vt": "transposed",
+        "B = (w[:, None] * dst).T @ (src - middle_src)": "mean",
+        "B = (w[:, None] * (dst - middle_dst)).T @ src": "mean",
+    },
+    "grasp_pose": {
+        "weights = -np.ones(len(template))": "sign",
+    },
+    "subproblem1": {
+        "p_across = p": "axis part",
+        "q_across = q": "axis part",
+        "p_across = p - p @ k * k": "order",
+        "q_across = q - q @ k * k": "order",
+        "return np.arctan2(np.cross(p_across, q_across) @ k, p_across @ q_across)": "order",
+        "return np.arctan2(k @ np.cross(p_across, q_across), q_across @ p_across)": "order",
+        "p_across = p + k @ p * k": "axis part",
+        "q_across = q + k @ q * k": "axis part",
+        "p_across = p - k": "axis part",
+        "q_across = q - k": "axis part",
+    },
+    "subproblem2": {
+        "if abs(np.linalg.norm(p2) - np.linalg.norm(p1)) > 1e-09:": "order",
+        "a, b = np.linalg.solve([[1, m], [m, 1]], [k1 @ p1, p2 @ k2])": "order",
+        "z = flat - c * n": "order",
+        "if abs(np.linalg.norm(p1) - np.linalg.norm(p2)) >= 1e-09:": "bound",
+        "if abs(np.linalg.norm(p1) - np.linalg.norm(p2)) > 1.1000000000000001e-09:": "rounding",
+    },
+    "subproblem3": {
+        "if r == 0 or abs(constant - height) > r:": "order",
+        "if abs(height - constant) > r:": "unasked",
+    },
+    "subproblem4": {
+        "swing = -np.arccos((d - constant) / r)": "sign",
+        "constant = h @ k * (k @ p)": "order",
+        "if abs(d - constant) > r:": "unasked",
+    },
+    "euler_yxy": {
+        "sine = np.hypot(R[2, 1], R[0, 1])": "order",
+        "b2 = np.arctan2(sign * sine, R.T[1, 1])": "transposed",
+        "b1 = np.arctan2(sign * R[0, 1], sign * R[2, 1])": "unasked",
+        "b1 = np.arctan2(sign * R[0, 1], sign * R[2, 1]) if sine >= 0 else 0.0": "unasked",
+    },
+    "rate_matrix": {
+        "c1, s1 = (np.cos(-b[0]), np.sin(b[0]))": "sign",
+        "c2, s2 = (np.cos(-b[1]), np.sin(b[1]))": "sign",
+    },
+    "planar_jacobian": {
+        "links = np.array([-np.sin(angles), np.cos(-angles)])": "sign",
+        "return np.cumsum(links[:, ::-1], axis=-1)[:, ::-1]": "same place",
+    },
+    "random_rotations": {
+        "theta, phi = -(2 * np.pi * rng.random((2, n)))": "distribution",
+        "... ck([np.cos(phi) * np.sqrt(z), -(np.sin(phi) * np.sqrt(z)), np.sqrt(1 - ...": "distribution",
+    },
+    "random_quaternions": {
+        "theta_1, theta_2 = -(2 * np.pi * rng.random((2, n)))": "distribution",
+        "... return np.stack([np.cos(-theta_2) * sigma_2, np.sin(theta_1) * s ...": "distribution",
+        "... os(theta_2) * sigma_2, np.sin(-theta_1) * sigma_1, np.cos(theta_1) * s ...": "distribution",
+        "... 1, np.cos(theta_1) * sigma_1, -(np.sin(theta_2) * sigma_2)], axis=-1) ...": "distribution",
+        "theta_1, theta_2 = -2 * np.pi * rng.random((2, n))": "distribution",
+        "sigma_1, sigma_2 = (np.sqrt(s), np.sqrt(1 - s))": "distribution",
+    },
+}
+
+# {exercise: {the changed line: an input that tells the mutant from the solution}}: what the check still lets through.
+HOLES = {
+    "is_so": {
+        "return error < tol and abs(np.linalg.det(R) - 1) <= tol": "R = np.eye(3), tol = 0.0: True, the mutant False",
+        "return error <= tol and abs(np.linalg.det(R) - 1) < tol": "R = np.eye(3), tol = 0.0: True, the mutant False",
+    },
+    "is_quaternion": {
+        "return q.shape in ((4,), (4, 1)) and abs(np.linalg.norm(q) - 1) < tol": (
+            "q = [1, 0, 0, 0], tol = 0.0: True, the mutant False"
+        ),
+    },
+    "is_se": {
+        "without if T.shape not in ((3, 3), (4, 4)):": "T = np.ones(4): False, the mutant raises IndexError",
+        "return is_so(T[:-1, :-1], tol) and np.abs(T[-1] - last_row).max() < tol": (
+            "T = np.eye(4), tol = 0.0: True, the mutant False"
+        ),
+    },
+    "split_branches": {
+        "k_means = KMeans(n_clusters=2, random_state=1).fit(theta)": (
+            "np.random.default_rng(1).uniform(-1, 1, (12, 2)).round(1): another cut"
+        ),
+    },
+    "subproblem2": {
+        "if c_squared <= 0:": (
+            "circles that touch: k1 = e_z, k2 = e_x, p1 = [0, 1, 1], p2 = [1, 1, 0]: one pair, the mutant none"
+        ),
+    },
+    "subproblem3": {
+        "if d <= 0:": "k = e_z, p = q = e_x, d = 0.0: the angle 0, the mutant none",
+        "if r == 0 or abs(height - constant) >= r:": (
+            "k = e_z, p = e_x, q = 2 e_x, d = 1.0: the angle 0, the mutant none"
+        ),
+    },
+    "subproblem4": {
+        "if r == 0 or abs(d - constant) >= r:": "k = e_z, h = p = e_x, d = 1.0: the angle 0, the mutant none",
+    },
+}

@@ -1,0 +1,260 @@
+"""Small mistakes made in the notebooks' own solutions by machine, one at a time."""
+
+import ast
+import builtins
+import contextlib
+import copy
+import warnings
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import nbformat
+
+NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
+
+OTHER_OPERATOR = {
+    ast.Add: [ast.Sub],
+    ast.Sub: [ast.Add],
+    ast.Mult: [ast.Div],
+    ast.Div: [ast.Mult],
+    ast.Lt: [ast.LtE, ast.Gt],
+    ast.LtE: [ast.Lt, ast.GtE],
+    ast.Gt: [ast.GtE, ast.Lt],
+    ast.GtE: [ast.Gt, ast.LtE],
+    ast.Eq: [ast.NotEq],
+    ast.In: [ast.NotIn],
+    ast.And: [ast.Or],
+    ast.Or: [ast.And],
+    ast.BitOr: [ast.BitAnd],
+}
+PAIRS = [("sin", "cos"), ("arcsin", "arccos"), ("min", "max"), ("argmin", "argmax"), ("floor", "ceil")]
+PAIRS += [("ones", "zeros"), ("any", "all"), ("hstack", "vstack")]
+OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
+BLIND_TO_SIGNS = ("len", "abs", "np.abs", "np.linalg.norm")
+SIGNED = (ast.Name, ast.BinOp, ast.Call, ast.Subscript, ast.Attribute)
+TYPES = ("float", "int", "bool")
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A solution with one change: its kind, the changed line (numbered where two look alike), and the whole source."""
+
+    kind: str
+    line: str
+    source: str
+
+
+def mutants(source):
+    """Return every Mutant of the function whose source is given; no two with the same text."""
+    tree = ast.parse(source)
+    function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
+    function.body = function.body[1:]  # without the docstring
+    original = ast.unparse(tree)
+    matrices = _matrices(function)
+    found, lines, seen = [], {}, {original}
+    for statement in function.body:
+        for holder, key, node, role in list(_places(statement, function.body)):
+            for kind, other in _changes(node, role, matrices):
+                holder[key] = other
+                text = ast.unparse(tree)
+                holder[key] = node
+                if text not in seen:
+                    seen.add(text)
+                    line = _first_difference(original, text)
+                    lines[line] = lines.get(line, 0) + 1
+                    found.append(Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text))
+    return found
+
+
+def spread(found, most):
+    """Return at most so many of the mutants, taken in turn from each kind, and from everywhere in the function."""
+    kinds = {}
+    for mutant in found:
+        kinds.setdefault(mutant.kind, []).append(mutant)
+    shares = dict.fromkeys(kinds, 0)
+    for _ in range(min(most, len(found))):
+        hungriest = max(kinds, key=lambda kind: (shares[kind] < len(kinds[kind]), -shares[kind]))
+        shares[hungriest] += 1
+    return [
+        each[k * len(each) // share] for kind, each in kinds.items() for share in [shares[kind]] for k in range(share)
+    ]
+
+
+def _first_difference(original, text):
+    """The changed line, or the part of it around the change where it is long."""
+    old, new = original.splitlines(), text.splitlines()
+    at = next((k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]), len(new) - 1)
+    if len(old) != len(new) or new[at].strip() == "pass":
+        return f"without {old[at].strip()}"
+    if len(new[at]) <= 90:
+        return new[at].strip()
+    column = next((k for k, pair in enumerate(zip(old[at], new[at], strict=False)) if pair[0] != pair[1]), len(old[at]))
+    return f"... {new[at][max(column - 30, 0) : column + 40].strip()} ..."
+
+
+def _matrices(function):
+    """The names of matrices: those that are transposed somewhere, and capital ones that are multiplied by @."""
+    found = set()
+    for node in ast.walk(function):
+        if isinstance(node, ast.Attribute) and node.attr == "T":
+            found.add(ast.unparse(node.value))
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            names = {side.id for side in (node.left, node.right) if isinstance(side, ast.Name)}
+            found |= {name for name in names if name[0].isupper()}
+    return found
+
+
+def _places(node, holder, role="statement"):
+    """Each (holder, key, node, role): holder[key] is the node; role says what it is there for."""
+    if isinstance(holder, list) and node in holder:
+        yield holder, holder.index(node), node, role
+    for field, value in ast.iter_fields(node):
+        if isinstance(value, list):
+            for k, child in enumerate(value):
+                if isinstance(child, ast.AST):
+                    yield value, k, child, _role(node, field, k, role)
+                    yield from _inside(child, _role(node, field, k, role))
+        elif isinstance(value, ast.AST):
+            yield vars(node), field, value, _role(node, field, 0, role)
+            yield from _inside(value, _role(node, field, 0, role))
+
+
+def _inside(child, role):
+    return (place for place in _places(child, None, role))
+
+
+def _role(parent, field, position, role):
+    if role == "index" or (isinstance(parent, ast.Subscript) and field == "slice"):
+        return "index"
+    if isinstance(parent, ast.Call) and ast.unparse(parent.func) in BLIND_TO_SIGNS:
+        return "name" if field == "func" else ""
+    if isinstance(parent, ast.keyword) or (isinstance(parent, ast.Call) and field in ("func", "keywords")):
+        return "name"
+    if field in ("body", "orelse") and not isinstance(parent, (ast.IfExp, ast.Lambda)):
+        return "statement"
+    if isinstance(parent, (ast.Return, ast.Assign)) and field == "value":
+        return "value"
+    if isinstance(parent, (ast.List, ast.Tuple)) or (isinstance(parent, ast.Call) and position == 0):
+        return "value"
+    return "value" if isinstance(parent, ast.BinOp) and field == "left" and isinstance(parent.op, ast.Add) else ""
+
+
+def _changes(node, role, matrices):
+    """Each (kind, other node) that may stand in this place."""
+    if isinstance(getattr(node, "ctx", None), ast.Store):
+        return
+    if role == "statement":
+        if isinstance(node, (ast.If, ast.AugAssign, ast.Expr)) or _is_partial(node):
+            yield "statement", ast.Pass()
+        return
+    if type(node) in OTHER_OPERATOR:
+        kind = "comparison" if isinstance(node, ast.cmpop) else "operator"
+        yield from ((kind, other()) for other in OTHER_OPERATOR[type(node)])
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        yield from _other_constants(node.value, role)
+    elif role == "value" and isinstance(node, SIGNED) and ast.unparse(node) not in TYPES:
+        yield "sign", ast.UnaryOp(ast.USub(), node)
+    if isinstance(node, (ast.Name, ast.Attribute)) and ast.unparse(node) in matrices and role != "name":
+        yield "transpose", ast.Attribute(node, "T", ast.Load())
+    if isinstance(node, ast.Attribute):
+        if node.attr == "T":
+            yield "transpose", node.value
+        if node.attr in OTHER_NAME:
+            yield "name", ast.Attribute(node.value, OTHER_NAME[node.attr], node.ctx)
+    if isinstance(node, ast.Name) and node.id in OTHER_NAME and hasattr(builtins, node.id):
+        yield "name", ast.Name(OTHER_NAME[node.id], node.ctx)
+    yield from _parts(node)
+
+
+def _parts(node):
+    """What is left of a node when a part is dropped, or two of its parts change places."""
+    if isinstance(node, ast.UnaryOp):
+        yield "sign", node.operand
+    if isinstance(node, ast.IfExp):
+        yield from (("branch", node.body), ("branch", node.orelse))
+    if isinstance(node, ast.BinOp):
+        kind = "term" if isinstance(node.op, (ast.Add, ast.Sub)) else "factor"
+        yield from ((kind, node.left), (kind, node.right))
+        if isinstance(node.op, (ast.MatMult, ast.Sub, ast.Div)):
+            yield "order", ast.BinOp(node.right, node.op, node.left)
+    if isinstance(node, ast.BoolOp):
+        yield from (("condition", side) for side in node.values)
+    if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) == 2:
+        yield "order", type(node)(node.elts[::-1], node.ctx)
+        yield from (("half", type(node)([each], node.ctx)) for each in node.elts)
+    if isinstance(node, ast.Call) and len(node.args) == 2 and ast.unparse(node.args[1]) not in TYPES:
+        yield "order", ast.Call(node.func, node.args[::-1], node.keywords)
+
+
+def _other_constants(value, role):
+    if role == "index":
+        return [("index", ast.Constant(value + 1))]
+    others = [value + 1] if value in (0, 1) else []
+    others += [value * 1.1, -value] if value else []
+    return [("constant", ast.parse(repr(other), mode="eval").body) for other in others]
+
+
+def _is_partial(node):
+    """Whether a statement sets entries of what is there already: it can be left out."""
+    return isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Subscript)
+
+
+@cache
+def solved(name):
+    """What a notebook's solutions are called in, as {name: value}, and their sources, as {exercise: source}."""
+    cells = [cell for cell in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if cell.cell_type == "code"]
+    own = [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
+    sources = {cell.metadata.nbgrader.grade_id: cell.source for cell in own}
+    given = [statement for cell in cells[1:] if cell not in own for statement in ast.parse(cell.source).body]
+    space = {"__name__": name}
+    with contextlib.chdir(NOTEBOOKS):  # where the notebooks find their data
+        exec(cells[0].source, space)
+        wanted = set().union(*(_read(ast.parse(source).body[0]) for source in sources.values())) - set(space)
+        for part in [*sources.values(), *map(ast.unparse, _needed(given, wanted, set(space)))]:
+            exec(part, space)
+    return space, sources
+
+
+def _needed(statements, wanted, known):
+    """Those statements of the cells that are given which define a name that is wanted, and what they want in turn."""
+    chosen = []
+    for statement in reversed(statements):
+        if _defined(statement) & wanted:
+            chosen.insert(0, statement)
+            wanted = (wanted - _defined(statement)) | (_read(statement) - known)
+    return chosen
+
+
+def _read(statement):
+    """The names that a statement takes from outside."""
+    names = [node for node in ast.walk(statement) if isinstance(node, ast.Name)]
+    own = {node.arg for node in ast.walk(statement) if isinstance(node, ast.arg)}
+    if isinstance(statement, ast.FunctionDef):
+        own |= {node.id for node in names if isinstance(node.ctx, ast.Store)}
+    return {node.id for node in names if isinstance(node.ctx, ast.Load)} - own
+
+
+def _defined(statement):
+    if isinstance(statement, (ast.FunctionDef, ast.ClassDef)):
+        return {statement.name}
+    targets = statement.targets if isinstance(statement, ast.Assign) else []
+    return {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
+
+
+GUARDED = """
+def guarded(*arguments):
+    value = {name}(*arguments)
+    if getattr(value, "size", 0) > {most}:
+        raise OverflowError("an answer of this size takes long to write down")
+    return value
+"""
+
+
+def made(source, name, space):
+    """Return the function of that name which the source defines, among the names of a notebook."""
+    own = copy.copy(space)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the compiler, for what no person would write
+        exec(compile(source + GUARDED.format(name=name, most=10**6), "<mutant>", "exec"), own)
+    return own["guarded"]

@@ -1,0 +1,71 @@
+"""Each check against the notebook's own solution with one small mistake made in it by machine.
+
+A mutant that the check lets live stands in equivalent_mutants.py: with the reason why it answers as the solution does,
+or, where it does not, with an input that tells the two apart: a hole in the check. `pytest -rP` prints the counts.
+"""
+
+import importlib
+
+import pytest
+from equivalent_mutants import EQUIVALENT, HOLES, REASONS
+from mutants import NOTEBOOKS, made, mutants, solved, spread
+
+from course_lib.checks import exercise as checking
+from course_lib.checks.exercise import RIGHT, Here, judge
+
+MOST = 40  # of the mutants of an exercise
+SLOW = {"random_rotations": 16}
+LEFT_OUT = {"panda_ik"}  # its mutants are slower descents: which of them arrive in time depends on the machine
+TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
+CPU_SECONDS = 1  # a mutant may never end
+
+EXERCISES = [
+    (path.stem, check.exercise)
+    for path in sorted(NOTEBOOKS.glob("0*.ipynb"))
+    for check in importlib.import_module(f"course_lib.checks.{path.stem.split('_', 1)[1]}").CHECKS
+    if check.exercise.name not in LEFT_OUT
+]
+
+
+def lives(exercise, source, space):
+    return judge(exercise, Here(made(source, exercise.name, space))).state == RIGHT
+
+
+@pytest.mark.parametrize(("notebook", "exercise"), EXERCISES, ids=[f"{n}-{e.name}" for n, e in EXERCISES])
+def test_a_mutant_is_refused_or_known(notebook, exercise, monkeypatch, record_property):
+    name, (space, sources) = exercise.name, solved(notebook)
+    assert lives(exercise, sources[name], space)  # also loads what takes its time when first used
+    monkeypatch.setattr(checking, "CPU_SECONDS", CPU_SECONDS)
+    every = mutants(sources[name])
+    tried = [mutant for mutant in spread(every, SLOW.get(name, MOST)) if TOO_LARGE not in mutant.source]
+    alive = {mutant.line for mutant in tried if lives(exercise, mutant.source, space)}
+    equivalent, holes = set(EQUIVALENT.get(name, {})), set(HOLES.get(name, {}))
+    counts = {"mutants": len(every), "tried": len(tried), "refused": len(tried) - len(alive)}
+    counts |= {"alive, equivalent": len(alive & equivalent), "alive, a hole": len(alive & holes)}
+    record_property("mutants", (notebook, name, *map(str, counts.values())))
+    print(f"{notebook} {name}: " + ", ".join(f"{count} {what}" for what, count in counts.items()))
+    for line in sorted(alive & equivalent):
+        print(f"    {line}\n        {REASONS[EQUIVALENT[name][line]]}")
+    for line in sorted(alive & holes):
+        print(f"    {line}\n        NOT equivalent: {HOLES[name][line]}")
+    assert sorted(alive - equivalent - holes) == [], "these live, and nobody has said why"
+    assert sorted((equivalent | holes) - alive) == [], "these are listed, and do not arise or no longer live"
+
+
+def test_what_is_listed_belongs_to_an_exercise_and_has_its_reason():
+    names = [exercise.name for _, exercise in EXERCISES]
+    assert len(set(names)) == len(names)
+    assert set(EQUIVALENT) | set(HOLES) <= set(names)
+    assert {reason for lines in EQUIVALENT.values() for reason in lines.values()} == set(REASONS)
+    assert [name for name in EQUIVALENT if set(EQUIVALENT[name]) & set(HOLES.get(name, {}))] == []
+
+
+def test_mutants_change_one_thing_and_are_spread_over_the_kinds():
+    found = mutants('def f(a, b):\n    """Text."""\n    return a[0] @ b.T + 2 * a')
+    lines = {mutant.line for mutant in found}
+    assert {"return a[1] @ b.T + 2 * a", "return a[0] @ b + 2 * a", "return b.T @ a[0] + 2 * a"} <= lines
+    assert {"return a[0] @ b.T - 2 * a", "return a[0] @ b.T", "return a[0] @ b.T + -2 * a"} <= lines
+    assert len(lines) == len(found)
+    few = spread(found, 6)
+    assert len(few) == 6
+    assert len({mutant.kind for mutant in few}) == 6
