@@ -35,8 +35,10 @@ T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
 | --- | --- |
 | $R$ | rotation |
 """
-SOLUTION = "### BEGIN SOLUTION\nanswer = 42  #" + " and on" * 40 + "\n### END SOLUTION"
-NBGRADER = {"schema_version": 3, "grade_id": "a", "solution": True, "grade": False, "locked": False}
+SOLUTION = f"def turn():\n    ### BEGIN SOLUTION\n    return 42  # {'and on ' * 40}\n    ### END SOLUTION"
+NBGRADER = {"schema_version": 3, "grade_id": "turn", "solution": True, "grade": False, "locked": False}
+MODEL_ANSWER = "**Model answer.** Its columns, $R e_i$, stay *orthogonal*.\n\n*Rubric (1): 1 for columns.*"
+EXPLAINED = {"schema_version": 3, "grade_id": "explain_turn", "solution": True, "grade": True, "locked": False}
 CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right: $R$</div>'
 TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
 MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"

@@ -9,8 +9,10 @@ import pytest
 from nbformat.v4 import new_markdown_cell, new_output
 from site_notebooks import (
     CHECK,
+    EXPLAINED,
     HELIX,
     MATRIX,
+    MODEL_ANSWER,
     MOVING,
     NBGRADER,
     PLOTLY,
@@ -38,6 +40,7 @@ def notebooks(tmp_path_factory):
         "01_rotations.ipynb",
         new_markdown_cell(TEXT),
         cell(source=SOLUTION, nbgrader=NBGRADER),
+        new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
         cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side')),
         cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
         cell(output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
@@ -49,6 +52,7 @@ def notebooks(tmp_path_factory):
     )
     plain = new_markdown_cell("# Rigid motion\n\nNo figure; see [the first](01_rotations.ipynb). The adjoint.")
     write(folder, "02_rigid_motion.ipynb", plain)
+    (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     return folder
 
 
@@ -80,7 +84,7 @@ FACTS = r"""async () => {
 
 
 def assert_readable(visit, notebook, width):
-    """Assert what holds for every page, whatever stands on it."""
+    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from."""
     facts = visit.page.evaluate(FACTS)
     assert not facts["tex"]
     assert not facts["unset"]
@@ -92,7 +96,8 @@ def assert_readable(visit, notebook, width):
         assert alt
         assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
     assert all(facts["groups"])
-    outputs = [o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])]
+    cells = nbformat.read(notebook, as_version=4).cells if notebook else []
+    outputs = [o for c in cells for o in c.get("outputs", [])]
     figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
     assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
@@ -208,8 +213,8 @@ def test_unknown_macros_count_as_errors(site, browser):
 
 def test_home_lists_assignments_and_search_finds_words(site, browser):
     with Visit(browser, site / "index.html") as visit:
-        links = visit.page.locator("article .toctree-wrapper a")
-        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion"]
+        links = visit.page.locator("article h2 a:not(.headerlink), article li a")
+        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation"]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
@@ -222,7 +227,6 @@ def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
-    assert "BEGIN SOLUTION" in page
     assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.min.js"]
     assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 12e6
 

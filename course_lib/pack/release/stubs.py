@@ -39,18 +39,24 @@ def _read(text, name):
 def _empty(cell, place):
     """Take out of one cell what students write themselves, or shall see only after they have run it."""
     nbgrader = cell.metadata.get("nbgrader", {})
-    if nbgrader.get("solution"):
-        code = cell.cell_type == "code"
-        cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place) if code else PROMPT
-    found = [words for words in FOR_GRADERS if words in cell.source]
-    if found:
-        raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell.')
+    take_answer(cell, place)
     if cell.cell_type == "code":
         cell.outputs, cell.execution_count = [], None
     if nbgrader:  # as nbgrader does it: its cells cannot be deleted by accident, nor the locked ones edited
         cell.metadata["deletable"] = False
         if nbgrader.get("locked"):
             cell.metadata["editable"] = False
+
+
+def take_answer(cell, place):
+    """Put what students find in an answer cell in the place of the author's answer; refuse answers in other cells."""
+    nbgrader = cell.metadata.get("nbgrader", {})
+    if nbgrader.get("solution"):
+        code = cell.cell_type == "code"
+        cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place) if code else PROMPT
+    found = [words for words in FOR_GRADERS if words in cell.source]
+    if found:
+        raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell.')
 
 
 def stub(source, exercise, place):

@@ -5,7 +5,7 @@ import importlib.util
 import sys
 from pathlib import Path
 
-NEEDED = ["nbformat", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx-mathjax-offline", "plotly"]
+NEEDED = ["nbformat", "nbclient", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx-mathjax-offline", "plotly"]
 
 
 def main() -> int:
@@ -13,6 +13,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
     parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
+    parser.add_argument("--solutions", choices=["yes", "no"], default="yes", help="fold them shut, or leave them out")
     chosen = parser.parse_args()
 
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
@@ -26,7 +27,7 @@ def main() -> int:
     from course_lib.pack.site.errors import SiteError
 
     try:
-        build(chosen.notebooks, chosen.output)
+        build(chosen.notebooks, chosen.output, solutions=chosen.solutions == "yes")
     except SiteError as error:
         print(f"No site was built. {error}", file=sys.stderr)
         return 1

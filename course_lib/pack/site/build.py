@@ -8,29 +8,19 @@ import sys
 import tempfile
 from pathlib import Path
 
+from course_lib.pack.site import gather
 from course_lib.pack.site.errors import SiteError
 from course_lib.pack.site.prepare import Counts, prepare
 
 HERE = Path(__file__).parent
 
-HOME = """# Robot kinematics
 
-Each assignment is a notebook, shown here with its results. Figures can be turned, and those that move can be
-played.
-
-```{{toctree}}
-:titlesonly:
-
-{pages}
-```
-"""
-
-
-def build(notebooks: Path, output: Path, say=print) -> None:
+def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> None:
     """Write the notebooks of one folder, as they were saved, to `output` as a static site.
 
-    Nothing is executed and no notebook is changed. `say` gets one line for each stage. Raises
-    SiteError where a notebook cannot be published; `output` then stays as it was.
+    Answers are folded shut, or left out where `solutions` is False. Nothing is executed and no notebook
+    is changed. `say` gets one line for each stage. Raises SiteError where a notebook cannot be published;
+    `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("*.ipynb"))
     if not sources:
@@ -44,7 +34,7 @@ def build(notebooks: Path, output: Path, say=print) -> None:
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
-        counts = _gather(sources, pages)
+        counts = _gather(sources, pages, solutions)
         written = len(sources) + len(list(pages.glob("*.md")))
         figures = sum(count.figures for count in counts)
         pictures = sum(count.pictures for count in counts)
@@ -65,17 +55,16 @@ def build(notebooks: Path, output: Path, say=print) -> None:
     say(f"Wrote {_number(written, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path) -> list[Counts]:
+def _gather(sources: list[Path], pages: Path, solutions: bool) -> list[Counts]:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and a home page."""
     # Pictures and data that a notebook's text links to lie beside it.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
+    counts = [prepare(source, pages, solutions) for source in sources]
+    notebooks = [gather.read(source, pages) for source in sources]
     # Pages of text beside the notebooks are pages of the site too.
-    names = "\n".join(
-        [*(source.stem for source in sources), *sorted(page.stem for page in sources[0].parent.glob("*.md"))]
-    )
-    (pages / "index.md").write_text(HOME.format(pages=names), encoding="utf-8")
-    return [prepare(source, pages) for source in sources]
+    (pages / "index.md").write_text(gather.home(notebooks, sorted(pages.glob("*.md"))), encoding="utf-8")
+    return counts
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:

@@ -102,8 +102,15 @@ def load_plotly_where_needed(app, pagename, templatename, context, doctree):
         app.add_js_file("figures.js", loading_method="defer")
 
 
+def name_what_is_folded(app, pagename, templatename, context, doctree):
+    """Let a screen reader say "Solution", as the page does, and not MyST-NB's one name for all that is folded."""
+    if "body" in context:
+        context["body"] = context["body"].replace(' aria-label="Toggle hidden content"', "")
+
+
 def setup(app):
     """Register the functions above."""
     app.connect("doctree-read", check_formulas)
     app.connect("doctree-read", leave_unnumbered)
+    app.connect("html-page-context", name_what_is_folded)
     app.connect("html-page-context", load_plotly_where_needed)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import nbformat
 
+from course_lib.pack.site.answers import fold, leave_out
 from course_lib.pack.site.errors import SiteError
 
 PLOTLY = "application/vnd.plotly.v1+json"
@@ -30,9 +31,10 @@ def heading_anchor(text: str) -> str:
     return text.strip().replace(" ", "-")
 
 
-def prepare(notebook: Path, folder: Path) -> Counts:
+def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
     """Write to `folder` a copy of `notebook` with HTML for its figures and pictures, and count them.
 
+    Answers are folded shut, or left out where `solutions` is False.
     Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
     Raises SiteError, naming notebook and cell, for what must not be published.
     """
@@ -46,8 +48,9 @@ def prepare(notebook: Path, folder: Path) -> Counts:
 
     counts = Counts()
     for number, cell in enumerate(book.cells, 1):
+        place = f"{notebook.name}, cell {number}"
+        fold(cell) if solutions else leave_out(cell, place)
         for output in cell.get("outputs", []):
-            place = f"{notebook.name}, cell {number}"
             if output.output_type == "error":
                 if "raises-exception" not in cell.metadata.get("tags", []):
                     raise SiteError(f"{place} stopped with {output.ename}: {output.evalue}")
@@ -61,17 +64,16 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it as it should be."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if PLOTLY in output.data:
-        alt = _alt(output, place)
-        still = _picture(output, image, "plotly-still", alt, folder) if image else ""
+        alt = alternative(output, place)
+        still = picture(output, image, "plotly-still", alt, folder) if image else ""
         output.data = {"text/html": _figure(output.data[PLOTLY], alt, still)}
         counts.figures += 1
     elif image and "text/html" not in output.data:
-        picture = _picture(output, image, "picture", _alt(output, place), folder)
-        output.data = {"text/html": picture}
+        output.data = {"text/html": picture(output, image, "picture", alternative(output, place), folder)}
         counts.pictures += 1
 
 
-def _alt(output, place: str) -> str:
+def alternative(output, place: str) -> str:
     """Return the words that stand for a figure, wherever its output keeps them."""
     kept = [output.metadata.get(kind, {}).get("alt") for kind in IMAGES]
     alt = next((words for words in [*kept, output.metadata.get("alt")] if words), None)
@@ -97,7 +99,7 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     )
 
 
-def _picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
+def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
     """Store an image beside the pages and return the element that shows it."""
     text = output.data[kind]
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)

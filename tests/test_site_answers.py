@@ -1,0 +1,104 @@
+"""Answers on the pages: folded shut, or left out."""
+
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbformat.v4 import new_markdown_cell
+from playwright.sync_api import expect
+from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, write
+from site_visits import CONTRAST, Visit
+
+from course_lib.pack.site.build import build
+from course_lib.pack.site.errors import SiteError
+
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+ANSWERS = {"Solution": "return 42", "Model answer": "stay orthogonal"}  # name: words that are inside
+
+
+def answers(notebook):
+    """The answer cells of a notebook."""
+    cells = nbformat.read(notebook, 4).cells
+    return [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
+
+
+@pytest.fixture(scope="module")
+def notebooks(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("answers") / "notebooks"
+    write(
+        folder,
+        "01.ipynb",
+        new_markdown_cell("# Answers"),
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
+        cell(output({"text/html": CHECK}), source="check.turn(turn)"),
+        cell(output({"text/html": "<p>A result</p>"}), source="turn()"),
+    )
+    return folder
+
+
+@pytest.fixture(scope="module")
+def page(notebooks):
+    build(notebooks, notebooks.parent / "html")
+    return notebooks.parent / "html/01.html"
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1000])
+@pytest.mark.parametrize("name", ANSWERS)
+def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(page, browser, name, theme, width):
+    with Visit(browser, page, theme=theme, width=width) as visit:
+        line = visit.page.locator("summary").filter(has_text=name)
+        inside = visit.page.locator("article").get_by_text(ANSWERS[name])
+        expect(inside).not_to_be_visible()
+        line.click()
+        expect(inside).to_be_visible()
+        assert visit.page.evaluate("document.documentElement.scrollWidth") <= width
+        for part in (line.locator("p:visible"), inside):
+            assert part.evaluate(CONTRAST) > 4.5
+        line.click()
+        expect(inside).not_to_be_visible()
+        line.focus()
+        visit.page.keyboard.press("Enter")
+        expect(inside).to_be_visible()
+        visit.page.keyboard.press("Space")
+        expect(inside).not_to_be_visible()
+        assert visit.complaints == []
+
+
+def test_the_tab_key_reaches_every_answer_and_nothing_renames_it(page, browser):
+    with Visit(browser, page) as visit:
+        reached = []
+        while len(reached) < 100 and list(ANSWERS)[-1] not in reached:
+            visit.page.keyboard.press("Tab")
+            reached.append(visit.page.evaluate("document.activeElement.innerText.trim()"))
+        assert [words for words in reached if words in ANSWERS] == list(ANSWERS)
+        assert visit.page.locator("summary[aria-label]").count() == 0
+
+
+def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(page, browser):
+    with Visit(browser, page) as visit:
+        visit.page.emulate_media(media="print")
+        visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        for words in ANSWERS.values():
+            expect(visit.page.locator("article").get_by_text(words)).to_be_visible()
+        visit.page.evaluate("dispatchEvent(new Event('afterprint'))")
+        assert visit.page.locator("details.hide[open]").count() == 0
+
+
+def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(notebooks, tmp_path):
+    build(notebooks, tmp_path / "html", solutions=False)
+    text = (tmp_path / "html/01.html").read_text(encoding="utf-8")
+    assert "NotImplementedError" in text
+    assert "Type your answer here." in text
+    assert "A result" in text
+    assert not [words for words in ("42", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
+    assert "orthogon" not in (tmp_path / "html/searchindex.js").read_text(encoding="utf-8")
+
+
+def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):
+    bare = cell(source="def turn():\n    return 42", nbgrader=NBGRADER)
+    write(tmp_path / "notebooks", "01.ipynb", new_markdown_cell("# Answers"), bare, cell(output({"text/html": "x"})))
+    with pytest.raises(SiteError, match=r"01\.ipynb, cell 2: an answer cell without ### BEGIN SOLUTION"):
+        build(tmp_path / "notebooks", tmp_path / "html", solutions=False)
+    assert not (tmp_path / "html").exists()

@@ -1,0 +1,91 @@
+"""A site without solutions holds none: every file of it is searched, and the search is tried on the site with them."""
+
+import html
+import re
+
+import pytest
+from test_release_leaks import BLOCK, LONG, ROOT, answer_cells, code, lines, runs, texts
+
+from course_lib.pack.site.build import build
+
+TAG = re.compile(r"<[^>]+>")
+VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
+
+
+def words(text):
+    """Only the words and numbers of a text: a page shows quotes, formulas and emphasis with other signs."""
+    return " ".join(re.findall(r"[^\W_]+", text))
+
+
+def secrets():
+    """{text: exercise} of everything that is looked for: code as in a release, model answers and rubrics by words."""
+    found = {}
+    for exercise, cell in answer_cells():
+        if cell.cell_type == "code":
+            for block in BLOCK.findall(cell.source):
+                found |= dict.fromkeys(runs(code(block)) | runs(lines(block)), exercise)
+        else:
+            sentences = re.split(r"(?<=[.:;?!])\s|\*", " ".join(cell.source.split()))
+            found |= {words(text): exercise for text in sentences if len(text.strip()) >= LONG}
+    return found
+
+
+def shown(page):
+    """What a page shows: each block of code, its lines and its lines as ast.unparse has them; and all its words."""
+    for block in re.findall(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL):
+        source = html.unescape(TAG.sub("", block))
+        yield "\n".join(lines(source))
+        yield "\n".join(code(source))
+    yield words(html.unescape(TAG.sub("", page)))
+
+
+def said(file):
+    """What one file of a site says: a page, a notebook, or bytes taken for text."""
+    if file.suffix == ".html":
+        return "\n\n".join(shown(file.read_text(encoding="utf-8")))
+    if file.suffix == ".ipynb":
+        parts = list(texts(file.name, file.read_bytes()))
+        return "\n\n".join([*parts, *map(words, parts)])
+    return file.read_bytes().decode(errors="replace")
+
+
+def leaks(site, wanted):
+    """The (exercise, text) that are found in any file of a site."""
+    files = [said(file) for file in site.rglob("*") if file.is_file()]
+    return {(exercise, text) for text, exercise in wanted.items() if any(text in file for file in files)}
+
+
+@pytest.fixture(scope="module")
+def wanted():
+    return secrets()
+
+
+@pytest.fixture(scope="module")
+def sites(tmp_path_factory):
+    """The course as a site with solutions and as one without."""
+    folder = tmp_path_factory.mktemp("leaks")
+    for name in ("yes", "no"):
+        build(ROOT / "notebooks", folder / name, solutions=name == "yes")
+    return folder
+
+
+def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
+    assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
+    assert {text for _, text in leaks(sites / "yes", wanted)} == set(wanted)
+
+
+def test_a_site_without_solutions_holds_no_line_and_no_sentence_of_them(sites, wanted):
+    assert leaks(sites / "no", wanted) == set()
+
+
+def test_no_check_says_right_and_every_other_output_stays(sites):
+    for page in (sites / "no").glob("*.html"):
+        bare, full = page.read_text("utf-8"), (sites / "yes" / page.name).read_text("utf-8")
+        assert not VERDICT.search(bare), page.name
+        for output in ('class="plotly-figure"', 'class="picture', 'class="output stream'):
+            assert bare.count(output) == full.count(output), page.name
+        assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", bare)
+    assert any(VERDICT.search(page.read_text("utf-8")) for page in (sites / "yes").glob("*.html"))
+    pages = "".join(page.read_text("utf-8") for page in (sites / "no").glob("*.html"))
+    assert pages.count("NotImplementedError") >= sum(cell.cell_type == "code" for _, cell in answer_cells())
+    assert pages.count("Type your answer here.") == sum(cell.cell_type == "markdown" for _, cell in answer_cells())
