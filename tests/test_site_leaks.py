@@ -1,5 +1,6 @@
 """A site without solutions holds none: every file of it is searched, and the search is tried on the site with them."""
 
+import base64
 import html
 import re
 
@@ -8,6 +9,7 @@ from test_release_leaks import BLOCK, LONG, ROOT, answer_cells, code, lines, run
 
 from course_lib.pack.site.build import build
 
+DOWNLOAD = re.compile(r'href="data:application/x-ipynb\+json;base64,([^"]*)"')
 TAG = re.compile(r"<[^>]+>")
 VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
 
@@ -40,13 +42,12 @@ def shown(page):
 
 
 def said(file):
-    """What one file of a site says: a page, a notebook, or bytes taken for text."""
-    if file.suffix == ".html":
-        return "\n\n".join(shown(file.read_text(encoding="utf-8")))
-    if file.suffix == ".ipynb":
-        parts = list(texts(file.name, file.read_bytes()))
-        return "\n\n".join([*parts, *map(words, parts)])
-    return file.read_bytes().decode(errors="replace")
+    """What one file of a site says: a page with the notebook that it offers, or bytes taken for text."""
+    if file.suffix != ".html":
+        return file.read_bytes().decode(errors="replace")
+    page = file.read_text(encoding="utf-8")
+    parts = [part for content in DOWNLOAD.findall(page) for part in texts("a.ipynb", base64.b64decode(content))]
+    return "\n\n".join([*shown(page), *parts, *map(words, parts)])
 
 
 def leaks(site, wanted):
@@ -72,6 +73,14 @@ def sites(tmp_path_factory):
 def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
     assert {text for _, text in leaks(sites / "yes", wanted)} == set(wanted)
+
+
+def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
+    pages = [page.read_text(encoding="utf-8") for page in (sites / "no").glob("*.html")]
+    assert sum(len(DOWNLOAD.findall(page)) for page in pages) == len(list((ROOT / "notebooks").glob("*.ipynb")))
+    book = base64.b64encode((ROOT / "notebooks/02_rigid_motion.ipynb").read_bytes()).decode()
+    (tmp_path / "planted.html").write_text(f'<a href="data:application/x-ipynb+json;base64,{book}">')
+    assert {"wrap_angle", "explain_wrap"} <= {exercise for exercise, _ in leaks(tmp_path, wanted)}
 
 
 def test_a_site_without_solutions_holds_no_line_and_no_sentence_of_them(sites, wanted):

@@ -1,4 +1,4 @@
-"""The pages that are gathered from the notebooks: home."""
+"""The pages that are gathered from the notebooks: home, errata, sources."""
 
 import re
 from pathlib import Path
@@ -11,7 +11,7 @@ from test_site import assert_readable
 from course_lib.pack.site.build import build
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-PAGES = ("index",)
+PAGES = ("index", "errata", "sources")
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +52,8 @@ def test_home_says_what_each_notebook_says_of_itself(course, browser):
                 assert words(goal) in text
             assert re.search(r"It takes about \w+ hours", said)[0] in text
         assert "about 33 hours" in text
-        assert article.locator("a[href='notation.html']").count() == 1
+        for page in ("notation", "errata", "sources"):
+            assert article.locator(f"a[href='{page}.html']").count() == 1
 
 
 def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(course, browser):
@@ -64,3 +65,39 @@ def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(cour
         assert len(cells) == 1
         stored = next(output for output in cells[0].outputs if "image/png" in output.get("data", {}))
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
+
+
+def section(notebook, heading):
+    """The cells from a heading to the next one of its level."""
+    cells = nbformat.read(notebook, 4).cells
+    headings = [n for n, cell in enumerate(cells) if cell.cell_type == "markdown" and re.match("## ", cell.source)]
+    begin = next(n for n in headings if cells[n].source.startswith(f"## {heading}"))
+    return cells[begin : next((n for n in headings if n > begin), None)]
+
+
+def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(course, browser):
+    with Visit(browser, course / "errata.html") as visit:
+        article = visit.page.locator("article")
+        said = [heading.removesuffix("#").strip() for heading in article.locator("h3").all_inner_texts()]
+        printed = ["".join(text.split()) for text in article.locator(".output.stream").all_text_contents()]
+        assert article.locator("details").count() == len(printed)
+        assert article.locator("details[open]").count() == 0
+        claims = [article.locator("strong", has_text=words).count() for words in ("Claim.", "Evidence.", "Right.")]
+    cells = [cell for notebook in NOTEBOOKS for cell in section(notebook, "What the report got wrong")]
+    text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+    titles = re.findall("^### (.*)", text, re.MULTILINE)
+    assert len(titles) > 30
+    assert [words(title) for title in said] == [words(re.sub("[`$]", "", title)) for title in titles]
+    assert claims == [len(titles)] * 3
+    outputs = [output for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]
+    assert printed == ["".join(output.text.split()) for output in outputs]
+
+
+def test_sources_are_those_of_each_notebook(course, browser):
+    with Visit(browser, course / "sources.html") as visit:
+        listed = [words(text) for text in visit.page.locator("article li").all_inner_texts()]
+        assert visit.page.locator("article h2").count() == len(NOTEBOOKS)
+    sources = re.findall("^- (.*)", "\n".join(section(n, "Sources")[0].source for n in NOTEBOOKS), re.MULTILINE)
+    assert len(listed) == len(sources) > 30
+    for shown, source in zip(listed, sources, strict=True):
+        assert shown.startswith(words(source.split("$")[0]))

@@ -8,7 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from course_lib.pack.site import gather
+from course_lib.pack.site import gather, sections
+from course_lib.pack.site.downloads import offer
 from course_lib.pack.site.errors import SiteError
 from course_lib.pack.site.prepare import Counts, prepare
 
@@ -35,12 +36,12 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
         counts = _gather(sources, pages, solutions)
-        written = len(sources) + len(list(pages.glob("*.md")))
         figures = sum(count.figures for count in counts)
         pictures = sum(count.pictures for count in counts)
         say(f"Read {_number(len(sources), 'notebook')}: {_number(figures, 'live figure')}, "
             f"{_number(pictures, 'picture')}")  # fmt: skip
 
+        count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"))
@@ -52,7 +53,7 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
             shutil.rmtree(output)
         site.rename(output)
     size = sum(file.stat().st_size for file in output.rglob("*") if file.is_file()) / 1e6
-    say(f"Wrote {_number(written, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
+    say(f"Wrote {_number(count, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
 def _gather(sources: list[Path], pages: Path, solutions: bool) -> list[Counts]:
@@ -61,9 +62,16 @@ def _gather(sources: list[Path], pages: Path, solutions: bool) -> list[Counts]:
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
     counts = [prepare(source, pages, solutions) for source in sources]
+    for source in sources:
+        offer(source, pages)
     notebooks = [gather.read(source, pages) for source in sources]
     # Pages of text beside the notebooks are pages of the site too.
-    (pages / "index.md").write_text(gather.home(notebooks, sorted(pages.glob("*.md"))), encoding="utf-8")
+    others = sorted(pages.glob("*.md"))
+    for heading, page in ((sections.ERRATA, pages / "errata.ipynb"), (sections.SOURCES, pages / "sources.ipynb")):
+        if sections.write(heading, sources, page):
+            prepare(page, pages, solutions)
+            others.append(page)
+    (pages / "index.md").write_text(gather.home(notebooks, others), encoding="utf-8")
     return counts
 
 

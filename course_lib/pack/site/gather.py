@@ -62,7 +62,7 @@ def read(source: Path, pages: Path) -> Notebook:
 
 
 def home(notebooks: list[Notebook], others: list[Path]) -> str:
-    """Return the home page in MyST; `others` are the pages of text beside the notebooks."""
+    """Return the home page in MyST; `others` are the pages beside the notebooks."""
     hours = [notebook.hours for notebook in notebooks]
     time = f" All together they take about {sum(hours)} hours." if all(hours) else ""
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
@@ -104,5 +104,8 @@ def _cover(book, name: str, pages: Path) -> str:
 
 
 def _heading(page: Path) -> str:
-    """Return the title of a page of text."""
-    return re.search(r"^# (.+)|$", page.read_text(encoding="utf-8"), re.MULTILINE)[1] or page.stem
+    """Return the title of a page of text, or of a notebook."""
+    text = page.read_text(encoding="utf-8")
+    if page.suffix == ".ipynb":
+        text = nbformat.reads(text, as_version=4).cells[0].source
+    return re.search(r"^# (.+)|$", text, re.MULTILINE)[1] or page.stem
