@@ -125,15 +125,16 @@ def build(wanted):
     root, room = wanted["root"], wanted["limits"]["scratch"]
     mount(None, "/", None, RECURSIVE | PRIVATE)
     mount("root", root, "tmpfs", NO_SETUID | NO_DEVICES, "size=4m,mode=755")
+    # First, for the environment may itself lie below /tmp and is then shown in it.
+    for folder, size in ((wanted["scratch"], room), ("/tmp", room // 4)):
+        os.makedirs(root + folder)
+        mount("scratch", root + folder, "tmpfs", NO_SETUID | NO_DEVICES, f"size={size},mode=777")
     for path in wanted["shown"]:
         show(path, root + path)
     show(wanted["course"], root + "/course")
     for device in DEVICES:
         touch(f"{root}/dev/{device}")
         mount(f"/dev/{device}", f"{root}/dev/{device}", None, BIND)
-    for folder, size in ((wanted["scratch"], room), ("/tmp", room // 4)):
-        os.makedirs(root + folder)
-        mount("scratch", root + folder, "tmpfs", NO_SETUID | NO_DEVICES, f"size={size},mode=777")
     os.makedirs(root + "/proc")
     with contextlib.suppress(OSError):  # not allowed in many a container, and not needed
         mount("proc", root + "/proc", "proc", NO_SETUID | NO_DEVICES | NO_PROGRAMS)
