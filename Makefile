@@ -43,8 +43,8 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 	$(PY) -m pytest -o cache_dir=build/pytest -n logical --maxprocesses 8 --dist loadfile \
 		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 
-html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students
-	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)")
+html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, SINGLE=yes for one file a page
+	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")
 
 student: environment ## write the release to students, without solutions, build/student.zip
 	@$(PY) -m course_lib.pack.release

@@ -4,6 +4,8 @@ import nbformat
 import pytest
 from hypothesis import settings
 
+pytest.register_assert_rewrite("site_visits")  # so that it says what differs, as the tests do
+
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 
 # The same examples on every run and every machine: a test that fails is one that will fail again.
@@ -20,6 +22,16 @@ def solutions():
         return [cells[0].source] + [c.source for c in cells if c.metadata.get("nbgrader", {}).get("solution")]
 
     return read
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory):
+    """The folder of the whole course as a site."""
+    from course_lib.pack.site.build import build  # here, for most tests need none
+
+    folder = tmp_path_factory.mktemp("course") / "html"
+    build(NOTEBOOKS, folder)
+    return folder
 
 
 @pytest.fixture(scope="module")

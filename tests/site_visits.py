@@ -4,8 +4,11 @@ import os
 import shutil
 from contextlib import contextmanager
 
+import nbformat
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import sync_playwright
+from site_notebooks import PLOTLY
 
 # The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).
 CONTRAST = """element => {
@@ -55,7 +58,8 @@ class Visit:
         self.page.on("console", self._hear)
         if without:
             self.page.route(f"**/{without}*", lambda route: route.abort())
-        self.page.goto(file.as_uri() + query)
+        if file:
+            self.page.goto(file.as_uri() + query)
 
     def _hear(self, message):
         if message.type == "error":
@@ -75,3 +79,60 @@ class Visit:
             box.locator(".main-svg").first.wait_for()
             traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
         return traces
+
+
+# Opens all that is folded shut, and waits until it has come up and has been measured.
+OPEN = """async () => {
+  document.querySelectorAll("details").forEach((part) => (part.open = true));
+  await new Promise((done) => setTimeout(done, 100));
+  await Promise.all(document.getAnimations().map((animation) => animation.finished));
+}"""
+
+# Runs in the page. Text is what is read as text: no code, no formula already set.
+FACTS = r"""async () => {
+  const formulas = [...document.querySelectorAll(".math")];
+  if (formulas.length) await MathJax.startup.promise;
+  const text = document.querySelector("article").cloneNode(true);
+  text.querySelectorAll("pre, code, script, mjx-container, .plotly-live").forEach((e) => e.remove());
+  return {
+    tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],
+    unset: formulas.filter((f) => !f.querySelector("mjx-container svg")).map((f) => f.textContent),
+    errors: [...document.querySelectorAll("[data-mml-node=merror]")].map((e) => e.textContent),
+    images: [...document.querySelectorAll("img")].map((i) => [i.complete && i.naturalWidth > 0, i.alt.trim()]),
+    groups: [...document.querySelectorAll(".plotly-figure")].map((f) => f.getAttribute("aria-label")),
+    wide: [...document.querySelectorAll(".plotly-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
+    width: Math.max(document.documentElement.scrollWidth, document.body.scrollWidth),
+    theme: document.documentElement.dataset.theme,
+  };
+}"""
+
+
+def assert_readable(visit, notebook, width):
+    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from."""
+    facts = visit.page.evaluate(FACTS)
+    assert not facts["tex"]
+    assert not facts["unset"]
+    assert not facts["errors"]
+    assert facts["width"] <= width
+    assert not facts["wide"]
+    for loaded, alt in facts["images"]:
+        assert loaded
+        assert alt
+        assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
+    assert all(facts["groups"])
+    cells = nbformat.read(notebook, as_version=4).cells if notebook else []
+    outputs = [o for c in cells for o in c.get("outputs", [])]
+    figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
+    assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
+    assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
+    assert violations(visit) == []
+    assert visit.complaints == []
+    return facts
+
+
+def violations(visit):
+    """What axe-core, which looks for barriers, finds on a page with all that is folded shut opened."""
+    visit.page.evaluate(OPEN)
+    # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
+    found = Axe().run(visit.page, options={"preload": False}).response["violations"]
+    return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]

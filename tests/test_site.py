@@ -2,9 +2,7 @@
 
 import runpy
 import sys
-from pathlib import Path
 
-import nbformat
 import pytest
 from nbformat.v4 import new_markdown_cell, new_output
 from site_notebooks import (
@@ -24,12 +22,10 @@ from site_notebooks import (
     png,
     write,
 )
-from site_visits import CONTRAST, Visit
+from site_visits import CONTRAST, FACTS, Visit, assert_readable
 
 from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
-
-NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
 
 
 @pytest.fixture(scope="module")
@@ -64,47 +60,6 @@ def site(notebooks):
     return notebooks.parent / "html"
 
 
-# Runs in the page. Text is what is read as text: no code, no formula already set.
-FACTS = r"""async () => {
-  const formulas = [...document.querySelectorAll(".math")];
-  if (formulas.length) await MathJax.startup.promise;
-  const text = document.querySelector("article").cloneNode(true);
-  text.querySelectorAll("pre, code, script, mjx-container, .plotly-live").forEach((e) => e.remove());
-  return {
-    tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],
-    unset: formulas.filter((f) => !f.querySelector("mjx-container svg")).map((f) => f.textContent),
-    errors: [...document.querySelectorAll("[data-mml-node=merror]")].map((e) => e.textContent),
-    images: [...document.querySelectorAll("img")].map((i) => [i.complete && i.naturalWidth > 0, i.alt.trim()]),
-    groups: [...document.querySelectorAll(".plotly-figure")].map((f) => f.getAttribute("aria-label")),
-    wide: [...document.querySelectorAll(".plotly-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
-    width: Math.max(document.documentElement.scrollWidth, document.body.scrollWidth),
-    theme: document.documentElement.dataset.theme,
-  };
-}"""
-
-
-def assert_readable(visit, notebook, width):
-    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from."""
-    facts = visit.page.evaluate(FACTS)
-    assert not facts["tex"]
-    assert not facts["unset"]
-    assert not facts["errors"]
-    assert facts["width"] <= width
-    assert not facts["wide"]
-    for loaded, alt in facts["images"]:
-        assert loaded
-        assert alt
-        assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
-    assert all(facts["groups"])
-    cells = nbformat.read(notebook, as_version=4).cells if notebook else []
-    outputs = [o for c in cells for o in c.get("outputs", [])]
-    figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
-    assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
-    assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
-    assert visit.complaints == []
-    return facts
-
-
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("width", [390, 1280])
 def test_page_works_offline(site, notebooks, browser, theme, width):
@@ -123,20 +78,6 @@ def test_page_works_offline(site, notebooks, browser, theme, width):
         for figure in (".plotly-figure", "img.picture"):
             style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
             assert visit.page.locator(figure).first.evaluate(style) == ["rgb(255, 255, 255)", "none"]
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("course") / "html"
-    build(NOTEBOOKS[0].parent, folder)
-    return folder
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def test_course_works_offline(course, browser, notebook, theme):
-    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=390) as visit:
-        assert_readable(visit, notebook, width=390)
 
 
 def test_figure_turns_and_stays_turned(site, browser):

@@ -5,20 +5,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from site_visits import Visit
-from test_site import assert_readable
-
-from course_lib.pack.site.build import build
+from site_visits import Visit, assert_readable
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 PAGES = ("index", "errata", "sources")
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("pages") / "html"
-    build(NOTEBOOKS[0].parent, folder)
-    return folder
 
 
 def first_cell(notebook):

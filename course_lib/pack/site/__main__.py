@@ -5,7 +5,17 @@ import importlib.util
 import sys
 from pathlib import Path
 
-NEEDED = ["nbformat", "nbclient", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx-mathjax-offline", "plotly"]
+NEEDED = [
+    "nbformat",
+    "nbclient",
+    "sphinx",
+    "myst_nb",
+    "sphinx_book_theme",
+    "sphinx-mathjax-offline",
+    "plotly",
+    "bs4",
+    "PIL",
+]
 
 
 def main() -> int:
@@ -14,6 +24,7 @@ def main() -> int:
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
     parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
     parser.add_argument("--solutions", choices=["yes", "no"], default="yes", help="fold them shut, or leave them out")
+    parser.add_argument("--single", choices=["yes", "no"], default="no", help="make each page one file")
     chosen = parser.parse_args()
 
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
@@ -27,7 +38,8 @@ def main() -> int:
     from course_lib.pack.site.errors import SiteError
 
     try:
-        build(chosen.notebooks, chosen.output, solutions=chosen.solutions == "yes")
+        wishes = {"solutions": chosen.solutions == "yes", "single": chosen.single == "yes"}
+        build(chosen.notebooks, chosen.output, **wishes)
     except SiteError as error:
         print(f"No site was built. {error}", file=sys.stderr)
         return 1

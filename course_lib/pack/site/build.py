@@ -11,17 +11,20 @@ from pathlib import Path
 from course_lib.pack.site import gather, sections
 from course_lib.pack.site.downloads import offer
 from course_lib.pack.site.errors import SiteError
-from course_lib.pack.site.prepare import Counts, prepare
+from course_lib.pack.site.prepare import prepare
+from course_lib.pack.site.single import make_single
+from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
 
 HERE = Path(__file__).parent
 
 
-def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> None:
+def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
     """Write the notebooks of one folder, as they were saved, to `output` as a static site.
 
-    Answers are folded shut, or left out where `solutions` is False. Nothing is executed and no notebook
-    is changed. `say` gets one line for each stage. Raises SiteError where a notebook cannot be published;
-    `output` then stays as it was.
+    Answers are folded shut, or left out where `solutions` is False. `single` makes each page one file that
+    needs no other. Nothing is executed, no notebook is changed, and where all is as it was at the last build
+    nothing is done. `say` gets a line for each notebook and stage. Raises SiteError where a notebook cannot be
+    published; `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("*.ipynb"))
     if not sources:
@@ -31,23 +34,26 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
     # Sphinx leaves .buildinfo in every site, so a folder without it is somebody's own.
     if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
         raise SiteError(f"{output} holds other files than a site. Name an empty folder.")
+    source = made_from(notebooks, solutions, single)
+    if is_unchanged(output, source):
+        say(f"Nothing has changed since {output / 'index.html'} was written.")
+        return
 
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
-        counts = _gather(sources, pages, solutions)
-        figures = sum(count.figures for count in counts)
-        pictures = sum(count.pictures for count in counts)
-        say(f"Read {_number(len(sources), 'notebook')}: {_number(figures, 'live figure')}, "
-            f"{_number(pictures, 'picture')}")  # fmt: skip
-
+        figures = _gather(sources, pages, solutions, say)
         count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
-        _run_sphinx(pages, site, Path(work, "doctrees"))
-        # Source maps serve the theme's own authors and are a third of what is left.
+        _run_sphinx(pages, site, Path(work, "doctrees"), single)
+        # Source maps serve the theme's own authors; its translations, pages in other languages than ours.
         for source_map in site.rglob("*.map"):
             source_map.unlink()
+        shutil.rmtree(site / "_static/locales")
+        if single:
+            make_single(site)
+        sign(site, source)
 
         if output.exists():
             shutil.rmtree(output)
@@ -56,14 +62,20 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
     say(f"Wrote {_number(count, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool) -> list[Counts]:
-    """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and a home page."""
+def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
+    """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
+
+    Returns how many live figures there are.
+    """
     # Pictures and data that a notebook's text links to lie beside it.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
-    counts = [prepare(source, pages, solutions) for source in sources]
+    figures = 0
     for source in sources:
+        counts = prepare(source, pages, solutions)
         offer(source, pages)
+        figures += counts.figures
+        say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     notebooks = [gather.read(source, pages) for source in sources]
     # Pages of text beside the notebooks are pages of the site too.
     others = sorted(pages.glob("*.md"))
@@ -72,7 +84,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool) -> list[Counts]:
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(gather.home(notebooks, others), encoding="utf-8")
-    return counts
+    return figures
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
@@ -90,9 +102,20 @@ def _package(name: str) -> Path:
     return Path(importlib.util.find_spec(name).submodule_search_locations[0])
 
 
-def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:
+def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:
     """Run Sphinx on `pages`; every warning is an error, since each is something a reader would meet."""
-    command = [sys.executable, "-m", "sphinx", "-b", "html", "-q", "-N", "-W", "--keep-going"]
+    command = [
+        sys.executable,
+        "-m",
+        "sphinx",
+        "-b",
+        "html",
+        "-q",
+        "-N",
+        "-W",
+        "--keep-going",
+        *["-t", "single"] * single,
+    ]
     done = subprocess.run([*command, "-d", doctrees, pages, site], capture_output=True, text=True)
     if done.returncode:
         raise SiteError("Sphinx says:\n" + _readable(done.stderr, pages))

@@ -42,7 +42,7 @@ myst_update_mathjax = False
 html_theme = "sphinx_book_theme"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
-html_js_files = ["print.js"]
+html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
@@ -57,7 +57,11 @@ html_theme_options = {
     "navbar_persistent": [],
     # The footer would name an author and a date.
     "footer_content_items": [],
+    # Pages that stand alone lead to no others.
+    "show_prev_next": not tags.has("single"),  # noqa: F821 (Sphinx puts it here)
 }
+# The title stands there as the first entry already; the theme's own lies in no landmark.
+html_sidebars = {"**": [] if tags.has("single") else ["search-button-field.html", "sbt-sidebar-nav.html"]}  # noqa: F821
 
 
 def check_formulas(app, document):

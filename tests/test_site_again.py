@@ -1,0 +1,106 @@
+"""Building a second time, and building each page as one file."""
+
+import shutil
+
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell
+from site_notebooks import HELIX, MOVING, NBGRADER, PLOTLY, SOLUTION, TEXT, cell, output, png, write
+from site_visits import Visit, assert_readable
+
+from course_lib.pack.site.build import build
+from course_lib.pack.site.errors import SiteError
+
+
+@pytest.fixture
+def notebooks(tmp_path):
+    folder = tmp_path / "notebooks"
+    both = {PLOTLY: HELIX, "image/png": png()}
+    cells = [
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        cell(output(both, "Two helices")),
+        cell(output({PLOTLY: MOVING})),
+    ]
+    write(folder, "01_rotations.ipynb", new_markdown_cell(TEXT + "\nSee [the next](02_rigid_motion.ipynb)."), *cells)
+    write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
+    return folder
+
+
+def built(notebooks, **settings):
+    """Build; return what was said, and the moment in which each page was written."""
+    said = []
+    build(notebooks, notebooks.parent / "html", said.append, **settings)
+    return said, {page.name: page.stat().st_mtime_ns for page in (notebooks.parent / "html").glob("*.html")}
+
+
+def test_progress_names_each_notebook(notebooks):
+    said, _ = built(notebooks)
+    assert said[:2] == [
+        "01_rotations.ipynb: 2 live figures, 0 pictures",
+        "02_rigid_motion.ipynb: 0 live figures, 0 pictures",
+    ]
+
+
+def test_what_is_unchanged_is_left_as_it_is(notebooks):
+    _, first = built(notebooks)
+    said, second = built(notebooks)
+    assert said == [f"Nothing has changed since {notebooks.parent / 'html' / 'index.html'} was written."]
+    assert second == first
+
+
+def rewrite(notebooks):
+    write(notebooks, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nOther words."))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        rewrite,
+        lambda notebooks: (notebooks / "data.csv").write_text("1, 2"),
+        lambda notebooks: (notebooks.parent / "html/01_rotations.html").write_text("scribbled over"),
+        lambda notebooks: (notebooks.parent / "html/_static/plotly.min.js").unlink(),
+    ],
+    ids=["a notebook", "a file beside it", "a page", "a library"],
+)
+def test_whatever_changed_is_seen(notebooks, change):
+    _, first = built(notebooks)
+    change(notebooks)
+    said, second = built(notebooks)
+    assert said[-1].startswith("Wrote")
+    assert min(second.values()) > max(first.values())
+    assert "scribbled" not in (notebooks.parent / "html/01_rotations.html").read_text("utf-8")
+
+
+def test_other_settings_are_seen(notebooks):
+    built(notebooks)
+    page = notebooks.parent / "html/01_rotations.html"
+    assert "BEGIN SOLUTION" in page.read_text("utf-8")
+    built(notebooks, solutions=False)
+    assert "BEGIN SOLUTION" not in page.read_text("utf-8")
+    built(notebooks, single=True)
+    assert not (page.parent / "_static").exists()
+    built(notebooks)
+    assert (page.parent / "_static").exists()
+
+
+def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):
+    write(notebooks, "03.ipynb", new_markdown_cell("# New"), cell(output({"text/html": "x"})), new_code_cell("1 + 1"))
+    with pytest.raises(SiteError, match=r"03\.ipynb, cell 3 was changed, and not run since"):
+        built(notebooks)
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_a_single_page_needs_no_other_file(notebooks, browser, tmp_path, width):
+    built(notebooks, single=True)
+    alone = tmp_path / "alone" / "lesson.html"
+    alone.parent.mkdir()
+    shutil.copy(notebooks.parent / "html/01_rotations.html", alone)
+    with Visit(browser, alone, width=width) as visit:
+        assert_readable(visit, notebooks / "01_rotations.ipynb", width)
+        assert [url for url in visit.requests if url.startswith("file:")] == [alone.as_uri()]
+        links = [link.get_attribute("href") for link in visit.page.locator("a[href]").all()]
+        assert [link[:5] for link in links if not link.startswith("#")] == ["data:"]
+        assert visit.page.get_by_text("the next").is_visible()
+        # The buttons on top have their signs: a letter of a font that is inside.
+        sign = "document.fonts.ready.then(() => document.fonts.check('900 16px \"Font Awesome 7 Free\"', '\\uf0c9'))"
+        assert visit.page.evaluate(sign)
+    assert 'href="https://numpy.org"' in (notebooks.parent / "html/02_rigid_motion.html").read_text("utf-8")

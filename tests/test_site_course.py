@@ -1,0 +1,113 @@
+"""The whole course as a site: every page and every figure, in a browser with the network off."""
+
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+import pytest
+from bs4 import BeautifulSoup
+from playwright.sync_api import expect
+from site_visits import OPEN, Visit, assert_readable
+
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+expect.set_options(timeout=30_000)  # a machine may be busy
+
+# Whatever can be pressed, chosen or typed into, and can be seen.
+CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summary, [tabindex='0']")]
+  .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".plotly-figure"))"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_works_offline(course, browser, notebook, theme):
+    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=390) as visit:
+        assert_readable(visit, notebook, width=390)
+
+
+def test_is_small_and_holds_each_library_once(course):
+    files = [file for file in course.rglob("*") if file.is_file()]
+    assert sum(file.stat().st_size for file in files) < 15e6
+    for library in ("plotly*.js", "mathjax*.js"):
+        assert len(list(course.rglob(library))) == 1
+    assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]
+
+
+def test_every_link_leads_somewhere(course):
+    pages = {page.name: BeautifulSoup(page.read_text("utf-8"), "html.parser") for page in course.glob("*.html")}
+    anchors = {name: {e["id"] for e in soup.select("[id]")} | {""} for name, soup in pages.items()}
+    count = 0
+    for name, soup in pages.items():
+        for element in soup.select("[href], [src]"):
+            link = unquote(element.get("href", element.get("src")))
+            if re.match("https://|data:", link):
+                continue
+            file, _, anchor = link.partition("#")
+            file = file.split("?")[0] or name
+            assert (course / file).is_file(), f"{name}: {link}"
+            assert anchor == "" or anchor in anchors[file], f"{name}: {link}"
+            count += 1
+    assert count > 500
+    assert {"index.html", "errata.html", "sources.html", "notation.html"} < set(pages)
+
+
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_play_moves_every_figure_that_has_frames(course, browser, notebook):
+    with Visit(browser, course / f"{notebook.stem}.html") as visit:
+        visit.draw_figures()
+        for box in visit.page.locator(".plotly-figure:has(.plotly-player button)").all():
+            box.scroll_into_view_if_needed()
+            live, button = box.locator(".plotly-live"), box.locator(".plotly-player button")
+            expect(live.locator(".main-svg").first).to_be_visible()
+            drawn = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
+            before = live.evaluate(drawn)
+            button.click()
+            visit.page.wait_for_function(
+                f"([live, before]) => ({drawn})(live) !== before", arg=[live.element_handle(), before]
+            )
+            if button.inner_text() == "Pause":
+                button.click()
+        assert visit.complaints == []
+
+
+def test_the_keyboard_alone_reaches_everything(course, browser):
+    with Visit(browser, course / "03_subproblems_damped_ik.html") as visit:
+        visit.page.evaluate(OPEN)
+        wanted = visit.page.evaluate(f"({CONTROLS})().map((e, i) => (e.dataset.wanted = i))")
+        assert len(wanted) > 60
+        reached = set()
+        for _ in range(2 * len(wanted)):
+            visit.page.keyboard.press("Tab")
+            reached.add(visit.page.evaluate("document.activeElement.dataset.wanted"))
+        missed = (
+            "(numbers) => numbers.map((i) => document.querySelector(`[data-wanted='${i}']`).outerHTML.slice(0, 200))"
+        )
+        assert visit.page.evaluate(missed, [number for number in wanted if str(number) not in reached]) == []
+
+
+@pytest.mark.parametrize(("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")])
+def test_search_finds(course, browser, word, page):
+    with Visit(browser, course / "search.html", query=f"?q={word}") as visit:
+        visit.page.locator("#search-results a", has_text=page).first.wait_for()
+        assert visit.complaints == []
+
+
+def test_the_search_field_works_where_a_reader_finds_it(course, browser):
+    with Visit(browser, course / "index.html") as visit:
+        visit.page.keyboard.press("Control+k")
+        visit.page.keyboard.type("subproblem")
+        visit.page.keyboard.press("Enter")
+        visit.page.locator("#search-results a", has_text="Subproblems").first.wait_for()
+        assert visit.complaints == []
+
+
+def test_the_text_is_there_before_plotly_is(course, browser):
+    with Visit(browser, None) as visit:
+        held = []
+        visit.page.route("**/plotly.min.js*", lambda route: held.append(route))
+        visit.page.goto((course / "04_poe_kuka_iiwa.html").as_uri(), wait_until="commit")
+        expect(visit.page.get_by_text("When you are through, you can")).to_be_visible()
+        expect(visit.page.locator(".plotly-still").first).to_be_visible()
+        assert visit.page.evaluate("typeof Plotly") == "undefined"
+        visit.page.wait_for_function("document.querySelectorAll('article p').length > 50")
+        held[0].continue_()
+        assert visit.draw_figures()
