@@ -287,4 +287,5 @@ SPLIT_BRANCHES = Exercise(
         "KMeans may call either cluster 0. Compare theta[labels == 0, 1].mean() with theta[labels == 1, 1].mean().",
         "Where the first is the smaller one, return 1 - labels.",
     ),
+    forbidden=("course_lib.checks.decomposition_ik.stand_ins.split_branches",),
 )

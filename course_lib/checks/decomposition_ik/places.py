@@ -191,7 +191,11 @@ FK_2R = Exercise(
         "t1, t2 = theta[..., 0], theta[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
         "puts x and y back at the end.",
     ),
-    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
+    forbidden=(
+        "course_lib.arms.SerialArm",
+        "course_lib.arms.planar_arm",
+        "course_lib.checks.decomposition_ik.stand_ins.fk_2r",
+    ),
     errors=(
         ("IndexError", "too many indices", _COLUMNS_ONLY),
         ("ValueError", "values to unpack", _FIRST_ROWS),

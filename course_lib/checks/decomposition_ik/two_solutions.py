@@ -247,7 +247,12 @@ IK_2R = Exercise(
         "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, a place on the rim may have r = 2 + 4e-16 "
         "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
     ),
-    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm", "course_lib.ik.solve"),
+    forbidden=(
+        "course_lib.arms.SerialArm",
+        "course_lib.arms.planar_arm",
+        "course_lib.ik.solve",
+        "course_lib.checks.decomposition_ik.stand_ins.ik_2r",
+    ),
     errors=(
         ("ZeroDivisionError", "", _DIVIDED),
         ("ValueError", "math domain error", _NO_COSINE),

@@ -72,7 +72,7 @@ def __getattr__(name):
     def taken(*arguments, **named):
         from course_lib.checks.ask import NotAllowed
 
-        raise NotAllowed(f"stand_ins.{name}")
+        raise NotAllowed(f"{__name__}.{name}")
 
     taken.taken_away = True
     return taken
