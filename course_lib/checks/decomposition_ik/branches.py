@@ -4,7 +4,6 @@ import functools
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.shapes import with_shapes
 from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
@@ -155,9 +154,9 @@ SPLIT_BRANCHES = Exercise(
     points=2,
     arguments=("theta",),
     cases=_cases,
-    returns=with_shapes(
-        numbers(lambda theta: (len(theta),)),
-        lambda shape, theta: _CENTRES if len(theta) > 2 and shape == (2, 2) else None,
+    returns=numbers(
+        lambda theta: (len(theta),),
+        lambda array, theta: _CENTRES if len(theta) > 2 and array.shape == (2, 2) else None,
     ),
     properties=(
         Property(

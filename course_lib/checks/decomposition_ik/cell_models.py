@@ -5,8 +5,10 @@ import numpy as np
 from course_lib.checks.decomposition_ik.affine_models import clusters, models, with_one
 from course_lib.checks.decomposition_ik.cell_samples import cases
 from course_lib.checks.decomposition_ik.model_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
-from course_lib.checks.decomposition_ik.two_links import in_words, same_with_gaps, with_forms
+from course_lib.checks.decomposition_ik.two_links import same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _FINE = 1e-7  # radians
 _SHAPES = {
@@ -98,7 +100,7 @@ FIT_CELLS = Exercise(
     points=3,
     arguments=("xy", "theta", "cell", "count"),
     cases=cases,
-    returns=with_forms(lambda xy, theta, cell, count: (count, 2, 2, 3), _known_form),
+    returns=numbers(lambda xy, theta, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
     properties=(
         Property(
             "a cluster with fewer than 3 samples has no model: nan stands there, in all 6 places",

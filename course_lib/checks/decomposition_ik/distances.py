@@ -2,8 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import in_words, like, place, same_with_gaps, solutions, with_forms
+from course_lib.checks.decomposition_ik.two_links import like, place, same_with_gaps, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _FINE = 1e-9  # metres
 
@@ -114,7 +116,7 @@ APPROXIMATION_ERROR = Exercise(
     points=1,
     arguments=("xy", "angles"),
     cases=_cases,
-    returns=with_forms(lambda xy, angles: (len(xy), 2), _known_form),
+    returns=numbers(lambda xy, angles: (len(xy), 2), _known_form, gaps=True),
     properties=(
         Property(
             "where both predictions are exact, both distances are 0",

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.shapes import with_shapes
-from course_lib.checks.decomposition_ik.two_links import in_words
 from course_lib.checks.decomposition_ik.wrong_cells import (
     cells,
     changed,
@@ -18,6 +16,7 @@ from course_lib.checks.decomposition_ik.wrong_cells import (
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 
 _FLAT = Mistake(
     "one number is returned for each cell, not its column and row",
@@ -27,8 +26,8 @@ _TRANSPOSED = Mistake("columns and rows are stacked along the first axis", "np.s
 _DROPPED = Mistake("places outside the box are left out", "Each place has its row in the answer: (-1, -1) outside.")
 
 
-def _known_shape(shape, xy, low, high, n):
-    m = len(xy)
+def _known_form(array, xy, low, high, n):
+    m, shape = len(xy), array.shape
     if shape in ((m,), (m, 1)):
         return _FLAT
     if shape == (2, m):
@@ -117,7 +116,7 @@ CELL_INDEX = Exercise(
     points=2,
     arguments=("xy", "low", "high", "n"),
     cases=_cases,
-    returns=with_shapes(numbers(lambda xy, *rest: xy.shape), _known_shape),
+    returns=numbers(lambda xy, *rest: xy.shape, _known_form),
     properties=(
         Property(
             "columns and rows are whole numbers",

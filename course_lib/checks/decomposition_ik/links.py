@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.shapes import with_shapes
-from course_lib.checks.decomposition_ik.two_links import in_words
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -112,7 +111,7 @@ DH_SYMBOLIC = Exercise(
     arguments=("a", "alpha", "d", "theta"),
     cases=_cases,
     through="symbols",
-    returns=with_shapes(numbers(lambda *case: (4, 4)), lambda shape, *case: _SHAPES.get(shape)),
+    returns=numbers(lambda *case: (4, 4), _SHAPES),
     properties=(
         Property(
             "the last row is 0, 0, 0, 1",

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.shapes import with_shapes
-from course_lib.checks.decomposition_ik.two_links import in_words, place
+from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 
 _FIRST_ROWS = Mistake(
     "theta[0] and theta[1] are taken for the two angles: in a batch they are its first two rows",
@@ -36,8 +36,8 @@ def _cases(rng):
     return [(theta,) for theta in [*map(np.array, named), *drawn, *batches]]
 
 
-def _known_shape(shape, theta):
-    batch = theta.shape[:-1]
+def _known_form(array, theta):
+    batch, shape = theta.shape[:-1], array.shape
     if shape == batch:
         return _ONE_NUMBER
     if shape == (*batch, 3):
@@ -96,7 +96,7 @@ FK_2R = Exercise(
     points=1,
     arguments=("theta",),
     cases=_cases,
-    returns=with_shapes(numbers(lambda theta: theta.shape), _known_shape),
+    returns=numbers(lambda theta: theta.shape, _known_form),
     properties=(
         Property(
             "with both angles zero the arm is stretched along x: the end is at (2, 0)",

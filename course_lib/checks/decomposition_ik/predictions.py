@@ -2,8 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import in_words, like, same_with_gaps, with_forms
+from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _ONE_CLUSTER = Mistake(
     "only one of the two clusters predicts", "Each branch gives a pair of its own: the answer's shape is (m, 2, 2)."
@@ -128,7 +130,7 @@ PREDICT = Exercise(
     points=2,
     arguments=("models", "cell", "xy"),
     cases=_cases,
-    returns=with_forms(lambda models, cell, xy: (len(cell), 2, 2), _known_form),
+    returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), _known_form, gaps=True),
     properties=(
         Property(
             "each angle is A[j, 0] x + A[j, 1] y + A[j, 2], with the model A of the query's cell and of the cluster",

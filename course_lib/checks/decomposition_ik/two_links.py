@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Unreadable, same
-from course_lib.checks.reading import numbers
+from course_lib.checks.exercise import Mistake, same
 
 
 def place(theta):
@@ -23,45 +22,6 @@ def lump(rng, middle, widths, n):
     """Return n points (n, 2) in a box around `middle`, which is exactly their mean."""
     points = rng.uniform(-1, 1, (n, 2))
     return np.array(middle) + (points - points.mean(axis=0)) * np.array(widths)
-
-
-def with_gaps(shape_of):
-    """Return a reader of arrays like numbers, in which nan may stand."""
-    plain = numbers(shape_of)
-
-    def reader(value, *case):
-        try:
-            array = np.asarray(value)
-        except ValueError:
-            return plain(value, *case)  # which says what is wrong with it
-        if array.dtype.kind not in "fc":
-            return plain(value, *case)
-        gaps = np.isnan(array)
-        found = plain(np.where(gaps, 0, array), *case)
-        return np.where(gaps.reshape(found.shape), np.nan, found)
-
-    return reader
-
-
-def with_forms(shape_of, known):
-    """Return such a reader that names the mistake of an array with another shape: known(array, *arguments), or None."""
-    plain = with_gaps(shape_of)
-
-    def reader(value, *case):
-        try:
-            return plain(value, *case)
-        except Unreadable as wrong:
-            raise Unreadable(str(wrong), _known(known, value, *case) or wrong.mistake) from None
-
-    return reader
-
-
-def _known(known, value, *case):
-    try:
-        array = np.asarray(value)
-    except ValueError:  # lists of lists of different lengths
-        return None
-    return known(array, *case) if array.dtype.kind in "biuf" else None
 
 
 def same_with_gaps(value, predicted):
@@ -85,8 +45,3 @@ def like(words, *answers):
         return looks
 
     return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
-
-
-def in_words(numbers):
-    """Numbers as one writes them: (0.1, -2)."""
-    return "(" + ", ".join(f"{number:.4g}" for number in np.asarray(numbers).ravel() + 0.0) + ")"

@@ -22,9 +22,10 @@ from course_lib.checks.decomposition_ik.bends import (
     with_theta2,
     wrapped,
 )
-from course_lib.checks.decomposition_ik.shapes import with_shapes
-from course_lib.checks.decomposition_ik.two_links import in_words, place, with_gaps
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.decomposition_ik.two_links import place
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the rim, where a rounding of r moves theta2 by its root
 
@@ -44,6 +45,18 @@ _NO_COSINE = Mistake(
     "arccos is asked outside [-1, 1]: out of reach, or by rounding on the rim",
     "Ask first whether r > 2 + 1e-9, and return NaN there; else clip the number to [-1, 1].",
 )
+
+_pairs = numbers(lambda xy: (2, 2), dict.fromkeys(((2,), (1, 2), (2, 1)), _ONLY_ONE), gaps=True)
+
+
+def _read(value, xy):
+    """Return the answer as an array (2, 2), with NaN in it where the answer says so."""
+    try:
+        return _pairs(value, xy)
+    except Unreadable as wrong:
+        if outside(xy):
+            raise Unreadable(str(wrong), _NO_ROWS) from None
+        raise
 
 
 def _cases(rng):
@@ -84,10 +97,7 @@ IK_2R = Exercise(
     points=2,
     arguments=("xy",),
     cases=_cases,
-    returns=with_shapes(
-        with_gaps(lambda xy: (2, 2)),
-        lambda shape, xy: _NO_ROWS if outside(xy) else _ONLY_ONE if shape in ((2,), (1, 2), (2, 1)) else None,
-    ),
+    returns=_read,
     properties=(
         Property(
             "each row brings the end to xy: cos theta1 + cos(theta1 + theta2) = x, sin theta1 + sin(theta1 + theta2) "

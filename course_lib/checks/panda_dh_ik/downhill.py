@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.arms import panda
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.poe_kuka_iiwa.chains import few_digits, of_shape
+from course_lib.checks.poe_kuka_iiwa.chains import few_digits
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
 from course_lib.checks.subproblems_damped_ik.damped_step import off
 
@@ -33,18 +34,13 @@ def some_step(rng, m, n):
     return q, J, e
 
 
-read = of_shape(
+_TABLE = Mistake(
+    "q and what is added to it differ in shape",
+    "Arrays of the shapes (n,) and (n, 1) add up to a table (n, n). Keep e flat: J.T @ e has shape (n,).",
+)
+read = numbers(
     lambda q, *rest: (len(q),),
-    *(
-        (
-            wrong_of,
-            Mistake(
-                "q and what is added to it differ in shape",
-                "Arrays of the shapes (n,) and (n, 1) add up to a table (n, n). Keep e flat: J.T @ e has shape (n,).",
-            ),
-        )
-        for wrong_of in (lambda q, J, *rest: (len(q), len(q)), lambda q, J, *rest: J.T.shape)
-    ),
+    lambda array, q, J, *rest: _TABLE if array.shape in ((len(q), len(q)), J.T.shape) else None,
 )
 
 _SHAPES = "J is (m, n), e is (m,), q is (n,). Which product of J, or J.T, and e has the shape (n,)?"

@@ -19,7 +19,7 @@ from course_lib.checks.panda_dh_ik.error_parts import (
     subtracted,
     translation,
 )
-from course_lib.checks.poe_kuka_iiwa.chains import near
+from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.rotations import length, log_so3
 
 _PLACE = "The places are simply subtracted: p_target - p, along the world's axes as the Jacobian's upper half is."

@@ -3,68 +3,48 @@
 import numpy as np
 
 from course_lib.arms import panda
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.hand_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.tables import FLANGE, STAND, TABLE, frames, steps
-from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, in_words, near, of_shape
-from course_lib.checks.reading import OTHER_FORM
+from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
+from course_lib.checks.poe_kuka_iiwa.matrices import near
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _ALL = "All eight are asked for: frames 1 to 7, then the flange. Append each T to a list; at last np.array(list)."
-_fitted = of_shape(
-    lambda q: (8, 4, 4),
-    (
-        lambda q: (4, 4),
-        Mistake("only one pose is returned", _ALL),
+_SHAPES = {
+    (4, 4): Mistake("only one pose is returned", _ALL),
+    (7, 4, 4): Mistake(
+        "one of the eight is left out, most likely the flange",
+        "Behind frame 7 comes the flange, 0.107 m along z: one more pose, T @ rigid.transform(np.eye(3), "
+        "[0, 0, 0.107]).",
     ),
-    (
-        lambda q: (7, 4, 4),
-        Mistake(
-            "one of the eight is left out, most likely the flange",
-            "Behind frame 7 comes the flange, 0.107 m along z: one more pose, T @ rigid.transform(np.eye(3), [0, 0, "
-            "0.107]).",
-        ),
+    (9, 4, 4): Mistake(
+        "there is one pose too many, most likely the base", "The first of the eight is frame 1, not the base."
     ),
-    (
-        lambda q: (9, 4, 4),
-        Mistake("there is one pose too many, most likely the base", "The first of the eight is frame 1, not the base."),
+    (8, 3): Mistake("only the places are returned", "Each of the eight is a whole pose, 4 x 4."),
+    (3,): Mistake("only one place is returned", _ALL),
+    (8, 3, 3): Mistake("only the rotations are returned", "Each of the eight is a whole pose, 4 x 4."),
+    (8, 3, 4): Mistake("the last rows are missing", "Each pose ends with the row 0, 0, 0, 1."),
+    (32, 4): Mistake(
+        "the poses are joined into one tall matrix", "np.array(list) or np.stack(list), not np.vstack(list)."
     ),
-    (lambda q: (8, 3), Mistake("only the places are returned", "Each of the eight is a whole pose, 4 x 4.")),
-    (lambda q: (3,), Mistake("only one place is returned", _ALL)),
-    (lambda q: (8, 3, 3), Mistake("only the rotations are returned", "Each of the eight is a whole pose, 4 x 4.")),
-    (lambda q: (8, 3, 4), Mistake("the last rows are missing", "Each pose ends with the row 0, 0, 0, 1.")),
-    (
-        lambda q: (32, 4),
-        Mistake("the poses are joined into one tall matrix", "np.array(list) or np.stack(list), not np.vstack(list)."),
+    (4, 4, 8): Mistake(
+        "the poses are stacked along the last axis", "np.array(list) or np.stack(list), without an axis."
     ),
-    (
-        lambda q: (4, 4, 8),
-        Mistake("the poses are stacked along the last axis", "np.array(list) or np.stack(list), without an axis."),
+    (4, 32): Mistake(
+        "the poses are joined into one wide matrix", "np.array(list) or np.stack(list), not np.hstack(list)."
     ),
-    (
-        lambda q: (4, 32),
-        Mistake("the poses are joined into one wide matrix", "np.array(list) or np.stack(list), not np.hstack(list)."),
-    ),
-)
+}
 
 _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
-def _too_many(value):
-    """Whether there are more poses than anybody means to return: a list that grows with each call."""
-    try:
-        return np.shape(value)[1:] == (4, 4) and len(value) > 9
-    except ValueError:
-        return False
-
-
-def _read(value, q):
-    """Return the answer as an array (8, 4, 4)."""
-    try:
-        return _fitted(value, q)
-    except Unreadable as wrong:
-        if wrong.mistake is OTHER_FORM and _too_many(value):
-            raise Unreadable(str(wrong), SAME_TWICE.mistake) from None
-        raise
+def _known_form(array, q):
+    """The mistake of an array with another shape; more poses than anybody means to return grow with each call."""
+    if array.shape[1:] == (4, 4) and len(array) > 9:
+        return SAME_TWICE.mistake
+    return _SHAPES.get(array.shape)
 
 
 def _cases(rng):
@@ -117,7 +97,7 @@ PANDA_FK = Exercise(
     points=2,
     arguments=("q",),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda q: (8, 4, 4), _known_form),
     properties=(
         SAME_TWICE,
         Property(

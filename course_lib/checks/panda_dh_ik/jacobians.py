@@ -3,11 +3,13 @@
 import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik import tables
 from course_lib.checks.panda_dh_ik.jacobian_mistakes import MISTAKES, jacobian
-from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, away_from_zero, in_words, near, of_shape, turned_hand
-from course_lib.checks.reading import OTHER_FORM
+from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, away_from_zero, turned_hand
+from course_lib.checks.poe_kuka_iiwa.matrices import near
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
@@ -22,57 +24,42 @@ _FLANGE_TOO = Mistake(
 _HALF = Mistake("only one half of the Jacobian is returned", "Each column has six numbers: v above, omega below.")
 _SEVEN = Mistake("the arm is taken to have seven joints", "Any number may come: n = len(frames) - 1, or frames[:-1].")
 _APART = Mistake("v and omega do not stand in one column", _SIDE_BY_SIDE)
+_ONE_LEFT_OUT = Mistake(
+    "one joint is left out", "The joints are frames[0] to frames[n - 1]: frames[:-1] has all of them."
+)
+_ONE_COLUMN = Mistake(
+    "only one column is returned", "One column for each joint, also where there is one: shape (6, n)."
+)
 
 
 def _joints(frames):
     return len(frames) - 1
 
 
-_fitted = of_shape(
-    lambda frames: (6, _joints(frames)),
-    (lambda frames: (_joints(frames), 6), _TRANSPOSED),
-    (lambda frames: (_joints(frames), 6, 1), _TRANSPOSED),
-    (lambda frames: (6, _joints(frames) + 1), _FLANGE_TOO),
-    (lambda frames: (_joints(frames) + 1, 6), _FLANGE_TOO),
-    (
-        lambda frames: (6, _joints(frames) - 1),
-        Mistake("one joint is left out", "The joints are frames[0] to frames[n - 1]: frames[:-1] has all of them."),
-    ),
-    (lambda frames: (3, _joints(frames)), _HALF),
-    (lambda frames: (_joints(frames), 3), _HALF),
-    (
-        lambda frames: (6,),
-        Mistake("only one column is returned", "One column for each joint, also where there is one: shape (6, n)."),
-    ),
-    (lambda frames: (2, 3, _joints(frames)), _APART),
-    (lambda frames: (2, _joints(frames), 3), _APART),
-    (lambda frames: (_joints(frames), 2, 3), _APART),
-    (lambda frames: (3, 2 * _joints(frames)), _APART),
-    (lambda frames: (2 * _joints(frames), 3), _APART),
-    (lambda frames: (6 * _joints(frames),), _APART),
-)
+def _known_form(array, frames):
+    n, shape = _joints(frames), array.shape
+    if _grown(array, n):
+        return SAME_TWICE.mistake
+    if shape in ((n, 6), (n, 6, 1)):
+        return _TRANSPOSED
+    if shape in ((6, n + 1), (n + 1, 6)):
+        return _FLANGE_TOO
+    if shape == (6, n - 1):
+        return _ONE_LEFT_OUT
+    if shape in ((3, n), (n, 3)):
+        return _HALF
+    if shape == (6,):
+        return _ONE_COLUMN
+    apart = ((2, 3, n), (2, n, 3), (n, 2, 3), (3, 2 * n), (2 * n, 3), (6 * n,))
+    return _APART if shape in apart else None
 
 
-def _grown(value, frames):
+def _grown(array, n):
     """Whether the columns are those of earlier calls too: then the last one is not the flange's, which has v = 0."""
-    try:
-        array = np.asarray(value)
-    except ValueError:
+    if array.ndim != 2 or len(array) != 6:
         return False
-    if array.ndim != 2 or len(array) != 6 or array.dtype.kind not in "iuf":
-        return False
-    more = array.shape[1] - _joints(frames)
+    more = array.shape[1] - n
     return more > 1 or (more == 1 and np.abs(array[:3, -1]).max() > 1e-9)
-
-
-def _read(value, frames):
-    """Return the answer as an array (6, n)."""
-    try:
-        return _fitted(value, frames)
-    except Unreadable as wrong:
-        if wrong.mistake in (OTHER_FORM, _FLANGE_TOO) and _grown(value, frames):
-            raise Unreadable(str(wrong), SAME_TWICE.mistake) from None
-        raise
 
 
 def _drawn(rng, n):
@@ -117,7 +104,7 @@ GEOMETRIC_JACOBIAN = Exercise(
     points=2,
     arguments=("frames",),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda frames: (6, _joints(frames)), _known_form),
     properties=(
         SAME_TWICE,
         Property(

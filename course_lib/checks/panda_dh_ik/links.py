@@ -5,15 +5,16 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.step_mistakes import mistakes
 from course_lib.checks.panda_dh_ik.steps import modified, standard
-from course_lib.checks.poe_kuka_iiwa.chains import in_words, near
-from course_lib.checks.poe_kuka_iiwa.matrices import matrix
+from course_lib.checks.poe_kuka_iiwa.matrices import near
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import in_words
 
 _PRODUCT = "One step after the other is a matrix product: @."
 _FORBIDDEN = ("course_lib.arms.SerialArm", "course_lib.arms._dh_frames")
 _LAST_ROW = "Start from np.eye(4) and fill in the block and the column."
 
-_read = matrix(
-    (4, 4),
+_read = numbers(
+    lambda *case: (4, 4),
     {
         (3, 3): Mistake("the rotation alone is returned", "The pose is 4 x 4: its origin stands in the last column."),
         (3,): Mistake("the place alone is returned", "The pose is 4 x 4: its axes stand in the first three columns."),

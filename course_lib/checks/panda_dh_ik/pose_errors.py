@@ -5,9 +5,11 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.panda_dh_ik.error_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.error_parts import half_turn, left, place_left, turn_left
-from course_lib.checks.poe_kuka_iiwa.chains import FINE, away_from_zero, in_words, near, of_shape, turned_hand
-from course_lib.checks.reading import NOT_A_NUMBER
+from course_lib.checks.poe_kuka_iiwa.chains import away_from_zero, turned_hand
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
+from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
+from course_lib.checks.words import in_words
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, length
 
@@ -20,20 +22,19 @@ _AT_NO_TURN = Mistake(
 )
 _SIX = "e has six numbers: first p_target - p, then the rotation vector phi. np.concatenate joins them."
 _HALVES = Mistake("the halves are not joined", _SIX)
-_fitted = of_shape(
+_fitted = numbers(
     lambda T, T_target: (6,),
-    (lambda *case: (2, 3), _HALVES),
-    (lambda *case: (3, 2), _HALVES),
-    (lambda *case: (3,), Mistake("only one half is returned", _SIX)),
-    (lambda *case: (2,), Mistake("two lengths are returned", _SIX + " Their lengths alone lose the directions.")),
-    (lambda *case: (4, 4), Mistake("a matrix is returned", _SIX)),
-    (
-        lambda *case: (7,),
-        Mistake(
+    {
+        (2, 3): _HALVES,
+        (3, 2): _HALVES,
+        (3,): Mistake("only one half is returned", _SIX),
+        (2,): Mistake("two lengths are returned", _SIX + " Their lengths alone lose the directions."),
+        (4, 4): Mistake("a matrix is returned", _SIX),
+        (7,): Mistake(
             "the difference of places and quaternions is returned",
             "Seven numbers fit no Jacobian of six rows, and two quaternions stand for one rotation. " + _SIX,
         ),
-    ),
+    },
 )
 
 

@@ -4,21 +4,16 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.panda_dh_ik.targets import BASE, HIGH, LOW, PANDA, cases, flange, frames
-from course_lib.checks.poe_kuka_iiwa.chains import in_words, of_shape
-from course_lib.checks.reading import NOT_A_NUMBER
+from course_lib.checks.reading import NOT_A_NUMBER, numbers
+from course_lib.checks.words import in_words
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import length, log_so3
 
 REACHED = 1.001e-6  # metres and radians; a little more than asked for, for the student's own sums round otherwise
 NEAR = 0.02  # what counts as nearly there
 
-_seven = of_shape(
-    lambda T, q0: (7,),
-    (
-        lambda T, q0: (4, 4),
-        Mistake("a pose is returned, not joint angles", "panda_ik goes the other way: from a pose to seven angles."),
-    ),
-)
+_A_POSE = Mistake("a pose is returned, not joint angles", "panda_ik goes the other way: from a pose to seven angles.")
+_seven = numbers(lambda T, q0: (7,), {(4, 4): _A_POSE})
 
 
 def _read(value, T, q0):

@@ -7,8 +7,10 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.panda_dh_ik.fit_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.point_sets import exact, fits, laid, middle, moved, rest, size
-from course_lib.checks.poe_kuka_iiwa.chains import FINE, SAME_TWICE, in_words, near, of_shape
-from course_lib.checks.reading import OTHER_FORM
+from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
+from course_lib.checks.reading import OTHER_FORM, numbers
+from course_lib.checks.words import in_words
 
 _SEARCHED = 1e-7
 _ROTATION_ONLY = Mistake("only the rotation R is returned", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")
@@ -16,26 +18,26 @@ _PLACE_ONLY = Mistake("only the column p is returned", "The answer is the whole 
 _NO_ROW = Mistake("the last row is missing", "Start from np.eye(4) and fill in the block and the column.")
 _POINTS = Mistake("the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix.")
 _APART = Mistake("R and p are returned apart", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")
-_fitted = of_shape(
-    lambda *case: (4, 4),
-    (lambda *case: (3, 3), _ROTATION_ONLY),
-    (lambda *case: (3,), _PLACE_ONLY),
-    (lambda *case: (3, 4), _NO_ROW),
-    (lambda points, *rest: points.shape, _POINTS),
-)
+_SHAPES = {(3, 3): _ROTATION_ONLY, (3,): _PLACE_ONLY, (3, 4): _NO_ROW}
+
+
+def _known_form(array, points, *rest):
+    if array.shape == points.shape and (len(points) != 3 or orthogonality_error(array) > FINE):
+        return _POINTS
+    return _SHAPES.get(array.shape)
+
+
+_fitted = numbers(lambda *case: (4, 4), _known_form)
 
 
 def read_pose(value, *case):
     """Return the answer as an array (4, 4). case: the first argument is an array of points."""
     try:
         return _fitted(value, *case)
-    except Unreadable as unreadable:
-        known = unreadable.mistake
-        if known is OTHER_FORM and isinstance(value, list | tuple) and len(value) == 2:
-            known = _APART
-        elif known is _ROTATION_ONLY and len(case[0]) == 3 and orthogonality_error(np.asarray(value)) > FINE:
-            known = _POINTS
-        raise Unreadable(str(unreadable), known) from None
+    except Unreadable as wrong:
+        if wrong.mistake is OTHER_FORM and isinstance(value, list | tuple) and len(value) == 2:
+            raise Unreadable(str(wrong), _APART) from None
+        raise
 
 
 def orthogonality_error(T):

@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.poe_kuka_iiwa.chains import (
-    FINE,
     KUKA_OMEGA,
     KUKA_POINTS,
     X,
@@ -13,12 +12,12 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     axes,
     drawn_axes,
     few_digits,
-    in_words,
-    near,
-    of_shape,
     whole_numbers,
 )
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 
 _APART = Mistake(
     "omega and v do not stand side by side", "Each row is one axis, (omega, v): np.hstack([omega, v]) does that."
@@ -27,22 +26,19 @@ _NO_ROWS = Mistake(
     "the axes of the joints do not stand in rows of their own",
     "One row (omega, v) for each joint, also where there is a single one: the shape is (n, 6).",
 )
-_read = of_shape(
-    lambda omega, points: (len(omega), 6),
-    (
-        lambda omega, points: (6, len(omega)),
-        Mistake("rows and columns are swapped", "One axis a row: the shape is (n, 6). Transpose with .T."),
-    ),
-    (
-        lambda omega, points: (len(omega), 3),
-        Mistake("only one half of each axis is returned", "A screw axis has six numbers: omega, then v."),
-    ),
-    (lambda omega, points: (2, len(omega), 3), _APART),
-    (lambda omega, points: (len(omega), 2, 3), _APART),
-    (lambda omega, points: (2 * len(omega), 3), _APART),
-    (lambda omega, points: (6 * len(omega),), _NO_ROWS),
-    (lambda omega, points: (6,), _NO_ROWS),
-)
+_TRANSPOSED = Mistake("rows and columns are swapped", "One axis a row: the shape is (n, 6). Transpose with .T.")
+_HALF = Mistake("only one half of each axis is returned", "A screw axis has six numbers: omega, then v.")
+
+
+def _known_form(array, omega, points):
+    n, shape = len(omega), array.shape
+    if shape == (6, n):
+        return _TRANSPOSED
+    if shape == (n, 3):
+        return _HALF
+    if shape in ((2, n, 3), (n, 2, 3), (2 * n, 3)):
+        return _APART
+    return _NO_ROWS if shape in ((6 * n,), (6,)) else None
 
 
 def _cases(rng):
@@ -102,7 +98,7 @@ SCREW_AXES = Exercise(
     points=1,
     arguments=("omega", "points"),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda omega, points: (len(omega), 6), _known_form),
     properties=(
         Property(
             "the first three numbers of each row are the direction omega of its axis",

@@ -3,9 +3,11 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.poe_kuka_iiwa.matrices import FINE, in_words, matrix
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 
 
@@ -69,7 +71,7 @@ RODRIGUES = Exercise(
     points=1,
     arguments=("omega", "theta"),
     cases=_cases,
-    returns=matrix((3, 3), {}),
+    returns=numbers(lambda *case: (3, 3)),
     properties=(
         Property(
             "R is a rotation: R^T R = I and det R = 1",

@@ -3,10 +3,12 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, in_part, in_words, matrix, near, told
+from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, in_part, near, told
 from course_lib.checks.poe_kuka_iiwa.poses import poses
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.poses import pose
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat
 
@@ -72,7 +74,7 @@ ADJOINT = Exercise(
     points=1,
     arguments=("T",),
     cases=_cases,
-    returns=matrix((6, 6), {(4, 4): _ON_POSES}),
+    returns=numbers(lambda *case: (6, 6), {(4, 4): _ON_POSES}),
     properties=(
         Property(
             "the upper left 3x3 block is R: an angular velocity in frame b is turned into frame a",

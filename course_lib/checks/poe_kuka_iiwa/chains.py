@@ -5,13 +5,12 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Property, Unreadable
-from course_lib.checks.reading import numbers
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.rotations.exponential import unit
 from course_lib.rigid import exp_se3, transform
 from course_lib.rotations import exp_so3
 
-FINE = 1e-9
 X, Y, Z = np.eye(3)
 KUKA_OMEGA = np.array([Z, Y, Z, -Y, Z, Y, Z])
 KUKA_POINTS = np.outer([0, 0.36, 0.36, 0.78, 0.78, 1.18, 1.18], Z)
@@ -112,38 +111,6 @@ def turns(screws, theta):
 def products(matrices):
     """The products of the first 0, 1, ..., n matrices."""
     return list(itertools.accumulate(matrices, np.matmul, initial=np.eye(4)))
-
-
-def near(answer, right):
-    return np.abs(answer - right).max(initial=0) <= FINE * max(1, np.abs(right).max(initial=0))
-
-
-def in_words(vector):
-    """Numbers as one writes them: (0.1, -2)."""
-    return "(" + ", ".join(f"{number:.4g}" for number in np.round(vector, 6) + 0.0) + ")"
-
-
-def of_shape(shape_of, *known):
-    """Return a reader of arrays of the shape shape_of(*arguments).
-
-    known: pairs (wrong_of, mistake), for the answers of shape wrong_of(*arguments) that show a mistake.
-    """
-    right = numbers(shape_of)
-
-    def reader(value, *case):
-        try:
-            return right(value, *case)
-        except Unreadable as wrong:
-            try:
-                shape = np.shape(value)
-            except ValueError:
-                raise wrong from None
-            for wrong_of, mistake in known:
-                if shape == wrong_of(*case) != tuple(shape_of(*case)):
-                    raise Unreadable(str(wrong), mistake) from None
-            raise
-
-    return reader
 
 
 def _first_otherwise(values, cases):

@@ -7,40 +7,39 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
     few_digits,
-    in_words,
-    near,
-    of_shape,
     products,
     remembered,
     turns,
     whole_axes,
     whole_numbers,
 )
+from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 
 TRANSPOSED = Mistake(
     "rows and columns are swapped", "One column for each joint: the shape is (6, n). Transpose with .T."
 )
+_ONE_COLUMN = Mistake("only one column is returned", "Collect the columns of all joints, and stand them side by side.")
+_HALF = Mistake("only one half of the Jacobian is returned", "Each column is a twist: omega above, v below.")
 
 
 def reader(joints):
     """Reads an array (6, n); joints(*arguments) is n."""
-    return of_shape(
-        lambda *case: (6, joints(*case)),
-        (lambda *case: (joints(*case), 6), TRANSPOSED),
-        (lambda *case: (joints(*case), 6, 1), TRANSPOSED),
-        (
-            lambda *case: (6,),
-            Mistake("only one column is returned", "Collect the columns of all joints, and stand them side by side."),
-        ),
-        (
-            lambda *case: (3, joints(*case)),
-            Mistake("only one half of the Jacobian is returned", "Each column is a twist: omega above, v below."),
-        ),
-    )
+
+    def known(array, *case):
+        n = joints(*case)
+        if array.shape in ((n, 6), (n, 6, 1)):
+            return TRANSPOSED
+        if array.shape == (6,):
+            return _ONE_COLUMN
+        return _HALF if array.shape == (3, n) else None
+
+    return numbers(lambda *case: (6, joints(*case)), known)
 
 
 @remembered

@@ -3,12 +3,13 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable, same
-from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, in_words, matrix, told
+from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, told
 from course_lib.checks.poe_kuka_iiwa.ways import degrees_inside, formed, partial_sum, turn, way, whole_length
-from course_lib.checks.reading import NOT_A_NUMBER
+from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.rotations.poses import pose
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, length
 
@@ -25,6 +26,7 @@ _UNDERFLOW = Mistake(
     "The square of 1e-170 is too small for a computer: it is 0. Ask whether what you divide by is 0, not omega.",
 )
 _TINY = 1e-100
+_matrix = numbers(lambda: (4, 4), dict.fromkeys(((4, 6), (3, 6), (3, 3)), _NO_FACTOR_V))
 
 
 def _cases(rng):
@@ -52,7 +54,7 @@ def _no_turn(twist):
 def _pose(value, twist):
     """The answer as a matrix; what is no number has its reason in this twist."""
     try:
-        return matrix((4, 4), {(4, 6): _NO_FACTOR_V, (3, 6): _NO_FACTOR_V, (3, 3): _NO_FACTOR_V})(value)
+        return _matrix(value)
     except Unreadable as wrong:
         if wrong.mistake is NOT_A_NUMBER and _no_turn(twist):
             raise Unreadable(str(wrong), _UNDERFLOW if twist[:3].any() else _NO_LENGTH) from None

@@ -7,8 +7,6 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
     few_digits,
-    in_words,
-    near,
     products,
     remembered,
     turns,
@@ -17,8 +15,10 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.columns import columns, jacobian, off_column, reader, with_adjoint
 from course_lib.checks.poe_kuka_iiwa.hands import hand
+from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 

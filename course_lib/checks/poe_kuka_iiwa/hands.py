@@ -4,22 +4,21 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.poe_kuka_iiwa.chains import (
-    FINE,
     SAME_TWICE,
     WHOLE,
     WHOLE_ANGLES,
     WHOLE_HOME,
     arms,
     few_digits,
-    in_words,
-    near,
-    of_shape,
     products,
     remembered,
     turns,
     whole_numbers,
 )
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3
 
 _ONLY_PART = Mistake(
@@ -28,14 +27,14 @@ _ONLY_PART = Mistake(
 _EACH = Mistake(
     "a list with a matrix for each joint is returned", "Multiply the exponentials, and return one matrix, 4 x 4."
 )
-_read = of_shape(
-    lambda *case: (4, 4),
-    (lambda *case: (3,), _ONLY_PART),
-    (lambda *case: (3, 3), _ONLY_PART),
-    (lambda *case: (3, 4), _ONLY_PART),
-    (lambda screws, M, theta: (len(theta), 4, 4), _EACH),
-    (lambda screws, M, theta: (len(theta) + 1, 4, 4), _EACH),
-)
+_PARTS = ((3,), (3, 3), (3, 4))
+
+
+def _known_form(array, screws, M, theta):
+    if array.shape in _PARTS:
+        return _ONLY_PART
+    n = len(theta)
+    return _EACH if array.shape in ((n, 4, 4), (n + 1, 4, 4)) else None
 
 
 @remembered
@@ -104,7 +103,7 @@ FORWARD_KINEMATICS = Exercise(
     cases=lambda rng: arms(
         rng, [(WHOLE.astype(float), WHOLE_HOME, np.array([0.4, -0.9, 1.1])), (WHOLE, WHOLE_HOME, WHOLE_ANGLES)]
     ),
-    returns=_read,
+    returns=numbers(lambda *case: (4, 4), _known_form),
     properties=(
         SAME_TWICE,
         Property(

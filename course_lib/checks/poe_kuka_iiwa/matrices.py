@@ -1,42 +1,18 @@
-"""Matrices as answers: how they are read, told of, and looked at block by block."""
+"""Matrices as answers: how they are compared, told of, and looked at block by block."""
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Unreadable, same
-from course_lib.checks.reading import OTHER_FORM, numbers
+from course_lib.checks.exercise import Mistake, same
+from course_lib.checks.words import in_words
 
 FINE = 1e-9  # what a right answer may be off by, relative to its size
 
 BLOCK, COLUMN = (slice(0, 3), slice(0, 3)), (slice(0, 3), 3)  # of a pose or the matrix of a twist
 
 
-def matrix(shape, misshapen):
-    """Return a reader of arrays of this shape; misshapen: other shapes, and the Mistake that each of them shows."""
-    reader = numbers(lambda *case: shape)
-
-    def read(value, *case):
-        try:
-            return reader(value, *case)
-        except Unreadable as wrong:
-            known = misshapen.get(_shape(value)) if wrong.mistake is OTHER_FORM else None
-            raise Unreadable(str(wrong), known or wrong.mistake) from None
-
-    return read
-
-
-def _shape(value):
-    try:
-        return np.shape(value)
-    except ValueError:  # a list whose parts differ in shape
-        return None
-
-
-def near(answer, right, fine=FINE):
-    return np.abs(answer - right).max() <= fine * max(1.0, np.abs(right).max())
-
-
-def in_words(vector):
-    return "(" + ", ".join(f"{x if abs(x) > 1e-12 else 0:.4g}" for x in vector) + ")"
+def near(answer, right):
+    """Whether an answer is right to FINE of the largest entry, or of 1; an empty one is."""
+    return np.abs(answer - right).max(initial=0) <= FINE * max(1, np.abs(right).max(initial=0))
 
 
 def told(columns, right):

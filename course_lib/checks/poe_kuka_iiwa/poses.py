@@ -3,9 +3,11 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, in_words, matrix, near, told
+from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.poses import pose
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rotations import random_rotations, rot_x, rot_y, rot_z
 
 _NO_ROW = Mistake("the last row is missing", "Start from np.eye(4) and fill in the block and the column.")
@@ -44,7 +46,7 @@ INVERSE = Exercise(
     points=1,
     arguments=("T",),
     cases=_cases,
-    returns=matrix((4, 4), {(3, 4): _NO_ROW}),
+    returns=numbers(lambda *case: (4, 4), {(3, 4): _NO_ROW}),
     properties=(
         Property(
             "the last row is (0, 0, 0, 1)",

@@ -5,8 +5,10 @@ from itertools import permutations
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.poe_kuka_iiwa.matrices import FINE, in_words, matrix
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rotations import exp_so3, hat
 
 _A_VECTOR = Mistake(
@@ -59,7 +61,7 @@ HAT = Exercise(
     points=1,
     arguments=("w",),
     cases=_cases,
-    returns=matrix((3, 3), {(3,): _A_VECTOR, (1, 3): _A_VECTOR, (3, 1): _A_VECTOR}),
+    returns=numbers(lambda *case: (3, 3), dict.fromkeys(((3,), (1, 3), (3, 1)), _A_VECTOR)),
     properties=(
         Property("[w] is skew-symmetric: [w]^T = -[w], so its diagonal is zero", _is_skew),
         Property(

@@ -3,8 +3,10 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, in_words, matrix, near, told
+from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import hat
 
@@ -43,7 +45,7 @@ HAT_SE3 = Exercise(
     points=1,
     arguments=("twist",),
     cases=_cases,
-    returns=matrix((4, 4), {(3, 4): _NO_ROW, (3, 3): _BLOCK_ALONE}),
+    returns=numbers(lambda *case: (4, 4), {(3, 4): _NO_ROW, (3, 3): _BLOCK_ALONE}),
     properties=(
         Property(
             "the upper left 3x3 block is [omega], with omega = twist[:3]",

@@ -12,36 +12,30 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     at,
     away_from_zero,
     few_digits,
-    in_words,
-    near,
-    of_shape,
     turned_hand,
     whole_numbers,
 )
+from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_views import MISTAKES
+from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
-_read = of_shape(
+_read = numbers(
     lambda V_s, T: (3, 6),
-    (lambda V_s, T: (6, 3), Mistake("rows and columns are swapped", "One frame a row: the shape is (3, 6).")),
-    (
-        lambda V_s, T: (18,),
-        Mistake("the three twists stand one after the other", "One frame a row: np.array([first, second, third])."),
-    ),
-    (
-        lambda V_s, T: (6,),
-        Mistake("only one twist is returned", "Three frames, three rows: np.array([first, second, third])."),
-    ),
-    (
-        lambda V_s, T: (2, 6),
-        Mistake("one of the three frames is missing", "The space frame, the hand's, and the third: three rows."),
-    ),
-    (
-        lambda V_s, T: (3, 4, 4),
-        Mistake("the twists are given as matrices", "Each row is (omega, v), six numbers."),
-    ),
+    {
+        (6, 3): Mistake("rows and columns are swapped", "One frame a row: the shape is (3, 6)."),
+        (18,): Mistake(
+            "the three twists stand one after the other", "One frame a row: np.array([first, second, third])."
+        ),
+        (6,): Mistake("only one twist is returned", "Three frames, three rows: np.array([first, second, third])."),
+        (2, 6): Mistake(
+            "one of the three frames is missing", "The space frame, the hand's, and the third: three rows."
+        ),
+        (3, 4, 4): Mistake("the twists are given as matrices", "Each row is (omega, v), six numbers."),
+    },
 )
 
 

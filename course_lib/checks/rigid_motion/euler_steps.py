@@ -10,13 +10,13 @@ from course_lib.checks.rigid_motion.plans import (
     STEP_LENGTHS,
     follow,
     form,
-    in_words,
     lengths,
     like,
     off,
     steps,
     turned,
 )
+from course_lib.checks.words import in_words
 from course_lib.planar import propagate_body, propagate_body_exact
 
 BODY = (False, False, True)  # x, y, theta: the last is an angle

@@ -25,13 +25,13 @@ from course_lib.checks.rigid_motion.plans import (
     STEP_LENGTHS,
     follow,
     form,
-    in_words,
     lengths,
     like,
     near,
     off,
     straight,
 )
+from course_lib.checks.words import in_words
 from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
 from course_lib.rigid import exp_se2, inverse
 

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
-from course_lib.checks.rigid_motion.plans import FINE, in_words
+from course_lib.checks.rigid_motion.plans import FINE
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import in_words
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(
@@ -15,20 +16,7 @@ _ONE_MISSING = Mistake(
 _ONE_MORE = Mistake("the base's own frame is counted too", "The first of the three is turned by theta1 already.")
 _IN_SPACE = Mistake("the matrices are those of space, 4 x 4", "The arm is planar: leave out the row and column of z.")
 _ONLY_POSES = Mistake("the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each.")
-_KNOWN_SHAPES = {(2, 3, 3): _ONE_MISSING, (4, 3, 3): _ONE_MORE, (3, 4, 4): _IN_SPACE, (3, 3): _ONLY_POSES}
-
-
-def _read(value, theta):
-    try:
-        return numbers(lambda theta: (3, 3, 3))(value, theta)
-    except Unreadable as wrong:
-        try:
-            known = _KNOWN_SHAPES.get(np.shape(value))
-        except ValueError:
-            known = None
-        if known is None:
-            raise
-        raise Unreadable(str(wrong), known) from None
+_SHAPES = {(2, 3, 3): _ONE_MISSING, (4, 3, 3): _ONE_MORE, (3, 4, 4): _IN_SPACE, (3, 3): _ONLY_POSES}
 
 
 def _cases(rng):
@@ -135,7 +123,7 @@ ARM_FRAMES = Exercise(
     points=2,
     arguments=("theta",),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda theta: (3, 3, 3), _SHAPES),
     properties=(
         Property(
             "the last row of each matrix is (0, 0, 1)",

@@ -6,7 +6,8 @@ from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.reading import rows
 from course_lib.checks.rigid_motion.euler_steps import drawn_case
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
-from course_lib.checks.rigid_motion.plans import FINE, follow, form, in_words, lengths, like, off, steps
+from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
+from course_lib.checks.words import in_words
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles

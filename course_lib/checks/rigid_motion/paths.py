@@ -7,8 +7,9 @@ from itertools import product
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Property, Unreadable
-from course_lib.checks.reading import OTHER_FORM, numbers
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.reading import numbers
+from course_lib.checks.words import as_array
 from course_lib.planar import quintic_time_scaling, wrap_angle
 
 TURN = 2 * np.pi
@@ -57,31 +58,18 @@ def ways(start, goal, angles):
 
 def rows_of(width, item):
     """Return a reader of n rows of so many numbers; item: what a row is, in words."""
-    read = numbers(lambda start, goal, n: (n, width))
-
-    def reader(value, start, goal, n):
-        try:
-            return read(value, start, goal, n)
-        except Unreadable as wrong:
-            known = _miscounted(value, width, item, n) if wrong.mistake is OTHER_FORM else None
-            raise Unreadable(str(wrong), known or wrong.mistake) from None
-
-    return reader
-
-
-def _miscounted(value, width, item, n):
-    try:
-        shape = np.shape(value)
-    except ValueError:  # rows that differ in length
-        return None
-    if shape == (width, n):
-        return Mistake("rows and columns are swapped", f"Each row is one {item}: the transpose, .T, has it so.")
     hint = "np.linspace(0, 1, n) has n numbers, the first 0 and the last 1."
-    if shape == (n + 1, width):
-        return Mistake(f"there is one {item} too many", f"n counts the first and the last too. {hint}")
-    if shape == (n - 1, width):
-        return Mistake(f"one {item} is missing", f"Both ends belong to it. {hint}")
-    return None
+
+    def known(array, start, goal, n):
+        if array.shape == (width, n):
+            return Mistake("rows and columns are swapped", f"Each row is one {item}: the transpose, .T, has it so.")
+        if array.shape == (n + 1, width):
+            return Mistake(f"there is one {item} too many", f"n counts the first and the last too. {hint}")
+        if array.shape == (n - 1, width):
+            return Mistake(f"one {item} is missing", f"Both ends belong to it. {hint}")
+        return None
+
+    return numbers(lambda start, goal, n: (n, width), known)
 
 
 def ends(angles, item):
@@ -90,9 +78,7 @@ def ends(angles, item):
         Property(
             f"the {word} {item} is {name}",
             lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], angles, start, goal),
-            seen=lambda rows, start, goal, n, k=k: (
-                f"Yours is {np.array2string(rows[k], precision=4, suppress_small=True)}."
-            ),
+            seen=lambda rows, start, goal, n, k=k: f"Yours is {as_array(rows[k])}.",
         )
         for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
     )

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.words import in_words
 
 FINE = 1e-9
 TURN = 2 * np.pi
@@ -61,11 +62,6 @@ def like(turning, words, *answers):
         return lambda rows, *case: near(rows, answer(*case), turning)
 
     return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
-
-
-def in_words(numbers):
-    """Numbers as one writes them: (0.1, -2)."""
-    return "(" + ", ".join(f"{number:.4g}" for number in np.round(numbers, 6) + 0.0) + ")"
 
 
 def _ends(plan, dt):

@@ -4,10 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.reading import OTHER_FORM, rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.reading import rows
 from course_lib.checks.subproblems_damped_ik.damped_step import WRONG_STEPS, allowed, off, step
-from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, shape_of, tip
+from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
+from course_lib.checks.words import as_array
 
 _TIPS = Mistake(
     "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
@@ -34,17 +35,14 @@ def _cases(rng):
 
 
 def _read(value, q0, target, alpha, eps, steps):
-    expected = f"an array of shape ({steps + 1}, 4)"
-    shape = shape_of(value)
-    if shape is not None and shape == (4, steps + 1) and steps != 3:
-        raise Unreadable(f"the answer is {expected}. Yours has shape {shape}.", _TRANSPOSED)
-    try:
-        return rows(4, expected, most=2 * steps + 8)(value)
-    except Unreadable as wrong:
-        if wrong.mistake is not OTHER_FORM or shape is None or len(shape) == 0:
-            raise
-        known = _NUMBERS if shape in ((steps,), (steps + 1,)) else _TIPS if shape[-1] == 2 else OTHER_FORM
-        raise Unreadable(str(wrong), known) from None
+    def known(array):
+        if array.shape == (4, steps + 1):
+            return _TRANSPOSED
+        if array.shape in ((steps,), (steps + 1,)):
+            return _NUMBERS
+        return _TIPS if array.shape[-1:] == (2,) else None
+
+    return rows(4, f"an array of shape ({steps + 1}, 4)", most=2 * steps + 8, known=known)(value)
 
 
 def _from(q0, count, *rest):
@@ -69,7 +67,7 @@ def _begins(way, q0, target, alpha, eps, steps):
 
 
 def _first_row(way, q0, *rest):
-    return f"Yours is {_vector(way[0])}." if len(way) else "Your answer is empty."
+    return f"Yours is {as_array(way[0], 5)}." if len(way) else "Your answer is empty."
 
 
 def _goes_on(way, q0, target, alpha, eps, steps):
@@ -79,12 +77,8 @@ def _goes_on(way, q0, target, alpha, eps, steps):
 def _wrong_row(way, q0, target, alpha, eps, steps):
     k = _steps_that_fit(way, target, alpha, eps).index(False)
     wanted = step(way[k], target, alpha, eps)
-    yours = f"Your row {k + 1} is {_vector(way[k + 1])}."
-    return f"From row {k}, {_vector(way[k])}, a step leads to {_vector(wanted)}. {yours}"
-
-
-def _vector(v):
-    return np.array2string(np.asarray(v) + 0.0, precision=5, suppress_small=True)
+    yours = f"Your row {k + 1} is {as_array(way[k + 1], 5)}."
+    return f"From row {k}, {as_array(way[k], 5)}, a step leads to {as_array(wanted, 5)}. {yours}"
 
 
 def _like(words, *formulas):

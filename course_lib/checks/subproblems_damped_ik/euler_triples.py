@@ -8,6 +8,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.reading import NOT_A_NUMBER, rows
 from course_lib.checks.subproblems_damped_ik.solutions import different, mended, near, predicted
 from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
+from course_lib.checks.words import as_array
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy
 
@@ -80,8 +81,7 @@ def _rebuilt(within):
 
 def _off(found, R):
     worst = max(found, key=lambda triple: _misses(triple, R))
-    text = np.array2string(_yxy(*worst), precision=3, suppress_small=True).replace("\n", "")
-    return f"With your angles {np.array2string(worst, precision=4)} the product is {text}."
+    return f"With your angles {as_array(worst)} the product is {as_array(_yxy(*worst), 3)}."
 
 
 def _of_another_order(words, *products):

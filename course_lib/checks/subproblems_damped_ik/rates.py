@@ -8,6 +8,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
 from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
+from course_lib.checks.words import as_array
 from course_lib.rotations import rot_x, rot_y, vee
 
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -49,16 +50,12 @@ def _rate_cases(rng):
     return [(np.array(b, float),) for b in named + quadrants(rng) + ends] + [(np.array([1, 2, 3]),)]
 
 
-def _vector(v):
-    return np.array2string(np.asarray(v) + 0.0, precision=4, suppress_small=True)
-
-
 def _wrong_column(A, b):
     j = int(np.argmax(np.abs(A - rates(b)).max(axis=0) > _FINE))
     omega = np.round(_by_differences(b, j), 9)
     return (
-        f"If only b{j + 1} moves, at 1 rad/s, finite differences of R give omega = {_vector(omega)}. "
-        f"That is column {j + 1}; yours is {_vector(A[:, j])}."
+        f"If only b{j + 1} moves, at 1 rad/s, finite differences of R give omega = {as_array(omega)}. "
+        f"That is column {j + 1}; yours is {as_array(A[:, j])}."
     )
 
 

@@ -6,6 +6,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
 from course_lib.checks.subproblems_damped_ik.rates import WRONG_MATRICES, quadrants, rates
+from course_lib.checks.words import as_array
 
 _SMALL = 0.01  # sines below this are near zero
 
@@ -30,8 +31,7 @@ def _close(X, b):
 
 
 def _product(X, b):
-    text = np.array2string(rates(b) @ X + 0.0, precision=3, suppress_small=True).replace("\n", "")
-    return f"With yours A times it is {text}."
+    return f"With yours A times it is {as_array(rates(b) @ X, 3)}."
 
 
 def _by_formula(first, third):

@@ -5,9 +5,10 @@ import itertools
 import numpy as np
 
 from course_lib.arms import planar_arm
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
+from course_lib.checks.words import as_array
 
 _ARM = planar_arm([1, 1, 1, 1])
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -42,33 +43,13 @@ def _cases(rng):
     return [(np.array(q, float),) for q in [*named, *drawn, *beyond]] + [(np.array([1, -1, 2, 0]),)]
 
 
-def _read(value, q):
-    try:
-        return numbers(lambda q: (2, 4))(value, q)
-    except Unreadable as wrong:
-        known = {(4, 2): _TRANSPOSED, (3, 4): _WITH_ANGLE, (6, 4): _WITH_ANGLE}
-        raise Unreadable(str(wrong), known.get(shape_of(value), wrong.mistake)) from None
-
-
-def shape_of(value):
-    """Return the shape of an answer as an array, None where it has none."""
-    try:
-        return np.shape(value)
-    except ValueError:
-        return None
-
-
-def _vector(v):
-    return np.array2string(np.asarray(v) + 0.0, precision=4, suppress_small=True)
-
-
 def _wrong_column(J, q):
     j = int(np.argmax(np.abs(J - jacobian(q)).max(axis=0) > _FINE))
     step = _H * np.eye(4)[j]
     velocity = np.round((tip(q + step) - tip(q - step)) / (2 * _H), 9)
     return (
-        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {_vector(velocity)} m/s, by finite differences. "
-        f"That is column {j + 1}; yours is {_vector(J[:, j])}."
+        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {as_array(velocity)} m/s, by finite differences. "
+        f"That is column {j + 1}; yours is {as_array(J[:, j])}."
     )
 
 
@@ -114,7 +95,7 @@ PLANAR_JACOBIAN = Exercise(
     points=2,
     arguments=("q",),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda q: (2, 4), {(4, 2): _TRANSPOSED, (3, 4): _WITH_ANGLE, (6, 4): _WITH_ANGLE}),
     properties=(
         Property(
             "column j is the velocity of the tip when joint j alone turns, at 1 rad/s",

@@ -6,6 +6,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.reading import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.subproblems_damped_ik.solutions import FINE, across, angle_about, by_arctan, near, turned
+from course_lib.checks.words import as_array
 
 X, Y, Z = np.eye(3)
 
@@ -62,10 +63,6 @@ def _right(theta, k, p, q):
     return np.linalg.norm(off) < FINE * np.linalg.norm(across(k, p))
 
 
-def _point(v):
-    return np.array2string(np.asarray(v), precision=4, suppress_small=True)
-
-
 def _angle(theta, k, p, q):
     try:
         found = rows(1, "one angle, a number")(theta)
@@ -113,7 +110,9 @@ SUBPROBLEM1 = Exercise(
         Property(
             "R(k, theta) p = q",
             _right,
-            lambda theta, k, p, q: f"With your theta R(k, theta) p is {_point(turned(k, theta, p))}, q is {_point(q)}.",
+            lambda theta, k, p, q: (
+                f"With your theta R(k, theta) p is {as_array(turned(k, theta, p))}, q is {as_array(q)}."
+            ),
             where=_reached,
         ),
         Property(
