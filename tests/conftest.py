@@ -1,3 +1,4 @@
+import zipfile
 from pathlib import Path
 
 import nbformat
@@ -32,6 +33,29 @@ def course(tmp_path_factory):
     folder = tmp_path_factory.mktemp("course") / "html"
     build(NOTEBOOKS, folder)
     return folder
+
+
+@pytest.fixture
+def few(monkeypatch, solutions):
+    """The cell with the imports and those with right answers; the notebook has no other exercises."""
+    from hostile.build import answers, few_exercises
+
+    few_exercises(monkeypatch)
+    first, found = answers(solutions)
+    return first, list(found.values())
+
+
+@pytest.fixture(scope="module")
+def unpacked(tmp_path_factory):
+    """The students' zip, unpacked: the one folder in it."""
+    from course_lib.pack.release.__main__ import main
+
+    folder = tmp_path_factory.mktemp("student")
+    assert main(["--root", str(NOTEBOOKS.parent), "--output", str(folder / "student.zip")]) == 0
+    with zipfile.ZipFile(folder / "student.zip") as archive:
+        archive.extractall(folder)
+    (top,) = (path for path in folder.iterdir() if path.is_dir())
+    return top
 
 
 @pytest.fixture(scope="module")

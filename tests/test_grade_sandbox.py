@@ -1,7 +1,7 @@
 """What stands around a submission: the ways to keep it apart, its copy of the course, and what of it is run."""
 
 import pytest
-from hostile.build import SEED, SHORT, answers, book, few_exercises, processes, sources
+from hostile.build import FULL, NAME, SEED, SHORT, book, points, processes, sources
 
 from course_lib.checks.ask import NotAllowed
 from course_lib.pack.grade import sandbox
@@ -9,20 +9,6 @@ from course_lib.pack.grade.cells import needed, statements
 from course_lib.pack.grade.course_copy import contents
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.submission import grade
-
-NAME, FULL = "01_rotations", 8
-
-
-def points(result):
-    return sum(row["points"] for row in result["exercises"])
-
-
-@pytest.fixture
-def few(monkeypatch, solutions):
-    """The cell with the imports and those with right answers; the notebook has no other exercises."""
-    few_exercises(monkeypatch)
-    first, found = answers(solutions)
-    return first, list(found.values())
 
 
 @pytest.mark.parametrize("kind", sandbox.NOTICES)

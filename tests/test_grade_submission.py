@@ -6,13 +6,11 @@ from dataclasses import replace
 
 import nbformat
 import pytest
-from hostile.build import OTHERS, SEED, SHORT, answers, book, cell, few_exercises
+from hostile.build import FULL, NAME, OTHERS, SEED, SHORT, book, cell, points
 
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, courses
 from course_lib.pack.grade.submission import UNREADABLE, grade
 from course_lib.pack.release.stubs import PROMPT, students_copy
-
-NAME = "01_rotations"
 
 
 def states(result):
@@ -21,21 +19,6 @@ def states(result):
 
 def states_and_words(result):
     return {row["exercise"]: (row["state"], row["message"]) for row in result["exercises"]}
-
-
-def points(result):
-    return sum(row["points"] for row in result["exercises"])
-
-
-@pytest.fixture
-def few(monkeypatch, solutions):
-    """The cell with the imports and those with right answers; the notebook has no other exercises."""
-    few_exercises(monkeypatch)
-    first, found = answers(solutions)
-    return first, list(found.values())
-
-
-FULL = 1 + 1 + 1 + 2 + 3  # what these earn
 
 
 # ---- as the course has them ----

@@ -3,26 +3,14 @@
 import shutil
 import subprocess
 import sys
-import zipfile
 from pathlib import Path
 
 import nbformat
 import pytest
 
-from course_lib.pack.release.__main__ import main
-
 ROOT = Path(__file__).parents[1]
 NAME = "02_rigid_motion.ipynb"
 CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far\n'
-
-
-@pytest.fixture(scope="module")
-def unpacked(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("student")
-    assert main(["--root", str(ROOT), "--output", str(folder / "student.zip")]) == 0
-    with zipfile.ZipFile(folder / "student.zip") as archive:
-        archive.extractall(folder)
-    return next(path for path in folder.iterdir() if path.is_dir())
 
 
 @pytest.fixture

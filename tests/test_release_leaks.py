@@ -1,23 +1,13 @@
-"""Nothing that students are to find out themselves is in their zip: no solution, no model answer, no rubric, no output.
+"""Nothing that students are to find out themselves is in their zip: no solution, model answer, rubric or output."""
 
-Code is compared as ast.unparse writes it, so that comments, quotes and line breaks do not matter, and names do; text
-as it stands. A solution counts as found where three of its lines in a row are, or all of them where it has fewer.
-"""
-
-import ast
 import re
 import textwrap
-from pathlib import Path
 
 import nbformat
 import pytest
+from leaks import ROOT, answer_cells, secrets, texts
 
 from course_lib.pack.release.bundle import collect
-
-ROOT = Path(__file__).parents[1]
-BLOCK = re.compile(r"^ *### BEGIN SOLUTION\n(.*?)^ *### END SOLUTION", re.DOTALL | re.MULTILINE)
-RUN = 3  # lines
-LONG = 40  # characters of a sentence that nobody writes by chance
 
 # Where (exercise, file) may say the same: the careful version, what the check itself asks for, and its last hint.
 MAY = {
@@ -26,59 +16,6 @@ MAY = {
     ("nearest_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
     ("ik_step_transpose", "course_lib/checks/panda_dh_ik/downhill.py"),
 }
-
-
-def answer_cells():
-    """Every cell with an author's answer, as (exercise, cell)."""
-    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")):
-        for cell in nbformat.read(path, 4).cells:
-            nbgrader = cell.metadata.get("nbgrader", {})
-            if nbgrader.get("solution"):
-                yield nbgrader["grade_id"], cell
-
-
-def lines(text):
-    return [line.strip() for line in text.splitlines() if line.strip()]
-
-
-def code(text):
-    """The lines of Python as ast.unparse writes them; none of text that is no Python."""
-    try:
-        return lines(ast.unparse(ast.parse(textwrap.dedent(text))))
-    except (SyntaxError, ValueError):
-        return []
-
-
-def runs(written):
-    """What counts as a solution, or a part of it: `written` lines, three at a time, each as one text."""
-    if len(written) == 1:
-        return {written[0].removeprefix("return ")}
-    return {"\n".join(written[i : i + RUN]) for i in range(max(1, len(written) - RUN + 1))}
-
-
-def secrets():
-    """{text: exercise} of everything that is looked for."""
-    found = {}
-    for exercise, cell in answer_cells():
-        if cell.cell_type == "code":
-            for block in BLOCK.findall(cell.source):
-                found |= dict.fromkeys(runs(code(block)) | runs(lines(block)), exercise)
-        else:
-            sentences = re.split(r"(?<=[.:;?!])\s|\*", " ".join(cell.source.split()))
-            found |= {words.strip(): exercise for words in sentences if len(words.strip()) >= LONG}
-    return found
-
-
-def texts(name, content):
-    """What one file says: its lines, its code's lines as ast.unparse has them, and its words in one line."""
-    text = content.decode()
-    sources = [text]
-    if name.endswith(".ipynb"):
-        sources += [cell["source"] for cell in nbformat.reads(text, 4).cells]
-    for source in sources:
-        yield "\n".join(lines(source))
-        yield "\n".join(code(source))
-        yield " ".join(source.split())
 
 
 def leaks(files, wanted):

@@ -1,28 +1,15 @@
 """The students' zip, unpacked, runs: every notebook from top to bottom, with the package that came with it."""
 
 import os
-import zipfile
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from course_lib.pack.release.__main__ import main
-
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 WHICH = nbformat.v4.new_code_cell("import course_lib\nprint(course_lib.__file__)")
-
-
-@pytest.fixture(scope="module")
-def unpacked(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("student")
-    assert main(["--root", str(ROOT), "--output", str(folder / "student.zip")]) == 0
-    with zipfile.ZipFile(folder / "student.zip") as archive:
-        archive.extractall(folder)
-    (top,) = (path for path in folder.iterdir() if path.is_dir())
-    return top
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)

@@ -5,7 +5,7 @@ import html
 import re
 
 import pytest
-from test_release_leaks import BLOCK, LONG, ROOT, answer_cells, code, lines, runs, texts
+from leaks import ROOT, answer_cells, code, lines, secrets, texts
 
 from course_lib.pack.site.build import build
 
@@ -17,19 +17,6 @@ VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only chec
 def words(text):
     """Only the words and numbers of a text: a page shows quotes, formulas and emphasis with other signs."""
     return " ".join(re.findall(r"[^\W_]+", text))
-
-
-def secrets():
-    """{text: exercise} of everything that is looked for: code as in a release, model answers and rubrics by words."""
-    found = {}
-    for exercise, cell in answer_cells():
-        if cell.cell_type == "code":
-            for block in BLOCK.findall(cell.source):
-                found |= dict.fromkeys(runs(code(block)) | runs(lines(block)), exercise)
-        else:
-            sentences = re.split(r"(?<=[.:;?!])\s|\*", " ".join(cell.source.split()))
-            found |= {words(text): exercise for text in sentences if len(text.strip()) >= LONG}
-    return found
 
 
 def shown(page):
@@ -58,7 +45,7 @@ def leaks(site, wanted):
 
 @pytest.fixture(scope="module")
 def wanted():
-    return secrets()
+    return secrets(words)
 
 
 @pytest.fixture(scope="module")

@@ -67,7 +67,9 @@ def traces():
     return set(Path(tempfile.gettempdir()).glob(f"grade-{os.getpid()}-*"))
 
 
+NAME = "01_rotations"
 OTHERS = ("is_so", "is_quaternion", "nearest_quaternion", "nearest_se")  # answered right beside the hostile one
+FULL = 1 + 1 + 1 + 2 + 3  # what these and nearest_so earn
 NEAREST_SE = """
 def nearest_se(T):
     mended = np.eye(len(T))
@@ -81,7 +83,7 @@ def nearest_se(T):
 
 def few_exercises(monkeypatch):
     """The first notebook with five of its exercises, for what is run many times."""
-    course = courses()["01_rotations"]
+    course = courses()[NAME]
     few = tuple(each for each in course.exercises if each.name in (*OTHERS, "nearest_so"))
     known = {course.name: replace(course, exercises=few)}
     monkeypatch.setattr(notebook_file, "courses", lambda: known)
@@ -90,6 +92,11 @@ def few_exercises(monkeypatch):
 
 def answers(solutions):
     """The cell with the imports, {exercise: the cell with its right answer} of these five."""
-    first, *rest = solutions("01_rotations")
+    first, *rest = solutions(NAME)
     found = {name: source for source in rest for name in (*OTHERS, "nearest_so") if f"def {name}(" in source}
     return first, found | {"nearest_se": NEAREST_SE}
+
+
+def points(result):
+    """What a graded submission earns."""
+    return sum(row["points"] for row in result["exercises"])

@@ -15,7 +15,6 @@ from course_lib.pack.grade.course_copy import PACKAGE
 from course_lib.pack.release.stubs import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
-MOST_BYTES = 100_000_000
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
@@ -59,8 +58,6 @@ class Course:
 
 def read(content):
     """Return (cells, release) of a file's bytes. Raises Unreadable."""
-    if len(content) > MOST_BYTES:
-        raise Unreadable(f"It is larger than {MOST_BYTES // 10**6} MB.")
     if not content.strip():
         raise Unreadable("The file is empty.")
     try:
