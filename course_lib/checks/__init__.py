@@ -1,1 +1,1 @@
-"""Checks of the exercises, one module a notebook: ``from course_lib.checks import rotations as check``."""
+"""Checks of the exercises, one package a notebook: ``from course_lib.checks import rotations as check``."""

@@ -1,4 +1,4 @@
-"""ik_step_transpose: one step of the joint angles along J^T e. Its cases and readers serve ik_step_dls too."""
+"""ik_step_transpose: one step of the joint angles along J^T e. Its cases and its reader serve ik_step_dls too."""
 
 import numpy as np
 

@@ -26,10 +26,6 @@ def _flange_at(pose_of):
     return lambda q: np.concatenate([frames(q)[:7], [pose_of(frames(q)[6])]])
 
 
-def _moved(T, p):
-    return transform(T[:3, :3], T[:3, 3] + p)
-
-
 def _without_base(q):
     return chain(stand=_NONE)(q)
 

@@ -41,7 +41,7 @@ _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
 def _known_form(array, q):
-    """The mistake of an array with another shape; more poses than anybody means to return grow with each call."""
+    """The mistake of an array with another shape, or None; a list of more than nine has grown with each call."""
     if array.shape[1:] == (4, 4) and len(array) > 9:
         return SAME_TWICE.mistake
     return _SHAPES.get(array.shape)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.panda_dh_ik.targets import BASE, HIGH, LOW, PANDA, cases, flange, frames
+from course_lib.checks.panda_dh_ik.tables import STAND, frames
+from course_lib.checks.panda_dh_ik.targets import HIGH, LOW, PANDA, cases, flange
 from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.words import in_words
 from course_lib.rigid import inverse, transform
@@ -240,7 +241,7 @@ PANDA_IK = Exercise(
             "the base is counted the wrong way",
             "The flange in the world is T_w0 times the flange in the base. The target in the base: inverse(T_w0) @ T.",
             seen=lambda *case: any(
-                _at(PANDA.fk, lambda T, A=A: A @ T)(*case) for A in (BASE, inverse(BASE) @ inverse(BASE))
+                _at(PANDA.fk, lambda T, A=A: A @ T)(*case) for A in (STAND, inverse(STAND) @ inverse(STAND))
             ),
         ),
         Mistake(

@@ -10,6 +10,7 @@ from course_lib.checks.panda_dh_ik.point_sets import exact, fits, laid, middle, 
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
 from course_lib.checks.reading import OTHER_FORM, numbers
+from course_lib.checks.rotations.predicates import orthogonality_error
 from course_lib.checks.words import in_words
 
 _SEARCHED = 1e-7
@@ -40,10 +41,6 @@ def read_pose(value, *case):
         raise
 
 
-def orthogonality_error(T):
-    return np.abs(T[:3, :3].T @ T[:3, :3] - np.eye(3)).max()
-
-
 IS_A_POSE = (
     Property(
         "the last row of T is (0, 0, 0, 1)",
@@ -53,8 +50,8 @@ IS_A_POSE = (
     ),
     Property(
         "the block R of T has columns of length one at right angles: R^T R = I",
-        lambda T, *case: orthogonality_error(T) < FINE,
-        seen=lambda T, *case: f"The largest entry of R^T R - I is {orthogonality_error(T):.2g}.",
+        lambda T, *case: orthogonality_error(T[:3, :3]) < FINE,
+        seen=lambda T, *case: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
         mistake=Mistake("the block is no rotation", "With U, S, V^T of the singular value decomposition leave S out."),
     ),
     Property(

@@ -17,7 +17,7 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
 from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.rotations.predicates import either, orthogonality_error
 from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3
 
@@ -52,10 +52,6 @@ def _off_the_hand(T, screws, M, theta):
         f"Your hand is where it should be, but is not turned as it should: its {'xyz'[i]} axis, column {i}, is "
         f"{in_words(right[:3, i])}; yours is {in_words(T[:3, i])}."
     )
-
-
-def _orthogonality_error(T):
-    return np.abs(T[:3, :3].T @ T[:3, :3] - np.eye(3)).max()
 
 
 def _with(turn):
@@ -118,8 +114,8 @@ FORWARD_KINEMATICS = Exercise(
         ),
         Property(
             "the block R of T is a rotation: R^T R = I and det R = 1",
-            lambda T, screws, M, theta: _orthogonality_error(T) < FINE and np.linalg.det(T[:3, :3]) > 0,
-            seen=lambda T, screws, M, theta: f"The largest entry of R^T R - I is {_orthogonality_error(T):.2g}.",
+            lambda T, screws, M, theta: orthogonality_error(T[:3, :3]) < FINE and np.linalg.det(T[:3, :3]) > 0,
+            seen=lambda T, screws, M, theta: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
         ),
         Property(
             "where only one joint turns, T = exp([S] theta) M, with S and theta of that joint",
