@@ -9,7 +9,7 @@ Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
 
 import numpy as np
 
-from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
+from course_lib.arguments import broadcast, by_entries, real_array, refuse_first, tolerance
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
 
@@ -18,9 +18,9 @@ def transform(R, p):
 
     R: (..., n, n) a rotation, p: (..., n), n = 2 or 3; their batches are broadcast. Returns (..., n+1, n+1).
     """
-    R = real_array(R, "R", (2, 2), (3, 3))
+    R = real_array(R, "R", (2, 2), (3, 3), copy=False)
     refuse_first(~is_so(R), "R", lambda i: "is not a rotation (nearest_so gives the nearest rotation)")
-    p = real_array(p, "p", R.shape[-1:])
+    p = real_array(p, "p", R.shape[-1:], copy=False)
     batch = broadcast(R=R.shape[:-2], p=p.shape[:-1])
     return _assemble(np.broadcast_to(R, batch + R.shape[-2:]), np.broadcast_to(p, batch + p.shape[-1:]))
 
@@ -30,10 +30,9 @@ def is_se(T, tol=TOLERANCE):
 
     T: (..., 3, 3) or (..., 4, 4). Returns booleans (...).
     """
-    T = real_array(T, "T", (3, 3), (4, 4))
+    T = real_array(T, "T", (3, 3), (4, 4), copy=False)
     tol = tolerance(tol)
-    last_row = np.eye(T.shape[-1])[-1]
-    return is_so(T[..., :-1, :-1], tol) & (np.abs(T[..., -1, :] - last_row).max(-1) <= tol)
+    return is_so(T[..., :-1, :-1], tol) & (by_entries(_last_row_off, (), T[..., -1, :], batch=T.shape[:-2]) <= tol)
 
 
 def nearest_se(T):
@@ -41,7 +40,7 @@ def nearest_se(T):
 
     T: (..., 3, 3) or (..., 4, 4). Returns the same shape; the translation stays as it is.
     """
-    T = real_array(T, "T", (3, 3), (4, 4))
+    T = real_array(T, "T", (3, 3), (4, 4), copy=False)
     return _assemble(nearest_so(T[..., :-1, :-1]), T[..., :-1, -1])
 
 
@@ -50,11 +49,10 @@ def inverse(T):
 
     T: (..., 3, 3) or (..., 4, 4), a pose. Returns the same shape. MR eq. 3.64.
     """
-    R, p = _split(T, (3, 3), (4, 4))
-    R_inverse = np.swapaxes(R, -1, -2)
-    with np.errstate(all="ignore"):
-        p_inverse = 0.0 - (R_inverse @ p[..., None])[..., 0]  # 0.0 - x, so that zero is not -0
-    return _assemble(R_inverse, _finite(p_inverse, "T"))
+    T = _pose(T, (3, 3), (4, 4))
+    T_inverse = by_entries(_inverse, T.shape[-2:], T, batch=T.shape[:-2])
+    _finite(T_inverse[..., :-1, -1], "T")
+    return T_inverse
 
 
 def adjoint(T):
@@ -62,15 +60,16 @@ def adjoint(T):
 
     T: (..., 4, 4) gives (..., 6, 6), [[R, 0], [[p] R, R]] (MR def. 3.20); (..., 3, 3) gives (..., 3, 3).
     """
-    R, p = _split(T, (3, 3), (4, 4))
+    T = _pose(T, (3, 3), (4, 4))
+    R, p = T[..., :-1, :-1], T[..., :-1, -1]
     if R.shape[-1] == 2:
-        left = np.stack([np.ones_like(p[..., 0]), p[..., 1], -p[..., 0]], -1)[..., :, None]
-        return np.concatenate([left, np.concatenate([np.zeros_like(R[..., :1, :]), R], -2)], -1)
-    upper = np.concatenate([R, np.zeros_like(R)], -1)
-    with np.errstate(all="ignore"):
-        lower_left = hat(p) @ R
-    refuse_first(~np.isfinite(lower_left).all((-2, -1)), "T", _too_large)
-    return np.concatenate([upper, np.concatenate([lower_left, R], -1)], -2)
+        Ad = np.zeros(T.shape)
+        Ad[..., 0, 0], Ad[..., 1, 0], Ad[..., 2, 0], Ad[..., 1:, 1:] = 1, p[..., 1], -p[..., 0], R
+        return Ad
+    Ad = np.zeros((*T.shape[:-2], 6, 6))
+    Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
+    Ad[..., 3:, :3] = _finite(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", axes=(-2, -1))
+    return Ad
 
 
 def hat_se3(twist):
@@ -78,7 +77,7 @@ def hat_se3(twist):
 
     twist: (..., 6). Returns (..., 4, 4). MR eq. 3.85.
     """
-    twist = real_array(twist, "twist", (6,))
+    twist = real_array(twist, "twist", (6,), copy=False)
     matrix = np.zeros((*twist.shape[:-1], 4, 4))
     matrix[..., :3, :3] = hat(twist[..., :3])
     matrix[..., :3, 3] = twist[..., 3:]
@@ -90,7 +89,7 @@ def vee_se3(matrix):
 
     matrix: (..., 4, 4). Returns (..., 6). Raises ValueError where the block is not skew or the last row not zero.
     """
-    matrix = real_array(matrix, "matrix", (4, 4))
+    matrix = real_array(matrix, "matrix", (4, 4), copy=False)
     refuse_first(
         np.abs(matrix[..., 3, :]).max(-1) > TOLERANCE,
         "matrix",
@@ -108,15 +107,9 @@ def exp_se3(twist):
 
     twist: (..., 6), (omega, v). Returns (..., 4, 4). MR prop. 3.25.
     """
-    twist = real_array(twist, "twist", (6,))
-    omega, v = twist[..., :3], twist[..., 3:]
-    angle = length(omega)[..., None]
-    with np.errstate(all="ignore"):  # what is too large is refused below
-        n = omega / np.where(angle > 0, angle, 1.0)
-        once = np.cross(n, v)
-        # With a unit axis, what the factors lose at small angles is lost beside 1: no series is needed.
-        p = v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * np.cross(n, once)
-    p = _finite(p, "twist")
+    twist = real_array(twist, "twist", (6,), copy=False)
+    omega = twist[..., :3]
+    p = _finite(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
     return _assemble(exp_so3(omega), p)
 
 
@@ -125,12 +118,9 @@ def log_se3(T):
 
     T: (..., 4, 4), a pose. Returns (..., 6). At exactly pi the axis's sign is that of log_so3. MR sec. 3.3.3.2.
     """
-    R, p = _split(T, (4, 4))
-    omega = log_so3(R)
-    angle = length(omega)[..., None]
-    n = omega / np.where(angle > 0, angle, 1.0)
-    with np.errstate(all="ignore"):
-        v = p - np.cross(omega, p) / 2 + (1 - _half_cot(angle)) * np.cross(n, np.cross(n, p))
+    T = _pose(T, (4, 4))
+    omega = log_so3(T[..., :3, :3])
+    v = by_entries(_velocity, (3,), omega, length(omega), T[..., :3, 3], batch=T.shape[:-2])
     return np.concatenate([omega, _finite(v, "T")], -1)
 
 
@@ -139,7 +129,7 @@ def exp_se2(twist):
 
     twist: (..., 3). Returns (..., 3, 3). MR section 3.3.3 with the axis along z.
     """
-    twist = real_array(twist, "twist", (3,))
+    twist = real_array(twist, "twist", (3,), copy=False)
     omega, v = twist[..., 0], twist[..., 1:]
     along = np.sinc(omega / np.pi)[..., None]  # sin(omega) / omega
     across = (omega * _one_minus_cos(omega))[..., None]
@@ -153,18 +143,19 @@ def log_se2(T):
 
     T: (..., 3, 3), a pose. Returns (..., 3).
     """
-    R, p = _split(T, (3, 3))
-    omega = np.arctan2(R[..., 1, 0], R[..., 0, 0])
+    T = _pose(T, (3, 3))
+    p = T[..., :2, 2]
+    omega = np.arctan2(T[..., 1, 0], T[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
     with np.errstate(all="ignore"):
         v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
     return np.concatenate([omega[..., None], _finite(v, "T")], -1)
 
 
-def _split(T, *shapes):
-    T = real_array(T, "T", *shapes)
+def _pose(T, *shapes):
+    T = real_array(T, "T", *shapes, copy=False)
     refuse_first(~is_se(T), "T", lambda i: "is not a pose (nearest_se gives one near it)")
-    return T[..., :-1, :-1], T[..., :-1, -1]
+    return T
 
 
 def _assemble(R, p):
@@ -183,13 +174,12 @@ def _quarter_turn(v):
     return np.stack([-v[..., 1], v[..., 0]], -1)
 
 
-def _finite(p, name):
-    refuse_first(~np.isfinite(p).all(-1), name, _too_large)
+def _finite(p, name, axes=-1):
+    finite = np.isfinite(p)
+    if np.count_nonzero(finite) < p.size:
+        reason = "is too large: the result exceeds the largest number"
+        refuse_first(~finite.all(axes), name, lambda i: reason)
     return p
-
-
-def _too_large(index):
-    return "is too large: the result exceeds the largest number"
 
 
 def _one_minus_cos(angle):
@@ -201,3 +191,44 @@ def _half_cot(angle):
     """(a/2) cot(a/2), which is 1 at 0."""
     tangent = np.tan(angle / 2)
     return np.divide(angle / 2, tangent, out=np.ones_like(tangent), where=tangent != 0)
+
+
+# Formulas for by_entries ----------------------------------------------------------------------------------------------
+
+
+def _last_row_off(row):
+    off = row.copy()
+    off[-1] -= 1
+    return np.abs(off).max(0)
+
+
+def _inverse(T):
+    R, p = T[:-1, :-1], T[:-1, -1]
+    T_inverse = np.zeros(T.shape)
+    T_inverse[:-1, :-1] = np.swapaxes(R, 0, 1)
+    T_inverse[:-1, -1] -= np.einsum("ij...,i...->j...", R, p)  # from 0, so that zero is not -0
+    T_inverse[-1, -1] = 1
+    return T_inverse
+
+
+def _moment(T):
+    """[p] R: its columns are p x R[:, j]."""
+    return _cross(T[:3, 3:], T[:3, :3])
+
+
+def _translation(twist, angle):
+    omega, v = twist[:3], twist[3:]
+    n = omega / np.where(angle > 0, angle, 1.0)
+    once = _cross(n, v)
+    # With a unit axis, what the factors lose at small angles is lost beside 1: no series is needed.
+    return v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * _cross(n, once)
+
+
+def _velocity(omega, angle, p):
+    n = omega / np.where(angle > 0, angle, 1.0)
+    return p - _cross(omega, p) / 2 + (1 - _half_cot(angle)) * _cross(n, _cross(n, p))
+
+
+def _cross(a, b):
+    (ax, ay, az), (bx, by, bz) = a, b
+    return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])

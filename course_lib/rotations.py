@@ -9,7 +9,7 @@ Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; oth
 
 import numpy as np
 
-from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
+from course_lib.arguments import by_entries, count, generator, real_array, refuse_first, tolerance
 
 # How far R^T R may be from I, or |q| from 1, in what the functions below take for a rotation. Wide enough for
 # matrices printed to seven digits, narrow enough to catch one that was never meant to be a rotation.
@@ -21,9 +21,8 @@ def hat(w):
 
     w: (..., 3). Returns (..., 3, 3). MR eq. 3.30.
     """
-    x, y, z = np.moveaxis(real_array(w, "w", (3,)), -1, 0)
-    zero = np.zeros_like(x)
-    return _matrix([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
+    w = real_array(w, "w", (3,), copy=False)
+    return by_entries(_skew, (3, 3), w, batch=w.shape[:-1])
 
 
 def vee(W):
@@ -31,9 +30,9 @@ def vee(W):
 
     W: (..., 3, 3), skew-symmetric. Returns (..., 3). Raises ValueError for a matrix that is not skew-symmetric.
     """
-    W = real_array(W, "W", (3, 3))
+    W = real_array(W, "W", (3, 3), copy=False)
     with np.errstate(over="ignore"):  # of what is not skew-symmetric
-        sums = W + _transpose(W)
+        sums = W + np.swapaxes(W, -1, -2)
     off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
     refuse_first(off > limit, "W", lambda i: f"is not skew-symmetric: W + W^T has an entry of size {off[i]:.2g}")
@@ -43,20 +42,17 @@ def vee(W):
 
 def rot_x(angle):
     """Return the rotation by `angle` (...) radians about the x axis, (..., 3, 3)."""
-    c, s, one, zero = _cos_sin_one_zero(angle)
-    return _matrix([[one, zero, zero], [zero, c, -s], [zero, s, c]])
+    return _turn(angle, lambda c, s, one, zero: [[one, zero, zero], [zero, c, -s], [zero, s, c]])
 
 
 def rot_y(angle):
     """Return the rotation by `angle` (...) radians about the y axis, (..., 3, 3)."""
-    c, s, one, zero = _cos_sin_one_zero(angle)
-    return _matrix([[c, zero, s], [zero, one, zero], [-s, zero, c]])
+    return _turn(angle, lambda c, s, one, zero: [[c, zero, s], [zero, one, zero], [-s, zero, c]])
 
 
 def rot_z(angle):
     """Return the rotation by `angle` (...) radians about the z axis, (..., 3, 3)."""
-    c, s, one, zero = _cos_sin_one_zero(angle)
-    return _matrix([[c, -s, zero], [s, c, zero], [zero, zero, one]])
+    return _turn(angle, lambda c, s, one, zero: [[c, -s, zero], [s, c, zero], [zero, zero, one]])
 
 
 def exp_so3(w):
@@ -64,12 +60,10 @@ def exp_so3(w):
 
     w: (..., 3), radians. Returns (..., 3, 3). MR eq. 3.51.
     """
-    w = real_array(w, "w", (3,))
-    angle = length(w)[..., None, None]
-    refuse_first(np.isinf(angle[..., 0, 0]), "w", lambda i: "is too large: its length exceeds the largest number")
-    # With a unit axis and 1 - cos a = 2 sin^2(a/2), no digit is lost at any angle and no series is needed.
-    N = hat(w / np.where(angle[..., 0] > 0, angle[..., 0], 1.0))
-    return np.eye(3) + np.sin(angle) * N + 2 * np.sin(angle / 2) ** 2 * (N @ N)
+    w = real_array(w, "w", (3,), copy=False)
+    angle = length(w)
+    refuse_first(np.isinf(angle), "w", lambda i: "is too large: its length exceeds the largest number")
+    return by_entries(_matrix_of_vector, (3, 3), w, angle, batch=angle.shape)
 
 
 def log_so3(R):
@@ -80,11 +74,7 @@ def log_so3(R):
     sin(angle) (MR eq. 3.53) keeps none.
     """
     q = matrix_to_quaternion(R)
-    w, v = q[..., 0], q[..., 1:]
-    sine = length(v)  # of half the angle
-    angle = 2 * np.arctan2(sine, w)
-    stretch = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0)
-    return stretch[..., None] * v
+    return by_entries(_rotation_vector, (3,), q, batch=q.shape[:-1])
 
 
 def is_so(R, tol=TOLERANCE):
@@ -93,9 +83,8 @@ def is_so(R, tol=TOLERANCE):
     R: (..., 2, 2) or (..., 3, 3). Returns booleans (...). With R^T R near I the determinant is near +1 or -1,
     so its sign decides.
     """
-    R = real_array(R, "R", (2, 2), (3, 3))
-    tol = tolerance(tol)
-    return (_orthogonality_error(R) <= tol) & (_determinant(R) > 0)
+    R = real_array(R, "R", (2, 2), (3, 3), copy=False)
+    return by_entries(_distance_from_so, (), R, batch=R.shape[:-2]) <= tolerance(tol)
 
 
 def nearest_so(M):
@@ -105,7 +94,7 @@ def nearest_so(M):
     (Schoenemann 1966; Umeyama 1991). Where several are equally near (rank at most n - 2, or det M < 0 with the
     two smallest singular values equal) one of them is returned.
     """
-    M = real_array(M, "M", (2, 2), (3, 3))
+    M = real_array(M, "M", (2, 2), (3, 3), copy=False)
     largest = np.abs(M).max((-2, -1), keepdims=True)
     U, _, Vt = np.linalg.svd(M / np.where(largest > 0, largest, 1.0))  # the scale does not matter, overflow would
     U[..., -1] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))[..., None]
@@ -117,7 +106,7 @@ def is_quaternion(q, tol=TOLERANCE):
 
     q: (..., 4). Returns booleans (...).
     """
-    return np.abs(length(real_array(q, "q", (4,))) - 1) <= tolerance(tol)
+    return np.abs(length(real_array(q, "q", (4,), copy=False)) - 1) <= tolerance(tol)
 
 
 def nearest_quaternion(q):
@@ -125,7 +114,7 @@ def nearest_quaternion(q):
 
     q: (..., 4). Returns (..., 4). Raises ValueError for a zero quaternion, which has no nearest one.
     """
-    q = real_array(q, "q", (4,))
+    q = real_array(q, "q", (4,), copy=False)
     largest = np.abs(q).max(-1, keepdims=True)
     refuse_first(largest[..., 0] == 0, "q", lambda i: "is zero: every unit quaternion is equally near")
     q = q / largest  # so that squares neither overflow nor underflow
@@ -138,15 +127,14 @@ def quaternion_to_matrix(q):
     q: (..., 4). Returns (..., 3, 3). R = I + 2 (w [v] + [v]^2) / |q|^2: the division makes R orthogonal to
     rounding even where |q| is off by as much as TOLERANCE allows. MR appendix B.3.
     """
-    q = real_array(q, "q", (4,))
+    q = real_array(q, "q", (4,), copy=False)
     size = length(q)
     refuse_first(
         np.abs(size - 1) > TOLERANCE,
         "q",
         lambda i: f"is not a unit quaternion: its length is {size[i]:.7g} (nearest_quaternion gives the nearest)",
     )
-    w, V = q[..., 0, None, None], hat(q[..., 1:])
-    return np.eye(3) + 2 * (w * V + V @ V) / size[..., None, None] ** 2
+    return by_entries(_matrix_of_quaternion, (3, 3), q, batch=size.shape)
 
 
 def matrix_to_quaternion(R):
@@ -155,30 +143,10 @@ def matrix_to_quaternion(R):
     R: (..., 3, 3). Returns (..., 4). All ten products of two entries of q can be read off R. Dividing by the
     largest entry of q never divides by a small number (Shepperd 1978).
     """
-    R = real_array(R, "R", (3, 3))
-    off = _orthogonality_error(R)
-    refuse_first(
-        ~is_so(R),
-        "R",
-        lambda i: (
-            f"is not a rotation: R^T R differs from I by {off[i]:.2g} and det R = {_determinant(R)[i]:.7g} "
-            "(nearest_so gives the nearest rotation)"
-        ),
-    )
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.moveaxis(R, (-2, -1), (0, 1))
-    four_q_qT = _matrix(
-        [
-            [1 + xx + yy + zz, zy - yz, xz - zx, yx - xy],
-            [zy - yz, 1 + xx - yy - zz, yx + xy, xz + zx],
-            [xz - zx, yx + xy, 1 - xx + yy - zz, zy + yz],
-            [yx - xy, xz + zx, zy + yz, 1 - xx - yy + zz],
-        ]
-    )
-    largest = np.diagonal(four_q_qT, axis1=-2, axis2=-1).argmax(-1)
-    row = np.take_along_axis(four_q_qT, largest[..., None, None], -2)[..., 0, :]
-    q = row / np.linalg.norm(row, axis=-1, keepdims=True)
-    leading = np.take_along_axis(q, (q != 0).argmax(-1)[..., None], -1)
-    return q * np.sign(leading) + 0.0  # + 0.0 turns -0 into 0
+    R = real_array(R, "R", (3, 3), copy=False)
+    off = by_entries(_distance_from_so, (), R, batch=R.shape[:-2])
+    refuse_first(~(off <= TOLERANCE), "R", lambda i: _why_no_rotation(R[i]))
+    return by_entries(_quaternion_of, (4,), R, batch=R.shape[:-2])
 
 
 def random_rotations(n, rng):
@@ -198,31 +166,134 @@ def random_quaternions(n, rng):
 
 def length(v):
     """Return the lengths (...) of the vectors v (..., n), right also where squares overflow or underflow."""
-    largest = np.abs(v).max(-1)
-    scale = np.where(largest > 0, largest, 1.0)
-    with np.errstate(over="ignore"):  # a length above the largest number is inf
-        return largest * np.linalg.norm(v / scale[..., None], axis=-1)
+    v = np.asarray(v, float)
+    with np.errstate(all="ignore"):  # a length above the largest number is inf
+        squared = (v * v) @ np.ones(v.shape[-1])  # twice as fast as a sum over short rows
+        size = np.sqrt(squared)
+        rough = ~((squared > 1e-280) & (squared < np.inf))  # squares that overflowed, or may have lost digits
+        if np.count_nonzero(rough):
+            largest = np.abs(v).max(-1)
+            scaled = v / np.where(largest > 0, largest, 1.0)[..., None]
+            size = np.where(rough, largest * np.linalg.norm(scaled, axis=-1), size)
+    return size
 
 
-def _matrix(rows):
-    """Stack a list of lists of arrays (...) into (..., rows, columns)."""
-    return np.stack([np.stack(row, -1) for row in rows], -2)
+def _why_no_rotation(R):
+    with np.errstate(all="ignore"):  # enormous entries give inf or nan
+        off, determinant = np.abs(R.T @ R - np.eye(3)).max(), np.linalg.det(R)
+    return (
+        f"is not a rotation: R^T R differs from I by {off:.2g} and det R = {determinant:.7g} "
+        "(nearest_so gives the nearest rotation)"
+    )
 
 
-def _transpose(M):
-    return np.swapaxes(M, -1, -2)
+# Formulas for by_entries ----------------------------------------------------------------------------------------------
 
 
-def _orthogonality_error(R):
-    with np.errstate(all="ignore"):  # enormous entries give inf or nan: no rotation, and no warning either
-        return np.abs(_transpose(R) @ R - np.eye(R.shape[-1])).max((-2, -1))
+def _distance_from_so(R):
+    """Return the largest entry of |R^T R - I|, or inf where det R is not positive."""
+    gram = np.einsum("ki...,kj...->ij...", R, R)
+    diagonal = np.einsum("ii...->i...", gram)  # a view
+    diagonal -= 1
+    return np.where(_determinant(R) > 0, np.abs(gram).max((0, 1)), np.inf)
 
 
 def _determinant(R):
-    with np.errstate(all="ignore"):
-        return np.linalg.det(R)
+    if len(R) == 2:
+        (a, b), (c, d) = R
+        return a * d - b * c
+    (a, b, c), (d, e, f), (g, h, i) = R
+    return a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
 
 
-def _cos_sin_one_zero(angle):
-    angle = real_array(angle, "angle", ())
-    return np.cos(angle), np.sin(angle), np.ones_like(angle), np.zeros_like(angle)
+def _skew(w):
+    x, y, z = w
+    zero = np.zeros_like(x)
+    return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
+
+
+def _turn(angle, matrix):
+    """Return the matrices that matrix(cos, sin, 1, 0) makes of the entries it is given."""
+    angle = real_array(angle, "angle", (), copy=False)
+    return by_entries(
+        lambda a: np.array(matrix(np.cos(a), np.sin(a), np.ones_like(a), np.zeros_like(a))),
+        (3, 3),
+        angle,
+        batch=angle.shape,
+    )
+
+
+def _matrix_of_vector(w, angle):
+    """Rodrigues' formula with sin a = 2 t / (1 + t^2) and 1 - cos a = 2 t^2 / (1 + t^2), t = tan(a/2).
+
+    So R is the matrix of the quaternion (1, t n). No digit is lost at any angle, and no series is needed.
+    """
+    q = np.empty((4, *angle.shape))
+    q[0] = 1
+    np.multiply(w, np.tan(angle / 2) / np.where(angle > 0, angle, 1.0), out=q[1:])
+    return _matrix_of_quaternion(q)
+
+
+# The nine entries of R, row by row, as sums of 1 and the products in _matrix_of_quaternion.
+_SUMS = np.array(
+    # 1  xx  yy  zz  wx  wy  wz  xy  yz  zx
+    [
+        [1, 0, -1, -1, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, -1, 1, 0, 0],
+        [0, 0, 0, 0, 0, 1, 0, 0, 0, 1],
+        [0, 0, 0, 0, 0, 0, 1, 1, 0, 0],
+        [1, -1, 0, -1, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, -1, 0, 0, 0, 1, 0],
+        [0, 0, 0, 0, 0, -1, 0, 0, 0, 1],
+        [0, 0, 0, 0, 1, 0, 0, 0, 1, 0],
+        [1, -1, -1, 0, 0, 0, 0, 0, 0, 0],
+    ],
+    float,
+)
+
+
+def _matrix_of_quaternion(q):
+    """R = I + 2 (w [v] + [v]^2) / |q|^2 for q = (w, v) of any length but 0."""
+    w, v = q[0], q[1:]
+    twice = v * (2 / (q * q).sum(0))
+    products = np.empty((10, *w.shape))
+    products[0] = 1
+    np.multiply(twice, v, out=products[1:4])
+    np.multiply(twice, w, out=products[4:7])
+    np.multiply(twice, v[[1, 2, 0]], out=products[7:])
+    return (products.T @ _SUMS.T).T  # faster than nine sums, since it lays each matrix out in one piece as well
+
+
+def _rotation_vector(q):
+    w, x, y, z = q
+    sine = np.sqrt(x * x + y * y + z * z)  # of half the angle; its squares underflow where angle / sine is 2 anyway
+    stretch = np.where(sine > 0, 2 * np.arctan2(sine, w) / sine, 2.0)
+    return stretch * q[1:]
+
+
+def _quaternion_of(R):
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
+    wx, wy, wz = zy - yz, xz - zx, yx - xy
+    x_y, x_z, y_z = yx + xy, xz + zx, zy + yz
+    four_q_qT = np.array(
+        [
+            [1 + xx + yy + zz, wx, wy, wz],
+            [wx, 1 + xx - yy - zz, x_y, x_z],
+            [wy, x_y, 1 - xx + yy - zz, y_z],
+            [wz, x_z, y_z, 1 - xx - yy + zz],
+        ]
+    )
+    ww, xx, yy, zz = four_q_qT[range(4), range(4)]
+    row = np.where(
+        np.maximum(ww, xx) > np.maximum(yy, zz),
+        np.where(ww > xx, four_q_qT[0], four_q_qT[1]),
+        np.where(yy > zz, four_q_qT[2], four_q_qT[3]),
+    )
+    a, b, c, d = row
+    q = row / np.sqrt(a * a + b * b + c * c + d * d)
+    sign = np.where(q[0] < 0, -1.0, 1.0)
+    half_turn = q[0] == 0
+    if np.count_nonzero(half_turn):
+        leading = np.take_along_axis(q, (q != 0).argmax(0)[None], 0)[0]
+        sign = np.where(half_turn, np.sign(leading), sign)
+    return q * sign + 0.0  # + 0.0 turns -0 into 0
