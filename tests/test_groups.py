@@ -146,6 +146,27 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
 
 
 @pytest.mark.parametrize("call", BATCHED, ids=call_name)
+def test_a_batch_in_several_pieces(call, monkeypatch):
+    """Seven items, laid out three at a time, the last piece one."""
+    name, kinds = call
+    arguments = valid_arguments(kinds, np.random.default_rng(10), (7,))
+    whole = parts(FUNCTIONS[name](**arguments))
+    monkeypatch.setattr("course_lib.arguments.ITEMS", 3)
+    for part, got in parts(FUNCTIONS[name](**arguments)).items():
+        assert_allclose(got, whole[part], rtol=1e-15, atol=1e-15)
+
+
+@pytest.mark.parametrize("batch", [(), (2,)], ids=str)
+@pytest.mark.parametrize("call", BATCHED, ids=call_name)
+def test_an_answer_is_no_view_of_what_was_given(call, batch):
+    name, kinds = call
+    arguments = valid_arguments(kinds, np.random.default_rng(11), batch)
+    given = [value for argument, value in arguments.items() if isinstance(kinds[argument], Numbers)]
+    for got in parts(FUNCTIONS[name](**arguments)).values():
+        assert not any(np.shares_memory(got, value) for value in given)
+
+
+@pytest.mark.parametrize("call", BATCHED, ids=call_name)
 @pytest.mark.parametrize("convert", [np.ndarray.tolist, np.float32, np.longdouble, np.asfortranarray])
 def test_lists_and_other_floats_are_taken(call, convert):
     name, kinds = call
