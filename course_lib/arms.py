@@ -10,13 +10,17 @@ standard ones.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.rigid import adjoint, hat_se3, inverse, is_se, transform
+from course_lib.chain import Chain, in_chunks
+from course_lib.rigid import hat_se3, is_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 
+_FEW = 50  # postures: up to here matrix by matrix is as fast
+_NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # of x, y, z, for cross products
 _FARTHEST = 1e100  # metres, so that nothing computed from a place overflows
 
 
@@ -93,46 +97,84 @@ class SerialArm:
 
         q: (..., n). The product of exponentials, MR eq. 4.14, kept at every joint.
         """
-        moved = self._moved(q)
-        return np.concatenate([moved, moved[..., -1:, :, :]], -3) @ self.home
+        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.chain.fill_frames)
 
     def fk(self, q):
         """Return the pose (..., 4, 4) of the end in the base frame, for q (..., n)."""
-        return self._moved(q)[..., -1, :, :] @ self.home[-1]
+        return self._by_postures(q, (4, 4), self._few_ends, self.chain.fill_end)
 
     def space_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
-        moved = self._moved(q)  # by the joints up to each one, whose own turn leaves its screw axis where it is
-        return np.swapaxes((adjoint(moved) @ self.screw_axes[..., None])[..., 0], -1, -2)
-
-    def body_jacobian(self, q):
-        """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
-        return adjoint(inverse(self.fk(q))) @ self.space_jacobian(q)
-
-    def position_jacobian(self, q):
-        """Return (..., 3, n): the velocity of the end's origin, along the base frame's axes, is this times q'."""
-        return self.geometric_jacobian(q)[..., 3:, :]
+        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.chain.fill_space_jacobian)
 
     def geometric_jacobian(self, q):
         """Return (..., 6, n): the end's angular velocity and its origin's velocity, both along the base frame's axes.
 
         In this order (omega, v), as everywhere here; Siciliano and others, section 3.1, have (v, omega).
         """
-        J = self.space_jacobian(q)
-        p = self.fk(q)[..., None, :3, 3]
-        # The v of a space twist is that of the point passing the base's origin; the end moves by omega x p more.
-        v = J[..., 3:, :] + np.swapaxes(np.cross(np.swapaxes(J[..., :3, :], -1, -2), p), -1, -2)
-        return np.concatenate([J[..., :3, :], v], -2)
+        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.chain.fill_geometric_jacobian)
+
+    def body_jacobian(self, q):
+        """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
+        J = self.geometric_jacobian(q)
+        halves = J.reshape(*J.shape[:-2], 2, 3, self.n)  # omega and v, both along the base's axes, to the end's
+        return (np.swapaxes(self.fk(q)[..., None, :3, :3], -1, -2) @ halves).reshape(J.shape)
+
+    def position_jacobian(self, q):
+        """Return (..., 3, n): the velocity of the end's origin, along the base frame's axes, is this times q'."""
+        return self.geometric_jacobian(q)[..., 3:, :]
+
+    @cached_property
+    def chain(self):
+        """The same arm for many postures at once: a Chain."""
+        return Chain.of(self.screw_axes, self.home)
+
+    def _by_postures(self, q, shape, few, fill):
+        """Return (..., *shape) for q (..., n): for few postures as books have it, for many in the chain's layout."""
+        q = real_array(q, "q", (self.n,))
+        return few(q) if q.size <= _FEW * self.n else in_chunks(fill, q, shape)
+
+    @cached_property
+    def _screws(self):
+        S = hat_se3(self.screw_axes)
+        return S, S @ S
 
     def _moved(self, q):
         """The products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""
-        q = real_array(q, "q", (self.n,))[..., None, None]
-        S = hat_se3(self.screw_axes)
+        S, S_squared = self._screws
+        q = q[..., None, None]
         # Rodrigues' formula holds for 4 x 4 matrices too where the screw has no pitch: S^3 = -S.
-        turns = np.eye(4) + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * (S @ S)
+        turns = np.eye(4) + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
         for i in range(1, self.n):
             turns[..., i, :, :] = turns[..., i - 1, :, :] @ turns[..., i, :, :]
         return turns
+
+    def _few_frames(self, q):
+        moved = self._moved(q)
+        return np.concatenate([moved, moved[..., -1:, :, :]], -3) @ self.home
+
+    def _few_ends(self, q):
+        return self._moved(q)[..., -1, :, :] @ self.home[-1]
+
+    def _few_space_jacobians(self, q):
+        return _few_jacobians(self._moved(q), self.screw_axes, np.zeros(3))
+
+    def _few_geometric_jacobians(self, q):
+        moved = self._moved(q)
+        p = (moved[..., -1, :, :] @ self.home[-1])[..., :3, 3]
+        # The v of a space twist is that of the point passing the base's origin; the end moves by omega x p more.
+        return _few_jacobians(moved, self.screw_axes, p)
+
+
+def _few_jacobians(moved, screw_axes, point):
+    """Return (..., 6, n): column i is the screw axis i, moved (..., n, 4, 4) by the joints up to it, seen from `point`.
+
+    Up to it and its own: a joint's own turn leaves its screw axis where it is. MR def. 3.20.
+    """
+    omega, v = (np.matvec(moved[..., :3, :3], part) for part in (screw_axes[:, :3], screw_axes[:, 3:]))
+    p = moved[..., :3, 3] - point[..., None, :]
+    v = v + p[..., _NEXT] * omega[..., _LAST] - p[..., _LAST] * omega[..., _NEXT]  # v + p x omega
+    return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 
 def planar_arm(lengths):

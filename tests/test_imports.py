@@ -29,7 +29,7 @@ def test_importing_the_mathematics_costs_little_more_than_numpy():
     assert least["course_lib.rotations"] <= 1.5 * least["numpy"]
 
 
-MATHEMATICS = ["arguments", "rotations", "rigid", "planar", "subproblems", "arms", "ik"]
+MATHEMATICS = ["arguments", "rotations", "rigid", "planar", "subproblems", "chain", "arms", "ik"]
 
 
 @pytest.mark.parametrize("module", ["course_lib", *(f"course_lib.{name}" for name in MATHEMATICS)])
