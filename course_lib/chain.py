@@ -105,10 +105,11 @@ class Chain:
         _fill_cross(J[3:], places, directions)
 
     def fill_geometric_jacobian(self, q, J):
-        """Write the Jacobians of the end's turning and of its origin to J (6, n, N)."""
-        _, end, directions, places = self.motion(q)
+        """Write the Jacobians of the end's turning and of its origin to J (6, n, N), and return what `end` does."""
+        columns, end, directions, places = self.motion(q)
         J[:3] = np.swapaxes(directions, 0, 1)
         _fill_cross(J[3:], directions, end - places)
+        return columns, end
 
     def _end(self, columns, place):
         return [_sum(columns, factors) for factors in self.turns[-1]], place + _sum(columns, self.links[-1])
