@@ -13,12 +13,12 @@ unexport PYTHONPATH PYTHONHOME
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html grade notebooks animations data: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html grade notebooks animations data: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html grade notebooks animations data bench: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html grade notebooks animations data bench: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 # Many small k-means, in parallel tests: threads of their own would only get in each other's way.
 test html notebooks: export OMP_NUM_THREADS = 1
 
-.PHONY: help environment lab test html student grade notebooks animations data lock clean
+.PHONY: help environment lab test html student grade notebooks animations data lock bench clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -65,6 +65,12 @@ data: environment ## make the data that the notebooks come with (authors)
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock
 
-clean: ## delete build/ (grades too) and caches; .venv stays
+# One thread for all, so that what is compared is the work and not how it is spread.
+bench: ## measure the library beside other libraries, in an environment of its own, build/bench/
+	@sh course_lib/pack/environment.sh bench
+	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
+		.venv-bench/bin/python -m course_lib.pack.bench
+
+clean: ## delete build/ (grades too) and caches; .venv and .venv-bench stay
 	rm -rf build .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find course_lib tests notebooks -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -14,7 +14,7 @@ case "$*" in
     mkdir -p "$3/bin" && cp "$0" "$3/bin/python" ;;
 "-m pip install"*)
     [ -z "${DIES:-}" ] || kill -9 "$PPID"
-    [ -z "${PIP_SAYS:-}" ] || { echo "$PIP_SAYS" >&2; exit 1; } ;;
+    case "$*" in *"${ONLY:-}"*) [ -z "${PIP_SAYS:-}" ] || { echo "$PIP_SAYS" >&2; exit 1; } ;; esac ;;
 "-m ensurepip") exit "${NO_ENSUREPIP:-0}" ;;
 esac
 """

@@ -241,6 +241,39 @@ def test_an_environment_that_cannot_be_removed(machine):
     assert "-m venv" not in machine.called()
 
 
+# ---- the environment of make bench ----
+
+
+def test_peers_are_installed_one_by_one_in_an_environment_of_their_own(machine):
+    result = machine.make("bench")
+    assert result.returncode == 0, result.stderr
+    installs = [line for line in machine.called().splitlines() if "pip install" in line]
+    assert "-m venv .venv-bench" in machine.called()
+    assert len(installs) > 3
+    assert all("==" in line and len(re.findall("==", line)) == 1 for line in installs[1:])
+    assert machine.called().endswith("-m course_lib.pack.bench\n")
+    assert not (machine.folder / ".venv").exists()
+    machine.make("bench")
+    assert "install" not in machine.called()
+
+
+def test_a_peer_that_cannot_be_installed_is_left_out_and_tried_again(machine):
+    result = machine.make("bench", PIP_SAYS=stand_ins.NOT_MADE, ONLY="pin==")
+    assert result.returncode == 0, result.stderr
+    assert machine.called().endswith("-m course_lib.pack.bench\n")
+    left_out = machine.folder / ".venv-bench/left-out"
+    assert re.fullmatch(r"pin==[0-9.]+: Some packages are not made for this Python.*\n", left_out.read_text())
+    machine.make("bench")
+    assert [line for line in machine.called().splitlines() if "pip install" in line and "pin==" not in line] == []
+    assert machine.called().count("pin==") == 1
+    assert left_out.read_text() == ""
+
+
+def test_make_bench_without_its_environment_says_why(machine):
+    assert "check the network connection" in sentence(machine.make("bench", PIP_SAYS=stand_ins.OFFLINE))
+    assert "-m course_lib.pack.bench" not in machine.called()
+
+
 # ---- the lock ----
 
 

@@ -3,6 +3,7 @@
 #
 #   environment.sh          makes or updates .venv, as environment.txt says
 #   environment.sh lock     writes environment.txt anew from pyproject.toml
+#   environment.sh bench    makes or updates .venv-bench, in which `make bench` measures other libraries too
 #
 # PYTHON=... names the interpreter to use, UPGRADE=yes lets `lock` move to newer versions.
 # POSIX sh only: a student's sh may be dash, bash or zsh.
@@ -17,9 +18,16 @@ export PIP_USER=no PIP_DISABLE_PIP_VERSION_CHECK=1
 
 here=$(pwd -P)
 log=build/setup.log
-made_from=.venv/made-from # written last, so a .venv without it was interrupted
+venv=.venv
+[ "${1:-}" != bench ] || venv=.venv-bench
+made_from=$venv/made-from # written last, so a $venv without it was interrupted
 python=
 version=
+
+# What the library is measured against beside scipy, at versions that go together with the numpy of environment.txt,
+# tried on Python 3.11. Wheels only: to compile some of these takes an hour.
+peers='pin==4.1.0 roboticstoolbox-python==1.5.0 modern-robotics==1.1.1 pytransform3d==3.17.0'
+left_out=$venv/left-out # a line for each peer that could not be installed
 
 stop() {
     echo "$*" >&2
@@ -47,8 +55,8 @@ explain() { # stop with the reason that the log gives
     if disk_is_full; then
         stop "The disk is full: make 2 GB of room and run make again (log: $log)."
     elif log_ends_with 'permission denied|read-only file system|operation not permitted'; then
-        stop "Something in .venv or in the folder for temporary files cannot be written: set its rights" \
-            "or delete .venv, and run make again (log: $log)."
+        stop "Something in $venv or in the folder for temporary files cannot be written: set its rights" \
+            "or delete $venv, and run make again (log: $log)."
     elif log_ends_with 'ensurepip|no module named .?venv'; then
         stop "This Python ($version) cannot make environments: install its venv module (on Debian and" \
             "Ubuntu: sudo apt install python${version%.*}-venv) and run make again (log: $log)."
@@ -101,38 +109,43 @@ need_python() {
         "make PYTHON=/path/to/python3."
 }
 
-# ---- .venv ----
+# ---- the environment ----
 
-contents() { # what .venv is made from; contents, not times, which a checkout changes
-    # The folder too: scripts in .venv hold absolute paths, so in a copied or moved folder it is useless.
+contents() { # what it is made from; contents, not times, which a checkout changes
+    # The folder too: scripts in it hold absolute paths, so in a copied or moved folder it is useless.
     echo "$here" && cat environment.txt pyproject.toml
+    [ "$venv" = .venv ] || echo "$peers"
 }
 
 install() {
     # To compile one of these takes a Fortran compiler and an hour: say at once that it is not made for this Python.
     set -- --only-binary numpy --only-binary scipy --only-binary scikit-learn --only-binary matplotlib "$@"
     if [ -n "$uv" ]; then
-        logged uv pip install --python .venv/bin/python "$@"
+        logged uv pip install --python "$venv/bin/python" "$@"
     else
-        logged .venv/bin/python -m pip install "$@"
+        logged "$venv/bin/python" -m pip install "$@"
     fi
 }
 
 install_all() {
-    install -r environment.txt &&
-        # flit-core is in environment.txt, so this one downloads nothing
-        install --no-deps --no-build-isolation -e . || return
+    if [ "$venv" = .venv ]; then
+        install -r environment.txt &&
+            # flit-core is in environment.txt, so this one downloads nothing
+            install --no-deps --no-build-isolation -e .
+    else
+        install -c environment.txt numpy scipy sympy matplotlib scikit-learn
+    fi || return
     # Matplotlib lists the fonts once, and may say so on stderr: not in a student's first notebook.
-    logged .venv/bin/python -c 'import matplotlib.font_manager'
+    logged "$venv/bin/python" -c 'import matplotlib.font_manager'
     contents >"$made_from" 2>>"$log"
 }
 
 update() {
-    echo "Bringing .venv up to date ..."
-    version=$(.venv/bin/python -c 'import platform; print(platform.python_version())')
-    logged rm -f "$made_from" || explain
+    echo "Bringing $venv up to date ..."
+    version=$("$venv/bin/python" -c 'import platform; print(platform.python_version())')
+    logged rm -f "$made_from" "$left_out" || explain
     # uv makes environments without pip, and may be gone by now
-    [ -n "$uv" ] || logged .venv/bin/python -m pip --version || logged .venv/bin/python -m ensurepip || explain
+    [ -n "$uv" ] || logged "$venv/bin/python" -m pip --version || logged "$venv/bin/python" -m ensurepip || explain
     install_all && return
     echo "$here" >"$made_from" # it was not interrupted, so it can be updated once the cause is gone
     explain
@@ -145,29 +158,49 @@ make_afresh() {
     else
         need_python
     fi
-    echo "Setting up .venv with Python $version (about a minute, once) ..."
-    logged rm -rf .venv || explain
+    echo "Setting up $venv with Python $version (about a minute, once) ..."
+    logged rm -rf "$venv" || explain
     if [ -n "$uv" ]; then
-        logged uv venv --python "${python:-$version}" .venv
+        logged uv venv --python "${python:-$version}" "$venv"
     else
-        logged "$python" -m venv .venv
+        logged "$python" -m venv "$venv"
     fi && install_all && return
     (explain)
-    rm -rf .venv # half of it is of no use, and on a full disk it is what fills it
+    rm -rf "$venv" # half of it is of no use, and on a full disk it is what fills it
     exit 1
 }
 
 set_up() {
-    [ -x .venv/bin/python ] && contents | cmp -s - "$made_from" && return
+    [ -x "$venv/bin/python" ] && contents | cmp -s - "$made_from" && return
     start_log
     uv=$(command -v uv)
     begin=$(date +%s)
-    if [ -x .venv/bin/python ] && [ "$(head -n 1 "$made_from" 2>/dev/null)" = "$here" ]; then
+    if [ -x "$venv/bin/python" ] && [ "$(head -n 1 "$made_from" 2>/dev/null)" = "$here" ]; then
         update
     else
         make_afresh
     fi
     echo "Set up in $(($(date +%s) - begin)) s."
+}
+
+# ---- what the library is measured against ----
+
+install_peers() { # one by one: what one cannot do does not keep out the others
+    [ -f "$left_out" ] || for peer in $peers; do echo "$peer"; done >"$left_out" || explain
+    [ -s "$left_out" ] || return 0 # what was left out is tried again
+    start_log
+    uv=$(command -v uv)
+    version=$("$venv/bin/python" -c 'import platform; print(platform.python_version())')
+    grep '^numpy==' environment.txt >build/numpy.txt
+    still=
+    while IFS=: read -r peer _; do
+        echo "Installing $peer ..."
+        : >"$log"
+        install --only-binary :all: -c build/numpy.txt "$peer" </dev/null ||
+            still="$still$peer: $( (explain) 2>&1)
+"
+    done <"$left_out"
+    printf %s "$still" >"$left_out"
 }
 
 # ---- environment.txt ----
@@ -209,5 +242,6 @@ lock() {
 case ${1:-} in
 '') set_up ;;
 lock) lock ;;
-*) stop "usage: environment.sh [lock]" ;;
+bench) set_up && install_peers ;;
+*) stop "usage: environment.sh [lock | bench]" ;;
 esac

@@ -1,0 +1,118 @@
+"""Measure contestants in turns, look first whether they agree, and tell the outcome as a table of ratios."""
+
+import gc
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+AGREE = 1e-9
+LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
+
+
+@dataclass(frozen=True)
+class Contestant:
+    """One way to do a task.
+
+    run: takes the first of the task's items, and does it. items: how many it gets, None for all; slow ones get few.
+    convert: makes of what run returns what the library gives, where conventions differ; told in `note`.
+    check: whether the answers are compared; where False, `note` says why not.
+    at_most: what the library's time may be, as a share of this one's; None where nothing is promised.
+    """
+
+    name: str
+    run: Callable
+    items: int | None = None
+    convert: Callable = np.asarray
+    note: str = ""
+    check: bool = True
+    at_most: float | None = None
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is measured: `items`, an array whose first axis counts them, and the contestants, the library's first."""
+
+    title: str
+    items: np.ndarray
+    contestants: list
+    agree: int = 500  # how many answers are compared
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A task's table: for each contestant the seconds an item of each repeat; for each that disagreed, by how much."""
+
+    task: Task
+    seconds: dict
+    off: dict = field(default_factory=dict)
+
+
+def measured(task, repeats=7):
+    """Return the Outcome of a task: contestants that agree with the first are measured in turns."""
+    print(f"Measuring: {task.title} ...", file=sys.stderr, flush=True)
+    off = {c.name: gap for c in task.contestants[1:] if c.check and not (gap := _gap(task, c)) <= AGREE}
+    taking_part = [c for c in task.contestants if c.name not in off]
+    seconds = {c.name: [] for c in taking_part}
+    given = {c.name: task.items[: c.items] for c in taking_part}
+    calls = {c.name: 1 + int(LEAST / max(_seconds(c.run, given[c.name], 1), 1e-6)) for c in taking_part}
+    for _ in range(repeats):
+        for c in taking_part:
+            items, often = given[c.name], calls[c.name]
+            seconds[c.name].append(_seconds(c.run, items, often) / often / len(items))
+    return Outcome(task, seconds, off)
+
+
+def _gap(task, contestant):
+    """How far its answers are from the library's, at most."""
+    some = task.items[: min(task.agree, contestant.items or task.agree)]
+    library = task.contestants[0]
+    theirs, ours = (np.asarray(c.convert(c.run(some))) for c in (contestant, library))
+    return float(np.abs(theirs - ours).max()) if theirs.shape == ours.shape else np.inf
+
+
+def _seconds(run, items, often):
+    """Seconds for `often` runs."""
+    gc.collect()
+    gc.disable()
+    try:
+        # The processor's time, not the clock's: what else runs on the machine counts less then.
+        start = time.process_time()
+        for _ in range(often):
+            run(items)
+        return time.process_time() - start
+    finally:
+        gc.enable()
+
+
+def table(outcome):
+    """Return the lines of an outcome: times an item, and the library's time as a share of each other's."""
+    lines = [outcome.task.title, f"  {'':44}{'min':>10}{'median':>10}   the library takes, min (median)"]
+    best = np.array(outcome.seconds[outcome.task.contestants[0].name])
+    for c in outcome.task.contestants:
+        if c.name in outcome.off:
+            lines.append(f"  {c.name:44}not measured: it differs by {outcome.off[c.name]:.1g}")
+            continue
+        its = np.array(outcome.seconds[c.name])
+        line = f"  {c.name:44}{duration(its.min()):>10}{duration(np.median(its)):>10}"
+        if c is not outcome.task.contestants[0]:
+            share = best.min() / its.min()
+            line += f"   {share:.3g} x ({np.median(best) / np.median(its):.3g} x)"
+            line += verdict(share, c.at_most) if c.at_most is not None else ""
+        lines.append(line)
+    return [*lines, *(f"  {c.name}: {c.note}" for c in outcome.task.contestants if c.note), ""]
+
+
+def verdict(share, at_most):
+    """Return how a measured share stands to what it is to be at most."""
+    return f"   at most {at_most:g}: {share:.3g} {'yes' if share <= at_most else 'NO'}"
+
+
+def duration(seconds):
+    """Return seconds with a unit that suits, to three digits."""
+    for size, unit in ((1, "s"), (1e-3, "ms"), (1e-6, "us")):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
