@@ -65,9 +65,11 @@ class Chain:
 
         What is the same for all postures may come as (3, 1).
         """
-        q = self.signs * q
+        tangent = np.tan(self.signs * q / 2)  # sine and cosine from one function, which numpy has in vector code
+        cosine_and_1 = 2 / (1 + tangent**2)
+        sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
         columns, place = np.eye(3)[:, :, None], self.start
-        for turn, link, s, c in zip(self.turns[:-1], self.links, np.sin(q), np.cos(q), strict=True):
+        for turn, link, s, c in zip(self.turns[:-1], self.links, sines, cosines, strict=True):
             x, y, z = (_sum(columns, factors) for factors in turn)
             columns = c * x, c * y, z
             np.add(columns[0], s * y, out=columns[0])
