@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from helpers import pose_samples
 
-from course_lib import rigid, rotations
+from course_lib import ik, rigid, rotations
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
+from course_lib.chain import CHUNK
 from course_lib.ik import pose_error, solve
 
 
@@ -122,6 +123,77 @@ def test_bad_input_is_refused_by_name(change, name):
     valid = {"arm": panda(), "targets": reachable(panda(), 2), "rng": np.random.default_rng(0)}
     with pytest.raises(ValueError, match=rf"^{name} "):
         solve(**{**valid, **change})
+
+
+def test_no_more_starts_and_steps_than_allowed():
+    far = rigid.transform(np.eye(3), [3.0, 0, 0.333])
+    for starts, steps in [(1, 1), (1, 30), (3, 5), (40, 4), (300, 2)]:
+        # Two targets share what is under way; from each start a step at least is taken.
+        found = solve(panda(), [far, far], np.random.default_rng(1), starts=starts, steps=steps)
+        assert (found.iterations <= starts * steps).all()
+        assert (found.iterations >= starts).all()
+
+
+def test_starts_are_near_their_targets():
+    arm = panda()
+    targets = reachable(arm, 300)
+    q = ik._starts(arm, targets, np.random.default_rng(2))
+    assert (q >= arm.limits[:, 0]).all()
+    assert (q <= arm.limits[:, 1]).all()
+    drawn = np.random.default_rng(2).uniform(*arm.limits.T, (ik._DRAWN, 300, 7))
+    gaps = [np.linalg.norm(apart(arm.fk(one), targets), axis=0) for one in drawn]
+    chosen = np.linalg.norm(apart(arm.fk(q), targets), axis=0)
+    # By another measure, so not always the very nearest of them.
+    assert np.median(chosen / np.min(gaps, 0)) < 1.01
+    assert chosen.mean() < 0.7 * np.mean(gaps)
+
+
+def test_more_targets_than_are_stepped_together():
+    arm, n = iiwa14(), CHUNK + 30
+    assert solve(arm, reachable(arm, n), np.random.default_rng(3)).success.all()
+    q0 = np.random.default_rng(0).uniform(*arm.limits.T, (n, 7))
+    there = solve(arm, arm.fk(q0), np.random.default_rng(3), q0=q0)
+    assert (there.iterations == 1).all()
+    np.testing.assert_allclose(there.q, q0, atol=1e-12)
+
+
+def test_targets_far_beyond_any_arm():
+    targets = np.tile(np.eye(4), (3, 1, 1))
+    targets[:, 0, 3] = [1e9, 1e200, -1e300]
+    found = solve(panda(), targets, np.random.default_rng(0), starts=3)
+    assert np.isfinite(found.q).all()
+    assert np.isfinite(found.residual).all()
+    assert not found.success.any()
+
+
+def test_a_step_solves_its_equations():
+    rng = np.random.default_rng(4)
+    J, error, damping = rng.normal(size=(6, 7, 50)), rng.normal(size=(6, 50)), 10.0 ** rng.uniform(-6, 1, 50)
+    step, sound = ik._step(J, error, damping)
+    for i in range(50):
+        expected = np.linalg.solve(J[..., i].T @ J[..., i] + damping[i] * np.eye(7), J[..., i].T @ error[:, i])
+        np.testing.assert_allclose(step[:, i], expected, rtol=0, atol=1e-9 * np.abs(expected).max())
+    assert sound.all()
+    J[1] = 0
+    assert not ik._step(J, error, np.zeros(50))[1].any()
+
+
+def test_what_is_left_is_the_same_in_both_layouts():
+    """Also at half a turn and near it, and for no turn at all."""
+    rng = np.random.default_rng(5)
+    angles = np.concatenate([rng.uniform(0, np.pi, 200), np.pi - 10.0 ** -np.arange(1, 17), [np.pi, 0, 1e-9, 1e-200]])
+    axes = rng.normal(size=(len(angles), 3))
+    w = angles[:, None] * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
+    T = pose_samples(3)(rng, (len(angles),))
+    goal = pose_samples(3)(rng, (len(angles),))
+    goal[:, :3, :3] = rotations.exp_so3(w) @ T[:, :3, :3]
+    end = ik._columns_and_place(T)
+    left = ik._left(end[:3], end[3], ik._columns_and_place(goal)).T
+    expected = pose_error(T, goal)
+    other = expected * np.where(np.linalg.norm(expected[:, :3], axis=-1) > np.pi - 1e-9, -1, 1)[:, None]
+    other[:, 3:] = expected[:, 3:]
+    gap = np.minimum(np.abs(left - expected).max(-1), np.abs(left - other).max(-1))
+    assert gap.max() < 2e-14
 
 
 def test_poses_anywhere_end_in_finite_numbers():
