@@ -45,7 +45,7 @@ def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     text = "\n".join(lines) + "\n"
     (FOLDER / "table.txt").write_text(text, encoding="utf-8")
-    picture.draw(curves, pays, FOLDER / "cost.png")
+    picture.draw(curves, {name: n for name, n in pays.items() if n > 1}, FOLDER / "cost.png")
     print(text)
     print(f"Written to {FOLDER}/table.txt and {FOLDER}/cost.png.")
 
