@@ -33,13 +33,11 @@ def import_times(repeats=15):
         for name, times in taken.items():
             code = f"import time; start = time.process_time(); import {name}; print(time.process_time() - start)"
             times.append(float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True).stdout))
-    least = {name: min(times) for name, times in taken.items()}
-    lines = [f"  import {name:20}{least[name] / least['numpy']:8.3g} x import numpy" for name in IMPORTS[1:]]
-    return ["Imports, new processes", *(line + verdict_of(line, 1.5) for line in lines), ""]
-
-
-def verdict_of(line, at_most):
-    return verdict(float(line.split(" x ")[0].split()[-1]), at_most)
+    lines = ["Imports, new processes"]
+    for name in IMPORTS[1:]:
+        share = min(taken[name]) / min(taken["numpy"])
+        lines.append(f"  import {name:20}{share:8.3g} x import numpy{verdict(share, 1.5)}")
+    return [*lines, ""]
 
 
 def assignment_6():
