@@ -136,7 +136,7 @@ _NOT_CONVERGING = Mistake(
 )
 _STUCK = Mistake(
     "the steps got stuck, and no other start is tried, or too few are",
-    "After 40 steps without success begin again at random.uniform(low, high), 60 times at most. If you do that, "
+    "After 40 steps without success begin again at random.uniform(low, high), 30 times at most. If you do that, "
     "eps is too large at the end: let it follow the error.",
 )
 _LAST = Mistake(
@@ -280,7 +280,7 @@ PANDA_IK = Exercise(
         "Else q = ik_step_dls(q, geometric_jacobian(frames), e, eps), with eps = 0.05 * e @ e + 1e-12, and then "
         "q = np.clip(q, low, high), with low, high = limits.T.",
         "Around it a second loop: when 40 steps did not suffice, q = random.uniform(low, high), with "
-        "random = np.random.default_rng(0). After 60 starts return np.full(7, np.nan).",
+        "random = np.random.default_rng(0). After 30 starts return np.full(7, np.nan).",
     ),
     forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path", "course_lib.ik._search", "course_lib.ik._step"),
 )

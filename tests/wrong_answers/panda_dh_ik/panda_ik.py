@@ -37,7 +37,7 @@ def out_of_reach(T):
 def search(
     T,
     q0,
-    starts=60,
+    starts=30,
     steps=40,
     enough=1e-7,
     clip=True,
@@ -64,13 +64,13 @@ def search(
 
 
 def right_out_of_reach_at_once(T, q0):
-    return np.full(7, np.nan) if out_of_reach(T) else search(T, q0, starts=60)
+    return np.full(7, np.nan) if out_of_reach(T) else search(T, q0, starts=30)
 
 
 def right_as_in_the_notebook(T, q0):
     random = np.random.default_rng(0)
     q = np.clip(q0, low, high)
-    for _start in range(60):
+    for _start in range(30):
         for _step in range(40):
             frames = panda_fk(q)
             e = pose_error(frames[-1], T)
@@ -100,7 +100,7 @@ def right_as_lists_with_the_librarys_jacobian(T, q0):
 def right_constant_small_damping(T, q0):
     random, q = np.random.default_rng(1), np.array(q0)
     for _ in range(1 if out_of_reach(T) else 50):
-        for _ in range(60):
+        for _ in range(30):
             frames = panda_fk(q)
             e = pose_error(frames[-1], T)
             if max(np.linalg.norm(e[:3]), np.linalg.norm(e[3:])) < 5e-7:
@@ -115,7 +115,7 @@ def right_many_starts_at_once(T, q0):
     """All starts take their steps together; the first that arrives is the answer."""
     goal = rigid.inverse(T_w0) @ T
     Q = np.vstack([q0, np.random.default_rng(2).uniform(low, high, (99, 7))])
-    for _ in range(60):
+    for _ in range(30):
         here = arm.fk(Q)
         turn = rotations.log_so3(goal[:3, :3] @ np.swapaxes(here[:, :3, :3], 1, 2))
         e = np.concatenate([turn, goal[:3, 3] - here[:, :3, 3]], 1)
@@ -286,7 +286,7 @@ def wrong_best_where_nothing_is_found(T, q0):
 def wrong_joint_past_its_limit_reset_to_the_middle(T, q0):
     """got stuck, and no other start"""
     q = np.array(q0)
-    for _ in range(60):
+    for _ in range(30):
         frames = panda_fk(q)
         e = pose_error(frames[-1], T)
         if np.linalg.norm(e) < 1e-7:
@@ -299,7 +299,7 @@ def wrong_joint_past_its_limit_reset_to_the_middle(T, q0):
 def wrong_transpose_steps(T, q0):
     """the steps do not lead to the target"""
     q = np.array(q0)
-    for _ in range(60):
+    for _ in range(30):
         frames = panda_fk(q)
         e = pose_error(frames[-1], T)
         if np.linalg.norm(e) < 1e-7:
