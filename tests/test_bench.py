@@ -2,11 +2,13 @@
 
 import numpy as np
 import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from course_lib import rotations
 from course_lib.arms import panda
-from course_lib.pack.bench import kinematics, peers, picture, rotation_maps
+from course_lib.pack.bench import kinematics, notebook_times, peers, picture, rotation_maps
 from course_lib.pack.bench.measure import Contestant, Outcome, Task, duration, measured, table
+from course_lib.pack.bench.notebook_times import import_only
 
 LIBRARY = Contestant("course_lib", lambda x: 2 * x)
 
@@ -156,3 +158,19 @@ def test_the_picture_is_drawn(tmp_path):
     curves = {"course_lib, one batch": curve(3e-5, 4e-6, 1e-6), "pinocchio, Python loop": curve(2e-6, 2e-6)}
     picture.draw(curves, {"pinocchio, Python loop": 42}, tmp_path / "cost.png")
     assert (tmp_path / "cost.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_notebook_of_imports_alone_holds_each_import_once_and_nothing_else():
+    cells = ["import json\nfrom pathlib import Path\nx = 1", "import json\nprint(x)", "def f():\n    import os"]
+    book = new_notebook(cells=[new_markdown_cell("# Words"), *map(new_code_cell, cells)])
+    (cell,) = import_only(book).cells
+    assert cell.source == "import json\nfrom pathlib import Path"
+    assert len(book.cells) == 4
+
+
+def test_the_notebooks_share_and_their_slowest_cells_are_told(monkeypatch):
+    output = "3.00s call     notebooks/05_panda_dh_ik.ipynb::Cell 34\n1.00s setup    notebooks/06.ipynb::Cell 0\n"
+    monkeypatch.setattr(notebook_times, "_nbval", lambda books: (2.0, "") if "tmp" in str(books[0]) else (7.0, output))
+    lines = notebook_times.notebook_times(repeats=1)
+    assert lines[2] == "  3.5 x   at most 2.5: 3.5 NO"
+    assert lines[4:] == ["     3.0 s  05_panda_dh_ik.ipynb::Cell 34", ""]
