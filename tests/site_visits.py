@@ -134,5 +134,5 @@ def violations(visit):
     """What axe-core, which looks for barriers, finds on a page with all that is folded shut opened."""
     visit.page.evaluate(OPEN)
     # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
-    found = Axe().run(visit.page, options={"preload": False}).response["violations"]
+    found = Axe().run(visit.page, options={"preload": False, "resultTypes": ["violations"]}).response["violations"]
     return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]

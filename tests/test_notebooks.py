@@ -1,6 +1,8 @@
 """The notebooks as students, graders and readers meet them."""
 
+import base64
 import importlib
+import io
 import os
 import re
 import subprocess
@@ -8,8 +10,10 @@ import sys
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 from nbclient import NotebookClient
+from PIL import Image
 
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
 ROOMS = ["Explain", "Reproduce", "What the report got wrong", "Go further", "Sources"]
@@ -167,3 +171,11 @@ def passes_nbval(notebook, path):
     done = subprocess.run(command, cwd=path.parent, env=outside, capture_output=True, text=True, timeout=120)
     assert done.returncode in (0, 1), done.stdout + done.stderr
     return done.returncode == 0
+
+
+def test_no_picture_is_cut_off_at_an_edge(path):
+    for cell, output in outputs(nbformat.read(path, 4)):
+        if "image/png" in output.get("data", {}):
+            picture = Image.open(io.BytesIO(base64.b64decode(output.data["image/png"]))).convert("L")
+            grey = np.asarray(picture)
+            assert min(grey[0].min(), grey[-1].min(), grey[:, 0].min(), grey[:, -1].min()) > 250, cell

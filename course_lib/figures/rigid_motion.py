@@ -30,7 +30,7 @@ def body_paths(contents, every=10):
 
     contents: {title: poses (n, 3)}.
     """
-    fig, axes = plane_figure(4.2 * len(contents), 4.2, len(contents), sharey=True)
+    fig, axes = plane_figure(4.2 * len(contents), 4.5, len(contents), sharey=True)
     for ax, (title, poses) in zip(axes, contents.items(), strict=True):
         ax.plot(poses[:, 0], poses[:, 1], color=BLUE, linestyle="--", linewidth=1.5)
         shown = [*range(0, len(poses) - 1, every), len(poses) - 1]
