@@ -88,7 +88,7 @@ def _stretched_along_one_axis(R):
 
 _EULER = (
     "Euler angles are drawn evenly",
-    "Even angles are not even rotations: compare the picture above. Use three numbers as in the hints.",
+    "Even angles are not even rotations: compare the picture below. Use three numbers as in the hints.",
 )
 _AXIS_AND_ANGLE = (
     "axis and angle are drawn evenly",

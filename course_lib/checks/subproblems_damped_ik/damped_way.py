@@ -164,7 +164,9 @@ SOLVE_LM = Exercise(
         Property(
             "there are steps + 1 rows: q0, and one after each step",
             lambda way, q0, target, alpha, eps, steps: len(way) == steps + 1,
-            lambda way, q0, target, alpha, eps, steps: f"For {steps} steps that is {steps + 1}. Yours has {len(way)}.",
+            lambda way, q0, target, alpha, eps, steps: (
+                f"With steps = {steps} that is {steps + 1}. Yours has {len(way)}."
+            ),
         ),
     ),
     mistakes=(
