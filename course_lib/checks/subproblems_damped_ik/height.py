@@ -174,6 +174,10 @@ SUBPROBLEM4 = Exercise(
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(b) / np.linalg.norm(h)),
             _by_cosine(_right_offset, lambda a, b, h, p: (np.linalg.norm(a) * np.linalg.norm(b)) ** 2),
         ),
+        *predicted(
+            ("h is divided by its length, and d is not", "h need not have length one: leave it as it is."),
+            lambda k, h, p, d: _by_cosine(_right_offset)(k, h / np.linalg.norm(h), p, d),
+        ),
         *wrong_middles("h", lambda middle: _by_cosine(_right_offset, middle=middle), _misses),
         *predicted(
             (

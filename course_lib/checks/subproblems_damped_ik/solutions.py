@@ -180,6 +180,10 @@ def wrong_middles(goal, angles, misses):
             angles(by_arctan),
         ),
         *predicted(
+            (f"{turn} has sine and cosine swapped", "np.arctan2(sine, cosine), in this order: atan2(B, A)."),
+            angles(lambda *case: np.pi / 2 - angle_about(*case)),
+        ),
+        *predicted(
             (f"{turn} has lost its sign", "arccos cannot tell one way round from the other. Take subproblem1."),
             angles(lambda *case: abs(angle_about(*case))),
         ),

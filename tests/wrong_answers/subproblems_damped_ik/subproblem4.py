@@ -112,6 +112,18 @@ def wrong_h_taken_for_a_unit_vector(k, h, p, d):
     return _two(k, h, p, (d - (k @ h) * (k @ p)) / np.linalg.norm(across(k, p)))
 
 
+def wrong_h_made_a_unit_vector(k, h, p, d):
+    """h is divided by its length"""
+    return right_by_components(k, h / np.linalg.norm(h), p, d)
+
+
+def wrong_arctan2_of_cosine_and_sine(k, h, p, d):
+    """has sine and cosine swapped"""
+    A, B, C = h @ across(k, p), h @ np.cross(k, p), d - (k @ h) * (k @ p)
+    swing = np.arccos(C / np.hypot(A, B)) if abs(C) <= np.hypot(A, B) else None
+    return [] if swing is None else [np.arctan2(A, B) + swing, np.arctan2(A, B) - swing]
+
+
 def wrong_arccos_alone(k, h, p, d):
     """the turn from p to h is left out"""
     return [t - turn(k, p, h) for t in right_by_the_angle_beside_h(k, h, p, d)]
