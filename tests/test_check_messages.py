@@ -163,6 +163,29 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
     assert len(shown) == 1
 
 
+def test_an_earlier_exercise_that_is_missing_is_named(shown):
+    def is_so(R, tol):
+        raise NotImplementedError("Write is_so here.")
+
+    Check(check.is_se.exercise)(lambda T, tol: is_so(T[:-1, :-1], tol))
+    assert "It calls is_so, which is not written yet. Write is_so first." in words(shown[-1])
+    Check(check.is_so.exercise)(is_so)
+    assert words(shown[-1]) == "○ is_so: not attempted yet"
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected"),
+    [
+        (lambda M: [1] - [2], "lists are taken for arrays"),
+        (lambda M: 2.0 ^ M, "^ is taken for a power"),
+        (lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)), "decimals are added to an array of whole numbers"),
+    ],
+)
+def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):
+    Check(NEAREST_SO)(answer)
+    assert f"It looks as if {expected}." in words(shown[-1])
+
+
 def test_a_check_says_how_to_call_it():
     assert "check.nearest_so(nearest_so)" in repr(check.nearest_so)
 

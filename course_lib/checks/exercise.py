@@ -1,5 +1,6 @@
 """What an exercise asks and how its answers are judged. Nothing here knows where the student's function runs."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -216,7 +217,10 @@ def _named(exercise, wanted, cases, values, failing):
 def _no_answer(exercise, case, type, message, line, source):
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if type == "NotImplementedError":
-        return Verdict(exercise, NOT_ATTEMPTED)
+        stub = re.fullmatch(r"Write (\w+) here\.", message)  # as the release to students has it
+        if stub is None or stub[1] == exercise.name:
+            return Verdict(exercise, NOT_ATTEMPTED)
+        return Verdict(exercise, ERROR, f"It calls {stub[1]}, which is not written yet. Write {stub[1]} first.")
     if type == "NotPlain":
         return Verdict(exercise, WRONG, f"the answer is numbers, booleans, arrays or lists. Yours is {message}.")
     if type == "NotAllowed":
@@ -228,7 +232,7 @@ def _no_answer(exercise, case, type, message, line, source):
         reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
         return Verdict(exercise, WRONG, reason, ANOTHER_SYMBOL)
     where = f"Line {line} of its cell, `{source}`, raises" if source else f"Calling {call} raises"
-    known = (mistake for kind, words, mistake in exercise.errors if kind == type and words in message)
+    known = (mistake for kind, words, mistake in (*exercise.errors, *ERRORS) if kind == type and words in message)
     shown = None if exercise.through else case  # the numbers that are shown are not what the function was given
     return Verdict(exercise, ERROR, f"{where} {type}: {message}", next(known, None), shown)
 
@@ -244,6 +248,19 @@ def _attempt(formula, *arguments):
 ANOTHER_SYMBOL = Mistake(
     "a symbol made elsewhere stands in the answer",
     "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
+)
+ERRORS = (  # that are met in any exercise; an exercise's own go before
+    (
+        "UFuncTypeError",
+        "Cannot cast",
+        Mistake("decimals are added to an array of whole numbers", "np.array(x, float) makes one that holds decimals."),
+    ),
+    (
+        "TypeError",
+        "'list' and 'list'",
+        Mistake("lists are taken for arrays", "np.array(x, float) makes an array of a list: arrays can be subtracted."),
+    ),
+    ("TypeError", "operand type(s) for ^", Mistake("^ is taken for a power", "In Python a power is **: x**2.")),
 )
 FORGOTTEN_RETURN = Mistake("a return is missing", "The last line of a function is often `return ...`.")
 
