@@ -81,7 +81,7 @@ def height_histogram(samples):
             density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
             ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
         ax.axhline(0.5, color=BLACK, linewidth=1)
-        ax.set(title=title, xlabel="height z of the image")
+        ax.set(title=title, xlabel="height z of the image", xticks=[-1, -0.5, 0, 0.5, 1])
         ax.legend(frameon=False)
     axes[0].set_ylabel("density")
     return fig
