@@ -178,6 +178,7 @@ def test_an_earlier_exercise_that_is_missing_is_named(shown):
     [
         (lambda M: [1] - [2], "lists are taken for arrays"),
         (lambda M: 2.0 ^ M, "^ is taken for a power"),
+        (lambda M: 2.0 ^ M[0, 0].item(), "^ is taken for a power"),
         (lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)), "decimals are added to an array of whole numbers"),
     ],
 )

@@ -249,6 +249,7 @@ ANOTHER_SYMBOL = Mistake(
     "a symbol made elsewhere stands in the answer",
     "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
 )
+_NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
 ERRORS = (  # that are met in any exercise; an exercise's own go before
     (
         "UFuncTypeError",
@@ -260,7 +261,8 @@ ERRORS = (  # that are met in any exercise; an exercise's own go before
         "'list' and 'list'",
         Mistake("lists are taken for arrays", "np.array(x, float) makes an array of a list: arrays can be subtracted."),
     ),
-    ("TypeError", "operand type(s) for ^", Mistake("^ is taken for a power", "In Python a power is **: x**2.")),
+    ("TypeError", "operand type(s) for ^", _NO_POWER),
+    ("TypeError", "bitwise_xor", _NO_POWER),
 )
 FORGOTTEN_RETURN = Mistake("a return is missing", "The last line of a function is often `return ...`.")
 
