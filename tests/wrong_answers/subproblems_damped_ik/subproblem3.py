@@ -240,7 +240,7 @@ def wrong_mean_of_both(k, p, q, d):
 
 
 def wrong_arcsin_of_the_cosine(k, p, q, d):
-    """unnamed"""
+    """has sine and cosine swapped"""
     found = right_textbook(k, p, q, d)
     return [np.pi / 2 - t for t in found]
 
