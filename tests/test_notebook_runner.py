@@ -232,6 +232,12 @@ def test_a_file_that_is_no_notebook_is_named(write, capsys):
     assert "is no notebook" in fails(path, capsys)
 
 
+def test_a_file_that_is_not_there_is_named(tmp_path, capsys):
+    assert notebooks.main([str(tmp_path / "04_hat.ipynb")]) == 1
+    said = capsys.readouterr().err
+    assert f"{tmp_path}/04_hat.ipynb: cannot be read: No such file or directory. Name a file that is there." in said
+
+
 def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
     path = write(new_code_cell("1"))
     before = path.read_bytes()

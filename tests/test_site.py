@@ -220,6 +220,9 @@ def test_says_in_a_sentence_why_there_is_no_site(tmp_path, monkeypatch, capsys):
     books.mkdir()
     monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(books), "--output", str(target)])
     assert run() == f"No site was built. There are no notebooks in {books}.\n"
+    with monkeypatch.context() as typed:
+        typed.setattr(sys, "argv", [*sys.argv, "--single", "1"])
+        assert run() == "No site was built. SINGLE=1 is neither yes nor no: write SINGLE=yes or SINGLE=no.\n"
     write(books, "01.ipynb", cell())
     assert "01.ipynb holds no outputs" in run()
     (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")

@@ -69,9 +69,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     """Run one notebook in place and return what there is to say about it."""
-    before = path.read_text(encoding="utf-8")
     try:
+        before = path.read_text(encoding="utf-8")
         notebook = nbformat.reads(before, as_version=4)
+    except OSError as error:
+        raise NotebookFailed(f"cannot be read: {error.strerror}. Name a file that is there.") from error
     except ValueError as error:  # a half-resolved merge, most often
         raise NotebookFailed(f"is no notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]

@@ -23,9 +23,17 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
     parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
-    parser.add_argument("--solutions", choices=["yes", "no"], default="yes", help="fold them shut, or leave them out")
-    parser.add_argument("--single", choices=["yes", "no"], default="no", help="make each page one file")
+    parser.add_argument("--solutions", default="yes", help="yes: fold them shut; no: leave them out")
+    parser.add_argument("--single", default="no", help="yes: make each page one file")
     chosen = parser.parse_args()
+
+    for name, answer in (("SOLUTIONS", chosen.solutions), ("SINGLE", chosen.single)):
+        if answer not in ("yes", "no"):
+            print(
+                f"No site was built. {name}={answer} is neither yes nor no: write {name}=yes or {name}=no.",
+                file=sys.stderr,
+            )
+            return 1
 
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if missing:
