@@ -188,22 +188,29 @@ WRONG = [
     (answer("    return 1", END), "an END SOLUTION without BEGIN SOLUTION"),
     (answer(BEGIN, BEGIN, "    return 1", END), "a second BEGIN SOLUTION before END SOLUTION"),
     (answer("    return 1"), "an answer cell without ### BEGIN SOLUTION"),
-    ("\n".join([BEGIN[4:], answer("    return 1"), END[4:]]), "no function `wrap_angle` that raises: no stub"),
-    (answer(BEGIN, "    return 1", END, "  return 2"), "no function `wrap_angle` that raises: no stub"),
+    (
+        "\n".join([BEGIN[4:], answer("    return 1"), END[4:]]),
+        "no function `wrap_angle` that raises. Put the two markers inside",
+    ),
+    (
+        answer(BEGIN, "    return 1", END, "  return 2"),
+        "no function `wrap_angle` that raises. Put the two markers inside",
+    ),
 ]
 
 
 @pytest.mark.parametrize(("source", "told"), WRONG, ids=range(len(WRONG)))
 def test_an_answer_that_makes_no_stub_is_named(tree, tmp_path, capsys, source, told):
     sentence = refused(tree, tmp_path, capsys, "wrap-angle-answer", source)
-    assert sentence.startswith("No release was written. 02_rigid_motion.ipynb, cell wrap-angle-answer: ")
+    assert re.match(r"No release was written\. 02_rigid_motion\.ipynb, cell \d+ \(wrap_angle\): ", sentence)
     assert told in sentence
 
 
 @pytest.mark.parametrize("words", ["### BEGIN SOLUTION", "**Model answer.** It is", "*Rubric (2): 1 for*"])
 def test_words_for_graders_in_another_cell_are_named(tree, tmp_path, capsys, words):
     sentence = refused(tree, tmp_path, capsys, "wrap-angle-task", words)
-    assert "02_rigid_motion.ipynb, cell wrap-angle-task" in sentence
+    assert "(task_wrap_angle) holds" in sentence
+    assert "Move that to an answer cell" in sentence
 
 
 @pytest.mark.parametrize("text", ["<<<<<<< HEAD\n{}", "[1, 2]", '{"cells": 3}', "\udcff"], ids=range(4))

@@ -20,7 +20,8 @@ def students_copy(text, name, release):
     """
     notebook = _read(text, name)
     for number, cell in enumerate(notebook.cells, 1):
-        _empty(cell, f"{name}, cell {cell.get('id', number)}")
+        grade_id = cell.metadata.get("nbgrader", {}).get("grade_id")
+        _empty(cell, f"{name}, cell {number}" + (f" ({grade_id})" if grade_id else ""))
     notebook.metadata["course"] = {**notebook.metadata.get("course", {}), "release": release}
     tidy(notebook)
     return nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
@@ -56,7 +57,8 @@ def take_answer(cell, place):
         cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place) if code else PROMPT
     found = [words for words in FOR_GRADERS if words in cell.source]
     if found:
-        raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell.')
+        how = "Move that to an answer cell, or mark this one as one: `solution` in nbgrader's metadata."
+        raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell. {how}')
 
 
 def stub(source, exercise, place):
@@ -77,10 +79,13 @@ def stub(source, exercise, place):
     if inside:
         raise ReleaseError(f"{place}: a BEGIN SOLUTION without END SOLUTION.")
     if not blocks:
-        raise ReleaseError(f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION: no stub.")
+        raise ReleaseError(
+            f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION around the answer."
+        )
     text = "\n".join(kept)
     if not _defines(text, exercise):
-        raise ReleaseError(f"{place}: without its solution this is no function `{exercise}` that raises: no stub.")
+        what = f"without its solution this is no function `{exercise}` that raises"
+        raise ReleaseError(f"{place}: {what}. Put the two markers inside the function, below its docstring.")
     return text
 
 
