@@ -13,6 +13,7 @@ import pytest
 from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.notebook_file import UNREADABLE
 
 ROOT = Path(__file__).parents[1]
 TABLES = ("grades.csv", "totals.csv", "questions.csv")
@@ -201,6 +202,39 @@ def test_what_stops_a_run_is_said_in_a_sentence(place, capsys, words):
     assert said.startswith("Grading stopped. ")
     assert said.endswith(".\n")
     assert calls(place) == 0
+
+
+@pytest.mark.parametrize("name", ["JOBS", "SEED"])
+def test_a_setting_that_is_no_number_is_called_as_it_was_typed(place, capsys, name):
+    fill(place, 1)
+    assert run(place, f"--{name.lower()}", "two") == 1
+    assert capsys.readouterr().err == f"Grading stopped. {name}=two is no whole number.\n"
+
+
+def test_a_file_in_the_place_of_the_folder_is_told(place, capsys):
+    fill(place, 1)
+    (one,) = place.glob("in/**/*.ipynb")
+    assert main([str(one), "--output", str(place / "out")]) == 1
+    assert f"{one} is a file: name the folder that it lies in." in capsys.readouterr().err
+
+
+def test_what_the_instructor_should_look_at_is_said_at_the_end(place, capsys):
+    def unreadable(content, notebook, seed):
+        result = grade(content, notebook, seed)
+        for exercise in result["exercises"]:
+            exercise["state"] = UNREADABLE
+        return result | {"problems": ["It is no notebook."]}
+
+    fill(place, 1)
+    run(place, "--jobs", "1")
+    assert "1 written answer to be read: type marks into" in capsys.readouterr().out
+    table = place / "out/questions.csv"
+    table.write_text(table.read_text().replace(",2,,,to be read", ",2,3,,to be read"))
+    run(place, "--jobs", "1", "--seed", "5", grade=unreadable)
+    said = capsys.readouterr().out
+    assert "1 unreadable." in said
+    assert "01_rotations.ipynb: It is no notebook." in said
+    assert "1 mark there cannot be taken: the column `state` says why." in said
 
 
 def test_without_a_folder_make_says_what_to_name(capsys):

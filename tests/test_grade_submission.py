@@ -2,14 +2,15 @@
 
 import json
 import random
+import re
 from dataclasses import replace
 
 import nbformat
 import pytest
 from hostile.build import FULL, NAME, OTHERS, SEED, SHORT, book, cell, points
 
-from course_lib.pack.grade.notebook_file import NOTEBOOKS, courses
-from course_lib.pack.grade.submission import UNREADABLE, grade
+from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
+from course_lib.pack.grade.submission import grade
 from course_lib.pack.release.stubs import PROMPT, students_copy
 
 
@@ -188,6 +189,15 @@ def test_an_exercise_whose_cells_were_deleted_is_not_attempted_and_the_others_ar
     assert points(result) == FULL - 3
 
 
+def test_an_answer_that_is_no_python_is_no_missing_one(few):
+    broken = [s.replace("return ", "return @", 1) if "def nearest_so" in s else s for s in few[1]]
+    result = grade(book(few[0], *broken), NAME, SEED)
+    assert states(result)["nearest_so"] == "error in your code"
+    (said,) = (row["message"] for row in result["exercises"] if row["exercise"] == "nearest_so")
+    assert re.search(r"Code cell \d+ is no Python: invalid syntax, in line \d+, `return @", said)
+    assert points(result) == FULL - 3
+
+
 # ---- files that are none ----
 
 
@@ -212,7 +222,7 @@ def test_a_file_that_is_no_notebook_says_why_for_every_exercise(content, why):
     assert [row["exercise"] for row in result["exercises"]] == [e.name for e in courses()[NAME].exercises]
     assert set(states(result).values()) == {UNREADABLE}
     assert points(result) == 0
-    assert len(result["questions"]) == 3
+    assert [question["state"] for question in result["questions"]] == [UNREADABLE] * 3
 
 
 @pytest.mark.parametrize(

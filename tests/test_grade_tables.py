@@ -17,10 +17,12 @@ from course_lib.pack.grade.marks import (
     READ,
     TO_BE_READ,
     MarksUnreadable,
+    key,
     marked,
     marks_text,
     read_marks,
 )
+from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import GRADES, cell, cell_text, grades_text, handed, totals_text
 from course_lib.pack.release.stubs import PROMPT
 
@@ -231,6 +233,19 @@ def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
     assert again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is no number from 0 to 2"
     assert cell_text(again.questions()[0]["mark"]) == typed
     assert again.totals()[0]["total"] == "2"
+
+
+def test_a_mark_that_is_none_is_not_told_to_the_student(path):
+    question = {"question": "explain_0", "of": 2, "text": "because"}
+    its_key = key("zoe", "01_rotations", "explain_0", "because")
+    each = marked(question, "zoe", "01_rotations", {its_key: {"mark": "3", "comment": ""}})
+    assert (each.state, each.told) == (TO_BE_READ, f"{TO_BE_READ}: the mark 3 is no number from 0 to 2")
+
+
+def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
+    each = marked({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
+    assert (each.state, each.points) == (UNREADABLE, 0)
+    assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
 
 
 def test_an_unanswered_question_has_nothing_to_be_read(path):

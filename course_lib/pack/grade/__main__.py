@@ -12,10 +12,10 @@ from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all, write_whole
-from course_lib.pack.grade.marks import TO_BE_READ, MarksUnreadable, marked, marks_text, read_marks
+from course_lib.pack.grade.marks import MarksUnreadable, marked, marks_text, read_marks
 from course_lib.pack.grade.sandbox import notice
 from course_lib.pack.grade.submission import grade
-from course_lib.pack.grade.tables import grades_text, handed, totals_text
+from course_lib.pack.grade.tables import counted, grades_text, handed, totals_text
 
 
 def main(arguments=None, grade=grade):
@@ -39,20 +39,21 @@ def _parser():
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
     parser.add_argument("submissions", help="folder that holds what was handed in")
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
-    parser.add_argument("--jobs", type=int, default=-1, help="how many at once; one for each processor if not given")
+    parser.add_argument("--jobs", default="-1", help="how many at once; one for each processor if not given")
     parser.add_argument("--scheduler", default="", help="address of a Dask cluster that does the work, tcp://...")
-    parser.add_argument("--seed", type=int, help="of the cases that are asked; drawn once and kept if not given")
+    parser.add_argument("--seed", help="of the cases that are asked; drawn once and kept if not given")
     return parser
 
 
 def _grade(chosen, grade):
     output, submissions = chosen.output, _submissions(chosen)
+    jobs, given = _whole_number("JOBS", chosen.jobs), _whole_number("SEED", chosen.seed)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
-        seed = _seed(output / "seed", chosen.seed)
+        seed = _seed(output / "seed", given)
         print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
-        outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs or 1, chosen.scheduler)
+        outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
         _write(output, handed(outcomes))
 
 
@@ -61,14 +62,25 @@ def _submissions(chosen):
     if not chosen.submissions:
         raise GradingStopped("Name the folder that holds what was handed in: make grade SUBMISSIONS=folder.")
     folder, output = Path(chosen.submissions), chosen.output.resolve()
+    if folder.is_file():
+        raise GradingStopped(f"{folder} is a file: name the folder that it lies in.")
     if not folder.is_dir():
         raise GradingStopped(f"There is no folder {folder}.")
     if folder.resolve() in [output, *output.parents]:
         raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
     found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")))
     if not found:
-        raise GradingStopped(f"There is nothing in {folder}.")
+        forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
+        raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
     return found
+
+
+def _whole_number(name, typed):
+    """What was typed for one of make's settings as a number; None where nothing was."""
+    try:
+        return None if typed is None else int(typed)
+    except ValueError:
+        raise GradingStopped(f"{name}={typed} is no whole number.") from None
 
 
 @contextlib.contextmanager
@@ -126,11 +138,14 @@ def _write(output, everything):
 
 
 def _summary(output, everything, listed):
-    states = Counter(each.result.get("state", "graded") for each in everything)
+    states = Counter(each.result.get("state", "unreadable" if each.unreadable else "graded") for each in everything)
     said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
     lines = [f"{output / 'grades.csv'}: {said}."]
-    if left := sum(answer.state.startswith(TO_BE_READ) for _, _, answer in listed):
-        lines.append(f"{left} written answers are to be read: type marks into {output / 'questions.csv'}.")
+    lines += [f"{each.submission.place}: {each.result['problems'][0]}" for each in everything if each.unreadable]
+    if left := sum(answer.points is None for _, _, answer in listed):
+        lines.append(f"{counted(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
+    if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
+        lines.append(f"{counted(wrong, 'mark')} there cannot be taken: the column `state` says why.")
     if "not graded" in states:
         lines.append("What could not be graded has its reason in the table; the same command tries it again.")
     return "\n".join(lines)

@@ -90,6 +90,21 @@ def without_magics(source):
     return "\n".join("" if re.match(r"\s*[%!?]|.*\?$", line) and "#" not in line else line for line in lines)
 
 
+def no_python(sources, name):
+    """Return in words why a cell that begins to define this function is no Python, or "" where there is none."""
+    for number, source in enumerate(sources, 1):
+        if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
+            continue
+        try:
+            ast.parse(without_magics(source))
+        except SyntaxError as error:
+            line = (error.text or "").strip()[:100]
+            return f"Code cell {number} is no Python: {error.msg}, in line {error.lineno}, `{line}`."
+        except (ValueError, RecursionError, MemoryError):
+            return f"Code cell {number} is no Python."
+    return ""
+
+
 def is_stub(tree):
     """Return whether this is a function that only says that it is not written yet."""
     if not isinstance(tree, ast.FunctionDef):

@@ -8,7 +8,7 @@ from collections import Counter
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.grade.feedback import escaped, page, wide_table
-from course_lib.pack.grade.tables import clean, totals
+from course_lib.pack.grade.tables import clean, counted, totals
 
 MOST = 15  # bars of a picture
 INK = "#010203"  # becomes the page's own colour of text, light or dark
@@ -20,16 +20,14 @@ def class_page(everything, marks_of):
     """Return the page, from what tables.handed gives."""
     of, students, waiting = totals(everything, marks_of)
     graded = [each for each in everything if each.graded and not each.instead and each.student]
-    said = f"{_number(len(students), 'student')}, {_number(len(graded), 'notebook')} graded"
+    said = f"{counted(len(students), 'student')}, {counted(len(graded), 'notebook')} graded"
+    if unreadable := sum(each.unreadable for each in graded):
+        said += f", {unreadable} of them unreadable and without points"
     left = sum(waiting.values())
-    said += f", {_number(left, 'written answer')} still to be read, which count nothing yet." if left else "."
+    said += f", {counted(left, 'written answer')} still to be read, for no points yet." if left else "."
     parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(of, students)]
     parts += [_distribution(of, students), _hardest(graded), _mistakes(graded)]
     return page("The class", "\n".join(part for part in parts if part))
-
-
-def _number(count, name):
-    return f"{count} {name}" if count == 1 else f"{count} {name}s"
 
 
 # ---- what the page shows ----
@@ -114,7 +112,7 @@ def _mistakes(graded):
     _label_bars(axes, [textwrap.fill(name, 55) for name in shown])
     axes.set_xlabel("students")
     axes.xaxis.get_major_locator().set_params(integer=True)
-    alt = f"Bars: how many made each mistake, most frequent first. {_number(counts[order[0]], 'student')}: {order[0]}."
+    alt = f"Bars: how many made each mistake, most frequent first. {counted(counts[order[0]], 'student')}: {order[0]}."
     rows = [(name, counts[name]) for name in order]
     return _section("Most frequent mistakes", figure, alt, _table(("mistake", "students"), rows))
 

@@ -5,7 +5,7 @@ import html
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.grade.collect import file_names
 from course_lib.pack.grade.jobs import write_whole
-from course_lib.pack.grade.tables import clean
+from course_lib.pack.grade.tables import clean, counted
 
 LONGEST = 100_000  # characters of one message or answer
 MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
@@ -70,7 +70,7 @@ def feedback_page(each, answers):
     waiting = sum(answer.points is None for answer in answers)
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
     if each.graded:
-        later = f", {waiting} written answers still to be read" if waiting else ""
+        later = f", {counted(waiting, 'written answer')} still to be read" if waiting else ""
         body.append(f"<p><strong>{each.points + read:g} of {each.of} points</strong>{later}</p>")
     body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
     body.append(_overview(each.result["exercises"], answers))

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
+from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import answer_text, cell, cell_text, table_text
 from course_lib.pack.release.stubs import PROMPT
 
@@ -20,7 +21,10 @@ class MarksUnreadable(Exception):
 
 @dataclass(frozen=True)
 class Marked:
-    """A written answer and what the reader gave for it; points is None until then."""
+    """A written answer and what the reader gave for it; points is None until then.
+
+    wrong: why a mark that was typed is none; only the reader sees that.
+    """
 
     question: str
     of: int
@@ -29,6 +33,12 @@ class Marked:
     state: str
     points: float | None = None
     comment: str = ""
+    wrong: str = ""
+
+    @property
+    def told(self):
+        """The state as the reader is told it."""
+        return f"{self.state}: {self.wrong}" if self.wrong else self.state
 
 
 def key(student, notebook, question, text):
@@ -56,7 +66,10 @@ def read_marks(path):
     except csv.Error as error:
         raise MarksUnreadable(f"{path} is no table any more: {error}.") from error
     if rows and not {"key", "mark", "comment"} <= set(rows[0]):
-        raise MarksUnreadable(f"{path} has no columns `key`, `mark` and `comment` any more: bring them back.")
+        raise MarksUnreadable(
+            f"{path} has no columns `key`, `mark` and `comment` any more: bring them back, or move "
+            "the file away, and the next run writes it anew, without marks."
+        )
     rows = [{name: row.get(name) or "" for name in COLUMNS} for row in rows if row["key"]]
     rows.sort(key=lambda row: bool(row["mark"].strip()))  # of a line that was copied, the one with the mark counts
     return {row["key"]: row for row in rows}
@@ -67,15 +80,15 @@ def marked(question, student, notebook, rows):
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
     if text.strip() in ("", PROMPT):
-        return Marked(question["question"], of, text, its_key, NOT_ATTEMPTED, 0)
+        return Marked(question["question"], of, text, its_key, question.get("state", NOT_ATTEMPTED), 0)
     row = rows.get(its_key, {})
     typed, comment = cell_text(row.get("mark", "")).strip(), cell_text(row.get("comment", ""))
     if not typed:
         return Marked(question["question"], of, text, its_key, TO_BE_READ, comment=comment)
     points = _number(typed)
     if points is None or not 0 <= points <= of:
-        state = f"{TO_BE_READ}: the mark {typed[:20]} is no number from 0 to {of}"
-        return Marked(question["question"], of, text, its_key, state, comment=comment)
+        wrong = f"the mark {typed[:20]} is no number from 0 to {of}"
+        return Marked(question["question"], of, text, its_key, TO_BE_READ, comment=comment, wrong=wrong)
     return Marked(question["question"], of, text, its_key, READ, points, comment)
 
 
@@ -96,11 +109,11 @@ def marks_text(listed, rows):
     """
     written, table = set(), []
     for student, notebook, each in listed:
-        if each.state == NOT_ATTEMPTED:
+        if each.state in (NOT_ATTEMPTED, UNREADABLE):
             continue
         row = rows.get(each.key, {})
         begin = [student, notebook, each.question, each.of, row.get("mark", ""), row.get("comment", "")]
-        table.append([*begin, each.state, answer_text(each.text), each.key])
+        table.append([*begin, each.told, answer_text(each.text), each.key])
         written.add(each.key)
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):

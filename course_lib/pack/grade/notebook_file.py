@@ -15,6 +15,7 @@ from course_lib.pack.grade.course_copy import PACKAGE
 from course_lib.pack.release.stubs import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
+UNREADABLE = "cannot be read"
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
@@ -59,11 +60,13 @@ class Course:
 def read(content):
     """Return (cells, release) of a file's bytes. Raises Unreadable."""
     if not content.strip():
-        raise Unreadable("The file is empty.")
+        raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     try:
         book = json.loads(_text(content))
     except (ValueError, RecursionError):
-        raise Unreadable("It is no notebook: it is not JSON.") from None
+        raise Unreadable(
+            "It is no notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
+        ) from None
     listed = _listed(book)
     if listed is None:
         raise Unreadable("It is no notebook: it has no list of cells.")

@@ -14,11 +14,11 @@ from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, Verdict, jud
 from course_lib.checks.notebook import describe
 from course_lib.checks.plain import read, write
 from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.course_copy import contents
-from course_lib.pack.grade.notebook_file import Unreadable, course_of, courses
+from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
 from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox
 
-UNREADABLE = "cannot be read"
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
@@ -56,13 +56,16 @@ def grade(text, notebook, seed, limits=None):
         cells, release = notebook_file.read(text)
     except Unreadable as problem:
         course = course_of(notebook, [])
-        return _result(notebook, "", course, [str(problem)], {}, [])
+        return _result(notebook, "", course, [str(problem)], {}, None)
     course = course_of(notebook, cells)
     if course is None:
         problem = "It is none of the course's notebooks: neither its name nor its functions say which."
         return _result(notebook, release, None, [problem], {}, cells)
     run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises)
     outcomes = ask_all(run)
+    for exercise in course.exercises:
+        if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
+            outcomes[exercise.name] = Outcome(Verdict(exercise, ERROR, why))
     return _result(notebook, release, course, _problems(run), outcomes, cells)
 
 
@@ -204,13 +207,17 @@ def _how_it_ended(message, limits):
 
 
 def _result(notebook, release, course, problems, outcomes, cells):
+    """The result as plain data. cells: None where the file could not be read."""
     found = {"notebook": course.name if course else notebook, "release": _shown(release), "problems": problems}
     exercises = course.exercises if course else ()
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
     questions = course.questions if course else ()
     found["questions"] = [
-        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells)[:100_000]} for q in questions
+        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells or [])[:100_000]} for q in questions
     ]
+    if cells is None:
+        for question in found["questions"]:
+            question["state"] = UNREADABLE
     return json.loads(json.dumps(found))
 
 

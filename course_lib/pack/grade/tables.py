@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from course_lib.pack.grade.collect import Submission
+from course_lib.pack.grade.notebook_file import UNREADABLE
 
 GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message", "release")
 LONGEST = 1000  # characters of a message in a table; the feedback has all
@@ -34,6 +35,11 @@ class Handed:
     @property
     def graded(self):
         return "state" not in self.result
+
+    @property
+    def unreadable(self):
+        """Whether nothing in the file could be read: it then earns nothing, and its student should hear of it."""
+        return any(exercise["state"] == UNREADABLE for exercise in self.result["exercises"])
 
     @property
     def points(self):
@@ -88,7 +94,7 @@ def _lines(each, marks_of):
         yield tuple(exercise[name] for name in ("exercise", "points", "of", "state", "message"))
     for answer in marks_of(each):
         points = "" if answer.points is None else answer.points
-        yield answer.question, points, answer.of, answer.state, answer.comment
+        yield answer.question, points, answer.of, answer.told, answer.comment
 
 
 def totals(everything, marks_of):
@@ -127,6 +133,11 @@ def table_text(columns, rows):
     file = io.StringIO(newline="")
     csv.writer(file, lineterminator="\n").writerows([columns, *rows])
     return file.getvalue()
+
+
+def counted(number, name):
+    """Return "1 mark", "2 marks"."""
+    return f"{number} {name}" if number == 1 else f"{number} {name}s"
 
 
 def clean(text):
