@@ -36,8 +36,14 @@ def graded(notebook):
     """{grade_id: cell} of the cells that nbgrader knows."""
     cells = [cell for cell in notebook.cells if "nbgrader" in cell.metadata]
     found = {cell.metadata.nbgrader.grade_id: cell for cell in cells}
-    assert len(found) == len(cells), "a grade_id occurs twice"
+    names = [cell.metadata.nbgrader.grade_id for cell in cells]
+    assert len(found) == len(names), f"these occur twice: {', '.join(sorted({n for n in names if names.count(n) > 1}))}"
     return found
+
+
+def check_cells(notebook):
+    """By their grade_id, for JupyterLab gives a copied cell an id of its own making."""
+    return [cell for name, cell in graded(notebook).items() if name.startswith("check_")]
 
 
 def outputs(notebook):
@@ -74,20 +80,39 @@ def test_has_all_its_rooms(path):
 
 def test_every_check_has_a_task_an_answer_and_its_points(path):
     cells = graded(nbformat.read(path, 4))
-    checks = checks_of(path).CHECKS
-    for exercise in (check.exercise for check in checks):
-        task, answer, check = (cells[prefix + exercise.name] for prefix in ("task_", "", "check_"))
-        assert f"`{exercise.name}`" in task.source.splitlines()[0]
-        assert "Example" in task.source
-        assert "*Why it matters:*" in task.source
-        assert f"({exercise.points} point" in task.source
-        assert SOLUTION.search(answer.source)
-        assert f"def {exercise.name}({', '.join(exercise.arguments)})" in answer.source
-        assert check.source == f"check.{exercise.name}({exercise.name})"
-        assert check.metadata.nbgrader.points == exercise.points
-        assert (check.metadata.nbgrader.grade, check.metadata.nbgrader.locked) == (True, True)
+    exercises = [check.exercise for check in checks_of(path).CHECKS]
+    missing = [f"{exercise.name}: {what}" for exercise in exercises for what in missing_of(exercise, cells)]
+    names = [exercise.name for exercise in exercises]
     checked = [name.removeprefix("check_") for name in cells if name.startswith("check_")]
-    assert checked == [check.exercise.name for check in checks]  # progress() names the next one in this order
+    lines = f"course_lib/checks/{path.stem[3:]}/__init__.py"
+    missing += [f"{name}: {lines} has no line for it" for name in checked if name not in names]
+    assert not missing, "\n" + "\n".join(missing)
+    assert checked == names, f"progress() names the next one in the order of {lines}, which is not the notebook's"
+
+
+def missing_of(exercise, cells):
+    """What the notebook lacks of an exercise, in words for its author. cells: by their grade_id."""
+    name, points = exercise.name, exercise.points
+    absent = [
+        f"no cell has the grade_id {prefix}{name}" for prefix in ("task_", "", "check_") if prefix + name not in cells
+    ]
+    if absent:
+        return absent
+    task, answer, check = (cells[prefix + name] for prefix in ("task_", "", "check_"))
+    about, shown = check.metadata.nbgrader, f"({points} point{'s' if points > 1 else ''})"
+    head = f"def {name}({', '.join(exercise.arguments)})"
+    wanted = {
+        f"the first line of its task does not name `{name}`": f"`{name}`" in task.source.splitlines()[0],
+        "its task has no Example": "Example" in task.source,
+        "its task does not say *Why it matters:*": "*Why it matters:*" in task.source,
+        f"its task does not say {shown}, which its Exercise gives": shown in task.source,
+        "its answer has no BEGIN SOLUTION and END SOLUTION": bool(SOLUTION.search(answer.source)),
+        f"its answer does not begin with {head}": head in answer.source,
+        f"its check is not check.{name}({name})": check.source == f"check.{name}({name})",
+        f"its check's metadata say points {about.get('points')}, its Exercise {points}": about.get("points") == points,
+        "its check's metadata do not say grade and locked": about.grade and about.locked,
+    }
+    return [what for what, holds in wanted.items() if not holds]
 
 
 def test_written_questions_have_an_answer_and_a_rubric(path):
@@ -104,7 +129,8 @@ def test_written_questions_have_an_answer_and_a_rubric(path):
 
 def test_stored_outputs_are_clean(path):
     numbers = [cell.execution_count for cell in code_cells(nbformat.read(path, 4))]
-    assert numbers == list(range(1, len(numbers) + 1))  # nbval passes over a cell that was never run
+    # nbval passes over a cell that was never run
+    assert numbers == list(range(1, len(numbers) + 1)), f"run it: make notebooks NOTEBOOKS=notebooks/{path.name}"
     for cell, output in outputs(nbformat.read(path, 4)):
         assert output.output_type != "error", cell
         assert output.get("name") != "stderr", cell
@@ -117,7 +143,7 @@ def test_stored_outputs_are_clean(path):
 def test_unfinished_work_blocks_nothing(path):
     notebook = executed(with_answers(path, lambda k: "raise NotImplementedError()"), path.parent)
     assert [(cell, o.ename) for cell, o in outputs(notebook) if o.output_type == "error"] == []
-    said = [o.data["text/plain"] for cell, o in outputs(notebook) if cell.endswith("-check")]
+    said = [o.data["text/plain"] for cell in check_cells(notebook) for o in cell.outputs]
     assert len(said) == len(checks_of(path).CHECKS)
     assert all(text.endswith("not attempted yet") for text in said), said
 
@@ -128,7 +154,7 @@ BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return 
 def test_broken_answers_get_one_calm_message_each_and_no_traceback(path):
     notebook = executed(with_answers(path, lambda k: BROKEN[k % len(BROKEN)]), path.parent)
     assert [(cell, o.ename) for cell, o in outputs(notebook) if o.output_type == "error"] == []
-    checks = [cell for cell in code_cells(notebook) if cell.id.endswith("-check")]
+    checks = check_cells(notebook)
     assert len(checks) == len(checks_of(path).CHECKS)
     for cell in checks:
         (message,) = cell.outputs

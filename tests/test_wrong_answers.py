@@ -116,15 +116,17 @@ def test_each_exercise_has_its_bank(notebook, exercise, record_property):
     accepted = sum(all(verdict.state == RIGHT for verdict in all_of) for all_of in right)
     row = (refused, len(wrong)), (named, len(wrong)), (accepted, len(right))
     record_property("bank", (notebook, exercise.name, *(f"{part} of {whole}" for part, whole in row)))
-    assert len(wrong) >= 4
-    assert len(right) >= 3
-    assert named >= 0.8 * len(wrong)
+    bank = f"tests/wrong_answers/{notebook}/{exercise.name}.py"
+    assert len(wrong) >= 4, f"{bank} holds {len(wrong)} answers wrong_...: four at least"
+    assert len(right) >= 3, f"{bank} holds {len(right)} answers right_...: three at least"
+    assert named >= 0.8 * len(wrong), f"the check calls {named} of {len(wrong)} wrong answers by a name: 80 % at least"
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS)
 def test_no_file_of_the_bank_is_without_its_exercise(notebook):
     names = {exercise.name for name, exercise in EXERCISES if name == notebook}
-    assert {path.stem for path in (BANK / notebook).glob("*.py")} == names
+    without = {path.stem for path in (BANK / notebook).glob("*.py")} - names
+    assert not without, f"course_lib/checks/{notebook}/__init__.py has no line for {', '.join(sorted(without))}"
 
 
 def test_no_folder_of_the_bank_is_without_its_notebook():
@@ -134,7 +136,9 @@ def test_no_folder_of_the_bank_is_without_its_notebook():
 @each_exercise
 @pytest.mark.parametrize("number", [0.0, -1.0, 1e-320, 1e200, -1.7e308, 2**70])
 def test_an_answer_of_the_right_shape_and_any_size_is_refused_in_peace(notebook, exercise, number):
-    right = _answers(notebook, exercise)[0].function
+    if not (answers := _answers(notebook, exercise)):
+        pytest.skip("it has no bank yet, which another test tells")
+    right = answers[0].function
     verdict = judge(exercise, Here(lambda *arguments: np.full(np.shape(right(*arguments)), number)))
     assert verdict.state == WRONG
     assert describe(verdict)
