@@ -36,12 +36,12 @@ lab: environment ## open the notebooks in JupyterLab
 # One pytest run, whose summary ends the output. Matplotlib builds its font list beforehand, for it
 # tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
 # worker (loadfile), since its cells share a kernel.
-test: environment ## lint, unit tests, and every notebook run against its stored outputs
+test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name
 	$(PY) -m ruff check --no-cache .
 	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	$(PY) -m pytest -o cache_dir=build/pytest -n logical --maxprocesses 8 --dist loadfile \
-		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+		--nbval --nbval-current-env --nbval-cell-timeout=120 $(if $(ONLY),-k "$(ONLY)") tests $(NOTEBOOKS)
 
 html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, SINGLE=yes for one file a page
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")
@@ -53,7 +53,7 @@ grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n,
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") \
 		$(if $(SEED),--seed "$(SEED)") -- "$(SUBMISSIONS)"
 
-notebooks: environment ## run the notebooks and write their outputs into them (authors)
+notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)
 
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
