@@ -33,8 +33,7 @@ def show(fig, *, alt):
 def _png(fig):
     """The figure as PNG, half as fine again as it is shown; without the writer's version, which would change it."""
     buffer = io.BytesIO()
-    small = {"pil_kwargs": {"optimize": True}, "metadata": {"Software": None}}
-    fig.savefig(buffer, format="png", dpi=144, facecolor="white", **small)
+    fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None})
     return buffer.getvalue()
 
 
