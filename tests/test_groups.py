@@ -142,7 +142,8 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
     for index in np.ndindex(batch):
         item = {a: v[index] if isinstance(kinds[a], Numbers) else v for a, v in arguments.items()}
         for part, one in parts(FUNCTIONS[name](**item)).items():
-            assert_allclose(got[part][index], one, rtol=1e-15, atol=1e-15)
+            close = 1e-13 if name == "damped_path" else 1e-15  # its steps carry the last bits on
+            assert_allclose(got[part][index], one, rtol=close, atol=close)
 
 
 @pytest.mark.parametrize("call", BATCHED, ids=call_name)
@@ -151,7 +152,7 @@ def test_a_batch_in_several_pieces(call, monkeypatch):
     name, kinds = call
     arguments = valid_arguments(kinds, np.random.default_rng(10), (7,))
     whole = parts(FUNCTIONS[name](**arguments))
-    monkeypatch.setattr("course_lib.arguments.ITEMS", 3)
+    monkeypatch.setattr("course_lib.layout.ITEMS", 3)
     for part, got in parts(FUNCTIONS[name](**arguments)).items():
         assert_allclose(got, whole[part], rtol=1e-15, atol=1e-15)
 
