@@ -1,14 +1,6 @@
-"""Look at what a caller passed in, refuse it in one sentence that names the argument, or lay it out for a formula."""
-
-import math
+"""Look at what a caller passed in, and refuse it in one sentence that names the argument."""
 
 import numpy as np
-
-# numpy is fast along long rows and slow over many small matrices. So formulas for by_entries work on entries: for one
-# matrix R, R[i, j] is a number; in a batch of m matrices it is an array (m,), that entry of all of them. by_entries
-# lays a batch out like this, at most ITEMS of it at a time so that all a formula holds on the way stays in the
-# processor's cache, and writes what comes back into an array with the batch on the left again.
-ITEMS = 6000
 
 
 def real_array(value, name, *shapes, copy=True):
@@ -88,24 +80,6 @@ def refuse_first(bad, name, reason):
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")
-
-
-def by_entries(formula, shape, *arrays, batch):
-    """Return formula(*arrays), an array (*batch, *shape), for arrays (*batch, ...).
-
-    The formula is given the arrays with the batch on the right, (...) or (..., m), and returns (*shape) or (*shape, m).
-    """
-    with np.errstate(all="ignore"):  # what becomes inf or nan is for the caller to refuse
-        if batch == ():
-            return np.reshape(formula(*arrays), shape)
-        n = math.prod(batch)
-        result = np.empty((n, math.prod(shape)))
-        items = [array.reshape((n, *array.shape[len(batch) :])) for array in arrays]
-        for start in range(0, n, ITEMS):
-            some = slice(start, start + ITEMS)
-            entries = [np.ascontiguousarray(each[some].transpose(*range(1, each.ndim), 0)) for each in items]
-            result[some] = formula(*entries).reshape(result.shape[1], -1).T
-    return result.reshape((*batch, *shape))
 
 
 def entry(name, index):

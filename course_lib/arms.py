@@ -15,7 +15,8 @@ from functools import cached_property
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.chain import Chain, in_chunks
+from course_lib.chain import CHUNK, Chain
+from course_lib.layout import in_chunks
 from course_lib.rigid import hat_se3, is_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 
@@ -132,7 +133,7 @@ class SerialArm:
     def _by_postures(self, q, shape, few, fill):
         """Return (..., *shape) for q (..., n): for few postures as books have it, for many in the chain's layout."""
         q = real_array(q, "q", (self.n,))
-        return few(q) if q.size <= _FEW * self.n else in_chunks(fill, q, shape)
+        return few(q) if q.size <= _FEW * self.n else in_chunks(fill, shape, q, batch=q.shape[:-1], most=CHUNK)
 
     @cached_property
     def _screws(self):

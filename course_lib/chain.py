@@ -1,11 +1,7 @@
-"""Many postures of one arm at once, in the layout that makes numpy fast. SerialArm and ik.solve stand on it.
+"""Many postures of one arm at once, in the layout of course_lib.layout. SerialArm and ik.solve stand on it.
 
-An array (N, 4, 4) keeps the sixteen entries of one pose together: numpy then multiplies N tiny matrices one after the
-other, and what each costs before its first product is most of the time. Here it is the other way round, a structure of
-arrays: the postures lie along the last axis, q is (n, N), a vector is (3, N), a rotation matrix is its three columns,
-each (3, N). One line of numpy then does one product for all postures, in long runs through memory, and products with
-constants 0 and 1, of which an arm is full, are left out. Two thousand postures at a time (CHUNK), so that what one line
-writes is still in the processor's cache when the next one reads it, and memory beside the result stays small.
+The postures lie along the last axis: q is (n, N), a vector is (3, N), a rotation matrix is its three columns, each
+(3, N). Products with the constants 0 and 1, of which an arm is full, are left out.
 
 Arrays here were looked at by the caller. Source: Lynch and Park, Modern Robotics (2017), called MR below.
 """
@@ -14,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-CHUNK = 2048  # postures
+CHUNK = 2048  # postures at a time
 _ROUNDING = 1e-15
 
 
@@ -115,16 +111,6 @@ class Chain:
 
     def _end(self, columns, place):
         return [_sum(columns, factors) for factors in self.turns[-1]], place + _sum(columns, self.links[-1])
-
-
-def in_chunks(fill, q, shape):
-    """Return (..., *shape) for q (..., n), where fill(q, result) writes the results (*shape, N) of a chunk (n, N)."""
-    flat = q.reshape(-1, q.shape[-1])
-    result = np.empty((len(flat), *shape))
-    for start in range(0, len(flat), CHUNK):
-        chunk = slice(start, start + CHUNK)
-        fill(np.ascontiguousarray(flat[chunk].T), np.moveaxis(result[chunk], 0, -1))
-    return result.reshape(*q.shape[:-1], *shape)
 
 
 def _fill_pose(T, columns, place):

@@ -85,7 +85,7 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
 def _search(arm, poses, q, rng, starts, steps):
     """Return the best joint angles (m, n) for poses (m, 4, 4), beginning at q, and how many steps each pose took.
 
-    In the layout of course_lib.chain: postures under way lie along the last axis. In it a few cost as much as a hundred
+    In course_lib.layout's layout: postures under way lie along the last axis. In it a few cost as much as a hundred
     (_TOGETHER). So where fewer are under way, the poses whose first start led nowhere get several more starts at once.
     """
     goals, limits = _columns_and_place(poses), arm.limits.T[..., None]
@@ -160,12 +160,12 @@ def _step(J, error, damping):
 
 
 def _columns_and_place(T):
-    """The columns and the place of poses (N, 4, 4), in the layout of course_lib.chain: (4, 3, N)."""
+    """The columns and the place of poses (N, 4, 4), in course_lib.layout's layout: (4, 3, N)."""
     return np.ascontiguousarray(np.moveaxis(T[:, :3], (0, 1, 2), (2, 1, 0)))
 
 
 def _left(columns, place, goal):
-    """What _error gives, in the layout of course_lib.chain: (6, N), from how and where an end is to goals (4, 3, N)."""
+    """What _error gives, in course_lib.layout's layout: (6, N), from how and where an end is to goals (4, 3, N)."""
     end = np.empty(goal.shape)
     for i, column in enumerate((*columns, place)):
         end[i] = column

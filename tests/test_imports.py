@@ -29,7 +29,8 @@ def test_importing_the_mathematics_costs_little_more_than_numpy():
     assert least["course_lib.rotations"] <= 1.5 * least["numpy"]
 
 
-MATHEMATICS = ["arguments", "rotations", "rigid", "planar", "subproblems", "chain", "arms", "ik"]
+MATHEMATICS = ["arguments", "layout", "rotations", "rigid", "planar", "subproblems", "chain", "arms", "ik"]
+MATHEMATICS += ["registration", "trajectory"]
 
 
 @pytest.mark.parametrize("module", ["course_lib", *(f"course_lib.{name}" for name in MATHEMATICS)])

@@ -1,0 +1,51 @@
+"""Batches in the layout that makes numpy fast, a structure of arrays: the items of a batch lie along the last axis.
+
+An array (N, 3, 3) keeps the nine entries of one matrix together: numpy then works on N tiny matrices one after the
+other, and what each costs before its first product is most of the time. Here it is the other way round: R is (3, 3, N),
+and R[i, j] is that entry of all N. One line of a formula then does one product for all of them, in long runs through
+memory. So many items at a time that what one line writes is still in the processor's cache when the next one reads it;
+memory beside the result stays small.
+
+by_entries is for formulas, which may also be given a single item; in_chunks is for what writes into a given array.
+"""
+
+import math
+
+import numpy as np
+
+ITEMS = 6000  # of a few entries, as vectors and matrices are
+
+
+def by_entries(formula, shape, *arrays, batch):
+    """Return formula(*arrays), an array (*batch, *shape), for arrays (*batch, ...).
+
+    The formula is given the arrays with the batch on the right, (...) or (..., m), and returns (*shape) or (*shape, m).
+    """
+
+    with np.errstate(all="ignore"):  # what becomes inf or nan is for the caller to refuse
+        if batch == ():
+            return np.reshape(formula(*arrays), shape)
+
+        def fill(*entries_and_result):
+            *entries, result = entries_and_result
+            result[...] = np.reshape(formula(*entries), result.shape)
+
+        return in_chunks(fill, shape, *arrays, batch=batch, most=ITEMS)
+
+
+def in_chunks(fill, shape, *arrays, batch, most):
+    """Return (*batch, *shape) for arrays (*batch, ...), `most` items at a time.
+
+    fill(*arrays, result) is given the arrays (..., m) of a chunk, and writes to result (*shape, m).
+    """
+    n = math.prod(batch)
+    result = np.empty((n, *shape))
+    items = [array.reshape((n, *array.shape[len(batch) :])) for array in arrays]
+    for start in range(0, n, most):
+        some = slice(start, start + most)
+        fill(*(np.ascontiguousarray(_batch_last(each[some])) for each in items), _batch_last(result[some]))
+    return result.reshape((*batch, *shape))
+
+
+def _batch_last(items):
+    return items.transpose(*range(1, items.ndim), 0)
