@@ -178,6 +178,24 @@ def test_a_step_solves_its_equations():
     assert not ik._step(J, error, np.zeros(50))[1].any()
 
 
+def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
+    rng = np.random.default_rng(6)
+    J, error, q = rng.normal(size=(6, 7, 1)), rng.normal(size=(6, 1)), np.zeros((7, 1))
+    wanted = np.sign(J[:, 0].T @ error)[0, 0]  # which way joint 1 would go
+    low, high = np.full((7, 1), -np.inf), np.full((7, 1), np.inf)
+    (high if wanted > 0 else low)[0] = 0
+    moved = ik._within(q, J, error, low, high)[:, 0]
+    expected, _ = ik._step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
+    assert moved[0] == 0
+    np.testing.assert_allclose(moved[1:], expected[:, 0], rtol=0, atol=1e-12)
+
+
+def test_a_start_that_no_longer_moves_ends():
+    far = rigid.transform(np.eye(3), [2.0, 0.3, 0.4])
+    found = solve(panda(), far, np.random.default_rng(0), q0=[0, 0.3, 0, -2, 0, 2, 0.7], starts=1, steps=2000)
+    assert found.iterations < 1000
+
+
 def test_what_is_left_is_the_same_in_both_layouts():
     """Also at half a turn and near it, and for no turn at all."""
     rng = np.random.default_rng(5)
