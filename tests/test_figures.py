@@ -62,6 +62,10 @@ def test_plain_pictures_have_the_same_bytes_again(draws):
         assert shown(one).data["image/png"] == shown(two).data["image/png"]
 
 
+def test_plain_pictures_do_not_name_the_version_that_drew_them():
+    assert b"Software" not in shown(Figure()).data["image/png"]
+
+
 def test_plain_pictures_name_every_axis(draws):
     for fig in plain_figures(draws):
         axes = fig.axes

@@ -252,6 +252,13 @@ def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
     assert list(Path(path.parent).iterdir()) == [path]
 
 
+def test_who_may_read_the_file_stays(write):
+    path = write(new_code_cell("1"))
+    path.chmod(0o640)
+    notebooks.write_whole(path, "{}")
+    assert path.stat().st_mode & 0o777 == 0o640
+
+
 def test_no_notebooks_is_no_error(capsys):
     assert notebooks.main([]) == 0
     assert "No notebooks" in capsys.readouterr().out

@@ -16,6 +16,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from course_lib.pack.release.__main__ import main
+from course_lib.pack.release.bundle import write_zip
 
 ROOT = Path(__file__).parents[1]
 PARTS = ["course_lib", "notebooks", "environment.txt", "pyproject.toml"]
@@ -236,3 +237,16 @@ def one_sentence(capsys):
     assert said.out == ""
     assert len(said.err.splitlines()) == 1
     return said.err
+
+
+def test_an_interrupted_writing_leaves_the_old_zip(tmp_path, monkeypatch):
+    zipped = tmp_path / "student.zip"
+    zipped.write_bytes(b"the old one")
+
+    def interrupted(*arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(zipfile.ZipFile, "writestr", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write_zip(zipped, {"a": b"1"})
+    assert zipped.read_bytes() == b"the old one"
