@@ -75,6 +75,19 @@ def test_an_exercise_not_begun_has_a_state_of_its_own(shown):
     assert [words(bundle) for bundle in shown] == ["○ nearest_so: not attempted yet"]
 
 
+@pytest.mark.parametrize(
+    ("unwritten", "said"), [("inverse", "it calls inverse, which is"), ("nearest_so", "not attempted")]
+)
+def test_an_exercise_that_calls_one_not_begun_says_which(shown, unwritten, said):
+    def calls_it(M):
+        raise NotImplementedError(f"Write {unwritten} here.")
+
+    each = Check(NEAREST_SO)
+    each(calls_it)
+    assert each.verdict.state == NOT_ATTEMPTED
+    assert words(shown[0]).startswith(f"○ nearest_so: {said}")
+
+
 def test_a_tiny_argument_is_not_shown_as_zero(shown):
     def cut(w):
         return np.eye(3) if np.linalg.norm(w) < 1e-9 else rotations.rot_z(0.0) @ _rodrigues(w)
@@ -161,16 +174,6 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
     assert not shown
     each(right)
     assert len(shown) == 1
-
-
-def test_an_earlier_exercise_that_is_missing_is_named(shown):
-    def is_so(R, tol):
-        raise NotImplementedError("Write is_so here.")
-
-    Check(check.is_se.exercise)(lambda T, tol: is_so(T[:-1, :-1], tol))
-    assert "It calls is_so, which is not written yet. Write is_so first." in words(shown[-1])
-    Check(check.is_so.exercise)(is_so)
-    assert words(shown[-1]) == "○ is_so: not attempted yet"
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,8 @@ from course_lib.checks.plain import NotPlain, read, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses one of its own
 
+UNWRITTEN = "Write {} here."  # what the line says that stands where an exercise is still to be written
+
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 
 
@@ -217,10 +219,7 @@ def _named(exercise, wanted, cases, values, failing):
 def _no_answer(exercise, case, type, message, line, source):
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if type == "NotImplementedError":
-        stub = re.fullmatch(r"Write (\w+) here\.", message)  # as the release to students has it
-        if stub is None or stub[1] == exercise.name:
-            return Verdict(exercise, NOT_ATTEMPTED)
-        return Verdict(exercise, ERROR, f"It calls {stub[1]}, which is not written yet. Write {stub[1]} first.")
+        return Verdict(exercise, NOT_ATTEMPTED, _waits(exercise.name, message))
     if type == "NotPlain":
         return Verdict(exercise, WRONG, f"the answer is numbers, booleans, arrays or lists. Yours is {message}.")
     if type == "NotAllowed":
@@ -235,6 +234,14 @@ def _no_answer(exercise, case, type, message, line, source):
     known = (mistake for kind, words, mistake in (*exercise.errors, *ERRORS) if kind == type and words in message)
     shown = None if exercise.through else case  # the numbers that are shown are not what the function was given
     return Verdict(exercise, ERROR, f"{where} {type}: {message}", next(known, None), shown)
+
+
+def _waits(name, message):
+    """What to write first, where not this exercise but another, which its function calls, is still to be written."""
+    found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
+    if found is None or found[1] == name:
+        return ""
+    return f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this check again."
 
 
 def _attempt(formula, *arguments):

@@ -90,7 +90,7 @@ def describe(verdict):
         note = f" ({verdict.note})" if verdict.note else ""
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
     if verdict.state == NOT_ATTEMPTED:
-        return f"{mark} {exercise.name}: not attempted yet"
+        return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
     lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
     if verdict.state == ERROR:

@@ -14,6 +14,10 @@ _BETTER = Mistake(
     "A branch that is quite wrong would stay hidden: return both distances, the answer's shape is (m, 2).",
 )
 _MEAN = Mistake("the mean of the two distances is returned", "Return both: the answer's shape is (m, 2).")
+_NOT_LINED_UP = Mistake(
+    "each place does not stand beside both of its predictions",
+    "The ends have the shape (m, 2, 2), the places (m, 2): xy[:, None], of shape (m, 1, 2), lines them up.",
+)
 _VECTORS = Mistake(
     "the differences are returned, not their lengths", "np.linalg.norm(..., axis=-1) makes a distance of x and y."
 )
@@ -203,6 +207,10 @@ APPROXIMATION_ERROR = Exercise(
             ("the two predictions are swapped", "Column k belongs to prediction k."),
             lambda xy, angles: distances(xy, angles)[:, ::-1],
         ),
+        *like(
+            ("the distances are not in metres", "The links are 1 m long, so the differences are in metres already."),
+            *(lambda xy, angles, unit=unit: unit * distances(xy, angles) for unit in (100, 1000)),
+        ),
         *like((_BETTER.name, _BETTER.hint), lambda xy, angles: np.fmin(*distances(xy, angles).T)[:, None] * [1, 1]),
         *like((_MEAN.name, _MEAN.hint), lambda xy, angles: distances(xy, angles).mean(axis=1)[:, None] * [1, 1]),
     ),
@@ -212,4 +220,5 @@ APPROXIMATION_ERROR = Exercise(
         "np.linalg.norm(..., axis=-1) makes a length of the last axis, x and y. nan stays nan.",
     ),
     forbidden=("course_lib.checks.decomposition_ik.stand_ins.approximation_error",),
+    errors=(("ValueError", "broadcast", _NOT_LINED_UP),),
 )

@@ -24,6 +24,11 @@ _ON_POSES = Mistake(
     "Twists (omega, v) have six entries: the adjoint is a 6 x 6 matrix of four blocks.",
 )
 
+_NESTED = Mistake(
+    "the four blocks stand in an array of arrays",
+    "np.block([[..., ...], [..., ...]]) joins them to one matrix, (6, 6).",
+)
+
 
 def _cases(rng):
     return [(pose(R, p),) for R, p in poses(rng)]
@@ -74,7 +79,7 @@ ADJOINT = Exercise(
     points=1,
     arguments=("T",),
     cases=_cases,
-    returns=numbers(lambda *case: (6, 6), {(4, 4): _ON_POSES}),
+    returns=numbers(lambda *case: (6, 6), {(4, 4): _ON_POSES, (2, 2, 3, 3): _NESTED}),
     properties=(
         Property(
             "the upper left 3x3 block is R: an angular velocity in frame b is turned into frame a",

@@ -4,6 +4,7 @@ import ast
 
 import nbformat
 
+from course_lib.checks.exercise import UNWRITTEN
 from course_lib.pack.notebooks import tidy
 from course_lib.pack.release import ReleaseError
 
@@ -70,7 +71,7 @@ def stub(source, exercise, place):
             raise ReleaseError(f"{place}: {what} SOLUTION.")
         if BEGIN in line:
             indent = line[: len(line) - len(line.lstrip())]
-            kept.append(f'{indent}raise NotImplementedError("Write {exercise} here.")')
+            kept.append(f'{indent}raise NotImplementedError("{UNWRITTEN.format(exercise)}")')
             inside, blocks = True, blocks + 1
         elif END in line:
             inside = False

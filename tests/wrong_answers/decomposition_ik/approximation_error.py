@@ -150,8 +150,13 @@ def wrong_places_not_lined_up(xy, angles):
 
 
 def wrong_millimetres(xy, angles):
-    """unnamed"""
+    """the distances are not in metres"""
     return 1000 * right_norm(xy, angles)
+
+
+def wrong_centimetres(xy, angles):
+    """the distances are not in metres"""
+    return 100 * right_norm(xy, angles)
 
 
 def wrong_first_place_for_all(xy, angles):

@@ -174,6 +174,12 @@ def wrong_p_vector_in_the_matrix(T):
     return A
 
 
+def wrong_blocks_not_joined(T):
+    """the four blocks stand in an array of arrays"""
+    R, p = T[:3, :3], T[:3, 3]
+    return np.array([[R, np.zeros((3, 3))], [hat(p) @ R, R]])
+
+
 def wrong_column_of_p(T):
     """unnamed"""
     A = np.kron(np.eye(2), T[:3, :3])
