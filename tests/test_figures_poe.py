@@ -6,6 +6,7 @@ from helpers import assert_in_scene, places, shown, stored
 from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa as figures
+from course_lib.figures.style import BLUE, GREEN
 
 ARM = iiwa14()
 Q = np.array([2.2, 0.7, 0, -1.3, 0, 0.5, 0]) + np.random.default_rng(1).uniform(-0.7, 0.7, (5, 7))
@@ -46,13 +47,15 @@ def test_axes_are_drawn_through_their_joints():
     figure = stored(figures.arm_with_axes(ARM))
     assert_in_scene(figure)
     names = [trace["text"][0] for trace in figure["data"] if trace["mode"] == "text"]
-    assert names == list("1234567")
+    assert names == list("1234567xy")
     lines = [places(trace) for trace in figure["data"] if trace["mode"] == "lines" and len(trace["x"]) == 2]
     for line, frame, direction in zip(lines, ARM.home, ARM.screw_axes[:, :3], strict=False):
         along = line[1] - line[0]
         np.testing.assert_allclose(np.cross(along, direction), 0, atol=2e-3)
         np.testing.assert_allclose(line[0] + [0, 0, 0.66], frame[:3, 3], atol=2e-3)
         assert along @ direction > 0
+    drawn = {trace["text"][0]: trace["textfont"]["color"] for trace in figure["data"] if trace["mode"] == "text"}
+    assert [drawn[name] for name in "1234567"] == [BLUE, GREEN, BLUE, GREEN, BLUE, GREEN, BLUE]  # as in any frame
 
 
 def test_a_screw_is_drawn_along_its_way():

@@ -5,7 +5,7 @@ import plotly.graph_objects as go
 
 from course_lib.figures import serial_arm
 from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, PURPLE, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, PURPLE, plane_figure
 
 CAMERA = (1.2, 1.4, 0.6)
 _REACH = 0.75  # metres from the middle of the picture to its sides
@@ -23,17 +23,23 @@ def screw_motion(way, through, axis):
 
 
 def arm_with_axes(arm, size=0.35):
-    """Return the arm, all joints at zero, as a line through its joints, with the axis of each joint."""
+    """Return the arm, all joints at zero, as a line through its joints, with the axis of each joint.
+
+    An axis along x, y or z has that axis's colour, as in all frames.
+    """
     layout = space_layout([""], CAMERA, half=_REACH, distance=1.5)
     middle = np.array([0, 0, 0.66])
     places = arm.home[:, :3, 3] - middle
     drawn = [line([-middle, *places], GREY, 5, "scene"), points(places, 5, BLACK, "scene")]
+    colours = [FRAME_COLOURS[np.abs(direction).argmax()] for direction in arm.screw_axes[:, :3]]
     for i, (place, direction) in enumerate(zip(places, arm.screw_axes[:, :3], strict=False)):
         along = abs(direction @ (places[i + 1] - places[0])) > 0.9 * np.linalg.norm(places[i + 1] - places[0])
         tip = place + (0.5 if along else 1.0) * size * direction
         beside = [0.0, 0.1, 0.0] if along else 0.15 * size * direction  # the arm itself hides what is along it
-        drawn.append(line([place, tip], COLOURS[i % 3], 9 if along else 6, "scene"))
-        drawn.append(name_at(tip + beside, f"{i + 1}", COLOURS[i % 3], "scene"))
+        drawn.append(line([place, tip], colours[i], 9 if along else 6, "scene"))
+        drawn.append(name_at(tip + beside, f"{i + 1}", colours[i], "scene"))
+    for name, e in zip("xy", 0.45 * np.eye(3), strict=False):  # z runs up the arm
+        drawn += [line([-middle, e - middle], GREY, 3, "scene"), name_at(1.08 * e - middle, name, GREY, "scene")]
     return go.Figure(drawn, layout={**layout, "annotations": []})
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from course_lib.figures.space import fixed_frame, line, named_vector, points, scene_name, segments, space_layout, sphere
-from course_lib.figures.style import BLACK, BLUE, COLOURS, GREEN, GREY, PURPLE, RED, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, PURPLE, RED, plane_figure
 from course_lib.rotations import exp_so3
 
 
@@ -32,7 +32,7 @@ def frames(rotations, camera=(1.35, 1.1, 0.8)):
     fig = go.Figure(layout=space_layout(list(rotations), camera, half=1.6, height=320))
     for i, R in enumerate(rotations.values()):
         fig.add_traces(fixed_frame(scene_name(i), 1.0)[:3])
-        for j, (colour, name) in enumerate(zip((RED, GREEN, BLUE), "xyz", strict=True)):
+        for j, (colour, name) in enumerate(zip(FRAME_COLOURS, "xyz", strict=True)):
             fig.add_traces(named_vector(R[:, j], name, colour, scene_name(i)))
     return fig
 
@@ -77,7 +77,7 @@ def height_histogram(samples):
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        for j, (colour, style) in enumerate(zip((RED, GREEN, BLUE), ("-", "--", ":"), strict=True)):
+        for j, (colour, style) in enumerate(zip(FRAME_COLOURS, ("-", "--", ":"), strict=True)):
             density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
             ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
         ax.axhline(0.5, color=BLACK, linewidth=1)

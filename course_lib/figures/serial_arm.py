@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.figures.moving import movie
 from course_lib.figures.space import line, points, segments, space_layout
-from course_lib.figures.style import BLACK, BLUE, GREEN, GREY, RED
+from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY
 
 
 def arm_line(places, scene="scene", width=10):
@@ -16,8 +16,7 @@ def frame_axes(poses, size, width, scene="scene"):
     """The axes of frames (n, 4, 4): all x axes in one trace, all y axes, all z axes."""
     feet = poses[:, :3, 3]
     return [
-        segments(feet, feet + size * poses[:, :3, i], colour, width, scene)
-        for i, colour in enumerate((RED, GREEN, BLUE))
+        segments(feet, feet + size * poses[:, :3, i], colour, width, scene) for i, colour in enumerate(FRAME_COLOURS)
     ]
 
 

@@ -12,6 +12,7 @@ BLUE, ORANGE, GREEN, PURPLE, SKY, RED, BLACK = (
     "#D55E00",
     "#222222",
 )
+FRAME_COLOURS = (RED, GREEN, BLUE)  # of the x, y and z axis of a frame
 COLOURS = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY = "#8a8a8a"
 CRIMSON = "#b2182b"  # for what moves: a red that is no orange, dark enough beside the blue
