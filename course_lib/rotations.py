@@ -173,9 +173,9 @@ def length(v):
         size = np.sqrt(squared)
         rough = ~((squared > 1e-280) & (squared < np.inf))  # squares that overflowed, or may have lost digits
         if np.count_nonzero(rough):
-            largest = np.abs(v).max(-1)
-            scaled = v / np.where(largest > 0, largest, 1.0)[..., None]
-            size = np.where(rough, largest * np.linalg.norm(scaled, axis=-1), size)
+            exponent = np.frexp(np.abs(v).max(-1))[1]
+            scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
+            size = np.where(rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size)[()]
     return size
 
 
