@@ -66,10 +66,11 @@ lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versio
 	@sh course_lib/pack/environment.sh lock
 
 # One thread for all, so that what is compared is the work and not how it is spread.
-bench: ## measure the library beside other libraries, in an environment of its own, build/bench/
+bench: environment ## measure the library beside other libraries, in an environment of its own, build/bench/
 	@sh course_lib/pack/environment.sh bench
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
 		.venv-bench/bin/python -m course_lib.pack.bench
+	@OMP_NUM_THREADS=1 $(PY) -m course_lib.pack.bench.notebook_times
 
 clean: ## delete build/ (grades too) and caches; .venv and .venv-bench stay
 	rm -rf build .pytest_cache .ruff_cache .hypothesis .import_linter_cache

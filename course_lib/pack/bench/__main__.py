@@ -8,7 +8,6 @@ import numpy as np
 
 from course_lib.pack.bench import kinematics, others, peers, picture, rotation_maps
 from course_lib.pack.bench.measure import measured, table
-from course_lib.pack.bench.notebook_times import notebook_times
 
 FOLDER = Path("build/bench")
 
@@ -38,7 +37,6 @@ def main():
     ]
     lines += others.assignment_6()
     lines += others.import_times()
-    lines += notebook_times()
     curves = picture.seconds_by_size(here)
     batch = "course_lib, one batch"
     loops = [name for name in curves if "loop" in name]

@@ -1,4 +1,7 @@
-"""What strict nbval of the notebooks takes, beside notebooks that only start and import what these import."""
+"""What strict nbval of the notebooks takes, beside notebooks that only start and import what these import.
+
+Run as a program of its own, in the environment that the notebooks live in: the other libraries have another one.
+"""
 
 import ast
 import re
@@ -14,6 +17,7 @@ from nbformat.v4 import new_code_cell
 from course_lib.pack.bench.measure import duration, verdict
 
 FOLDER = Path("notebooks")
+OUTCOME = Path("build/bench/notebooks.txt")
 AT_MOST = 2.5
 SLOWEST = 8
 
@@ -64,3 +68,10 @@ def _nbval(books):
     if done.returncode:
         raise SystemExit(f"nbval failed, so that there is nothing to measure:\n{done.stdout[-3000:]}")
     return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, done.stdout
+
+
+if __name__ == "__main__":
+    text = "\n".join(notebook_times())
+    OUTCOME.parent.mkdir(parents=True, exist_ok=True)
+    OUTCOME.write_text(text, encoding="utf-8")
+    print(text)
