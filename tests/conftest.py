@@ -68,11 +68,11 @@ def browser():
 
 
 def pytest_terminal_summary(terminalreporter):
-    """Print what test_wrong_answers.py and test_mutants.py record of each exercise, whichever process ran them."""
+    """Print what test_bank.py and test_mutants.py record of each exercise, whichever process ran them."""
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (
-        ("bank", "checks against the bank of answers", "mistakes refused,mistakes named,right ones accepted"),
+        ("bank", "checks against the bank of answers", "wrong answers refused,called by name,right ones accepted"),
         ("mutants", "checks against mutants of the solutions", "mutants,tried,refused,alive and equivalent,holes"),
     ):
         rows = sorted({tuple(row) for name, row in recorded if name == kind})

@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import kstest
 
 from course_lib import rotations
-from course_lib.checks import plain
+from course_lib.checks import wire
 from course_lib.checks import rotations as check
 from course_lib.checks.exercise import ERROR, WRONG, judge
 from course_lib.checks.notebook import describe
@@ -33,7 +33,7 @@ N = len(NEAREST_SO.cases(np.random.default_rng(0)))
 
 
 def _all(answer):
-    return plain.write([answer] * N)
+    return wire.write([answer] * N)
 
 
 @pytest.mark.parametrize(
@@ -44,23 +44,23 @@ def _all(answer):
         "null",
         "[]",
         "1",
-        plain.write("right"),
-        plain.write([]),
-        plain.write({i: {} for i in range(N)}),
-        plain.write(np.zeros(N)),
-        plain.write("x" * N),
+        wire.write("right"),
+        wire.write([]),
+        wire.write({i: {} for i in range(N)}),
+        wire.write(np.zeros(N)),
+        wire.write("x" * N),
         _all({}),
         _all("right"),
         _all(None),
         _all({"value": 1, "changed": []}),
         _all({"value": None, "changed": []}),
         _all({"value": "nonsense", "changed": []}),
-        _all({"value": plain.write(np.eye(2))}),
-        _all({"value": plain.write(np.eye(2)), "changed": [99]}),
-        _all({"value": plain.write(np.eye(2)), "changed": ["M"]}),
-        _all({"value": plain.write(np.eye(2)), "changed": np.zeros(3)}),
-        _all({"value": plain.write(np.eye(2)), "changed": 1}),
-        _all({"value": plain.write(np.eye(2)), "changed": [], "warning": np.zeros(3)}),
+        _all({"value": wire.write(np.eye(2))}),
+        _all({"value": wire.write(np.eye(2)), "changed": [99]}),
+        _all({"value": wire.write(np.eye(2)), "changed": ["M"]}),
+        _all({"value": wire.write(np.eye(2)), "changed": np.zeros(3)}),
+        _all({"value": wire.write(np.eye(2)), "changed": 1}),
+        _all({"value": wire.write(np.eye(2)), "changed": [], "warning": np.zeros(3)}),
         _all({"error": None}),
         _all({"error": "right"}),
         _all({"error": {}}),

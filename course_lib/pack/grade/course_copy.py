@@ -17,7 +17,7 @@ SCRIPTS = ("runner.py", "cells.py")
 TAKEN = '''
 def {name}(*arguments, **named):
     """Not in this process: an exercise asks for it."""
-    from course_lib.checks.ask import NotAllowed
+    from course_lib.checks.call_student import NotAllowed
 
     raise NotAllowed("{dotted}")
 
@@ -70,7 +70,7 @@ def __getattr__(name):
         raise AttributeError(name)
 
     def taken(*arguments, **named):
-        from course_lib.checks.ask import NotAllowed
+        from course_lib.checks.call_student import NotAllowed
 
         raise NotAllowed(f"{__name__}.{name}")
 

@@ -34,7 +34,7 @@ def main():
         while data:
             data = data[os.write(replies, data) :]
 
-    from course_lib.checks import ask
+    from course_lib.checks import call_student
 
     order = json.loads(requests.readline())
     run = run_whole if order["whole"] else run_needed
@@ -42,7 +42,7 @@ def main():
     say(defined=[name for name in order["names"] if name in defined])
     for line in requests:
         asked = json.loads(line)
-        say(exercise=asked["ask"], **in_a_child(asked, lambda a: ask.reply(space.get(a["ask"]), a["questions"])))
+        say(exercise=asked["ask"], **in_a_child(asked, lambda a: call_student.reply(space.get(a["ask"]), a["questions"])))
 
 
 # ---- cells ----

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, Verdict, judge
 from course_lib.checks.notebook import describe
-from course_lib.checks.plain import read, write
+from course_lib.checks.wire import read, write
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.course_copy import contents

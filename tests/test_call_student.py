@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from course_lib import rotations
-from course_lib.checks import ask, plain
+from course_lib.checks import call_student, wire
 from course_lib.checks import rotations as check
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import describe
-from course_lib.checks.plain import Seed
+from course_lib.checks.wire import Seed
 
 NEAREST_SO = check.nearest_so.exercise
 
@@ -32,9 +32,9 @@ has_clock = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no cloc
 def put(function, *cases, forbidden=(), seconds=5):
     """Put the cases to the function; return what ask.py replies, with the values read."""
     asked = {"cases": [list(case) for case in cases], "forbidden": list(forbidden), "seconds": seconds}
-    answers = plain.read(ask.reply(function, plain.write(asked)))
+    answers = wire.read(call_student.reply(function, wire.write(asked)))
     assert len(answers) == len(cases)
-    return [answer | ({"value": plain.read(answer["value"])} if "value" in answer else {}) for answer in answers]
+    return [answer | ({"value": wire.read(answer["value"])} if "value" in answer else {}) for answer in answers]
 
 
 def the_error(function, *arguments, **options):
