@@ -15,8 +15,8 @@ from functools import cached_property
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.chain import CHUNK, Chain
-from course_lib.layout import in_chunks
+from course_lib.batched_arm import CHUNK, BatchedArm
+from course_lib.batching import in_chunks
 from course_lib.rigid import hat_se3, is_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 
@@ -98,22 +98,22 @@ class SerialArm:
 
         q: (..., n). The product of exponentials, MR eq. 4.14, kept at every joint.
         """
-        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.chain.fill_frames)
+        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.batched.fill_frames)
 
     def fk(self, q):
         """Return the pose (..., 4, 4) of the end in the base frame, for q (..., n)."""
-        return self._by_postures(q, (4, 4), self._few_ends, self.chain.fill_end)
+        return self._by_postures(q, (4, 4), self._few_ends, self.batched.fill_end)
 
     def space_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
-        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.chain.fill_space_jacobian)
+        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.batched.fill_space_jacobian)
 
     def geometric_jacobian(self, q):
         """Return (..., 6, n): the end's angular velocity and its origin's velocity, both along the base frame's axes.
 
         In this order (omega, v), as everywhere here; Siciliano and others, section 3.1, have (v, omega).
         """
-        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.chain.fill_geometric_jacobian)
+        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.batched.fill_geometric_jacobian)
 
     def body_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
@@ -126,9 +126,9 @@ class SerialArm:
         return self.geometric_jacobian(q)[..., 3:, :]
 
     @cached_property
-    def chain(self):
-        """The same arm for many postures at once: a Chain."""
-        return Chain.of(self.screw_axes, self.home)
+    def batched(self):
+        """The same arm for many postures at once: a BatchedArm."""
+        return BatchedArm.of(self.screw_axes, self.home)
 
     def _by_postures(self, q, shape, few, fill):
         """Return (..., *shape) for q (..., n): for few postures as books have it, for many in the chain's layout."""

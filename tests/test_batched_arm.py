@@ -1,4 +1,4 @@
-"""Many postures at once (course_lib.chain) against a few at a time, in any batch, within little memory."""
+"""Many postures at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
 
 import tracemalloc
 
@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from course_lib import arms
 from course_lib.arms import DHRow, SerialArm, iiwa14, panda, planar_arm
-from course_lib.chain import CHUNK
+from course_lib.batched_arm import CHUNK
 
 RNG = np.random.default_rng(0)
 SKEW = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
