@@ -6,7 +6,7 @@ import unicodedata
 import pytest
 
 from course_lib.pack.grade import collect
-from course_lib.pack.grade.collect import Refused, file_names, find, read, shown, split
+from course_lib.pack.grade.collect import Refused, file_names, find, printable, read, split
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 
@@ -75,8 +75,8 @@ def test_what_programs_leave_behind_is_passed_over(tmp_path):
 
 
 def test_names_are_shown_on_one_line_and_as_they_read(tmp_path):
-    assert shown("a\nb\u202ec") == "a\\x0ab\\x202ec"
-    assert shown(os.fsdecode(b"a\xff")) == "a\\xff"
+    assert printable("a\nb\u202ec") == "a\\x0ab\\x202ec"
+    assert printable(os.fsdecode(b"a\xff")) == "a\\xff"
     (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
     assert found(tmp_path) == [("a\\xff", "01_rotations")]
 

@@ -6,8 +6,8 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, points, processes, sour
 from course_lib.checks.call_student import NotAllowed
 from course_lib.pack.grade import sandbox
 from course_lib.pack.grade.cells import needed, statements
-from course_lib.pack.grade.course_copy import contents
 from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.student_view import contents
 from course_lib.pack.grade.submission import grade
 
 

@@ -43,7 +43,7 @@ def find(folder, notebooks):
     """
     found = []
     for path in sorted(folder.iterdir()):
-        if _left_behind(path.name):
+        if _is_clutter(path.name):
             continue
         if path.is_dir() and not path.is_symlink():
             found += _in_folder(path, folder, notebooks)
@@ -52,14 +52,14 @@ def find(folder, notebooks):
     return sorted(found, key=lambda submission: submission.place)
 
 
-def _left_behind(name):
+def _is_clutter(name):
     """Whether it is no work of a student's but what JupyterLab or a system leaves beside it."""
     return name.startswith(("._", "__MACOSX")) or (name.startswith(".") and not name.lower().endswith(".ipynb"))
 
 
 def _flat(path, folder, notebooks):
     """A file beside the others; its name says whose it is."""
-    student, notebook = split(shown(path.stem), notebooks)
+    student, notebook = split(printable(path.stem), notebooks)
     refused = ""
     if path.is_symlink():
         refused = "It is a link to another file, and links are not followed."
@@ -68,29 +68,29 @@ def _flat(path, folder, notebooks):
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
     if path.is_symlink() and not path.suffix and not notebook:  # what was to be a student's folder
-        student = shown(path.name)
+        student = printable(path.name)
     if not notebook and not refused:  # some other name: its exercises will tell which notebook it is
-        student = notebook = shown(path.stem)
-    return Submission(student, notebook, shown(path.relative_to(folder)), path, refused)
+        student = notebook = printable(path.stem)
+    return Submission(student, notebook, printable(path.relative_to(folder)), path, refused)
 
 
 def _in_folder(top, folder, notebooks):
     """What one student's folder holds, at any depth: an unpacked zip has folders of its own."""
-    student, found, others = shown(top.name), [], []
+    student, found, others = printable(top.name), [], []
     for where, folders, files in os.walk(top):
-        folders[:] = sorted(name for name in folders if not _left_behind(name))
+        folders[:] = sorted(name for name in folders if not _is_clutter(name))
         for name in sorted([*folders, *files]):
             path = Path(where, name)
-            notebook = path.suffix.lower() == ".ipynb" and not _left_behind(name)
+            notebook = path.suffix.lower() == ".ipynb" and not _is_clutter(name)
             if notebook or (name in folders and path.is_symlink()):
-                named = (split(shown(path.stem), notebooks)[1] or shown(path.stem)) if notebook else ""
+                named = (split(printable(path.stem), notebooks)[1] or printable(path.stem)) if notebook else ""
                 reason = "It is a link to another file, and links are not followed." if path.is_symlink() else ""
-                found.append(Submission(student, named, shown(path.relative_to(folder)), path, reason))
+                found.append(Submission(student, named, printable(path.relative_to(folder)), path, reason))
             elif name in files:
-                others.append(shown(name))
+                others.append(printable(name))
     if not found:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
-        found.append(Submission(student, "", shown(top.name), top, f"There is no notebook in the folder: {holds}."))
+        found.append(Submission(student, "", printable(top.name), top, f"There is no notebook in the folder: {holds}."))
     return found
 
 
@@ -129,7 +129,7 @@ def read(path):
 # ---- names ----
 
 
-def shown(name):
+def printable(name):
     """Return a name from the file system as text that can be shown: one spelling, nothing that breaks a line."""
     text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)

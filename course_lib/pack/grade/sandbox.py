@@ -15,7 +15,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-ENTER = Path(__file__).with_name("enter.py")
+ISOLATE = Path(__file__).with_name("isolate.py")
 SHOWN = (
     "/usr",
     "/bin",
@@ -28,9 +28,9 @@ SHOWN = (
     "/etc/alternatives",
 )
 FIRST_UID = 200_000  # with root: one user for each sandbox, whom nothing on the machine belongs to
-APART, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
+NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
 NOTICES = {
-    APART: "",
+    NAMESPACES: "",
     BUBBLEWRAP: "",
     ANOTHER_USER: "namespaces are not allowed here: submissions run as another user with limits, and can read files "
     "that all users can, and use the network",
@@ -73,7 +73,7 @@ class Sandbox:
     def __enter__(self):
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
         try:
-            _lay_out(self._folder, self._contents)
+            _write_files(self._folder, self._contents)
             command = _command(kind(), self._folder, self._limits, "runner.py")
             pipe = subprocess.PIPE
             self._process = subprocess.Popen(
@@ -164,7 +164,7 @@ def notice():
 @functools.cache
 def kind():
     """Return the best of the ways to keep submissions apart that works here."""
-    for each in (APART, BUBBLEWRAP, ANOTHER_USER, LIMITS):
+    for each in (NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS):
         if works(each):
             return each
     raise RuntimeError("no process can be started for submissions")
@@ -173,7 +173,7 @@ def kind():
 def works(each):
     """Return whether a process with numpy, a child and a scratch folder can be had in this way."""
     possible = {
-        APART: sys.platform == "linux",
+        NAMESPACES: sys.platform == "linux",
         BUBBLEWRAP: sys.platform == "linux" and shutil.which("bwrap") is not None,
         ANOTHER_USER: os.getuid() == 0,
         LIMITS: True,
@@ -183,7 +183,7 @@ def works(each):
     trial = b"import numpy, os; open('trial', 'w').close(); os.waitpid(os.fork() or os._exit(0), 0); print('fine')"
     folder = Path(tempfile.mkdtemp(prefix="grade-"))
     try:
-        _lay_out(folder, {"trial.py": trial})
+        _write_files(folder, {"trial.py": trial})
         command = _command(each, folder, Limits(), "trial.py")
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env={})
         return done.stdout == b"fine\n"
@@ -196,7 +196,7 @@ def works(each):
 # ---- how it is started ----
 
 
-def _lay_out(folder, contents):
+def _write_files(folder, contents):
     """Write the files for a sandbox, readable for every user, and its folders."""
     folder.chmod(0o711)
     for name in ("course", "root", "scratch"):
@@ -211,14 +211,14 @@ def _lay_out(folder, contents):
 
 
 def _command(each, folder, limits, script):
-    view = each in (APART, BUBBLEWRAP)
+    view = each in (NAMESPACES, BUBBLEWRAP)
     uid = FIRST_UID + os.getpid() % 50_000 + 50_000 * (int(time.monotonic() * 1000) % 1000) if os.getuid() == 0 else 0
-    uid = uid if each in (APART, ANOTHER_USER) else 0
+    uid = uid if each in (NAMESPACES, ANOTHER_USER) else 0
     course, scratch = ("/course", "/scratch") if view else (str(folder / "course"), str(folder / "scratch"))
     if each == ANOTHER_USER:
         os.chown(scratch, uid, uid)
     wanted = {
-        "apart": each == APART,
+        "apart": each == NAMESPACES,
         "root": str(folder / "root"),
         "shown": _shown(),
         "course": str(folder / "course"),
@@ -227,19 +227,19 @@ def _command(each, folder, limits, script):
         "limits": _numbers(limits, uid),
         "command": [sys.executable, "-I", f"{course}/{script}", course],
     }
-    enter = [sys.executable, "-I", "-S"]
+    isolate = [sys.executable, "-I", "-S"]
     if each == BUBBLEWRAP:
         wanted = wanted | {"shown": []}
-        return [*_bubblewrap(folder), *enter, "/enter.py", json.dumps(wanted)]
-    return [*enter, str(ENTER), json.dumps(wanted)]
+        return [*_bubblewrap(folder), *isolate, "/isolate.py", json.dumps(wanted)]
+    return [*isolate, str(ISOLATE), json.dumps(wanted)]
 
 
 def _numbers(limits, uid):
-    """The limits as enter.py takes them. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
+    """The limits as isolate.py takes them. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
     release = [int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]]
-    counted = uid or (sys.platform == "linux" and release >= [5, 14])
+    count_noun = uid or (sys.platform == "linux" and release >= [5, 14])
     names = ("memory", "everything", "processes", "files", "file", "scratch")
-    return {name: getattr(limits, name) for name in names} | {"count_processes": bool(counted)}
+    return {name: getattr(limits, name) for name in names} | {"count_processes": bool(count_noun)}
 
 
 def _shown():
@@ -252,7 +252,7 @@ def _bubblewrap(folder):
     shown = [part for path in _shown() for part in ("--ro-bind", path, path)]
     return [
         *(shutil.which("bwrap"), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", *shown),
-        *("--ro-bind", str(folder / "course"), "/course", "--ro-bind", str(ENTER), "/enter.py"),
+        *("--ro-bind", str(folder / "course"), "/course", "--ro-bind", str(ISOLATE), "/isolate.py"),
         *("--proc", "/proc", "--dev", "/dev", "--tmpfs", "/scratch", "--tmpfs", "/tmp"),
     ]
 

@@ -15,9 +15,9 @@ from course_lib.checks.notebook import describe
 from course_lib.checks.wire import read, write
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.cells import no_python
-from course_lib.pack.grade.course_copy import contents
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
 from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox
+from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
