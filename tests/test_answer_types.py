@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from course_lib.checks.exercise import Mistake, Unreadable
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers, rows
+from course_lib.checks.exercise import Mistake, Unreadable
 from course_lib.checks.format_numbers import format_array, format_tuple
 
 SWAPPED = Mistake("rows and columns are swapped", "Transpose it.")

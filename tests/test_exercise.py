@@ -5,8 +5,8 @@ import pytest
 from scipy.stats import kstest
 
 from course_lib import rotations
-from course_lib.checks import wire
 from course_lib.checks import rotations as check
+from course_lib.checks import wire
 from course_lib.checks.exercise import ERROR, WRONG, judge
 from course_lib.checks.notebook import describe
 from course_lib.checks.rotations.uniform import arvo

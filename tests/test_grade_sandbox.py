@@ -32,7 +32,7 @@ def test_the_copy_of_the_course_holds_no_judge_and_nothing_that_is_asked_for(nam
     forbidden = {dotted for exercise in course.exercises for dotted in exercise.forbidden}
     files = contents({course.package: [e.name for e in course.exercises]}, frozenset(forbidden))
     checks = {path for path in files if path.startswith("course_lib/checks/")}
-    assert checks == {f"course_lib/checks/{file}" for file in ("__init__.py", "ask.py", "plain.py", "adapters.py")} | {
+    assert checks == {f"course_lib/checks/{file}" for file in ("__init__.py", "call_student.py", "wire.py", "adapters.py")} | {
         f"course_lib/checks/{course.package}/{file}" for file in ("__init__.py", "stand_ins.py")
     }
     assert not any(path.startswith("course_lib/pack") or path.endswith(".ipynb") for path in files)

@@ -4,10 +4,9 @@ import functools
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
 
 _CENTRES = Mistake("the centres of the clusters are returned", "One label for each sample: labels_ of the KMeans.")
 

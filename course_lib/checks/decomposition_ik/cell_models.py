@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.affine_models import clusters, models, with_one
 from course_lib.checks.decomposition_ik.cell_samples import cases
 from course_lib.checks.decomposition_ik.model_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
 from course_lib.checks.decomposition_ik.two_links import same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.format_numbers import format_tuple
 
 _FINE = 1e-7  # radians

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.wrong_cells import (
     cells,
     changed,
@@ -14,8 +15,6 @@ from course_lib.checks.decomposition_ik.wrong_cells import (
     unmarked,
 )
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.checks.format_numbers import format_tuple
 
 _FLAT = Mistake(

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y, rot_z

@@ -2,10 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.checks.format_numbers import format_tuple
 
 _FIRST_ROWS = Mistake(

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.format_numbers import format_tuple
 
 _ONE_CLUSTER = Mistake(

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.bends import (
     by_arctan,
     corrected,
@@ -24,7 +25,6 @@ from course_lib.checks.decomposition_ik.bends import (
 )
 from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.format_numbers import format_tuple
 
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the rim, where a rounding of r moves theta2 by its root

@@ -3,9 +3,9 @@
 import numpy as np
 
 from course_lib.arms import panda
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.rotations.predicates import either
 from course_lib.checks.subproblems_damped_ik.damped_step import off
 

@@ -8,7 +8,6 @@ from course_lib.checks.panda_dh_ik.point_sets import flat, laid, vanishing
 from course_lib.checks.panda_dh_ik.wrong_fits import fit, placed
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import inverse
 from course_lib.rotations import nearest_so
 

@@ -3,14 +3,13 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.point_sets import TRIANGLE, exactly, laid, middle, moved, noisy, reflecting
 from course_lib.checks.panda_dh_ik.registering import IS_A_POSE, close, compared, read_pose
 from course_lib.checks.panda_dh_ik.wrong_fits import fit, in_four_columns, mirrored, of_linear, with_block
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, few_digits, remembered, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import nearest_so, rot_x, rot_z
 

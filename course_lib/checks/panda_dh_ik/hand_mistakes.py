@@ -9,7 +9,6 @@ from course_lib.checks.panda_dh_ik.steps import along_x, along_z
 from course_lib.checks.panda_dh_ik.table_mistakes import TABLE_MISTAKES
 from course_lib.checks.panda_dh_ik.tables import BASE, FLANGE, STAND, chain, edited, frames, in_reverse, steps
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits, products
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_z
 

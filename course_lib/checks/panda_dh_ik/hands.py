@@ -3,13 +3,13 @@
 import numpy as np
 
 from course_lib.arms import panda
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.hand_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.tables import FLANGE, STAND, TABLE, frames, steps
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.format_numbers import format_tuple
 
 _ALL = "All eight are asked for: frames 1 to 7, then the flange. Append each T to a list; at last np.array(list)."
 _SHAPES = {

@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Mistake
 from course_lib.checks.poe_kuka_iiwa.chains import Z, few_digits
-from course_lib.checks.rotations.predicates import either
 
 _FORMULA = "Column i is z_i x (p - o_i), and below it z_i."
 _OWN_FRAME = (

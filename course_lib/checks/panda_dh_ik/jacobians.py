@@ -3,13 +3,13 @@
 import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik import tables
 from course_lib.checks.panda_dh_ik.jacobian_mistakes import MISTAKES, jacobian
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, away_from_zero, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 

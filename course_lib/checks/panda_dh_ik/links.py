@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.step_mistakes import mistakes
 from course_lib.checks.panda_dh_ik.steps import modified, standard
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.format_numbers import format_tuple
 
 _PRODUCT = "One step after the other is a matrix product: @."
 _FORBIDDEN = ("course_lib.arms.SerialArm", "course_lib.arms._dh_frames")

@@ -2,14 +2,14 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.error_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.error_parts import half_turn, left, place_left, turn_left
 from course_lib.checks.poe_kuka_iiwa.chains import away_from_zero, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, length
 

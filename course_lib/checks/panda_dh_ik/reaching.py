@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.tables import STAND, frames
 from course_lib.checks.panda_dh_ik.targets import HIGH, LOW, PANDA, cases, flange
-from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import length, log_so3
 

@@ -4,14 +4,14 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.fit_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.point_sets import exact, fits, laid, middle, moved, rest, size
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.rotations.predicates import orthogonality_error
-from course_lib.checks.format_numbers import format_tuple
 
 _SEARCHED = 1e-7
 _ROTATION_ONLY = Mistake("only the rotation R is returned", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")

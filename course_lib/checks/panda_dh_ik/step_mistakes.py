@@ -20,7 +20,6 @@ from course_lib.checks.panda_dh_ik.steps import (
     with_sines_for_cosines,
 )
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import inverse
 from course_lib.rotations import rot_x, rot_y, rot_z
 

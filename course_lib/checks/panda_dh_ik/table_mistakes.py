@@ -6,7 +6,6 @@ import numpy as np
 
 from course_lib.checks.panda_dh_ik.steps import along_z, modified, standard
 from course_lib.checks.panda_dh_ik.tables import FLANGE, STAND, TABLE, chain, edited
-from course_lib.checks.rotations.predicates import either
 
 _SHEET = "The data sheet's table stands in the notebook as modified_table."
 

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     KUKA_OMEGA,
     KUKA_POINTS,
@@ -15,9 +17,6 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     whole_numbers,
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 
 _APART = Mistake(
     "omega and v do not stand side by side", "Each row is one axis, (omega, v): np.hstack([omega, v]) does that."

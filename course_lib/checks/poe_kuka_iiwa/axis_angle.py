@@ -2,12 +2,11 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.poe_kuka_iiwa.matrices import FINE
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE
+from course_lib.checks.rotations.exponential import unit
 from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 
 

@@ -2,13 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, in_part, near, told
 from course_lib.checks.poe_kuka_iiwa.poses import poses
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat
 

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
@@ -15,9 +17,7 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 

@@ -2,14 +2,13 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable, same
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, told
 from course_lib.checks.poe_kuka_iiwa.ways import degrees_inside, formed, partial_sum, turn, way, whole_length
-from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, length
 

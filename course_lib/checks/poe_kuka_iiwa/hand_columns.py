@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
@@ -18,7 +19,6 @@ from course_lib.checks.poe_kuka_iiwa.hands import hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
 from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 

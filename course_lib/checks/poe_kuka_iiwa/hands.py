@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     WHOLE,
@@ -16,9 +18,7 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     whole_numbers,
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either, orthogonality_error
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.rotations.predicates import orthogonality_error
 from course_lib.rigid import exp_se3
 
 _ONLY_PART = Mistake(

@@ -2,12 +2,11 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
+from course_lib.checks.rotations.poses import pose
 from course_lib.rotations import random_rotations, rot_x, rot_y, rot_z
 
 _NO_ROW = Mistake("the last row is missing", "Start from np.eye(4) and fill in the block and the column.")

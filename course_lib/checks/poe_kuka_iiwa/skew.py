@@ -4,11 +4,10 @@ from itertools import permutations
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.poe_kuka_iiwa.matrices import FINE
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.poe_kuka_iiwa.matrices import FINE
 from course_lib.rotations import exp_so3, hat
 
 _A_VECTOR = Mistake(

@@ -4,7 +4,9 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     X,
     Y,
@@ -17,9 +19,6 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_views import MISTAKES
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 

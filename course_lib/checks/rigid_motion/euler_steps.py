@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import (
     FINE,
@@ -16,7 +17,6 @@ from course_lib.checks.rigid_motion.plans import (
     steps,
     turned,
 )
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import propagate_body, propagate_body_exact
 
 BODY = (False, False, True)  # x, y, theta: the last is an angle

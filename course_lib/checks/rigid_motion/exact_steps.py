@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.euler_steps import (
     ADDED,
     BODY,
@@ -31,7 +32,6 @@ from course_lib.checks.rigid_motion.plans import (
     off,
     straight,
 )
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
 from course_lib.rigid import exp_se2, inverse
 

@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rigid_motion.plans import FINE
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.rigid_motion.plans import FINE
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(

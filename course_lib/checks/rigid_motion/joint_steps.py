@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.euler_steps import drawn_case
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles

@@ -7,8 +7,8 @@ from itertools import product
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import format_array
 from course_lib.planar import quintic_time_scaling, wrap_angle
 

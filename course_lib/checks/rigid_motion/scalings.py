@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.rigid_motion.wrapping import as_numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.planar import cubic_time_scaling, quintic_time_scaling
 
 

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.planar import wrap_angle
 
 TURN = 2 * np.pi

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.nearest import (
     damaged_rotations,
     distances,
@@ -13,7 +13,6 @@ from course_lib.checks.rotations.nearest import (
     polar,
 )
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import nearest_se
 from course_lib.rotations import nearest_so, random_rotations
 

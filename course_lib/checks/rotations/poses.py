@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import boolean
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.predicates import (
     ALWAYS_THE_SAME,
     FIXED_TOLERANCES,
@@ -13,7 +13,6 @@ from course_lib.checks.rotations.predicates import (
     NO_TOL,
     RELATIVE,
     TIGHT,
-    either,
     is_rotation,
     orthogonality_error,
     plane_rotation,

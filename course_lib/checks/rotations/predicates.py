@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import boolean
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.rotations import exp_so3, random_rotations
 
 TIGHT, LOOSE = 1e-9, 0.01
@@ -24,9 +24,8 @@ NO_ABSOLUTE_VALUE = (
 
 
 def either(words, *answers):
-    """One mistake, name and hint in `words`, that may be made in more than one way."""
-    name, hint = words
-    return tuple(Mistake(name, hint, answer) for answer in answers)
+    """To be replaced by Mistake(name, hint, *answers)."""
+    return (Mistake(*words, *answers),)
 
 
 ALWAYS_THE_SAME = (

@@ -4,9 +4,8 @@ from itertools import permutations
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.rotations import exp_so3, hat, matrix_to_quaternion, quaternion_to_matrix, random_quaternions
 
 

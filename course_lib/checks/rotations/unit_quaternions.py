@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.answer_types import numbers, truth
 from course_lib.checks.rotations.predicates import (
     ALWAYS_THE_SAME,
     FIXED_TOLERANCES,
@@ -12,7 +12,6 @@ from course_lib.checks.rotations.predicates import (
     NO_TOL,
     RELATIVE,
     TIGHT,
-    either,
 )
 
 

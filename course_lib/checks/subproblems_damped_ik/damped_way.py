@@ -4,11 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.damped_step import WRONG_STEPS, allowed, off, step
 from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
-from course_lib.checks.format_numbers import format_array
 
 _TIPS = Mistake(
     "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."

@@ -4,11 +4,10 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
 from course_lib.rotations import rot_x, rot_y, vee
 
 _H = 1e-5  # radians: the step of the differences that are shown

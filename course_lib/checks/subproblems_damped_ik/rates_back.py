@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.subproblems_damped_ik.rates import WRONG_MATRICES, quadrants, rates
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.subproblems_damped_ik.rates import WRONG_MATRICES, quadrants, rates
 
 _SMALL = 0.01  # sines below this are near zero
 

@@ -5,9 +5,8 @@ import itertools
 import numpy as np
 
 from course_lib.arms import planar_arm
-from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
 
 _ARM = planar_arm([1, 1, 1, 1])

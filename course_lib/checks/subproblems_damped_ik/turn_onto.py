@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.subproblems_damped_ik.solutions import FINE, across, angle_about, by_arctan, near, turned
-from course_lib.checks.format_numbers import format_array
 
 X, Y, Z = np.eye(3)
 

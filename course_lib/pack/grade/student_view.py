@@ -11,7 +11,7 @@ from pathlib import Path
 
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
-ASKING = ("ask.py", "plain.py", "adapters.py")
+ASKING = ("call_student.py", "wire.py", "adapters.py")
 SCRIPTS = ("runner.py", "cells.py")
 
 TAKEN = '''
