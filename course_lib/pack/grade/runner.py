@@ -48,9 +48,7 @@ def main():
         asked = json.loads(line)
         name = asked["ask"]
 
-        def answer(consult, function=space.get(name), questions=asked["questions"]):
-            return call_student.reply(function, questions, consult)
-
+        answer = functools.partial(call_student.reply, space.get(name), asked["questions"])
         say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
 
 
@@ -144,7 +142,7 @@ def in_a_child(asked, answer, tell):
 
 
 def listen(there, told_here, asked, tell):
-    """Read lines from the child: calls, which begin with ?, and at last its reply. Returns it, and why it is cut off."""
+    """Read lines from the child: calls, which begin with ?, and at last its reply. Return it, and why it is cut off."""
     deadline, buffer, length = time.monotonic() + asked["seconds"], b"", 0
     while True:
         ready, _, _ = select.select([there], [], [], max(deadline - time.monotonic(), 0))
