@@ -82,6 +82,18 @@ def refuse_first(bad, name, reason):
         raise ValueError(f"{entry(name, index)} {reason(index)}")
 
 
+def finite_result(result, name, item_axes=-1):
+    """Return `result` if all of it is finite; else ValueError says that the argument `name` is too large.
+
+    item_axes: the axes of one item; None if the result's batch is not the argument's: then no index is named.
+    """
+    finite = np.isfinite(result)
+    if np.count_nonzero(finite) < finite.size:
+        reason = "is too large: the result exceeds the largest number"
+        refuse_first(~finite.all(item_axes), name, lambda i: reason)
+    return result
+
+
 def entry(name, index):
     """Return how the entry of an array is written: entry("R", (2, 0)) is "R[2, 0]", and "R" where there is no index."""
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from course_lib.arguments import broadcast, count, positive, real_array, refuse_first
+from course_lib.arguments import broadcast, count, finite_result, positive, real_array, refuse_first
 from course_lib.rigid import exp_se2, log_se2
 
 _MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
@@ -33,7 +33,7 @@ def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
     with np.errstate(all="ignore"):
         way, d0, d1 = s1 - s0, v0 * T, v1 * T
         s = s0 + u * (d0 + u * (3 * way - 2 * d0 - d1 + u * (d0 + d1 - 2 * way)))
-    return _finite(s, "s1")
+    return finite_result(s, "s1", None)
 
 
 def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
@@ -49,7 +49,7 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
         fourth = -15 * way + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
         fifth = 6 * way - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
         s = s0 + u * (d0 + u * (c0 / 2 + u * (third + u * (fourth + u * fifth))))
-    return _finite(s, "s1")
+    return finite_result(s, "s1", None)
 
 
 def interpolate_body(start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling):
@@ -104,7 +104,7 @@ def propagate_body(start, plan, dt):
             theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
             way = np.concatenate([_turned(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
             poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * way, -2)], -2)
-    return _finite(poses, "plan")
+    return finite_result(poses, "plan", None)
 
 
 def propagate_body_exact(start, plan, dt):
@@ -131,7 +131,7 @@ def propagate_arm(start, plan, dt):
     for (velocity, *_), elapsed in _segments(plan, dt, start.shape[-1]):
         with np.errstate(all="ignore"):
             angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
-    return _finite(angles, "plan")
+    return finite_result(angles, "plan", None)
 
 
 def plan_times(plan, dt):
@@ -140,7 +140,7 @@ def plan_times(plan, dt):
     for _, elapsed in _segments(plan, dt, None):
         with np.errstate(over="ignore"):
             times = np.append(times, times[-1] + elapsed)
-    return _finite(times, "plan")
+    return finite_result(times, "plan", None)
 
 
 def pose_matrix(pose):
@@ -186,7 +186,7 @@ def _velocities(value, name, k):
 
 def _change(start, goal):
     with np.errstate(all="ignore"):
-        return _finite(goal - start, "goal")
+        return finite_result(goal - start, "goal", None)
 
 
 def _joints(start):
@@ -211,7 +211,7 @@ def _along_twist(start, twist, s):
     with np.errstate(all="ignore"):
         p = start[..., None, :2] + _turned(start[..., None, 2], moved)
         theta = start[..., None, 2] + turning[..., 0]
-    return _finite(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist")
+    return finite_result(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist", None)
 
 
 def _segments(plan, dt, k):
@@ -258,9 +258,3 @@ def _named(name):
         yield
     except ValueError as too_large:
         raise ValueError(f"{name} is too large: {too_large}") from too_large
-
-
-def _finite(values, name):
-    if not np.isfinite(values).all():
-        raise ValueError(f"{name} is too large: the result exceeds the largest number")
-    return values

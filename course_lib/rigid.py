@@ -9,7 +9,7 @@ Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
 
 import numpy as np
 
-from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
+from course_lib.arguments import broadcast, finite_result, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
@@ -36,6 +36,13 @@ def is_se(T, tol=TOLERANCE):
     return is_so(T[..., :-1, :-1], tol) & (by_entries(_last_row_off, (), T[..., -1, :], batch=T.shape[:-2]) <= tol)
 
 
+def checked_pose(value, name, *shapes):
+    """Return `value` as an array (..., 3, 3) or (..., 4, 4), as the shapes allow, or ValueError if it is not a pose."""
+    T = real_array(value, name, *shapes, copy=False)
+    refuse_first(~is_se(T), name, lambda i: "is not a pose (rigid.nearest_se gives the nearest)")
+    return T
+
+
 def nearest_se(T):
     """Return T with its block replaced by the nearest rotation and its last row by (0, ..., 0, 1).
 
@@ -50,9 +57,9 @@ def inverse(T):
 
     T: (..., 3, 3) or (..., 4, 4), a pose. Returns the same shape. MR eq. 3.64.
     """
-    T = _pose(T, (3, 3), (4, 4))
+    T = checked_pose(T, "T", (3, 3), (4, 4))
     T_inverse = by_entries(_inverse, T.shape[-2:], T, batch=T.shape[:-2])
-    _finite(T_inverse[..., :-1, -1], "T")
+    finite_result(T_inverse[..., :-1, -1], "T")
     return T_inverse
 
 
@@ -61,7 +68,7 @@ def adjoint(T):
 
     T: (..., 4, 4) gives (..., 6, 6), [[R, 0], [[p] R, R]] (MR def. 3.20); (..., 3, 3) gives (..., 3, 3).
     """
-    T = _pose(T, (3, 3), (4, 4))
+    T = checked_pose(T, "T", (3, 3), (4, 4))
     R, p = T[..., :-1, :-1], T[..., :-1, -1]
     if R.shape[-1] == 2:
         Ad = np.zeros(T.shape)
@@ -69,7 +76,7 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    Ad[..., 3:, :3] = _finite(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", axes=(-2, -1))
+    Ad[..., 3:, :3] = finite_result(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", item_axes=(-2, -1))
     return Ad
 
 
@@ -110,7 +117,7 @@ def exp_se3(twist):
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    p = _finite(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
+    p = finite_result(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
     return _assemble(exp_so3(omega), p)
 
 
@@ -119,10 +126,10 @@ def log_se3(T):
 
     T: (..., 4, 4), a pose. Returns (..., 6). At exactly pi the axis's sign is that of log_so3. MR sec. 3.3.3.2.
     """
-    T = _pose(T, (4, 4))
+    T = checked_pose(T, "T", (4, 4))
     omega = log_so3(T[..., :3, :3])
     v = by_entries(_velocity, (3,), omega, length(omega), T[..., :3, 3], batch=T.shape[:-2])
-    return np.concatenate([omega, _finite(v, "T")], -1)
+    return np.concatenate([omega, finite_result(v, "T")], -1)
 
 
 def exp_se2(twist):
@@ -136,7 +143,7 @@ def exp_se2(twist):
     across = (omega * _one_minus_cos(omega))[..., None]
     with np.errstate(all="ignore"):
         p = along * v + across * _quarter_turn(v)
-    return _assemble(_turn(omega), _finite(p, "twist"))
+    return _assemble(_turn(omega), finite_result(p, "twist"))
 
 
 def log_se2(T):
@@ -144,19 +151,13 @@ def log_se2(T):
 
     T: (..., 3, 3), a pose. Returns (..., 3).
     """
-    T = _pose(T, (3, 3))
+    T = checked_pose(T, "T", (3, 3))
     p = T[..., :2, 2]
     omega = np.arctan2(T[..., 1, 0], T[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
     with np.errstate(all="ignore"):
         v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
-    return np.concatenate([omega[..., None], _finite(v, "T")], -1)
-
-
-def _pose(T, *shapes):
-    T = real_array(T, "T", *shapes, copy=False)
-    refuse_first(~is_se(T), "T", lambda i: "is not a pose (nearest_se gives one near it)")
-    return T
+    return np.concatenate([omega[..., None], finite_result(v, "T")], -1)
 
 
 def _assemble(R, p):
@@ -173,14 +174,6 @@ def _turn(angle):
 
 def _quarter_turn(v):
     return np.stack([-v[..., 1], v[..., 0]], -1)
-
-
-def _finite(p, name, axes=-1):
-    finite = np.isfinite(p)
-    if np.count_nonzero(finite) < p.size:
-        reason = "is too large: the result exceeds the largest number"
-        refuse_first(~finite.all(axes), name, lambda i: reason)
-    return p
 
 
 def _one_minus_cos(angle):

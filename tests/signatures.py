@@ -195,8 +195,9 @@ ARGUMENTS = {
     "pose_error": [{"T": _pose(3), "target": _pose(3)}],
 }
 
-# length is used on arrays that were looked at already, it looks at nothing itself; solve has tests of its own.
-_TESTED_APART = {"length", "solve"}
+# length is used on arrays that were looked at already, it looks at nothing itself; solve has tests of its own;
+# checked_pose is what the others refuse poses by.
+_TESTED_APART = {"length", "solve", "checked_pose"}
 
 FUNCTIONS = {
     name: function
