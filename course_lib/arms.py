@@ -22,6 +22,7 @@ from course_lib.rigid import checked_pose, hat_se3, transform
 from course_lib.rotations import length, rot_x, rot_z
 
 _SMALL_BATCH = 50  # configurations: up to here matrix products are as fast as BatchedArm
+_IDENTITY = np.eye(4)
 _NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # of x, y, z, for cross products
 _FARTHEST = 1e100  # metres, so that nothing computed from a length overflows
 
@@ -400,9 +401,8 @@ class SerialArm:
         S, S_squared, _ = self._constants
         q = q[..., None, None]
         # Rodrigues' formula holds for 4 x 4 matrices too if the screw has no pitch: S^3 = -S.
-        exponentials = np.eye(4) + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
-        by_joint = np.moveaxis(exponentials, -3, 0)
-        for before, product in pairwise(by_joint):
+        exponentials = _IDENTITY + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
+        for before, product in pairwise(exponentials.swapaxes(-3, 0)):
             product[...] = before @ product
         return exponentials
 

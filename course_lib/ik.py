@@ -20,12 +20,14 @@ from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
+_REACHED_SQUARED = (REACHED / 10) ** 2  # for the search: a tenth, because `solve` measures the result once more
 _DAMPING = 0.1  # times the squared error: short steps far from the target, full Newton steps near it
 _LEAST_DAMPING = 1e-12  # added to it, so that nothing is divided by zero when the arm is stretched towards its target
 _PATIENCE = 10  # steps, after which a descent is given up if its last step failed to halve the squared error,
 _NEAR = 0.01  # unless the squared error is below this
 _CANDIDATES = 8  # random configurations, of which the one nearest to the target becomes a start
-_ONE_BY_ONE = 2  # descents for a single target before many are tried at once
+_CANDIDATES_ALONE = 32  # the same for a descent by itself, which costs more than choosing well
+_ONE_BY_ONE = 4  # descents for a single target before many are tried at once
 _TOGETHER = 128  # descents that together take about the time of one
 
 
@@ -116,14 +118,10 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
         with np.errstate(all="ignore"):  # squared errors overflow for a target far beyond any arm
             search = _Search(arm, poses[chunk], rng, starts, steps)
             best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
-    error = _pose_error(arm.fk(best), poses)
+    q = best.reshape(*batch, arm.n)
+    error = _pose_error(arm.fk(q), targets)
     residual = np.stack([length(error[..., 3:]), length(error[..., :3])], -1)
-    return IKResult(
-        best.reshape(*batch, arm.n),
-        (residual <= REACHED).all(-1).reshape(batch),
-        iterations.reshape(batch),
-        residual.reshape(*batch, 2),
-    )
+    return IKResult(q, (residual <= REACHED).all(-1), iterations.reshape(batch), residual)
 
 
 class _Search:
@@ -151,28 +149,33 @@ class _Search:
         while len(descents.target):
             J, error = self._jacobians_and_errors(descents)
             cost = self._record(descents, error)
-            moved = _step_within_limits(descents.q, J, error, *self.arm.limits.T[..., None])
-            may_restart = (self.started < self.starts)[descents.target]
-            ends = self.solved[descents.target] | _ends(descents, moved, cost, self.steps, may_restart)
-            descents.advance(~ends, moved, cost)
+            moved = _step_within_limits(descents.q, J, error, cost, *self.arm.limits.T[..., None])
+            ended = self.solved[descents.target] | _ends(
+                *(descents.q, moved, descents.age + 1, descents.cost, cost, self.steps),
+                (self.started < self.starts)[descents.target],
+            )
+            descents.advance(~ended, moved, cost)
             descents.add(self._new_descents(self._targets_to_start(descents.target)))
         return self.best, self.iterations
 
     def _descend_one_by_one(self, q0):
         """Try the only target with a few descents by themselves."""
-        low, high = self.arm.limits.T
-        goal = self.goals[..., 0]
+        goal, (low, high) = self.goals[..., 0], self.arm.limits.T
         while not self.solved[0] and self.started[0] < min(_ONE_BY_ONE, self.starts):
-            descent = self._new_descents(np.zeros(1, int), q0)
-            descent.q, q0, ended = descent.q[:, 0], None, False
+            q = _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE) if q0 is None else q0
+            q, q0, age, before, ended = q[0], None, 0, np.inf, False
+            self.started[0] += 1
             while not ended:
-                T, J = self.arm.pose_and_geometric_jacobian(descent.q)
+                T, J = self.arm.pose_and_geometric_jacobian(q)
                 error = _error_by_entries(T[:3].T, goal)
-                cost = self._record(descent, error)
-                moved = _step_within_limits(descent.q, J, error, low, high)
-                may_restart = self.started[0] < self.starts
-                ended = self.solved[0] or _ends(descent, moved, cost, self.steps, may_restart)
-                descent.q, descent.age, descent.cost = moved, descent.age + 1, cost
+                cost, reached = _cost(error)
+                if cost < self.least[0]:
+                    self.best[0], self.least[0] = q, cost
+                moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
+                ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)
+                q, before = moved, cost
+            self.solved[0] = reached
+            self.iterations[0] += age
 
     def _jacobians_and_errors(self, descents):
         J, end = np.empty((6, *descents.q.shape)), np.empty((4, 3, descents.q.shape[1]))
@@ -183,17 +186,11 @@ class _Search:
 
     def _record(self, descents, error):
         """Keep the best joint angles of each target; return the squared error of each descent."""
-        target, squares = descents.target, error * error
-        angle, distance = squares[:3].sum(0), squares[3:].sum(0)
-        cost = angle + distance
-        if error.ndim == 1:  # a descent by itself
-            if cost <= self.least[0]:
-                self.best[0], self.least[0] = descents.q, cost
-        else:
-            np.fmin.at(self.least, target, cost)
-            best = cost == self.least[target]
-            self.best[target[best]] = descents.q.T[best]
-        reached = np.maximum(angle, distance) <= (REACHED / 10) ** 2  # a tenth, because `solve` measures it once more
+        target = descents.target
+        cost, reached = _cost(error)
+        np.fmin.at(self.least, target, cost)
+        best = cost == self.least[target]
+        self.best[target[best]] = descents.q.T[best]
         self.solved[target[reached]] = True
         self.iterations += np.bincount(target, minlength=len(self.iterations))
         return cost
@@ -239,22 +236,30 @@ class _Descents:
             )
 
 
-def _ends(descents, moved, cost, steps, may_restart):
-    """Return whether each descent ends here: it fails to converge, it has stopped moving, or its steps are used up."""
-    age = descents.age + 1
-    fails = (age > _PATIENCE) & (cost > np.maximum(descents.cost / 2, _NEAR)) & may_restart
-    stopped = abs(moved - descents.q).max(0) < 1e-9
-    return fails | stopped | (age >= steps)
+def _cost(error):
+    """Return the squared error (N,) of pose errors (6, N), and whether it means that the target is reached; or no N."""
+    angle, distance = (error[:3] ** 2).sum(0), (error[3:] ** 2).sum(0)
+    reached = (angle <= _REACHED_SQUARED) & (distance <= _REACHED_SQUARED)
+    return angle + distance, reached
 
 
-def _step_within_limits(q, J, error, low, high):
+def _ends(q, moved, age, before, cost, steps, may_restart):
+    """Return whether a descent that steps from q to `moved` ends: it fails to converge, stands still, or is too long.
+
+    age: steps taken, with this one. before, cost: the squared errors one step earlier and at q.
+    """
+    fails = (age > _PATIENCE) & (cost > np.maximum(before / 2, _NEAR)) & may_restart
+    return fails | (abs(moved - q).max(0) < 1e-9) | (age >= steps)
+
+
+def _step_within_limits(q, J, error, cost, low, high):
     """Return q after one damped step. A joint that is at its limit and would leave it is held; the others compensate.
 
-    Arrays as in _damped_step; low, high: (n, 1) or (n,).
+    Arrays as in _damped_step; cost: the squared errors; low, high: (n, 1) or (n,).
     """
     downhill = _transpose_times(J, error)
     held = ((q <= low) & (downhill < 0)) | ((q >= high) & (downhill > 0))
-    step, sound = _damped_step(J * ~held, error, _DAMPING * (error * error).sum(0) + _LEAST_DAMPING)
+    step, sound = _damped_step(J * ~held, error, _DAMPING * cost + _LEAST_DAMPING)
     step = np.where(sound & np.isfinite(step).all(0), step, 0.0)
     return np.minimum(np.maximum(q + step, low), high)
 
@@ -307,12 +312,12 @@ def _error_by_entries(end, goal):
     return error
 
 
-def _random_starts(arm, poses, rng):
+def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
     """Return for each of the poses (m, 4, 4) the nearest of a few random configurations, (m, n).
 
     They are uniform between the limits; a joint without limits takes any angle. Radians weigh as much as metres.
     """
-    q = rng.uniform(*np.clip(arm.limits.T, -np.pi, np.pi), (_CANDIDATES, len(poses), arm.n))
+    q = rng.uniform(*np.clip(arm.limits.T, -np.pi, np.pi), (candidates, len(poses), arm.n))
     squares = (arm.fk(q) - poses) ** 2
     distance = squares[..., :3, :3].sum((-2, -1)) / 2 + squares[..., :3, 3].sum(-1)
     return np.take_along_axis(q, distance.argmin(0)[None, :, None], 0)[0]

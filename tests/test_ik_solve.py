@@ -5,7 +5,7 @@ import pytest
 from helpers import pose_samples
 
 from course_lib import ik, rigid, rotations
-from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
+from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
 from course_lib.batched_arm import CHUNK
 from course_lib.ik import pose_error, solve
 
@@ -33,6 +33,28 @@ def test_a_thousand_targets_from_cold_starts(make):
         assert gap.max() <= 1e-6
         np.testing.assert_allclose(found.residual[:, i], gap, rtol=0, atol=1e-7)
     assert (found.iterations >= 1).all()
+
+
+@pytest.mark.parametrize("make", [panda, iiwa14, ur5e])
+def test_targets_one_by_one(make):
+    """A single target is first tried by itself, with few steps for most."""
+    arm = make()
+    targets = reachable(arm, 100)
+    found = [solve(arm, target, np.random.default_rng(i)) for i, target in enumerate(targets)]
+    assert all(one.success for one in found)
+    q = np.array([one.q for one in found])
+    assert ((q >= arm.limits[:, 0]) & (q <= arm.limits[:, 1])).all()
+    assert max(gap.max() for gap in apart(arm.fk(q), targets)) <= 1e-6
+    assert np.median([one.iterations for one in found]) <= 15
+
+
+def test_a_descent_by_itself_takes_the_steps_that_it_takes_among_others():
+    arm, rng = panda(), np.random.default_rng(11)
+    targets, q0 = reachable(arm, 20), rng.uniform(*arm.limits.T, (20, 7))
+    together = solve(arm, targets, rng, q0=q0, starts=1, steps=6)
+    alone = [solve(arm, target, rng, q0=q, starts=1, steps=6) for target, q in zip(targets, q0, strict=True)]
+    np.testing.assert_allclose([one.q for one in alone], together.q, rtol=0, atol=1e-6)
+    assert [one.iterations for one in alone] == together.iterations.tolist()
 
 
 def test_an_unreachable_target_ends_nearby_and_says_so():
@@ -184,7 +206,7 @@ def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     wanted = np.sign(J[:, 0].T @ error)[0, 0]  # which way joint 1 would go
     low, high = np.full((7, 1), -np.inf), np.full((7, 1), np.inf)
     (high if wanted > 0 else low)[0] = 0
-    moved = ik._step_within_limits(q, J, error, low, high)[:, 0]
+    moved = ik._step_within_limits(q, J, error, (error**2).sum(0), low, high)[:, 0]
     expected, _ = ik._damped_step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
     assert moved[0] == 0
     np.testing.assert_allclose(moved[1:], expected[:, 0], rtol=0, atol=1e-12)
