@@ -1,4 +1,4 @@
-"""Look at what a caller passed in, and refuse it in one sentence that names the argument."""
+"""Check what a caller passed in, and refuse it in one sentence that names the argument."""
 
 import numpy as np
 
@@ -7,13 +7,15 @@ def real_array(value, name, *shapes, copy=True):
     """Return `value` as a float64 array whose last axes have one of the given shapes.
 
     shapes: tuples such as (3,) or (3, 3); any axes before them are the batch. () takes any shape.
-    copy: False where the caller only reads the array, which may then be `value` itself.
+    copy: False if the caller only reads the array, which may then be `value` itself.
     Raises ValueError for anything that is not real numbers, has another shape, or is not finite.
     """
+    if isinstance(value, np.ma.MaskedArray):
+        raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
     except Exception as unreadable:  # ragged lists, and whatever the __array__ of a foreign object raises
-        raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable}") from unreadable
+        raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
     if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):

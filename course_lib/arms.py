@@ -19,7 +19,7 @@ from course_lib.arguments import positive, real_array, refuse_first
 from course_lib.batched_arm import CHUNK, BatchedArm
 from course_lib.batching import in_chunks
 from course_lib.rigid import checked_pose, hat_se3, transform
-from course_lib.rotations import length, rot_x, rot_z
+from course_lib.rotations import rot_x, rot_z, unchecked_length
 
 _SMALL_BATCH = 50  # configurations: up to here matrix products are as fast as BatchedArm
 _IDENTITY = np.eye(4)
@@ -113,7 +113,7 @@ class SerialArm:
         if omega.ndim != 2 or len(omega) == 0:
             raise ValueError(f"omega must be an array of shape (n, 3), one axis a joint; its shape is {omega.shape}")
         n = len(omega)
-        size = length(omega)
+        size = unchecked_length(omega)
         refuse_first(size == 0, "omega", lambda i: "is zero: an axis needs a direction")
         refuse_first(np.isinf(size), "omega", lambda i: "is too large: its length exceeds the largest number")
         omega = omega / size[:, None]
@@ -447,7 +447,7 @@ def planar_arm(lengths):
 
     References
     ----------
-    MR section 4.1.1, figure 4.1, with n = 3.
+    MR figure 4.1, with n = 3.
 
     Examples
     --------
