@@ -124,8 +124,8 @@ def subproblem2(k1, k2, p1, p2):
     """Return the angles that bring two points together: R(k1, theta1) p1 = R(k2, theta2) p2.
 
     The points move on circles, which lie on one sphere if the points are equally far from the origin. Circles meet
-    twice, once or not at all. How far the points are from the origin does not change which angles bring them nearest, so
-    unit vectors are used.
+    twice, once or not at all. How far the points are from the origin does not change which angles bring them nearest,
+    so unit vectors are used.
 
     Parameters
     ----------
