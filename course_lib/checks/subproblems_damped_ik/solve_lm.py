@@ -259,5 +259,5 @@ EXERCISE = Exercise(
         "way = [np.array(q0, float)], then way.append(lm_step(way[-1], target, alpha, eps)), then np.array(way).",
         "lm_step must not change its q in place: the rows kept before would change with it.",
     ),
-    forbidden=("course_lib.ik.damped_path", "course_lib.ik._step", *ARMS),
+    forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )
