@@ -15,8 +15,8 @@ from functools import cached_property
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.chain import CHUNK, Chain
-from course_lib.layout import in_chunks
+from course_lib.batched_arm import CHUNK, BatchedArm
+from course_lib.batching import in_chunks
 from course_lib.rigid import hat_se3, is_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 
@@ -41,7 +41,8 @@ class DHRow:
 
 @dataclass(frozen=True)
 class SerialArm:
-    """An arm of n revolute joints. Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14 or panda.
+    """An arm of n revolute joints. Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda
+    or ur5e.
 
     screw_axes: (n, 6), (omega, v) of each joint in the base frame at q = 0. home: (n + 1, 4, 4), at q = 0 the pose of
     the frame on each joint's axis, and of the end last. limits: (n, 2), lowest and highest angle of each joint.
@@ -98,22 +99,22 @@ class SerialArm:
 
         q: (..., n). The product of exponentials, MR eq. 4.14, kept at every joint.
         """
-        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.chain.fill_frames)
+        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.batched.fill_frames)
 
     def fk(self, q):
         """Return the pose (..., 4, 4) of the end in the base frame, for q (..., n)."""
-        return self._by_postures(q, (4, 4), self._few_ends, self.chain.fill_end)
+        return self._by_postures(q, (4, 4), self._few_ends, self.batched.fill_end)
 
     def space_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
-        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.chain.fill_space_jacobian)
+        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.batched.fill_space_jacobian)
 
     def geometric_jacobian(self, q):
         """Return (..., 6, n): the end's angular velocity and its origin's velocity, both along the base frame's axes.
 
         In this order (omega, v), as everywhere here; Siciliano and others, section 3.1, have (v, omega).
         """
-        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.chain.fill_geometric_jacobian)
+        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.batched.fill_geometric_jacobian)
 
     def body_jacobian(self, q):
         """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
@@ -126,9 +127,9 @@ class SerialArm:
         return self.geometric_jacobian(q)[..., 3:, :]
 
     @cached_property
-    def chain(self):
-        """The same arm for many postures at once: a Chain."""
-        return Chain.of(self.screw_axes, self.home)
+    def batched(self):
+        """The same arm for many postures at once: a BatchedArm."""
+        return BatchedArm.of(self.screw_axes, self.home)
 
     def _by_postures(self, q, shape, few, fill):
         """Return (..., *shape) for q (..., n): for few postures as books have it, for many in the chain's layout."""
@@ -224,6 +225,39 @@ def panda():
     high = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
     flange = transform(np.eye(3), [0, 0, 0.107])
     return SerialArm.from_dh(rows, "modified", flange, np.stack([low, high], -1))
+
+
+def ur5e():
+    """Return the Universal Robots UR5e up to its flange: six axes, no spherical wrist.
+
+    Built from screw axes, the product of exponentials of Lynch and Park, section 4.1. Their UR5 (section 4.1.2) is the
+    older model with other dimensions and another base frame. Here the base frame is the manufacturer's: z up, and the
+    stretched arm points along -x at q = 0. The axes of joints 2, 3 and 4 are parallel.
+
+    Returns
+    -------
+    SerialArm
+        With the limits of the data sheet, a full turn to either side for each joint.
+
+    References
+    ----------
+    Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard convention):
+    d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(ur5e().fk(np.zeros(6)).round(4) + 0.0)
+    [[ 1.      0.      0.     -0.8172]
+     [ 0.      0.     -1.     -0.2329]
+     [ 0.      1.      0.      0.0628]
+     [ 0.      0.      0.      1.    ]]
+    """
+    shoulder, elbow, wrist = (0, 0, 0.1625), (-0.425, 0, 0.1625), (-0.8172, 0, 0.1625)
+    omega = [[0, 0, 1], [0, -1, 0], [0, -1, 0], [0, -1, 0], [0, 0, -1], [0, -1, 0]]
+    points = [[0, 0, 0], shoulder, elbow, wrist, [-0.8172, -0.1333, 0.1625], [-0.8172, -0.1333, 0.0628]]
+    flange = transform([[1, 0, 0], [0, 0, -1], [0, 1, 0]], [-0.8172, -0.2329, 0.0628])
+    return SerialArm.from_screws(omega, points, flange, np.tile([-2 * np.pi, 2 * np.pi], (6, 1)))
 
 
 def _dh_table(rows):

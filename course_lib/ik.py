@@ -15,7 +15,7 @@ import numpy as np
 
 from course_lib.arguments import broadcast, count, generator, positive, real_array, refuse_first
 from course_lib.arms import SerialArm
-from course_lib.chain import CHUNK
+from course_lib.batched_arm import CHUNK
 from course_lib.rigid import is_se
 from course_lib.rotations import length, log_so3
 
@@ -85,7 +85,7 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
 def _search(arm, poses, q, rng, starts, steps):
     """Return the best joint angles (m, n) for poses (m, 4, 4), beginning at q, and how many steps each pose took.
 
-    In course_lib.layout's layout: postures under way lie along the last axis. In it a few cost as much as a hundred
+    In course_lib.batching's layout: postures under way lie along the last axis. In it a few cost as much as a hundred
     (_TOGETHER). So where fewer are under way, the poses whose first start led nowhere get several more starts at once.
     """
     goals, limits = _columns_and_place(poses), arm.limits.T[..., None]
@@ -95,7 +95,7 @@ def _search(arm, poses, q, rng, starts, steps):
     q, target, age, before = q.T, *_new(np.arange(len(q)))
     while len(target):
         J = np.empty((6, *q.shape))
-        error = _left(*arm.chain.fill_geometric_jacobian(q, J), goals[..., target])
+        error = _left(*arm.batched.fill_geometric_jacobian(q, J), goals[..., target])
         way, turn = (error[3:] ** 2).sum(0), (error[:3] ** 2).sum(0)
         cost = way + turn
         np.fmin.at(least, target, cost)
@@ -160,12 +160,12 @@ def _step(J, error, damping):
 
 
 def _columns_and_place(T):
-    """The columns and the place of poses (N, 4, 4), in course_lib.layout's layout: (4, 3, N)."""
+    """The columns and the place of poses (N, 4, 4), in course_lib.batching's layout: (4, 3, N)."""
     return np.ascontiguousarray(np.moveaxis(T[:, :3], (0, 1, 2), (2, 1, 0)))
 
 
 def _left(columns, place, goal):
-    """What _error gives, in course_lib.layout's layout: (6, N), from how and where an end is to goals (4, 3, N)."""
+    """What _error gives, in course_lib.batching's layout: (6, N), from how and where an end is to goals (4, 3, N)."""
     end = np.empty(goal.shape)
     for i, column in enumerate((*columns, place)):
         end[i] = column
@@ -234,7 +234,7 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     path[..., 0, :] = q
     q, J = path[..., 0, :].reshape(flat, n).T, np.empty((6, n, flat))
     for i in range(steps):
-        _, place = arm.chain.fill_geometric_jacobian(q, J)
+        _, place = arm.batched.fill_geometric_jacobian(q, J)
         step, sound = _step(J[3 : 3 + k], place[:k] - target, eps)
         if not sound.all():
             raise ValueError("eps is too small: where the arm is singular, rounding leaves nothing of it")

@@ -10,7 +10,7 @@ Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
 import numpy as np
 
 from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
-from course_lib.layout import by_entries
+from course_lib.batching import by_entries
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
 

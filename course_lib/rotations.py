@@ -10,7 +10,7 @@ Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; oth
 import numpy as np
 
 from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
-from course_lib.layout import by_entries
+from course_lib.batching import by_entries
 
 # How far R^T R may be from I, or |q| from 1, in what the functions below take for a rotation. Wide enough for
 # matrices printed to seven digits, narrow enough to catch one that was never meant to be a rotation.

@@ -6,7 +6,7 @@ from helpers import pose_samples
 
 from course_lib import ik, rigid, rotations
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
-from course_lib.chain import CHUNK
+from course_lib.batched_arm import CHUNK
 from course_lib.ik import pose_error, solve
 
 

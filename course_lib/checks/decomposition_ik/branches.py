@@ -4,10 +4,9 @@ import functools
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
 
 _CENTRES = Mistake("the centres of the clusters are returned", "One label for each sample: labels_ of the KMeans.")
 
@@ -135,7 +134,7 @@ def _nearly_best(labels, theta, by, most):
 def _clustered(words, by, most=1.03):
     """The mistake of those who cluster by(theta): exactly so in all cases, or nearly so where it shows."""
     return (
-        *either(words, lambda theta: split(theta, by)),
+        Mistake(*words, lambda theta: split(theta, by)),
         Mistake(*words, seen=lambda labels, theta: _nearly_best(labels, theta, by, most)),
     )
 
@@ -201,18 +200,14 @@ SPLIT_BRANCHES = Exercise(
             seen=lambda labels, theta: {0, 1, 2} <= set(labels) <= set(range(9)),
         ),
         Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, theta: set(labels) == {1, 2}),
-        *either(
-            (
-                "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
-                "Compare theta[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
-            ),
+        Mistake(
+            "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
+            "Compare theta[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
             lambda theta: 1 - split(theta) if several(theta) else None,
         ),
-        *either(
-            (
-                "the samples are split by the sign of theta2",
-                "A cell may hold one elbow only, and theta2 has one sign: KMeans still finds two clusters.",
-            ),
+        Mistake(
+            "the samples are split by the sign of theta2",
+            "A cell may hold one elbow only, and theta2 has one sign: KMeans still finds two clusters.",
             lambda theta: theta[:, 1] <= 0 if several(theta) else None,
             lambda theta: theta[:, 1] > 0 if several(theta) else None,
             lambda theta: theta[:, 1] <= 0,
@@ -238,39 +233,46 @@ SPLIT_BRANCHES = Exercise(
             ("the angles are scaled before they are clustered", "Both are radians: give theta to KMeans as it is."),
             _scaled,
         ),
-        *either(
-            ("the samples are split at the median of theta1", "KMeans looks at both angles, and sizes may differ."),
+        Mistake(
+            "the samples are split at the median of theta1",
+            "KMeans looks at both angles, and sizes may differ.",
             *_by_limit(0, np.median),
             lambda theta: theta[:, 0] < np.median(theta[:, 0]) if several(theta) else None,
         ),
-        *either(
-            ("the samples are split at the median of theta2", "The clusters need not be of the same size."),
+        Mistake(
+            "the samples are split at the median of theta2",
+            "The clusters need not be of the same size.",
             *_by_limit(1, np.median),
             lambda theta: theta[:, 1] < np.median(theta[:, 1]) if several(theta) else None,
         ),
-        *either(("the labels are sorted", "Label i belongs to sample i."), lambda theta: np.sort(split(theta))),
-        *either(
-            ("theta is sorted before it is clustered", "Label i belongs to sample i: leave theta as it is."),
+        Mistake("the labels are sorted", "Label i belongs to sample i.", lambda theta: np.sort(split(theta))),
+        Mistake(
+            "theta is sorted before it is clustered",
+            "Label i belongs to sample i: leave theta as it is.",
             lambda theta: split(np.sort(theta, axis=0)) if several(theta) else None,
             lambda theta: split(theta[np.argsort(theta[:, 0])]) if several(theta) else None,
             lambda theta: split(theta[np.argsort(theta[:, 1])]) if several(theta) else None,
         ),
-        *either(
-            ("the clusters are ordered by theta1", "theta2 is the second column: theta[:, 1]."),
+        Mistake(
+            "the clusters are ordered by theta1",
+            "theta2 is the second column: theta[:, 1].",
             _numbered(lambda theta, own: theta[own, 0].mean()),
             _numbered(lambda theta, own: -theta[own, 0].mean()),
         ),
-        *either(
-            ("the clusters are ordered by the sum of theta2", "The mean, not the sum: sizes may differ."),
+        Mistake(
+            "the clusters are ordered by the sum of theta2",
+            "The mean, not the sum: sizes may differ.",
             _numbered(lambda theta, own: theta[own, 1].sum()),
         ),
-        *either(
-            ("the clusters are ordered by their largest or smallest theta2", "The mean theta2 of all samples counts."),
+        Mistake(
+            "the clusters are ordered by their largest or smallest theta2",
+            "The mean theta2 of all samples counts.",
             _numbered(lambda theta, own: theta[own, 1].max()),
             _numbered(lambda theta, own: theta[own, 1].min()),
         ),
-        *either(
-            ("the clusters are ordered by the size of theta2, without its sign", "Leave abs away."),
+        Mistake(
+            "the clusters are ordered by the size of theta2, without its sign",
+            "Leave abs away.",
             _numbered(lambda theta, own: np.abs(theta[own, 1]).mean()),
             _numbered(lambda theta, own: np.abs(theta[own, 1].mean())),
         ),

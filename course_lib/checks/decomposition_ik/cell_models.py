@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.affine_models import clusters, models, with_one
 from course_lib.checks.decomposition_ik.cell_samples import cases
 from course_lib.checks.decomposition_ik.model_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
 from course_lib.checks.decomposition_ik.two_links import same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _FINE = 1e-7  # radians
 _SHAPES = {
@@ -60,8 +60,8 @@ def _tell_fit(value, *case):
     (c, k), j = next((place, j) for place, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
     wanted, samples = models(*case)[c, k, j], clusters(*case[1:])[c, k]
     return (
-        f"In cell {c}, cluster {k} has {len(samples)} samples, and for theta{j + 1} the row {in_words(wanted)} fits "
-        f"them best. Yours is {in_words(value[c, k, j])}."
+        f"In cell {c}, cluster {k} has {len(samples)} samples, and for theta{j + 1} the row {format_tuple(wanted)} fits "
+        f"them best. Yours is {format_tuple(value[c, k, j])}."
     )
 
 
@@ -86,7 +86,7 @@ def _tell_too_many(value, *case):
     c, k = place = _too_many(value, *case)[0]
     return (
         f"In cell {c}, cluster {k} has {_size(place, *case)}, and the first row of your model there is "
-        f"{in_words(value[place][0])}."
+        f"{format_tuple(value[place][0])}."
     )
 
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import like, place, same_with_gaps, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _FINE = 1e-9  # metres
 
@@ -106,8 +106,8 @@ def _tell_number(errors, xy, angles):
     i, k = _wrong_numbers(errors, xy, angles)[0]
     end = np.round(place(angles[i, k]), 9)
     return (
-        f"Place {i} is {in_words(xy[i])}, and prediction {k}, {in_words(angles[i, k])}, takes the end to "
-        f"{in_words(end)}: {distances(xy, angles)[i, k]:.4g} m away. Yours is {errors[i, k]:.4g}."
+        f"Place {i} is {format_tuple(xy[i])}, and prediction {k}, {format_tuple(angles[i, k])}, takes the end to "
+        f"{format_tuple(end)}: {distances(xy, angles)[i, k]:.4g} m away. Yours is {errors[i, k]:.4g}."
     )
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.wrong_cells import (
     cells,
     changed,
@@ -14,9 +15,7 @@ from course_lib.checks.decomposition_ik.wrong_cells import (
     unmarked,
 )
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _FLAT = Mistake(
     "one number is returned for each cell, not its column and row",
@@ -72,12 +71,12 @@ def _first_wrong(index, *case):
 
 def _tell(index, xy, low, high, n):
     k = _first_wrong(index, xy, low, high, n)
-    widths = in_words(np.round(parts(xy, low, high, n)[k], 6))
+    widths = format_tuple(np.round(parts(xy, low, high, n)[k], 6))
     so = "it is outside, and its answer" if outside(xy, low, high)[k] else "its cell"
     return (
-        f"The place {in_words(xy[k])} is {widths} widths of a cell from low, so {so} is "
-        f"{in_words(cells(xy, low, high, n)[k])}. "
-        f"Yours is {in_words(index[k])}."
+        f"The place {format_tuple(xy[k])} is {widths} widths of a cell from low, so {so} is "
+        f"{format_tuple(cells(xy, low, high, n)[k])}. "
+        f"Yours is {format_tuple(index[k])}."
     )
 
 
@@ -135,55 +134,44 @@ CELL_INDEX = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "the cell of the upper edge is n, one beyond the last",
-                "The last cell is n - 1 and has its upper edge with it: np.minimum(index, n - 1).",
-            ),
+        Mistake(
+            "the cell of the upper edge is n, one beyond the last",
+            "The last cell is n - 1 and has its upper edge with it: np.minimum(index, n - 1).",
             changed(last=False),
             changed(last=False, mark=unmarked),
         ),
-        *either(
-            (
-                "the upper edge is taken for outside",
-                "The last cell is n - 1 and has its upper edge with it: only xy > high is outside.",
-            ),
+        Mistake(
+            "the upper edge is taken for outside",
+            "The last cell is n - 1 and has its upper edge with it: only xy > high is outside.",
             changed(outside=lambda xy, low, high: ((xy < low) | (xy >= high)).any(axis=1, keepdims=True)),
         ),
-        *either(
-            ("the lower edge is taken for outside", "The first cell has its lower edge with it: xy < low is outside."),
+        Mistake(
+            "the lower edge is taken for outside",
+            "The first cell has its lower edge with it: xy < low is outside.",
             changed(outside=lambda xy, low, high: ((xy <= low) | (xy > high)).any(axis=1, keepdims=True)),
             changed(outside=lambda xy, low, high: ((xy <= low) | (xy >= high)).any(axis=1, keepdims=True)),
         ),
-        *either(
-            (
-                "places outside are not marked: clipping puts them into the cells at the border",
-                "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
-            ),
+        Mistake(
+            "places outside are not marked: clipping puts them into the cells at the border",
+            "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
             clipped,
         ),
-        *either(
-            (
-                "places outside are not marked, and their numbers go beyond 0 to n - 1",
-                "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
-            ),
+        Mistake(
+            "places outside are not marked, and their numbers go beyond 0 to n - 1",
+            "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
             changed(mark=unmarked),
             lambda *case: np.minimum(np.floor(parts(*case)), case[3] - 1),
             lambda *case: np.maximum(np.floor(parts(*case)), -1),
             changed(to_whole=np.trunc, mark=unmarked),
         ),
-        *either(
-            (
-                "only one of the two numbers is -1 where only x, or only y, is outside",
-                "Outside is outside: (low <= xy) & (xy <= high) has to hold for both, np.all(..., axis=1).",
-            ),
+        Mistake(
+            "only one of the two numbers is -1 where only x, or only y, is outside",
+            "Outside is outside: (low <= xy) & (xy <= high) has to hold for both, np.all(..., axis=1).",
             changed(outside=each_by_itself),
         ),
-        *either(
-            (
-                "only places with both x and y outside are marked",
-                "A place is outside where x or y is: np.any(..., axis=1).",
-            ),
+        Mistake(
+            "only places with both x and y outside are marked",
+            "A place is outside where x or y is: np.any(..., axis=1).",
             changed(outside=lambda xy, low, high: each_by_itself(xy, low, high).all(axis=1, keepdims=True)),
             lambda *case: np.where(
                 each_by_itself(*case[:3]).all(axis=1, keepdims=True),
@@ -191,32 +179,31 @@ CELL_INDEX = Exercise(
                 np.minimum(np.floor(parts(*case)), case[3] - 1),
             ),
         ),
-        *either(
-            ("places below low are not marked", "Both xy < low and xy > high are outside."),
+        Mistake(
+            "places below low are not marked",
+            "Both xy < low and xy > high are outside.",
             changed(outside=lambda xy, low, high: (xy > high).any(axis=1, keepdims=True)),
         ),
-        *either(
-            ("places above high are not marked", "Both xy < low and xy > high are outside."),
+        Mistake(
+            "places above high are not marked",
+            "Both xy < low and xy > high are outside.",
             changed(outside=lambda xy, low, high: (xy < low).any(axis=1, keepdims=True)),
             lambda *case: marked(clipped(*case), (case[0] < case[1]).any(axis=1, keepdims=True)),
         ),
-        *either(
-            (
-                "int() cuts towards zero, so that places just below low come into cell 0: floor is asked for",
-                "np.floor(-0.4) is -1, int(-0.4) is 0.",
-            ),
+        Mistake(
+            "int() cuts towards zero, so that places just below low come into cell 0: floor is asked for",
+            "np.floor(-0.4) is -1, int(-0.4) is 0.",
             lambda *case: marks_found_later(*case, np.trunc),
             lambda *case: marks_found_later(*case, np.trunc, edge=False),
         ),
-        *either(
-            ("x and y are swapped: the column is counted along x and stands first", "Column, then row: (x, y)."),
+        Mistake(
+            "x and y are swapped: the column is counted along x and stands first",
+            "Column, then row: (x, y).",
             lambda *case: cells(*case)[:, ::-1],
         ),
-        *either(
-            (
-                "the width of a cell is computed with n - 1, or with n + 1",
-                "n cells have n + 1 borders: np.linspace(low, high, n + 1). A cell is (high - low) / n wide.",
-            ),
+        Mistake(
+            "the width of a cell is computed with n - 1, or with n + 1",
+            "n cells have n + 1 borders: np.linspace(low, high, n + 1). A cell is (high - low) / n wide.",
             *(
                 changed(parts=lambda xy, low, high, n, k=k: parts(xy, low, high, n + k), last=last, mark=mark)
                 for k in (-1, 1)
@@ -225,8 +212,9 @@ CELL_INDEX = Exercise(
             ),
             *(lambda *case, k=k: np.minimum(cells(*case[:3], case[3] + k), case[3] - 1) for k in (-1, 1)),
         ),
-        *either(
-            ("low is not subtracted", "Cells are counted from the corner low: (xy - low) / width."),
+        Mistake(
+            "low is not subtracted",
+            "Cells are counted from the corner low: (xy - low) / width.",
             *(
                 changed(lambda xy, low, high, n: xy / (high - low) * n, to_whole, mark=mark)
                 for to_whole in (np.floor, np.trunc)
@@ -235,37 +223,40 @@ CELL_INDEX = Exercise(
             lambda xy, low, high, n: marked(np.minimum(np.floor(xy / (high - low) * n), n - 1), outside(xy, low, high)),
             lambda xy, low, high, n: marked(np.clip(np.floor(xy / (high - low) * n), 0, n - 1), outside(xy, low, high)),
         ),
-        *either(
-            ("low is added", "Cells are counted from the corner low: (xy - low) / width."),
+        Mistake(
+            "low is added",
+            "Cells are counted from the corner low: (xy - low) / width.",
             changed(lambda xy, low, high, n: (xy + low) / (high - low) * n),
         ),
-        *either(
-            ("high stands where the size of the box, high - low, belongs", "A cell is (high - low) / n wide."),
+        Mistake(
+            "high stands where the size of the box, high - low, belongs",
+            "A cell is (high - low) / n wide.",
             changed(lambda xy, low, high, n: (xy - low) / high * n),
             lambda xy, low, high, n: marked(np.minimum(np.floor((xy - low) / high * n), n - 1), outside(xy, low, high)),
             lambda xy, low, high, n: marked(np.clip(np.floor((xy - low) / high * n), 0, n - 1), outside(xy, low, high)),
         ),
-        *either(
-            ("the number is rounded to the nearest: floor is asked for", "A cell begins at its lower border."),
+        Mistake(
+            "the number is rounded to the nearest: floor is asked for",
+            "A cell begins at its lower border.",
             changed(to_whole=np.round),
             lambda *case: marked(np.minimum(np.round(parts(*case)), case[3] - 1), outside(*case[:3])),
         ),
-        *either(
-            ("cells are counted from 1", "The first cell is 0, the last n - 1."),
+        Mistake(
+            "cells are counted from 1",
+            "The first cell is 0, the last n - 1.",
             lambda *case: marked(cells(*case) + 1, outside(*case[:3])),
             lambda *case: cells(*case) + 1,
             changed(to_whole=np.ceil, last=False),
             lambda *case: marked(np.floor(parts(*case)) + 1, outside(*case[:3])),
         ),
-        *either(
-            ("rows are counted from above", "Row 0 is the lowest: y goes up."),
+        Mistake(
+            "rows are counted from above",
+            "Row 0 is the lowest: y goes up.",
             lambda *case: np.where(outside(*case[:3]) | [[True, False]], cells(*case), case[3] - 1 - cells(*case)),
         ),
-        *either(
-            (
-                "one width serves for x and y",
-                "The box need not be square: (high - low) / n is a width for x and one for y.",
-            ),
+        Mistake(
+            "one width serves for x and y",
+            "The box need not be square: (high - low) / n is a width for x and one for y.",
             *(
                 changed(lambda xy, low, high, n, k=k: (xy - low) / (high - low)[k] * n, mark=mark)
                 for k in (0, 1)

@@ -2,10 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -79,7 +78,7 @@ def _column(k, text, wanted):
         text,
         lambda T, *case: np.allclose(T[:3, k], wanted(*case), rtol=0, atol=1e-9),
         seen=lambda T, *case: (
-            f"Here that is {in_words(np.round(wanted(*case), 9))}. Yours is {in_words(np.round(T[:3, k], 9))}."
+            f"Here that is {format_tuple(np.round(wanted(*case), 9))}. Yours is {format_tuple(np.round(T[:3, k], 9))}."
         ),
     )
 
@@ -128,89 +127,91 @@ DH_SYMBOLIC = Exercise(
         _column(3, "the origin, the last column, is (a cos theta, a sin theta, d)", _origin),
     ),
     mistakes=(
-        *either(
-            (
-                "the modified convention is taken, Rot_x(alpha) Trans_x(a) Rot_z(theta) Trans_z(d)",
-                "The standard convention begins with the joint: Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha).",
-            ),
+        Mistake(
+            "the modified convention is taken, Rot_x(alpha) Trans_x(a) Rot_z(theta) Trans_z(d)",
+            "The standard convention begins with the joint: Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha).",
             lambda a, alpha, d, theta: transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d]),
         ),
-        *either(("the matrix is transposed", "The origin stands in the last column."), lambda *case: _right(*case).T),
-        *either(
-            ("alpha and theta are swapped", "theta turns about z, alpha about x; the order is a, alpha, d, theta."),
+        Mistake("the matrix is transposed", "The origin stands in the last column.", lambda *case: _right(*case).T),
+        Mistake(
+            "alpha and theta are swapped",
+            "theta turns about z, alpha about x; the order is a, alpha, d, theta.",
             lambda a, alpha, d, theta: _right(a, theta, d, alpha),
         ),
-        *either(
-            ("a and d are swapped", "d is the way along z, a that along x."),
+        Mistake(
+            "a and d are swapped",
+            "d is the way along z, a that along x.",
             lambda a, alpha, d, theta: _right(d, alpha, a, theta),
         ),
-        *either(
-            ("the turn by theta goes the other way round", "Rot_z has -sin theta in its first row."),
+        Mistake(
+            "the turn by theta goes the other way round",
+            "Rot_z has -sin theta in its first row.",
             lambda a, alpha, d, theta: _right(a, alpha, d, -theta),
         ),
-        *either(
-            ("the turn by alpha goes the other way round", "Rot_x has -sin alpha in its second row."),
+        Mistake(
+            "the turn by alpha goes the other way round",
+            "Rot_x has -sin alpha in its second row.",
             lambda a, alpha, d, theta: _right(a, -alpha, d, theta),
         ),
-        *either(
-            ("both turns go the other way round", "The minus stands above the diagonal of Rot_z and Rot_x."),
+        Mistake(
+            "both turns go the other way round",
+            "The minus stands above the diagonal of Rot_z and Rot_x.",
             lambda a, alpha, d, theta: _right(a, -alpha, d, -theta),
         ),
-        *either(
-            (
-                "a sine or a cosine has its sign wrong",
-                "Multiply the four matrices by SymPy and compare entry by entry.",
-            ),
+        Mistake(
+            "a sine or a cosine has its sign wrong",
+            "Multiply the four matrices by SymPy and compare entry by entry.",
             *(_with_other_sign(i, j) for i, j in [(0, 1), (1, 0), (0, 2), (1, 2), (2, 1), (0, 3), (1, 3), (1, 1)]),
         ),
-        *either(
-            (
-                "matrices are multiplied entry by entry",
-                "The product of SymPy's matrices is A * B or A @ B, not multiply_elementwise.",
-            ),
+        Mistake(
+            "matrices are multiplied entry by entry",
+            "The product of SymPy's matrices is A * B or A @ B, not multiply_elementwise.",
             lambda a, alpha, d, theta: _about_z(theta) * _along_z(d) * _along_x(a) * _about_x(alpha),
             lambda a, alpha, d, theta: (_about_z(theta) @ _along_z(d)) * (_along_x(a) @ _about_x(alpha)),
             lambda a, alpha, d, theta: _about_z(theta) * _about_x(alpha),
         ),
-        *either(
-            ("the matrices are added", "One move after the other is a product."),
+        Mistake(
+            "the matrices are added",
+            "One move after the other is a product.",
             lambda a, alpha, d, theta: _about_z(theta) + _along_z(d) + _along_x(a) + _about_x(alpha),
         ),
-        *either(
-            ("sine and cosine are swapped", "At the angle 0 the cosine is 1: it stands on the diagonal."), _swapped
-        ),
-        *either(
-            ("the angles are taken for degrees", "Angles are radians everywhere."),
+        Mistake("sine and cosine are swapped", "At the angle 0 the cosine is 1: it stands on the diagonal.", _swapped),
+        Mistake(
+            "the angles are taken for degrees",
+            "Angles are radians everywhere.",
             lambda a, alpha, d, theta: _right(a, np.deg2rad(alpha), d, np.deg2rad(theta)),
         ),
-        *either(
-            ("alpha turns about y", "Rot_x(alpha) leaves the x axis where it is."),
+        Mistake(
+            "alpha turns about y",
+            "Rot_x(alpha) leaves the x axis where it is.",
             lambda a, alpha, d, theta: _right(a, 0, d, theta) @ transform(rot_y(alpha), np.zeros(3)),
         ),
-        *either(
-            ("the way a is not turned by theta", "Trans_x(a) comes after Rot_z(theta), so it goes along the new x."),
+        Mistake(
+            "the way a is not turned by theta",
+            "Trans_x(a) comes after Rot_z(theta), so it goes along the new x.",
             lambda a, alpha, d, theta: _along_x(a) @ _right(0, alpha, d, theta),
         ),
-        *either(
-            (
-                "Rot_x(alpha) stands before Rot_z(theta)",
-                "In Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) it is the last.",
-            ),
+        Mistake(
+            "Rot_x(alpha) stands before Rot_z(theta)",
+            "In Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) it is the last.",
             lambda a, alpha, d, theta: _about_x(alpha) @ _right(a, 0, d, theta),
             lambda a, alpha, d, theta: transform(rot_x(alpha) @ rot_z(theta), _origin(a, alpha, d, theta)),
         ),
-        *either(
-            ("the way d is turned by alpha", "Trans_z(d) comes before Rot_x(alpha): it goes along the old z."),
+        Mistake(
+            "the way d is turned by alpha",
+            "Trans_z(d) comes before Rot_x(alpha): it goes along the old z.",
             lambda a, alpha, d, theta: _right(a, alpha, 0, theta) @ _along_z(d),
         ),
-        *either(("a is left out", "Trans_x(a) moves along x."), lambda a, *rest: _right(0, *rest)),
-        *either(("d is left out", "Trans_z(d) moves along z."), lambda a, alpha, d, theta: _right(a, alpha, 0, theta)),
-        *either(
-            ("alpha is left out", "The last of the four is Rot_x(alpha)."),
+        Mistake("a is left out", "Trans_x(a) moves along x.", lambda a, *rest: _right(0, *rest)),
+        Mistake("d is left out", "Trans_z(d) moves along z.", lambda a, alpha, d, theta: _right(a, alpha, 0, theta)),
+        Mistake(
+            "alpha is left out",
+            "The last of the four is Rot_x(alpha).",
             lambda a, alpha, d, theta: _right(a, 0, d, theta),
         ),
-        *either(
-            ("theta is left out", "The first of the four is Rot_z(theta)."),
+        Mistake(
+            "theta is left out",
+            "The first of the four is Rot_z(theta).",
             lambda a, alpha, d, theta: _right(a, alpha, d, 0),
         ),
         Mistake(

@@ -2,11 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _FIRST_ROWS = Mistake(
     "theta[0] and theta[1] are taken for the two angles: in a batch they are its first two rows",
@@ -65,13 +64,13 @@ def _worst(places, theta):
 def _tell_length(places, theta):
     angles, end = _worst(places, theta)
     distance = np.linalg.norm(_from_elbow(end, angles))
-    return f"For theta = {in_words(angles)} it is {round(distance, 9):.4g} m away in your answer."
+    return f"For theta = {format_tuple(angles)} it is {round(distance, 9):.4g} m away in your answer."
 
 
 def _tell_place(places, theta):
     angles, end = _worst(places, theta)
-    wanted, found = in_words(np.round(place(angles), 9)), in_words(np.round(end, 9))
-    return f"For theta = {in_words(angles)} that is {wanted}. Yours is {found}."
+    wanted, found = format_tuple(np.round(place(angles), 9)), format_tuple(np.round(end, 9))
+    return f"For theta = {format_tuple(angles)} that is {wanted}. Yours is {found}."
 
 
 def _sum(first, second):
@@ -118,70 +117,71 @@ FK_2R = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "theta2 is counted from the x axis",
-                "theta2 is counted from the first link's direction, so the second link points along theta1 + theta2.",
-            ),
+        Mistake(
+            "theta2 is counted from the x axis",
+            "theta2 is counted from the first link's direction, so the second link points along theta1 + theta2.",
             _sum(_FIRST, _link(lambda t1, t2: t2)),
         ),
-        *either(
-            (
-                "theta2 is taken off theta1",
-                "Both turn counter-clockwise: the second link points along theta1 + theta2.",
-            ),
+        Mistake(
+            "theta2 is taken off theta1",
+            "Both turn counter-clockwise: the second link points along theta1 + theta2.",
             _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
             _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
         ),
-        *either(
-            ("the angles are taken for degrees", "Angles are radians everywhere: no np.deg2rad is needed."),
+        Mistake(
+            "the angles are taken for degrees",
+            "Angles are radians everywhere: no np.deg2rad is needed.",
             lambda theta: place(np.deg2rad(theta)),
         ),
-        *either(
-            ("the angles are turned into degrees", "np.cos and np.sin take radians."),
+        Mistake(
+            "the angles are turned into degrees",
+            "np.cos and np.sin take radians.",
             lambda theta: place(np.rad2deg(theta)),
         ),
-        *either(
-            (
-                "x and y are swapped, or sine and cosine are: the cosines belong to x",
-                "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
-            ),
+        Mistake(
+            "x and y are swapped, or sine and cosine are: the cosines belong to x",
+            "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
             lambda theta: place(theta)[..., ::-1],
         ),
-        *either(
-            ("the second link is missing", "Add cos(theta1 + theta2) to x and sin(theta1 + theta2) to y."),
+        Mistake(
+            "the second link is missing",
+            "Add cos(theta1 + theta2) to x and sin(theta1 + theta2) to y.",
             _sum(_FIRST, _nothing),
         ),
-        *either(
-            ("the first link is missing", "The second link begins at the elbow, at (cos theta1, sin theta1)."),
+        Mistake(
+            "the first link is missing",
+            "The second link begins at the elbow, at (cos theta1, sin theta1).",
             _sum(_nothing, _BOTH),
         ),
-        *either(
-            ("y has its sign turned", "Angles turn from x to y: a small theta1 gives a small y above 0."),
+        Mistake(
+            "y has its sign turned",
+            "Angles turn from x to y: a small theta1 gives a small y above 0.",
             lambda theta: place(-theta),
         ),
-        *either(
-            ("the second link is taken off the first", "Both links add up: the end is elbow + second link."),
+        Mistake(
+            "the second link is taken off the first",
+            "Both links add up: the end is elbow + second link.",
             _sum(_FIRST, _link(lambda t1, t2: t1 + t2 + np.pi)),
         ),
-        *either(
-            ("theta1 and theta2 are swapped", "theta[..., 0] is the joint at the base."),
+        Mistake(
+            "theta1 and theta2 are swapped",
+            "theta[..., 0] is the joint at the base.",
             lambda theta: place(theta[..., ::-1]),
         ),
-        *either(
-            ("theta1 is counted twice", "The second link points along theta1 + theta2."),
+        Mistake(
+            "theta1 is counted twice",
+            "The second link points along theta1 + theta2.",
             _sum(_FIRST, _link(lambda t1, t2: 2 * t1 + t2)),
         ),
-        *either(
-            ("a link is not 1 m long", "Both links are 1 m: nothing stands before the sines and cosines."),
+        Mistake(
+            "a link is not 1 m long",
+            "Both links are 1 m: nothing stands before the sines and cosines.",
             lambda theta: place(theta) / 2,
             lambda theta: 2 * place(theta),
         ),
-        *either(
-            (
-                "x and y are stacked along the first axis and then put into rows",
-                "np.stack([x, y], axis=-1); reshape does not swap axes.",
-            ),
+        Mistake(
+            "x and y are stacked along the first axis and then put into rows",
+            "np.stack([x, y], axis=-1); reshape does not swap axes.",
             lambda theta: np.moveaxis(place(theta), -1, 0).reshape(theta.shape) if theta.ndim > 1 else place(theta),
         ),
     ),

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _ONE_CLUSTER = Mistake(
     "only one of the two clusters predicts", "Each branch gives a pair of its own: the answer's shape is (m, 2, 2)."
@@ -120,7 +120,7 @@ def _tell_number(angles, models, cell, xy):
     i, k, j = _wrong_numbers(angles, models, cell, xy)[0]
     row = models[cell[i], k, j]
     return (
-        f"Query {i} lies in cell {cell[i]}, at {in_words(xy[i])}. With the row {in_words(row)} of cluster {k}, "
+        f"Query {i} lies in cell {cell[i]}, at {format_tuple(xy[i])}. With the row {format_tuple(row)} of cluster {k}, "
         f"theta{j + 1} is {row[:2] @ xy[i] + row[2]:.4g}. Yours is {angles[i, k, j]:.4g}."
     )
 

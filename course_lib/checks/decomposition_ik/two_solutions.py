@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.bends import (
     by_arctan,
     corrected,
@@ -24,8 +25,7 @@ from course_lib.checks.decomposition_ik.bends import (
 )
 from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the rim, where a rounding of r moves theta2 by its root
 
@@ -84,7 +84,7 @@ def _tell_end(theta, xy):
     if np.isnan(theta).any():
         return f"This place is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
     row = int(np.argmax(off(theta, xy)))
-    return f"With your {('first', 'second')[row]} row the end is at {in_words(np.round(place(theta[row]), 6))}."
+    return f"With your {('first', 'second')[row]} row the end is at {format_tuple(np.round(place(theta[row]), 6))}."
 
 
 def _tell_bend(theta, xy):

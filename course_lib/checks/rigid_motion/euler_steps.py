@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.reading import rows
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import (
     FINE,
@@ -16,7 +17,6 @@ from course_lib.checks.rigid_motion.plans import (
     steps,
     turned,
 )
-from course_lib.checks.words import in_words
 from course_lib.planar import propagate_body, propagate_body_exact
 
 BODY = (False, False, True)  # x, y, theta: the last is an angle
@@ -97,8 +97,8 @@ def _wrong_way(poses, *case):
     velocities, h = steps(*case[1:])
     way = turned(poses[k, 2], velocities[k, :2]) * h[k]
     return (
-        f"Step {k + 1} begins with theta = {poses[k, 2]:.4g}, so it goes by {in_words(way)}. "
-        f"Yours goes by {in_words(poses[k + 1, :2] - poses[k, :2])}."
+        f"Step {k + 1} begins with theta = {poses[k, 2]:.4g}, so it goes by {format_tuple(way)}. "
+        f"Yours goes by {format_tuple(poses[k + 1, :2] - poses[k, :2])}."
     )
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.euler_steps import (
     ADDED,
     BODY,
@@ -31,7 +32,6 @@ from course_lib.checks.rigid_motion.plans import (
     off,
     straight,
 )
-from course_lib.checks.words import in_words
 from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
 from course_lib.rigid import exp_se2, inverse
 
@@ -71,8 +71,8 @@ def _wrong_pose(poses, *case):
     errors = _errors(poses, *case)
     k = int(np.argmax(errors > FINE))
     return (
-        f"Row {k}, counted from 0, should be {in_words(propagate_body_exact(*case)[k])}. "
-        f"Yours is {in_words(poses[k])}, off by {errors[k]:.2g}."
+        f"Row {k}, counted from 0, should be {format_tuple(propagate_body_exact(*case)[k])}. "
+        f"Yours is {format_tuple(poses[k])}, off by {errors[k]:.2g}."
     )
 
 
@@ -164,7 +164,7 @@ PROPAGATE_BODY_EXACT = Exercise(
             "the last pose is the same for every dt",
             _end_moves,
             seen=lambda poses, *case: (
-                f"Yours, with dt = {case[2]:.4g}, is {in_words(poses[-1])}; with another dt it was another."
+                f"Yours, with dt = {case[2]:.4g}, is {format_tuple(poses[-1])}; with another dt it was another."
             ),
             across=True,
         ),

@@ -2,11 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.plans import FINE
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(
@@ -62,8 +61,8 @@ def _turning(k, text, angle):
         lambda T, theta: _turned(T[k], angle(theta)),
         seen=lambda T, theta: (
             f"That is {angle(theta):.4g} rad, so its x axis, the first column, is "
-            f"{in_words(_turn(angle(theta))[:2, 0])}, and y is {in_words(_turn(angle(theta))[:2, 1])}. "
-            f"Yours are {in_words(T[k, :2, 0])} and {in_words(T[k, :2, 1])}."
+            f"{format_tuple(_turn(angle(theta))[:2, 0])}, and y is {format_tuple(_turn(angle(theta))[:2, 1])}. "
+            f"Yours are {format_tuple(T[k, :2, 0])} and {format_tuple(T[k, :2, 1])}."
         ),
     )
 
@@ -73,7 +72,7 @@ def _lying(k, text, place):
     return Property(
         text,
         lambda T, theta: np.abs(T[k, :2, 2] - place(theta)).max() < FINE,
-        seen=lambda T, theta: f"That is {in_words(place(theta))}. Yours is at {in_words(T[k, :2, 2])}.",
+        seen=lambda T, theta: f"That is {format_tuple(place(theta))}. Yours is at {format_tuple(T[k, :2, 2])}.",
     )
 
 
@@ -128,7 +127,7 @@ ARM_FRAMES = Exercise(
         Property(
             "the last row of each matrix is (0, 0, 1)",
             lambda T, theta: np.abs(T[:, 2] - [0, 0, 1]).max() < FINE,
-            seen=lambda T, theta: f"Yours are {', '.join(in_words(row) for row in T[:, 2])}.",
+            seen=lambda T, theta: f"Yours are {', '.join(format_tuple(row) for row in T[:, 2])}.",
         ),
         _turning(0, "the frame of joint 1 is turned by theta1", lambda theta: theta[0]),
         _lying(0, "joint 1 is at the base, the origin", lambda theta: np.zeros(2)),
@@ -142,64 +141,48 @@ ARM_FRAMES = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            _FROM_THE_LINK,
-            lambda theta: _right([theta[0], theta[1] - theta[0]]),
-            _absolute_places,
-        ),
-        *either(
-            (
-                "each frame is moved along its link already: the turn comes before the way",
-                "Joint 1 stays at the base. To joint 2: first 1 m along link 1, then the turn: T_12 = Trans(1, 0) "
-                "Rot(theta2).",
-            ),
+        Mistake(*_FROM_THE_LINK, lambda theta: _right([theta[0], theta[1] - theta[0]]), _absolute_places),
+        Mistake(
+            "each frame is moved along its link already: the turn comes before the way",
+            "Joint 1 stays at the base. To joint 2: first 1 m along link 1, then the turn: T_12 = Trans(1, 0) "
+            "Rot(theta2).",
             lambda theta: _chain(_turn(theta[0]) @ _along(), _turn(theta[1]) @ _along(), np.eye(3)),
             lambda theta: _chain(_turn(theta[0]) @ _along(), _turn(theta[1]) @ _along(), _along()),
             lambda theta: _chain(_turn(theta[0]), _turn(theta[1]) @ _along(), _along()),
         ),
-        *either(
-            (
-                "the way along a link is not turned with the link",
-                "Trans(1, 0) Rot(theta1) goes to (1, 0) whatever theta1 is. Rot(theta1) Trans(1, 0) turns the way. "
-                "So mind the order: T_02 = T_01 T_12.",
-            ),
+        Mistake(
+            "the way along a link is not turned with the link",
+            "Trans(1, 0) Rot(theta1) goes to (1, 0) whatever theta1 is. Rot(theta1) Trans(1, 0) turns the way. "
+            "So mind the order: T_02 = T_01 T_12.",
             lambda theta: _chain(_turn(theta[0]), _turn(-theta[0]) @ _along() @ _turn(theta[0] + theta[1]), _along()),
             lambda theta: _of_poses([0, 0, theta[0]], [1, 0, sum(theta)], [2, 0, sum(theta)]),
             lambda theta: _chain(_along() @ _turn(theta[0]), _along() @ _turn(theta[1]), np.eye(3)),
             lambda theta: _chain(_along() @ _turn(theta[0]), _along() @ _turn(theta[1]), _along()),
         ),
-        *either(
-            (
-                "the base's own frame stands in the place of joint 1's",
-                "The frame is carried by joint 1: it is turned by theta1.",
-            ),
+        Mistake(
+            "the base's own frame stands in the place of joint 1's",
+            "The frame is carried by joint 1: it is turned by theta1.",
             lambda theta: np.array([np.eye(3), *_right(theta)[1:]]),
             lambda theta: np.array([np.eye(3), *_right(theta)[:2]]),
             lambda theta: np.array([np.eye(3), _right(theta)[0] @ _along(), _right(theta)[2]]),
         ),
-        *either(
-            (
-                "the frames are those at the links' ends, each turned as the link that ends there",
-                "Joint 2's frame is carried by joint 2: at the elbow, and turned by theta1 + theta2.",
-            ),
+        Mistake(
+            "the frames are those at the links' ends, each turned as the link that ends there",
+            "Joint 2's frame is carried by joint 2: at the elbow, and turned by theta1 + theta2.",
             lambda theta: np.array([_turn(theta[0]), _turn(theta[0]) @ _along(), _right(theta)[2]]),
         ),
-        *either(
-            (
-                "each frame is seen from the one before it, not from the base",
-                "T_02 = T_01 T_12, and T_03 = T_02 T_23: multiply them up.",
-            ),
+        Mistake(
+            "each frame is seen from the one before it, not from the base",
+            "T_02 = T_01 T_12, and T_03 = T_02 T_23: multiply them up.",
             lambda theta: np.array([_turn(theta[0]), _along() @ _turn(theta[1]), _along()]),
             lambda theta: np.array(
                 [_turn(theta[0]), _along() @ _turn(theta[1]), _along() @ _turn(theta[1]) @ _along()]
             ),
             lambda theta: np.array([_turn(theta[0]), _right(theta)[1], _along()]),
         ),
-        *either(
-            (
-                "the product is entry by entry",
-                "In numpy the matrix product is @.",
-            ),
+        Mistake(
+            "the product is entry by entry",
+            "In numpy the matrix product is @.",
             lambda theta: np.array(
                 [
                     first := pose_matrix([0, 0, theta[0]]),
@@ -208,56 +191,59 @@ ARM_FRAMES = Exercise(
                 ]
             ),
         ),
-        *either(
-            (
-                "the tip's frame is that of joint 2",
-                "The tip is 1 m further, along link 2: T_03 = T_02 Trans(1, 0).",
-            ),
+        Mistake(
+            "the tip's frame is that of joint 2",
+            "The tip is 1 m further, along link 2: T_03 = T_02 Trans(1, 0).",
             lambda theta: _right(theta)[[0, 1, 1]],
         ),
-        *either(
-            (
-                "the tip's frame is turned once more",
-                "There is no joint at the tip: its frame is turned as link 2 is, by theta1 + theta2.",
-            ),
+        Mistake(
+            "the tip's frame is turned once more",
+            "There is no joint at the tip: its frame is turned as link 2 is, by theta1 + theta2.",
             *(
                 lambda theta, angle=angle: np.array([*_right(theta)[:2], _right(theta)[2] @ _turn(angle(theta))])
                 for angle in (lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1])
             ),
         ),
-        *either(
-            ("the matrices are transposed", "R(theta) = [[cos, -sin], [sin, cos]], and (x, y) is the last column."),
+        Mistake(
+            "the matrices are transposed",
+            "R(theta) = [[cos, -sin], [sin, cos]], and (x, y) is the last column.",
             lambda theta: np.swapaxes(_right(theta), 1, 2),
         ),
-        *either(
-            ("the turns go clockwise", "R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row."),
+        Mistake(
+            "the turns go clockwise",
+            "R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row.",
             lambda theta: _right(-np.asarray(theta)),
             _with_turns(lambda angle: _turn(-angle)),
             lambda theta: np.concatenate([_right(-np.asarray(theta))[..., :2], _right(theta)[..., 2:]], -1),
         ),
-        *either(
-            ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
             lambda theta: _right(np.deg2rad(theta)),
             lambda theta: _right(np.rad2deg(theta)),
         ),
-        *either(
-            ("sine and cosine are swapped", "At theta = 0 a link lies along x: x is the cosine."),
+        Mistake(
+            "sine and cosine are swapped",
+            "At theta = 0 a link lies along x: x is the cosine.",
             _with_turns(_sines_swapped),
             _places_swapped,
             _half_turned(_sines_swapped),
         ),
-        *either(
-            ("the links have another length than 1 m", "Each of the two links is 1 m long."),
+        Mistake(
+            "the links have another length than 1 m",
+            "Each of the two links is 1 m long.",
             *(lambda theta, length=length: _right(theta, length) for length in (0.5, 2.0, 0.0)),
         ),
-        *either(
-            ("the tip is 1 m from the base instead of joint 2", "Add the way from the base to joint 2."),
+        Mistake(
+            "the tip is 1 m from the base instead of joint 2",
+            "Add the way from the base to joint 2.",
             lambda theta: _of_poses(
                 [0, 0, theta[0]], [*_place(theta[:1]), sum(theta)], [*_place([sum(theta)]), sum(theta)]
             ),
         ),
-        *either(
-            ("the angles of the two joints are swapped", "theta[0] is the first joint's, at the base."),
+        Mistake(
+            "the angles of the two joints are swapped",
+            "theta[0] is the first joint's, at the base.",
             lambda theta: _right(theta[::-1]),
         ),
     ),

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.reading import rows
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.euler_steps import drawn_case
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
-from course_lib.checks.words import in_words
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -49,9 +49,9 @@ def _wrong_step(angles, *case):
     k = int(np.argmax(_errors(angles, *case) > FINE))
     velocities, h = steps(*case[1:])
     return (
-        f"Step {k + 1} is {h[k]:.4g} s long, with {in_words(velocities[k])} rad/s, so it goes from "
-        f"{in_words(angles[k])} to {in_words(angles[k] + velocities[k] * h[k])}. "
-        f"Yours goes to {in_words(angles[k + 1])}."
+        f"Step {k + 1} is {h[k]:.4g} s long, with {format_tuple(velocities[k])} rad/s, so it goes from "
+        f"{format_tuple(angles[k])} to {format_tuple(angles[k] + velocities[k] * h[k])}. "
+        f"Yours goes to {format_tuple(angles[k + 1])}."
     )
 
 

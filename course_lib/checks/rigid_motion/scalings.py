@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.rigid_motion.wrapping import as_numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.planar import cubic_time_scaling, quintic_time_scaling
 
 
@@ -144,127 +143,122 @@ CUBIC_TIME_SCALING = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "s goes evenly from s0 to s1, as t / T does",
-                "Then it starts with a jolt. A cubic begins with velocity v0.",
-            ),
+        Mistake(
+            "s goes evenly from s0 to s1, as t / T does",
+            "Then it starts with a jolt. A cubic begins with velocity v0.",
             lambda t, T, s0, s1, v0, v1: s0 + (s1 - s0) * t / T,
         ),
-        *either(
-            (
-                "the velocities at the ends are left out",
-                "3 u^2 - 2 u^3 is for rest at both ends. v0 and v1 have terms of their own.",
-            ),
+        Mistake(
+            "the velocities at the ends are left out",
+            "3 u^2 - 2 u^3 is for rest at both ends. v0 and v1 have terms of their own.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, 0, 0)),
         ),
-        *either(
-            (
-                "the velocities are not multiplied by T",
-                "With u = t / T, ds/du is T times ds/dt: v0 T and v1 T belong into the coefficients.",
-            ),
+        Mistake(
+            "the velocities are not multiplied by T",
+            "With u = t / T, ds/du is T times ds/dt: v0 T and v1 T belong into the coefficients.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0 / T, v1 / T)),
         ),
-        *either(
-            (
-                "the velocities are divided by T",
-                "With u = t / T, ds/du is T times ds/dt: v0 T and v1 T belong into the coefficients.",
-            ),
+        Mistake(
+            "the velocities are divided by T",
+            "With u = t / T, ds/du is T times ds/dt: v0 T and v1 T belong into the coefficients.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0 / T**2, v1 / T**2)),
         ),
-        *either(
-            ("T is left out: the motion is over after one second", "Write it for u = t / T, which goes from 0 to 1."),
+        Mistake(
+            "T is left out: the motion is over after one second",
+            "Write it for u = t / T, which goes from 0 to 1.",
             lambda t, T, s0, s1, v0, v1: _cubic(t, s0, s1, v0, v1),
             lambda t, T, s0, s1, v0, v1: _cubic(t, s0, s1, v0 * T, v1 * T),
             lambda t, T, s0, s1, v0, v1: _cubic(t, s0, s1, 0, 0),
         ),
-        *either(
-            ("v0 and v1 are swapped", "v0 is the velocity at time 0, v1 that at time T."),
+        Mistake(
+            "v0 and v1 are swapped",
+            "v0 is the velocity at time 0, v1 that at time T.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v1, v0)),
         ),
-        *either(
-            ("t is not used, but even times from 0 to T", "The answer is s at the times in t, in the order of t."),
+        Mistake(
+            "t is not used, but even times from 0 to T",
+            "The answer is s at the times in t, in the order of t.",
             lambda t, T, *ends: cubic_time_scaling(np.linspace(0, T, t.size) if np.ndim(t) else t, T, *ends),
         ),
-        *either(
-            ("s0 and s1 are swapped", "At time 0 the value is s0."),
-            _changed(lambda T, s0, s1, v0, v1: (s1, s0, v0, v1)),
+        Mistake(
+            "s0 and s1 are swapped", "At time 0 the value is s0.", _changed(lambda T, s0, s1, v0, v1: (s1, s0, v0, v1))
         ),
-        *either(
-            ("the motion runs backwards in time", "At t = 0, u = t / T is 0 and the value is s0."),
+        Mistake(
+            "the motion runs backwards in time",
+            "At t = 0, u = t / T is 0 and the value is s0.",
             lambda t, T, *ends: cubic_time_scaling(T - t, T, *ends),
         ),
-        *either(
-            (
-                "it is the quintic, with 10, -15 and 6",
-                "A cubic ends with u^3. It meets four conditions; the quintic meets six.",
-            ),
+        Mistake(
+            "it is the quintic, with 10, -15 and 6",
+            "A cubic ends with u^3. It meets four conditions; the quintic meets six.",
             quintic_time_scaling,
             lambda t, T, s0, s1, v0, v1: quintic_time_scaling(t, T, s0, s1),
         ),
-        *either(
-            ("s0 is not added", "At t = 0 all powers of t vanish: what is left is s0."),
+        Mistake(
+            "s0 is not added",
+            "At t = 0 all powers of t vanish: what is left is s0.",
             lambda t, T, s0, *ends: cubic_time_scaling(t, T, s0, *ends) - s0,
         ),
-        *either(
-            ("s1 stands where s1 - s0 belongs", "The way to go is s1 - s0."),
+        Mistake(
+            "s1 stands where s1 - s0 belongs",
+            "The way to go is s1 - s0.",
             lambda t, T, s0, s1, v0, v1: cubic_time_scaling(t, T, s0, s0 + s1, v0, v1),
         ),
-        *either(
-            ("s0 and s1 are left out: s goes from 0 to 1", "Scale the way: s0 + (s1 - s0) * ..."),
+        Mistake(
+            "s0 and s1 are left out: s goes from 0 to 1",
+            "Scale the way: s0 + (s1 - s0) * ...",
             _changed(lambda T, s0, s1, v0, v1: (0, 1, v0, v1)),
             _changed(lambda T, s0, s1, v0, v1: (0, 1, 0, 0)),
         ),
-        *either(
-            ("v0 is left out", "It stands in the coefficients of u, of u^2 and of u^3."),
+        Mistake(
+            "v0 is left out",
+            "It stands in the coefficients of u, of u^2 and of u^3.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, 0, v1)),
         ),
-        *either(
-            ("v1 is left out", "It stands in the coefficients of u^2 and of u^3."),
+        Mistake(
+            "v1 is left out",
+            "It stands in the coefficients of u^2 and of u^3.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0, 0)),
         ),
-        *either(
-            ("a velocity has its sign turned", "Check v0 and v1 one by one: differentiate your s(t) at 0 and at T."),
+        Mistake(
+            "a velocity has its sign turned",
+            "Check v0 and v1 one by one: differentiate your s(t) at 0 and at T.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, -v0, v1)),
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0, -v1)),
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, -v0, -v1)),
         ),
-        *either(
-            (
-                "a coefficient of u^2 or u^3 has a wrong sign",
-                "3 (s1 - s0) - (2 v0 + v1) T for u^2, -2 (s1 - s0) + (v0 + v1) T for u^3.",
-            ),
+        Mistake(
+            "a coefficient of u^2 or u^3 has a wrong sign",
+            "3 (s1 - s0) - (2 v0 + v1) T for u^2, -2 (s1 - s0) + (v0 + v1) T for u^3.",
             *_SLIPS,
         ),
-        *either(
-            (
-                "in the coefficient of u^2, the 2 stands with v1 and not with v0",
-                "3 (s1 - s0) - (2 v0 + v1) T: differentiate, and see what you get at t = T.",
-            ),
+        Mistake(
+            "in the coefficient of u^2, the 2 stands with v1 and not with v0",
+            "3 (s1 - s0) - (2 v0 + v1) T: differentiate, and see what you get at t = T.",
             _with((3, -1, -2)),
         ),
-        *either(
-            ("the 2 with v0 is forgotten", "The coefficient of u^2 is 3 (s1 - s0) - (2 v0 + v1) T."),
-            _with((3, -1, -1)),
+        Mistake(
+            "the 2 with v0 is forgotten", "The coefficient of u^2 is 3 (s1 - s0) - (2 v0 + v1) T.", _with((3, -1, -1))
         ),
-        *either(
-            ("the term v0 t is forgotten", "At t = 0 the derivative is the coefficient of t: v0."),
+        Mistake(
+            "the term v0 t is forgotten",
+            "At t = 0 the derivative is the coefficient of t: v0.",
             lambda t, T, s0, s1, v0, v1: cubic_time_scaling(t, T, s0, s1, v0, v1) - v0 * t,
         ),
-        *either(
-            ("the 3 and the 2 are swapped, or u^2 and u^3", "3 u^2 - 2 u^3 is 0, 1/2 and 1 at u = 0, 1/2 and 1."),
+        Mistake(
+            "the 3 and the 2 are swapped, or u^2 and u^3",
+            "3 u^2 - 2 u^3 is 0, 1/2 and 1 at u = 0, 1/2 and 1.",
             _with((2, -2, -1), (-3, 1, 1)),
             _with((-2, 1, 1), (3, -2, -1)),
         ),
-        *either(
-            (
-                "the answer is cut off to whole numbers",
-                "np.zeros_like(t) takes over t's type. np.asarray(t, float) helps.",
-            ),
+        Mistake(
+            "the answer is cut off to whole numbers",
+            "np.zeros_like(t) takes over t's type. np.asarray(t, float) helps.",
             lambda t, *case: np.trunc(cubic_time_scaling(t, *case)) if _whole(t) else cubic_time_scaling(t, *case),
         ),
-        *either(
-            ("t // T cuts off what stands after the point", "One slash: t / T."),
+        Mistake(
+            "t // T cuts off what stands after the point",
+            "One slash: t / T.",
             lambda t, T, *ends: cubic_time_scaling(T * (t // T), T, *ends),
         ),
     ),

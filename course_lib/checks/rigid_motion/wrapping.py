@@ -2,9 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.planar import wrap_angle
 
 TURN = 2 * np.pi
@@ -73,62 +72,56 @@ WRAP_ANGLE = Exercise(
         ),
     ),
     mistakes=(
-        *either(("the angle comes back as it is", "Take off whole turns: 2 pi each."), lambda a: a),
-        *either(
-            (
-                "only one turn is taken off",
-                "How many are in 8 pi? np.round(angle / (2 * np.pi)) counts them.",
-            ),
+        Mistake("the angle comes back as it is", "Take off whole turns: 2 pi each.", lambda a: a),
+        Mistake(
+            "only one turn is taken off",
+            "How many are in 8 pi? np.round(angle / (2 * np.pi)) counts them.",
             lambda a: a - TURN * (a > np.pi) + TURN * (a < -np.pi),
         ),
-        *either(
-            ("the answer lies between 0 and 2 pi", "Add pi before np.mod and take it off afterwards."),
+        Mistake(
+            "the answer lies between 0 and 2 pi",
+            "Add pi before np.mod and take it off afterwards.",
             lambda a: np.mod(a, TURN),
         ),
-        *either(
-            (
-                "the remainder lies between -2 pi and 2 pi",
-                "fmod and int() round towards zero. np.mod and np.round do not.",
-            ),
+        Mistake(
+            "the remainder lies between -2 pi and 2 pi",
+            "fmod and int() round towards zero. np.mod and np.round do not.",
             lambda a: np.fmod(a, TURN),
             lambda a: np.fmod(a, TURN) or np.sign(a) * min(abs(a), TURN),
         ),
-        *either(
-            (
-                "the remainder of a negative angle is taken with its sign",
-                "math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4. Only with the second does the shift by pi work.",
-            ),
+        Mistake(
+            "the remainder of a negative angle is taken with its sign",
+            "math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4. Only with the second does the shift by pi work.",
             lambda a: np.fmod(a + np.pi, TURN) - np.pi,
             lambda a: np.fmod(a - np.pi, TURN) + np.pi,
         ),
-        *either(
-            ("angles below -pi are left as they are", _SIDE),
+        Mistake(
+            "angles below -pi are left as they are",
+            _SIDE,
             lambda a: _right(a) if a > 0 else a,
             lambda a: a - TURN * (a > np.pi),
         ),
-        *either(
-            ("angles above pi are left as they are", _SIDE),
+        Mistake(
+            "angles above pi are left as they are",
+            _SIDE,
             lambda a: _right(a) if a < 0 else a,
             lambda a: a + TURN * (a < -np.pi),
         ),
-        *either(
-            (
-                "pi is added before the remainder is taken, or taken off afterwards, and not both",
-                "np.mod(angle + np.pi, 2 * np.pi) lies between 0 and 2 pi, too far by pi.",
-            ),
+        Mistake(
+            "pi is added before the remainder is taken, or taken off afterwards, and not both",
+            "np.mod(angle + np.pi, 2 * np.pi) lies between 0 and 2 pi, too far by pi.",
             lambda a: np.mod(a, TURN) - np.pi,
             lambda a: np.mod(a + np.pi, TURN),
         ),
-        *either(
-            (
-                "the shift by pi has its sign wrong afterwards",
-                "What was added before np.mod is to be taken off after it.",
-            ),
+        Mistake(
+            "the shift by pi has its sign wrong afterwards",
+            "What was added before np.mod is to be taken off after it.",
             lambda a: np.mod(a + np.pi, TURN) + np.pi,
             lambda a: np.mod(a - np.pi, TURN) - np.pi,
         ),
-        *either(
-            ("half turns are taken off", _WHOLE),
+        Mistake(
+            "half turns are taken off",
+            _WHOLE,
             lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2,
             lambda a: np.mod(a, np.pi),
             lambda a: np.fmod(a, np.pi),
@@ -136,44 +129,44 @@ WRAP_ANGLE = Exercise(
             lambda a: a - np.pi * np.round(a / TURN),
             lambda a: np.arctan(np.tan(a)),
         ),
-        *either(
-            ("degrees are used: 180 and 360", "Angles are radians everywhere: a whole turn is 2 pi."),
+        Mistake(
+            "degrees are used: 180 and 360",
+            "Angles are radians everywhere: a whole turn is 2 pi.",
             lambda a: np.mod(a + 180, 360) - 180,
             lambda a: np.rad2deg(_right(a)),
             lambda a: np.mod(np.rad2deg(a) + 180, 360) - 180,
             lambda a: _right(np.rad2deg(a)),
             lambda a: _right(np.deg2rad(a)),
         ),
-        *either(
-            ("the sign is lost", "-1 and 1 are two directions. arccos and abs see no difference."),
+        Mistake(
+            "the sign is lost",
+            "-1 and 1 are two directions. arccos and abs see no difference.",
             lambda a: abs(_right(a)),
             lambda a: _right(abs(a)),
         ),
-        *either(
-            ("the sign is turned", "1.0 comes back as 1.0, not as -1.0."),
-            lambda a: -_right(a),
-        ),
-        *either(
-            (
-                "arcsin of the sine is taken, which ends at a quarter turn",
-                "sin(2) and sin(pi - 2) are the same. np.arctan2 of sine and cosine tells them apart.",
-            ),
+        Mistake("the sign is turned", "1.0 comes back as 1.0, not as -1.0.", lambda a: -_right(a)),
+        Mistake(
+            "arcsin of the sine is taken, which ends at a quarter turn",
+            "sin(2) and sin(pi - 2) are the same. np.arctan2 of sine and cosine tells them apart.",
             lambda a: np.arcsin(np.sin(a)),
         ),
-        *either(
-            ("sine and cosine are swapped in arctan2", "np.arctan2(sine, cosine): what goes up comes first."),
+        Mistake(
+            "sine and cosine are swapped in arctan2",
+            "np.arctan2(sine, cosine): what goes up comes first.",
             lambda a: np.arctan2(np.cos(a), np.sin(a)),
         ),
-        *either(
-            ("the angle is clipped", "Half a turn is not where a larger angle ends. Take off whole turns."),
+        Mistake(
+            "the angle is clipped",
+            "Half a turn is not where a larger angle ends. Take off whole turns.",
             lambda a: np.clip(a, -np.pi, np.pi),
         ),
-        *either(
-            ("the whole turns are added, not taken off", "angle - 2 * np.pi * (how many)"),
+        Mistake(
+            "the whole turns are added, not taken off",
+            "angle - 2 * np.pi * (how many)",
             lambda a: a + TURN * np.round(a / TURN),
         ),
-        *either(
-            _ROUGH,
+        Mistake(
+            *_ROUGH,
             *(lambda a, pi=pi: a - 2 * pi * np.round(a / (2 * pi)) for pi in (3.14, 3.1416, 22 / 7)),
             *(lambda a, pi=pi: np.mod(a + pi, 2 * pi) - pi for pi in (3.14, 3.1416, 22 / 7)),
         ),

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
 from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
 
 

@@ -4,11 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
+from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import rows
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.damped_step import WRONG_STEPS, allowed, off, step
 from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
-from course_lib.checks.words import as_array
 
 _TIPS = Mistake(
     "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
@@ -67,7 +67,7 @@ def _begins(way, q0, target, alpha, eps, steps):
 
 
 def _first_row(way, q0, *rest):
-    return f"Yours is {as_array(way[0], 5)}." if len(way) else "Your answer is empty."
+    return f"Yours is {format_array(way[0], 5)}." if len(way) else "Your answer is empty."
 
 
 def _goes_on(way, q0, target, alpha, eps, steps):
@@ -77,8 +77,8 @@ def _goes_on(way, q0, target, alpha, eps, steps):
 def _wrong_row(way, q0, target, alpha, eps, steps):
     k = _steps_that_fit(way, target, alpha, eps).index(False)
     wanted = step(way[k], target, alpha, eps)
-    yours = f"Your row {k + 1} is {as_array(way[k + 1], 5)}."
-    return f"From row {k}, {as_array(way[k], 5)}, a step leads to {as_array(wanted, 5)}. {yours}"
+    yours = f"Your row {k + 1} is {format_array(way[k + 1], 5)}."
+    return f"From row {k}, {format_array(way[k], 5)}, a step leads to {format_array(wanted, 5)}. {yours}"
 
 
 def _like(words, *formulas):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import rows
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.subproblems_damped_ik.solutions import (
     across,

@@ -4,11 +4,11 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.reading import NOT_A_NUMBER, rows
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.solutions import different, mended, near, predicted
 from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
-from course_lib.checks.words import as_array
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy
 
@@ -81,7 +81,7 @@ def _rebuilt(within):
 
 def _off(found, R):
     worst = max(found, key=lambda triple: _misses(triple, R))
-    return f"With your angles {as_array(worst)} the product is {as_array(_yxy(*worst), 3)}."
+    return f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}."
 
 
 def _of_another_order(words, *products):

@@ -4,11 +4,10 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
-from course_lib.checks.words import as_array
 from course_lib.rotations import rot_x, rot_y, vee
 
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -54,8 +53,8 @@ def _wrong_column(A, b):
     j = int(np.argmax(np.abs(A - rates(b)).max(axis=0) > _FINE))
     omega = np.round(_by_differences(b, j), 9)
     return (
-        f"If only b{j + 1} moves, at 1 rad/s, finite differences of R give omega = {as_array(omega)}. "
-        f"That is column {j + 1}; yours is {as_array(A[:, j])}."
+        f"If only b{j + 1} moves, at 1 rad/s, finite differences of R give omega = {format_array(omega)}. "
+        f"That is column {j + 1}; yours is {format_array(A[:, j])}."
     )
 
 
@@ -79,118 +78,122 @@ def _orders(change):
 
 
 WRONG_MATRICES = (
-    *either(
-        (
-            "this is the angular velocity seen from the turning hand, not from the fixed frame",
-            "[omega] = R' R^T is the fixed frame's; R^T R' is the hand's own.",
-        ),
+    Mistake(
+        "this is the angular velocity seen from the turning hand, not from the fixed frame",
+        "[omega] = R' R^T is the fixed frame's; R^T R' is the hand's own.",
         lambda b: _hand(b).T @ rates(b),
     ),
-    *either(
-        (
-            "the columns are the fixed axes y, x and y: no axis is turned along",
-            "b1 carries the axis of b2 with it, and b1 and b2 carry that of b3.",
-        ),
+    Mistake(
+        "the columns are the fixed axes y, x and y: no axis is turned along",
+        "b1 carries the axis of b2 with it, and b1 and b2 carry that of b3.",
         lambda b: np.column_stack([Y, X, Y]),
     ),
-    *either(
-        ("the third axis is not turned by b1", "Ry(b1) stands to the left of all: column 3 is Ry(b1) Rx(b2) e_y."),
+    Mistake(
+        "the third axis is not turned by b1",
+        "Ry(b1) stands to the left of all: column 3 is Ry(b1) Rx(b2) e_y.",
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_x(b[1]) @ Y]),
     ),
-    *either(
-        ("the third axis is not turned by b2", "Column 3 is Ry(b1) Rx(b2) e_y, not Ry(b1) e_y."),
+    Mistake(
+        "the third axis is not turned by b2",
+        "Column 3 is Ry(b1) Rx(b2) e_y, not Ry(b1) e_y.",
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, Y]),
     ),
-    *either(
-        ("the second axis is not turned by b1", "Column 2 is Ry(b1) e_x."),
+    Mistake(
+        "the second axis is not turned by b1",
+        "Column 2 is Ry(b1) e_x.",
         lambda b: np.column_stack([Y, X, rates(b)[:, 2]]),
     ),
-    *either(
-        ("the second axis is turned by b2 rather than b1", "b2 turns about e_x, which only b1 has turned: Ry(b1) e_x."),
+    Mistake(
+        "the second axis is turned by b2 rather than b1",
+        "b2 turns about e_x, which only b1 has turned: Ry(b1) e_x.",
         lambda b: np.column_stack([Y, rot_y(b[1]) @ X, rates(b)[:, 2]]),
     ),
-    *either(
-        ("the columns stand in another order", "Column j belongs to b_j: omega = A (b1', b2', b3')."),
+    Mistake(
+        "the columns stand in another order",
+        "Column j belongs to b_j: omega = A (b1', b2', b3').",
         *_orders(lambda A, p: A[:, p]),
     ),
-    *either(
-        (
-            "the rows stand in another order",
-            "Row 1 is omega_x. From W = R' R^T it is W[2, 1]; omega_y is W[0, 2] and omega_z is W[1, 0].",
-        ),
+    Mistake(
+        "the rows stand in another order",
+        "Row 1 is omega_x. From W = R' R^T it is W[2, 1]; omega_y is W[0, 2] and omega_z is W[1, 0].",
         *_orders(lambda A, p: A[p]),
     ),
-    *either(
-        ("the transposed matrix is returned", "The axes of the three turns are the columns of A, not its rows."),
+    Mistake(
+        "the transposed matrix is returned",
+        "The axes of the three turns are the columns of A, not its rows.",
         lambda b: rates(b).T,
     ),
-    *either(
-        (
-            "the whole matrix has its sign turned",
-            "omega_x = W[2, 1], not W[1, 2], for W = R' R^T: [omega] p = omega x p.",
-        ),
+    Mistake(
+        "the whole matrix has its sign turned",
+        "omega_x = W[2, 1], not W[1, 2], for W = R' R^T: [omega] p = omega x p.",
         lambda b: -rates(b),
     ),
-    *either(
-        ("b1 is taken with the other sign", "Ry(b1) e_x = (cos b1, 0, -sin b1): y turns z towards x."),
+    Mistake(
+        "b1 is taken with the other sign",
+        "Ry(b1) e_x = (cos b1, 0, -sin b1): y turns z towards x.",
         lambda b: rates(b * [-1, 1, 1]),
     ),
-    *either(
-        ("b2 is taken with the other sign", "Rx(b2) e_y = (0, cos b2, sin b2): x turns y towards z."),
+    Mistake(
+        "b2 is taken with the other sign",
+        "Rx(b2) e_y = (0, cos b2, sin b2): x turns y towards z.",
         lambda b: rates(b * [1, -1, 1]),
     ),
-    *either(
-        ("sin b1 has the wrong sign in one place", "Ry(b1) e_x has -sin b1 in row 3, Ry(b1) e_z has sin b1 in row 1."),
+    Mistake(
+        "sin b1 has the wrong sign in one place",
+        "Ry(b1) e_x has -sin b1 in row 3, Ry(b1) e_z has sin b1 in row 1.",
         _columns(_third, lambda c1, s1: (c1, 0, s1)),
         _columns(lambda c1, s1, c2, s2: (-s1 * s2, c2, c1 * s2)),
     ),
-    *either(
-        ("an entry of column 3 has the wrong sign", "Multiply it out again: Ry(b1) (0, cos b2, sin b2)."),
+    Mistake(
+        "an entry of column 3 has the wrong sign",
+        "Multiply it out again: Ry(b1) (0, cos b2, sin b2).",
         _columns(lambda c1, s1, c2, s2: (s1 * s2, c2, -c1 * s2)),
         _columns(lambda c1, s1, c2, s2: (s1 * s2, -c2, c1 * s2)),
         _columns(lambda c1, s1, c2, s2: (-s1 * s2, -c2, -c1 * s2)),
     ),
-    *either(
-        ("b3 stands where b1 belongs", "omega in the fixed frame does not depend on b3: the last axis is not its own."),
+    Mistake(
+        "b3 stands where b1 belongs",
+        "omega in the fixed frame does not depend on b3: the last axis is not its own.",
         lambda b: rates(b[::-1]),
     ),
-    *either(
-        ("b1 and b2 are swapped", "b = (b1, b2, b3): b[0] turns about y, b[1] about x."), lambda b: rates(b[[1, 0, 2]])
+    Mistake(
+        "b1 and b2 are swapped", "b = (b1, b2, b3): b[0] turns about y, b[1] about x.", lambda b: rates(b[[1, 0, 2]])
     ),
-    *either(
-        ("the angles are taken for degrees", "Angles are radians everywhere; np.deg2rad is not needed."),
+    Mistake(
+        "the angles are taken for degrees",
+        "Angles are radians everywhere; np.deg2rad is not needed.",
         lambda b: rates(np.deg2rad(b)),
     ),
-    *either(
-        ("a factor sin b2 is missing in column 3", "Ry(b1) (0, cos b2, sin b2): rows 1 and 3 both have sin b2."),
+    Mistake(
+        "a factor sin b2 is missing in column 3",
+        "Ry(b1) (0, cos b2, sin b2): rows 1 and 3 both have sin b2.",
         _columns(lambda c1, s1, c2, s2: (s1, c2, c1)),
         _columns(lambda c1, s1, c2, s2: (s1, c2, c1 * s2)),
         _columns(lambda c1, s1, c2, s2: (s1 * s2, c2, c1)),
     ),
-    *either(
-        ("cos b2 is missing in column 3", "Rx(b2) e_y = (0, cos b2, sin b2)."),
+    Mistake(
+        "cos b2 is missing in column 3",
+        "Rx(b2) e_y = (0, cos b2, sin b2).",
         _columns(lambda c1, s1, c2, s2: (s1 * s2, 0, c1 * s2)),
         _columns(lambda c1, s1, c2, s2: (s1 * s2, 1, c1 * s2)),
     ),
-    *either(
-        ("sine and cosine are swapped", "At b1 = 0 the second axis is e_x: cos b1 stands in row 1, -sin b1 in row 3."),
+    Mistake(
+        "sine and cosine are swapped",
+        "At b1 = 0 the second axis is e_x: cos b1 stands in row 1, -sin b1 in row 3.",
         lambda b: rates(np.pi / 2 - b),
         _columns(_third, lambda c1, s1: (s1, 0, -c1)),
         _columns(lambda c1, s1, c2, s2: (c1 * s2, c2, s1 * s2)),
         _columns(lambda c1, s1, c2, s2: (s1 * c2, s2, c1 * c2)),
     ),
-    *either(
-        ("the identity is returned", "The rates of the angles are no angular velocity: each has an axis of its own."),
+    Mistake(
+        "the identity is returned",
+        "The rates of the angles are no angular velocity: each has an axis of its own.",
         lambda b: np.eye(3),
     ),
-    *either(
-        ("R itself is returned", "R says how the hand stands. A says how its turning depends on the rates."), _hand
-    ),
-    *either(
-        (
-            "this is the matrix for other axes than y, x and y",
-            "R = Ry(b1) Rx(b2) Ry(b3): the first and the last turn are about y.",
-        ),
+    Mistake("R itself is returned", "R says how the hand stands. A says how its turning depends on the rates.", _hand),
+    Mistake(
+        "this is the matrix for other axes than y, x and y",
+        "R = Ry(b1) Rx(b2) Ry(b3): the first and the last turn are about y.",
         lambda b: np.column_stack([X, rot_x(b[0]) @ Y, rot_x(b[0]) @ rot_y(b[1]) @ X]),
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_y(b[0]) @ rot_x(b[1]) @ np.eye(3)[2]]),
     ),
@@ -217,8 +220,9 @@ RATE_MATRIX = Exercise(
     ),
     mistakes=(
         *WRONG_MATRICES,
-        *either(
-            ("the inverse is returned", "From the rates to omega, please; the way back is inverse_rate_matrix."),
+        Mistake(
+            "the inverse is returned",
+            "From the rates to omega, please; the way back is inverse_rate_matrix.",
             lambda b: np.linalg.inv(rates(b)) if abs(np.sin(b[1])) > 1e-9 else None,
         ),
         _DIFFERENCES,

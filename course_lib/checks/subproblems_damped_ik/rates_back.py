@@ -2,11 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.rates import WRONG_MATRICES, quadrants, rates
-from course_lib.checks.words import as_array
 
 _SMALL = 0.01  # sines below this are near zero
 
@@ -31,7 +30,7 @@ def _close(X, b):
 
 
 def _product(X, b):
-    return f"With yours A times it is {as_array(rates(b) @ X, 3)}."
+    return f"With yours A times it is {format_array(rates(b) @ X, 3)}."
 
 
 def _by_formula(first, third):
@@ -89,60 +88,56 @@ INVERSE_RATE_MATRIX = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "A is transposed rather than inverted",
-                "Only for rotations is the transpose the inverse. The columns of A are unit vectors, but the first and "
-                "the third do not stand at a right angle.",
-            ),
+        Mistake(
+            "A is transposed rather than inverted",
+            "Only for rotations is the transpose the inverse. The columns of A are unit vectors, but the first and "
+            "the third do not stand at a right angle.",
             lambda b: rates(b).T,
         ),
-        *either(("A itself is returned", "From omega back to the rates: A^-1."), rates),
-        *either(
-            ("each entry is inverted by itself", "The inverse of a matrix is np.linalg.inv(A), not 1 / A or A**-1."),
+        Mistake("A itself is returned", "From omega back to the rates: A^-1.", rates),
+        Mistake(
+            "each entry is inverted by itself",
+            "The inverse of a matrix is np.linalg.inv(A), not 1 / A or A**-1.",
             _reciprocals,
         ),
-        *either(
-            ("the division by sin b2 is missing", "A^-1 = adj(A) / det A, and det A = -sin b2."),
+        Mistake(
+            "the division by sin b2 is missing",
+            "A^-1 = adj(A) / det A, and det A = -sin b2.",
             _by_formula(np.ones_like, np.ones_like),
             _by_formula(np.ones_like, _cosecant),
             _by_formula(_cosecant, np.ones_like),
             lambda b: -np.sin(b[1]) * _right(b),
             lambda b: np.sin(b[1]) * _right(b),
         ),
-        *either(
-            ("sin b2 is multiplied by, not divided by", "A^-1 = adj(A) / det A, and det A = -sin b2."),
+        Mistake(
+            "sin b2 is multiplied by, not divided by",
+            "A^-1 = adj(A) / det A, and det A = -sin b2.",
             _by_formula(np.sin, np.sin),
             lambda b: np.sin(b[1]) ** 2 * _right(b),
         ),
-        *either(
-            ("the whole inverse has its sign turned", "det A is -sin b2, not sin b2."),
-            lambda b: -_right(b),
-        ),
-        *either(
-            ("the sign of sin b2 is lost", "For a negative b2 the determinant -sin b2 is positive."),
+        Mistake("the whole inverse has its sign turned", "det A is -sin b2, not sin b2.", lambda b: -_right(b)),
+        Mistake(
+            "the sign of sin b2 is lost",
+            "For a negative b2 the determinant -sin b2 is positive.",
             _by_formula(lambda b2: abs(_cosecant(b2)), lambda b2: abs(_cosecant(b2))),
             lambda b: np.sign(np.sin(b[1])) * _right(b),
             lambda b: -np.sign(np.sin(b[1])) * _right(b),
         ),
-        *either(
-            ("the inverse is transposed", "The adjugate is the transpose of the matrix of cofactors."),
+        Mistake(
+            "the inverse is transposed",
+            "The adjugate is the transpose of the matrix of cofactors.",
             lambda b: _right(b).T,
         ),
-        *either(
-            (
-                "1/sin b2 has the wrong sign in row 1 or row 3",
-                "A times your answer is to be the identity: try it with numbers.",
-            ),
+        Mistake(
+            "1/sin b2 has the wrong sign in row 1 or row 3",
+            "A times your answer is to be the identity: try it with numbers.",
             _by_formula(_minus, _cosecant),
             _by_formula(_cosecant, _minus),
             _by_formula(_minus, _minus),
         ),
-        *either(
-            (
-                "the inverse is damped",
-                "Where sin b2 is not 0 there is an inverse: nothing need be added to the matrix.",
-            ),
+        Mistake(
+            "the inverse is damped",
+            "Where sin b2 is not 0 there is an inverse: nothing need be added to the matrix.",
             *(lambda b, e=e: np.linalg.solve(rates(b).T @ rates(b) + e * np.eye(3), rates(b).T) for e in (1e-6, 0.01)),
         ),
         *map(_of_a_wrong_matrix, WRONG_MATRICES),

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Mistake, Property, Unreadable
-from course_lib.checks.reading import NOT_A_NUMBER
 from course_lib.rotations import exp_so3
 
 FINE, TOUCHING = 1e-9, 1e-6  # how far beside the mark a right answer may end; where two solutions meet, digits are lost

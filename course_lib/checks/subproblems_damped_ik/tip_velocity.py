@@ -5,10 +5,9 @@ import itertools
 import numpy as np
 
 from course_lib.arms import planar_arm
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import as_array
+from course_lib.checks.format_numbers import format_array
 
 _ARM = planar_arm([1, 1, 1, 1])
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -48,8 +47,8 @@ def _wrong_column(J, q):
     step = _H * np.eye(4)[j]
     velocity = np.round((tip(q + step) - tip(q - step)) / (2 * _H), 9)
     return (
-        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {as_array(velocity)} m/s, by finite differences. "
-        f"That is column {j + 1}; yours is {as_array(J[:, j])}."
+        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite differences. "
+        f"That is column {j + 1}; yours is {format_array(J[:, j])}."
     )
 
 
@@ -104,98 +103,89 @@ PLANAR_JACOBIAN = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "the angles are not summed: link i points along q1 + ... + qi",
-                "Each joint angle is measured from the link before it. np.cumsum(q) gives the directions of the links.",
-            ),
+        Mistake(
+            "the angles are not summed: link i points along q1 + ... + qi",
+            "Each joint angle is measured from the link before it. np.cumsum(q) gives the directions of the links.",
             lambda q: _of_links(q, _AFTER),
             lambda q: _of_links(q, np.eye(4)),
             lambda q: _of_links(q, np.ones((4, 4))),
         ),
-        *either(
-            ("each joint moves only its own link", "Joint j carries all links from j on: add them up."),
+        Mistake(
+            "each joint moves only its own link",
+            "Joint j carries all links from j on: add them up.",
             _moving(np.eye(4)),
         ),
-        *either(
-            ("only the last link counts", "The tip moves with each link from j on: add them up."),
+        Mistake(
+            "only the last link counts",
+            "The tip moves with each link from j on: add them up.",
             _moving(_AFTER * [0, 0, 0, 1]),
         ),
-        *either(
-            (
-                "the sums run the wrong way: over the links up to j",
-                "Joint j moves the links j, ..., 4, and none before it: a cumulative sum from the back.",
-            ),
+        Mistake(
+            "the sums run the wrong way: over the links up to j",
+            "Joint j moves the links j, ..., 4, and none before it: a cumulative sum from the back.",
             _moving(_AFTER.T),
         ),
-        *either(("every joint moves all links", "Joint j moves only the links j, ..., 4."), _moving(np.ones((4, 4)))),
-        *either(
-            ("a link is left out: joint j moves link j too", "The sum for column j starts with link j itself."),
+        Mistake("every joint moves all links", "Joint j moves only the links j, ..., 4.", _moving(np.ones((4, 4)))),
+        Mistake(
+            "a link is left out: joint j moves link j too",
+            "The sum for column j starts with link j itself.",
             _moving(np.triu(np.ones((4, 4)), 1)),
         ),
-        *either(("a link is left out", "The arm has four links."), *(_moving(_without(i)) for i in (3, 0, 1, 2))),
-        *either(
-            ("the sign of the first row is wrong", "The derivative of cos is -sin."),
-            _signed([-1, 1]),
-        ),
-        *either(("the sign of the second row is wrong", "The derivative of sin is cos."), _signed([1, -1])),
-        *either(
-            ("the whole matrix has its sign turned", "A positive joint velocity turns left, counter-clockwise."),
+        Mistake("a link is left out", "The arm has four links.", *(_moving(_without(i)) for i in (3, 0, 1, 2))),
+        Mistake("the sign of the first row is wrong", "The derivative of cos is -sin.", _signed([-1, 1])),
+        Mistake("the sign of the second row is wrong", "The derivative of sin is cos.", _signed([1, -1])),
+        Mistake(
+            "the whole matrix has its sign turned",
+            "A positive joint velocity turns left, counter-clockwise.",
             _signed([-1, -1]),
         ),
-        *either(
-            ("the two rows are swapped", "Row 1 is the velocity along x: that with -sin."),
-            lambda q: jacobian(q)[::-1],
+        Mistake(
+            "the two rows are swapped", "Row 1 is the velocity along x: that with -sin.", lambda q: jacobian(q)[::-1]
         ),
-        *either(
-            (
-                "cosine and sine are not differentiated",
-                "These are the arrows from the joints to the tip. Turned left by a right angle they are the columns.",
-            ),
+        Mistake(
+            "cosine and sine are not differentiated",
+            "These are the arrows from the joints to the tip. Turned left by a right angle they are the columns.",
             lambda q: np.array(_parts(q)),
             lambda q: np.array(_parts(q)) * [[-1], [1]],
         ),
-        *either(
-            ("the columns stand in reverse order", "Column 1 belongs to joint 1, which moves all four links."),
+        Mistake(
+            "the columns stand in reverse order",
+            "Column 1 belongs to joint 1, which moves all four links.",
             lambda q: jacobian(q)[:, ::-1],
         ),
-        *either(
-            (
-                "the directions of the links are summed from the tip",
-                "Link 1 points along q1, link 4 along the sum of all.",
-            ),
+        Mistake(
+            "the directions of the links are summed from the tip",
+            "Link 1 points along q1, link 4 along the sum of all.",
             lambda q: _of_links(np.cumsum(q[::-1])[::-1], _AFTER),
             lambda q: _of_links(np.cumsum(q[::-1]), _AFTER),
         ),
-        *either(
-            (
-                "the angle of link i leaves out joint i itself, or counts one joint too many",
-                "Link i points along q1 + ... + qi: sum(q[: i + 1]) where i counts from 0.",
-            ),
+        Mistake(
+            "the angle of link i leaves out joint i itself, or counts one joint too many",
+            "Link i points along q1 + ... + qi: sum(q[: i + 1]) where i counts from 0.",
             lambda q: _of_links(np.cumsum(q) - q, _AFTER),
             lambda q: _of_links(np.append(np.cumsum(q)[1:], np.sum(q)), _AFTER),
         ),
-        *either(
-            (
-                "the angles are summed from joint j on, not from the base",
-                "The velocity is asked for along x and y of the base: every link points along q1 + ... + qi.",
-            ),
+        Mistake(
+            "the angles are summed from joint j on, not from the base",
+            "The velocity is asked for along x and y of the base: every link points along q1 + ... + qi.",
             lambda q: _each_from_its_joint(q, 1),
             lambda q: _each_from_its_joint(q, 0),
         ),
-        *either(
-            ("the angles are taken for degrees", "Angles are radians everywhere; np.deg2rad is not needed."),
+        Mistake(
+            "the angles are taken for degrees",
+            "Angles are radians everywhere; np.deg2rad is not needed.",
             lambda q: jacobian(np.deg2rad(q)),
             lambda q: np.deg2rad(jacobian(q)),
             lambda q: np.rad2deg(jacobian(q)),
         ),
-        *either(
-            ("the links have other lengths", "All four links are 1 m long."),
+        Mistake(
+            "the links have other lengths",
+            "All four links are 1 m long.",
             _with_lengths(4, 3, 2, 1),
             _with_lengths(1, 2, 3, 4),
             *(_with_lengths(*[length] * 4) for length in (0.25, 0.5, 2, 4)),
         ),
-        *either(("the joint angles are multiplied in", "J itself, please, not J times q."), lambda q: jacobian(q) * q),
+        Mistake("the joint angles are multiplied in", "J itself, please, not J times q.", lambda q: jacobian(q) * q),
         Mistake(
             "finite differences are used that lose too many digits",
             "Take half a step to either side, (f(q + h) - f(q - h)) / (2 h) with h = 1e-6, or the formula.",

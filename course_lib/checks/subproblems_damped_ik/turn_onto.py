@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.reading import NOT_A_NUMBER, OTHER_FORM, rows
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.subproblems_damped_ik.solutions import FINE, across, angle_about, by_arctan, near, turned
-from course_lib.checks.words import as_array
 
 X, Y, Z = np.eye(3)
 
@@ -111,7 +111,7 @@ SUBPROBLEM1 = Exercise(
             "R(k, theta) p = q",
             _right,
             lambda theta, k, p, q: (
-                f"With your theta R(k, theta) p is {as_array(turned(k, theta, p))}, q is {as_array(q)}."
+                f"With your theta R(k, theta) p is {format_array(turned(k, theta, p))}, q is {format_array(q)}."
             ),
             where=_reached,
         ),

@@ -10,9 +10,8 @@ import re
 import time
 from dataclasses import dataclass, field, replace
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, Verdict, judge
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge, with_blame
 from course_lib.checks.notebook import describe
-from course_lib.checks.plain import read, write
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
@@ -66,6 +65,7 @@ def grade(text, notebook, seed, limits=None):
     for exercise in course.exercises:
         if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
             outcomes[exercise.name] = Outcome(Verdict(exercise, ERROR, why))
+    _blame_helpers(outcomes)
     return _result(notebook, release, course, _problems(run), outcomes, cells)
 
 
@@ -85,9 +85,18 @@ def ask_all(run):
     return outcomes
 
 
+def _blame_helpers(outcomes):
+    """Let a wrong answer name the other exercise that it calls, if that is wrong too."""
+    for outcome in outcomes.values():
+        verdict = outcome.verdict
+        if verdict.state in (WRONG, ERROR):
+            called = [o.verdict for name, o in outcomes.items() if name in verdict.calls and o is not outcome]
+            outcome.verdict = with_blame(verdict, called)
+
+
 def attempt(run, exercises, forbidden, whole):
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
-    checks = {course.package: [e.name for e in course.exercises] for course in courses().values()}
+    checks = {course.package: course.exercises for course in courses().values()}
     files, without, how = contents(checks, forbidden), [], ""
     for _ in range(MOST_RESTARTS):
         if run.seconds_left() < 0:
@@ -133,7 +142,7 @@ def ask(sandbox, run, exercise, final, left_out):
         return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
     student = Student(sandbox, run, exercise.name)
     try:
-        verdict = judge(exercise, student, run.seed)
+        verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
     except Exception as error:
         verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
     if student.ended:
@@ -156,17 +165,17 @@ class Student:
         self._sandbox, self._run, self._name = sandbox, run, name
         self.ended, self.missing = "", ""
 
-    def reply(self, questions):
+    def reply(self, questions, consult=None):
         limits = self._run.limits
-        asked = read(questions) | {"seconds": limits.cpu_seconds}
-        request = {"ask": self._name, "questions": write(asked), "seconds": limits.answer_seconds}
+        request = {"ask": self._name, "questions": questions, "seconds": limits.answer_seconds}
         request |= {"cpu": limits.cpu_seconds + 2, "reply": limits.reply}
         deadline = time.monotonic() + limits.answer_seconds + 3
         try:
             self._sandbox.send(request)
-            message = {}
-            while message.get("exercise") != self._name:
-                message = self._sandbox.receive(deadline - time.monotonic())
+            message = self._receive(deadline)
+            while consult and isinstance(message.get("call"), str):
+                self._sandbox.send({"told": consult(message["call"])})
+                message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."
             return ""
@@ -177,14 +186,21 @@ class Student:
         self.ended = _how_it_ended(message, limits)
         return ""
 
+    def _receive(self, deadline):
+        message = {}
+        while message.get("exercise") != self._name:
+            message = self._sandbox.receive(deadline - time.monotonic())
+        return message
+
 
 def _missing_name(reply):
     """The name that was not there when the function was called, or ""."""
     try:
-        messages = (a["error"]["message"] for a in read(reply) if "error" in a and a["error"]["type"] == "NameError")
+        errors = (answer["error"] for answer in json.loads(reply)["answers"] if "error" in answer)
+        messages = (error["message"] for error in errors if error["type"] == "NameError")
         found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
         return found[1] if found else ""
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return ""
 
 
@@ -226,8 +242,12 @@ def _row(exercise, outcome):
     if outcome is None:
         return row | {"state": UNREADABLE, "message": "The file cannot be read."}
     verdict = outcome.verdict
-    mistake = verdict.mistake.name if verdict.mistake else ""
-    return row | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
+    mistake = verdict.mistake.name if verdict.mistake and not verdict.blames else ""
+    return (
+        row
+        | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
+        | ({"blames": verdict.blames} if verdict.blames else {})
+    )
 
 
 def _message(verdict):

@@ -1,7 +1,8 @@
-"""Plain data: what exercises take and give, written as JSON and read back without trusting the writer.
+"""Plain data on the wire: what exercises take and give, written as JSON and read back without trusting the writer.
 
-Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them, and a Seed in place of a random
-generator. Nothing else is written, so nothing else (an object that claims to equal everything, say) can be read.
+Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of a random generator,
+and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else (an object
+that claims to equal everything, say) can be read.
 """
 
 import base64
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 _DEPTH = 12  # how deep lists may stand in lists; a list that holds itself ends here
+_MOST_ENTRIES = 2_000_000  # of an array
 
 
 class NotPlain(ValueError):
@@ -25,20 +27,40 @@ class Seed:
     number: int
 
 
+@dataclass(frozen=True)
+class Candidate:
+    """Stands for a function that a student's test is given: its answers come from the process that judges."""
+
+    number: int
+
+
 def write(value):
-    """Return plain data as a JSON text. Raises NotPlain for anything else."""
-    return json.dumps(_to_json(value, 0))
+    """Return plain data as a JSON text.
+
+    Raises
+    ------
+    NotPlain
+        If the value is, or holds, anything else.
+    """
+    return json.dumps(to_json(value))
 
 
 def read(text):
-    """Return the plain data of a JSON text that write made, Seed included. Raises NotPlain for any other text."""
+    """Return the plain data of a JSON text that `write` made, Seed and Candidate included.
+
+    Raises
+    ------
+    NotPlain
+        If it is any other text.
+    """
     try:
-        return _from_json(json.loads(text), 0)
+        return from_json(json.loads(text))
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as problem:
         raise NotPlain(f"not plain data: {problem}") from None
 
 
-def _to_json(value, depth):
+def to_json(value, depth=0):
+    """Return plain data as what JSON can write: dicts with text keys, lists, numbers, texts."""
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
     if isinstance(value, np.ndarray | np.generic):
@@ -47,21 +69,27 @@ def _to_json(value, depth):
         return value
     if isinstance(value, Seed):
         return {"seed": value.number}
+    if isinstance(value, Candidate):
+        return {"candidate": value.number}
     if isinstance(value, complex):
         return _array_to_json(np.complex128(value))
     if isinstance(value, list | tuple):
         kind = "list" if isinstance(value, list) else "tuple"
-        return {kind: [_to_json(item, depth + 1) for item in value]}
+        return {kind: [to_json(item, depth + 1) for item in value]}
     if isinstance(value, dict):
-        return {"dict": [[_to_json(k, depth + 1), _to_json(v, depth + 1)] for k, v in value.items()]}
+        return {"dict": [[to_json(k, depth + 1), to_json(v, depth + 1)] for k, v in value.items()]}
+    if type(value).__module__.partition(".")[0] == "sympy":
+        raise NotPlain("a SymPy expression: float(...) makes a number of it")
     raise NotPlain(f"a {type(value).__name__}")
 
 
 def _array_to_json(value):
     array = np.array(value, copy=True, order="C", subok=False)
+    if array.size > _MOST_ENTRIES:
+        raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
     if array.dtype.kind not in "biufc":
         if array.dtype.kind == "U":
-            return _to_json(array.tolist(), 0)
+            return to_json(array.tolist())
         raise NotPlain(f"an array of type {array.dtype}")
     widest = {"f": "<f8", "c": "<c16"}.get(array.dtype.kind)
     if widest and array.dtype.itemsize > np.dtype(widest).itemsize:  # long doubles differ between machines
@@ -74,7 +102,8 @@ def _array_to_json(value):
     }
 
 
-def _from_json(node, depth):
+def from_json(node, depth=0):
+    """Return the plain data that `to_json` wrote; raises ValueError, TypeError or LookupError for anything else."""
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
     if node is None or isinstance(node, bool | int | float | str):
@@ -83,11 +112,13 @@ def _from_json(node, depth):
         return _array_from_json(node)
     if "seed" in node:
         return Seed(int(node["seed"]))
+    if "candidate" in node:
+        return Candidate(int(node["candidate"]))
     if "list" in node:
-        return [_from_json(item, depth + 1) for item in node["list"]]
+        return [from_json(item, depth + 1) for item in node["list"]]
     if "tuple" in node:
-        return tuple(_from_json(item, depth + 1) for item in node["tuple"])
-    return {_from_json(k, depth + 1): _from_json(v, depth + 1) for k, v in node["dict"]}
+        return tuple(from_json(item, depth + 1) for item in node["tuple"])
+    return {from_json(k, depth + 1): from_json(v, depth + 1) for k, v in node["dict"]}
 
 
 def _array_from_json(node):

@@ -1,4 +1,4 @@
-"""Many postures at once (course_lib.chain) against a few at a time, in any batch, within little memory."""
+"""Many postures at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
 
 import tracemalloc
 
@@ -8,8 +8,8 @@ from helpers import pose_samples
 from numpy.testing import assert_allclose
 
 from course_lib import arms
-from course_lib.arms import DHRow, SerialArm, iiwa14, panda, planar_arm
-from course_lib.chain import CHUNK
+from course_lib.arms import DHRow, SerialArm, iiwa14, panda, planar_arm, ur5e
+from course_lib.batched_arm import CHUNK
 
 RNG = np.random.default_rng(0)
 SKEW = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
@@ -17,6 +17,7 @@ STANDARD = SerialArm.from_dh(
     [DHRow(0.3, 0.4, 0.2, 1.0), DHRow(-0.1, -2.0, 0.5), DHRow(0, 0, 0.1, -3.0)], "standard", pose_samples(3)(RNG, ())
 )
 ALL = {"panda": panda(), "iiwa14": iiwa14(), "planar": planar_arm([1, 0.5, 2]), "skew": SKEW, "standard": STANDARD}
+ALL["ur5e"] = ur5e()
 ALL["one joint"] = SerialArm.from_screws([[0, -1, 0]], [[1, 2, 3]], np.eye(4))
 METHODS = ["frames", "fk", "space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian"]
 

@@ -1,4 +1,4 @@
-"""Many postures of one arm at once, in the layout of course_lib.layout. SerialArm and ik.solve stand on it.
+"""Many postures of one arm at once, in the layout of course_lib.batching. SerialArm and ik.solve stand on it.
 
 The postures lie along the last axis: q is (n, N), a vector is (3, N), a rotation matrix is its three columns, each
 (3, N). Products with the constants 0 and 1, of which an arm is full, are left out.
@@ -15,8 +15,8 @@ _ROUNDING = 1e-15
 
 
 @dataclass(frozen=True)
-class Chain:
-    """An arm of n revolute joints by constants, all at joint angles zero. Make one by Chain.of.
+class BatchedArm:
+    """An arm of n revolute joints by constants, all at joint angles zero. Make one by BatchedArm.of.
 
     On each axis sits a frame, with z along the axis (or against it: then the joint's sign is -1), so that a joint turns
     two columns and leaves the third. turns and links lead from the base to the first of these frames and from each to
@@ -32,7 +32,7 @@ class Chain:
 
     @classmethod
     def of(cls, screw_axes, home):
-        """Return the chain of an arm's screw axes (n, 6) and of the poses home (n + 1, 4, 4) of its frames."""
+        """Return the batched form of an arm's screw axes (n, 6) and of the poses home (n + 1, 4, 4) of its frames."""
         axes, moments, origins = screw_axes[:, :3], screw_axes[:, 3:], home[:, :3, 3]
         # On each axis the place nearest to the origin of the joint's own frame, then the end's: MR section 3.3.2.2.
         places = np.cross(axes, moments) + (axes * origins[:-1]).sum(-1, keepdims=True) * axes

@@ -1,4 +1,4 @@
-"""Read an answer as the kind of thing an exercise asks for, in any of the forms that are as good."""
+"""Read an answer as the kind of thing that an exercise asks for, in any of the forms that are as good."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ NOT_A_NUMBER = Mistake(
 )
 
 
-def truth(value, *case):
+def boolean(value, *case):
     """Return True or False for a bool, a numpy bool or a single 0 or 1."""
     array = _array(value, "True or False")
     if array.size != 1 or array.item() not in (0, 1):

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from course_lib.checks import plain
-from course_lib.checks.plain import NotPlain, Seed
+from course_lib.checks import wire
+from course_lib.checks.wire import NotPlain, Seed
 
 
 def alike(a, b):
@@ -56,7 +56,7 @@ _trees = st.recursive(
 
 @given(_trees)
 def test_plain_data_comes_back_as_it_was(value):
-    assert alike(plain.read(plain.write(value)), value)
+    assert alike(wire.read(wire.write(value)), value)
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_plain_data_comes_back_as_it_was(value):
     ids=repr,
 )
 def test_other_forms_of_numbers_come_back_in_one_form(value, back):
-    assert alike(plain.read(plain.write(value)), back)
+    assert alike(wire.read(wire.write(value)), back)
 
 
 class Equal:
@@ -113,7 +113,7 @@ class EqualList(Equal, list):
     ids=lambda value: type(value).__name__,
 )
 def test_of_a_subclass_only_the_data_are_left(value):
-    back = plain.read(plain.write(value))
+    back = wire.read(wire.write(value))
     assert type(back) in (np.ndarray, float, str, list)
     assert not np.all(back == np.full(2, 9.0))
 
@@ -149,7 +149,7 @@ def _holding_itself():
 )
 def test_anything_else_is_not_written(value):
     with pytest.raises(NotPlain):
-        plain.write(value)
+        wire.write(value)
 
 
 def _array(dtype="<f8", shape=(2,), data="AAAAAAAAAAAAAAAAAAAAAA=="):
@@ -157,7 +157,7 @@ def _array(dtype="<f8", shape=(2,), data="AAAAAAAAAAAAAAAAAAAAAA=="):
 
 
 def test_the_array_that_the_next_test_spoils_can_be_read():
-    assert alike(plain.read(_array()), np.zeros(2))
+    assert alike(wire.read(_array()), np.zeros(2))
 
 
 @pytest.mark.parametrize(
@@ -207,4 +207,4 @@ def test_the_array_that_the_next_test_spoils_can_be_read():
 )
 def test_nothing_else_is_read(text):
     with pytest.raises(NotPlain):
-        plain.read(text)
+        wire.read(text)

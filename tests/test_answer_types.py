@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers, rows
 from course_lib.checks.exercise import Mistake, Unreadable
-from course_lib.checks.reading import NOT_A_NUMBER, OTHER_FORM, numbers, rows
-from course_lib.checks.words import as_array, in_words
+from course_lib.checks.format_numbers import format_array, format_tuple
 
 SWAPPED = Mistake("rows and columns are swapped", "Transpose it.")
 
@@ -50,8 +50,8 @@ def test_nan_may_stand_where_there_are_gaps():
 
 
 def test_numbers_in_sentences():
-    assert in_words([0.1, -2]) == "(0.1, -2)"
-    assert in_words(np.array([[1e-17, -0.0], [np.nan, 123456.0]])) == "(0, 0, nan, 1.235e+05)"
-    assert in_words([1e-7, 2]) == "(1e-07, 2)"  # no rounding: it may be all that is wrong
-    assert as_array([-0.0, 0.12344]) == "[0.     0.1234]"
-    assert as_array(np.eye(2), 1) == "[[1. 0.] [0. 1.]]"
+    assert format_tuple([0.1, -2]) == "(0.1, -2)"
+    assert format_tuple(np.array([[1e-17, -0.0], [np.nan, 123456.0]])) == "(0, 0, nan, 1.235e+05)"
+    assert format_tuple([1e-7, 2]) == "(1e-07, 2)"  # no rounding: it may be all that is wrong
+    assert format_array([-0.0, 0.12344]) == "[0.     0.1234]"
+    assert format_array(np.eye(2), 1) == "[[1. 0.] [0. 1.]]"
