@@ -192,6 +192,7 @@ EXERCISE = Exercise(
             seen=lambda J, q: np.abs(J - jacobian(q)).max() < 0.1,
         ),
     ),
+    library=jacobian,
     hints=(
         "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, cos a_i) for each "
         "rad/s of a joint up to i.",
