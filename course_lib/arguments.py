@@ -3,11 +3,12 @@
 import numpy as np
 
 
-def real_array(value, name, *shapes, copy=True):
+def real_array(value, name, *shapes, copy=True, infinite=False):
     """Return `value` as a float64 array whose last axes have one of the given shapes.
 
     shapes: tuples such as (3,) or (3, 3); any axes before them are the batch. () takes any shape.
     copy: False if the caller only reads the array, which may then be `value` itself.
+    infinite: True if entries may be infinite, as limits may.
     Raises ValueError for anything that is not real numbers, has another shape, or is not finite.
     """
     if isinstance(value, np.ma.MaskedArray):
@@ -25,7 +26,7 @@ def real_array(value, name, *shapes, copy=True):
             array = array.astype(np.float64)
     elif copy:
         array = array.copy()
-    finite = np.isfinite(array)
+    finite = ~np.isnan(array) if infinite else np.isfinite(array)
     if np.count_nonzero(finite) < array.size:  # a third of the time of finite.all() for a small array
         first = tuple(np.argwhere(~finite)[0])
         raise ValueError(f"{name} must be finite; {entry(name, first)} is {array[first]}")
