@@ -7,8 +7,8 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.damped_step import WRONG_STEPS, allowed, off, step
-from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
+from course_lib.checks.subproblems_damped_ik.lm_step import WRONG_STEPS, allowed, off, step
+from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
 
 _TIPS = Mistake(
     "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
@@ -137,7 +137,7 @@ def _part_of_the_way(way, *case):
 def _of_a_wrong_step(mistake):
     """The mistake of those who repeat a wrong step."""
     words = (f"each step is wrong: {mistake.name}", mistake.hint)
-    return _row_by_row(words, lambda q0, *case: mistake.answer(*case))
+    return tuple(_row_by_row(words, lambda q0, *case, wrong=wrong: wrong(*case)) for wrong in mistake.answers)
 
 
 def _first(q0, q):
@@ -148,7 +148,7 @@ def _latest(q0, q):
     return q
 
 
-SOLVE_LM = Exercise(
+EXERCISE = Exercise(
     name="solve_lm",
     points=2,
     arguments=("q0", "target", "alpha", "eps", "steps"),
@@ -252,12 +252,12 @@ SOLVE_LM = Exercise(
             "All steps are asked for, also when the tip is there already: the array has steps + 1 rows.",
             seen=_part_of_the_way,
         ),
-        *map(_of_a_wrong_step, WRONG_STEPS),
+        *(mistake for wrong in WRONG_STEPS for mistake in _of_a_wrong_step(wrong)),
     ),
     hints=(
         "A list with a copy of q0 in it, and a loop over range(steps) that appends lm_step of the last entry.",
         "way = [np.array(q0, float)], then way.append(lm_step(way[-1], target, alpha, eps)), then np.array(way).",
         "lm_step must not change its q in place: the rows kept before would change with it.",
     ),
-    forbidden=("course_lib.ik.damped_path", "course_lib.ik._step", *ARMS),
+    forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )

@@ -115,7 +115,7 @@ def _exact(xy, angles):
     return bool((distances(xy, angles) < 1e-12).all())
 
 
-APPROXIMATION_ERROR = Exercise(
+EXERCISE = Exercise(
     name="approximation_error",
     points=1,
     arguments=("xy", "angles"),

@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
+from course_lib.checks.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y, vee
 
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -205,7 +205,7 @@ _DIFFERENCES = Mistake(
     seen=lambda A, b: np.abs(A - rates(b)).max() < 1e-2,
 )
 
-RATE_MATRIX = Exercise(
+EXERCISE = Exercise(
     name="rate_matrix",
     points=2,
     arguments=("b",),

@@ -49,7 +49,7 @@ def _one_wrapped(column):
     return moved(lambda start, goal, way: np.where(np.arange(2) == column, wrap_angle(goal - start), goal - start))
 
 
-INTERPOLATE_ARM = Exercise(
+EXERCISE = Exercise(
     name="interpolate_arm",
     points=1,
     arguments=("start", "goal", "n"),

@@ -95,7 +95,7 @@ def _tell_too_few(value, *case):
     return f"In cell {c}, cluster {k} has {_size(place, *case)}, and nan stands in your model there."
 
 
-FIT_CELLS = Exercise(
+EXERCISE = Exercise(
     name="fit_cells",
     points=3,
     arguments=("xy", "theta", "cell", "count"),

@@ -7,8 +7,8 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.solutions import different, mended, near, predicted
-from course_lib.checks.subproblems_damped_ik.turn_onto import some_angle
+from course_lib.checks.subproblems_damped_ik.shared import different, mended, near, predicted
+from course_lib.checks.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy
 
@@ -136,7 +136,7 @@ def _mixed(column):
     return triples
 
 
-EULER_YXY = Exercise(
+EXERCISE = Exercise(
     name="euler_yxy",
     points=3,
     arguments=("R",),

@@ -89,7 +89,7 @@ def _without(link):
     return _AFTER * (np.arange(4) != link)
 
 
-PLANAR_JACOBIAN = Exercise(
+EXERCISE = Exercise(
     name="planar_jacobian",
     points=2,
     arguments=("q",),

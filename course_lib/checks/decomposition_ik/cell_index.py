@@ -110,7 +110,7 @@ def _away_from_edge(xy, low, high):
     return ~outside(xy, low, high)[:, 0] & (xy < high).all(axis=1)
 
 
-CELL_INDEX = Exercise(
+EXERCISE = Exercise(
     name="cell_index",
     points=2,
     arguments=("xy", "low", "high", "n"),

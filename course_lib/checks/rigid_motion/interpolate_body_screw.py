@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.rigid_motion.bodies import BODY, between, plain_cases, turning_cases
+from course_lib.checks.rigid_motion.interpolate_body import BODY, between, plain_cases, turning_cases
 from course_lib.checks.rigid_motion.paths import (
     TURN,
     ends,
@@ -18,7 +18,7 @@ from course_lib.checks.rigid_motion.paths import (
     wrong_times,
 )
 from course_lib.checks.rigid_motion.turning import whole_numbers
-from course_lib.checks.rigid_motion.twists import (
+from course_lib.checks.rigid_motion.interpolate_body_screw_mistakes import (
     along,
     blended,
     by_matrices,
@@ -46,7 +46,7 @@ def _cases(rng):
     return plain_cases(rng) + turning_cases(rng) + tiny
 
 
-INTERPOLATE_BODY_SCREW = Exercise(
+EXERCISE = Exercise(
     name="interpolate_body_screw",
     points=2,
     arguments=("start", "goal", "n"),

@@ -92,7 +92,7 @@ def _tell_bend(theta, xy):
     return f"Your theta2 are {first:.4g} and {second:.4g}, less whole turns."
 
 
-IK_2R = Exercise(
+EXERCISE = Exercise(
     name="ik_2r",
     points=2,
     arguments=("xy",),

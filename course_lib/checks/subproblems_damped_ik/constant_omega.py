@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.rotations.exponential import unit
+from course_lib.checks.vocabulary import unit
 from course_lib.rotations import exp_so3, log_so3, random_rotations, rot_x, rot_y, rot_z
 
 _HALF_TURNS = [np.diag([1.0, -1.0, -1.0]), np.diag([-1.0, 1.0, -1.0]), np.diag([-1.0, -1.0, 1.0])]
@@ -143,7 +143,7 @@ def _log_of(words, *products):
     return _like(words, *(lambda R0, Rf, T, s=s, p=p: s * log_so3(p(R0, Rf)) / T for s, p in signed))
 
 
-CONSTANT_OMEGA = Exercise(
+EXERCISE = Exercise(
     name="constant_omega",
     points=2,
     arguments=("R0", "Rf", "T"),

@@ -1,12 +1,10 @@
 """lm_step: one damped least-squares step of the planar arm towards a point."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.subproblems_damped_ik.tip_velocity import ARMS, jacobian, tip
+from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
 
 
 def step(q, target, alpha, eps):
@@ -70,16 +68,12 @@ def _like(words, *formulas):
     """
     name, hint = words
 
-    def seen(formula):
-        def matches(answer, *case):
-            predicted = formula(*case)
-            share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
-            size = 1 + np.abs(predicted - case[0]).max()
-            return off(answer, predicted) < min(share * size, 0.01) and not _right(predicted, *case)
+    def alike(answer, predicted, *case):
+        share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
+        size = 1 + np.abs(predicted - case[0]).max()
+        return off(answer, predicted) < min(share * size, 0.01) and not _right(predicted, *case)
 
-        return matches
-
-    return tuple(Mistake(name, hint, formula, seen(formula)) for formula in formulas)
+    return (Mistake(name, hint, *formulas, alike=alike),)
 
 
 def _by(step_of):
@@ -114,7 +108,7 @@ def _solution_of(mistake, matrix_of):
         small = np.abs(missed).max() < 1e-6 * (1 + np.abs(turned).max())
         return small and not _there(q, target, alpha, eps)
 
-    return replace(mistake, answer=None, seen=seen)
+    return Mistake(mistake.name, mistake.hint, seen=seen)
 
 
 def _parallel(answer, *case):
@@ -213,7 +207,7 @@ WRONG_STEPS = (
     ),
 )
 
-LM_STEP = Exercise(
+EXERCISE = Exercise(
     name="lm_step",
     points=2,
     arguments=("q", "target", "alpha", "eps"),
@@ -253,5 +247,5 @@ LM_STEP = Exercise(
         "The matrix is J.T @ J + eps * np.eye(4), the right side J.T @ e.",
         "q - alpha * np.linalg.solve(matrix, right side): a new array, so that q stays as it is.",
     ),
-    forbidden=("course_lib.ik.damped_path", "course_lib.ik._step", *ARMS),
+    forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )

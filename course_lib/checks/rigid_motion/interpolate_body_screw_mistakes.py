@@ -5,7 +5,7 @@ Predictions are functions of (start, goal, way, n), as paths.like wants them.
 
 import numpy as np
 
-from course_lib.checks.rigid_motion.bodies import BODY
+from course_lib.checks.rigid_motion.interpolate_body import BODY
 from course_lib.checks.rigid_motion.paths import change, even, miss, rest_to_rest, size, straight, ways
 from course_lib.planar import pose_matrix
 from course_lib.rigid import exp_se2, log_se2

@@ -5,8 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.subproblems_damped_ik.solutions import FINE, across, angle_about, by_arctan, near, turned
+from course_lib.checks.vocabulary import unit
+from course_lib.checks.subproblems_damped_ik.shared import FINE, across, angle_about, by_arctan, near, turned
 
 X, Y, Z = np.eye(3)
 
@@ -100,7 +100,7 @@ def _between(p, q):
     return np.arctan2(np.linalg.norm(np.cross(p, q)), p @ q)
 
 
-SUBPROBLEM1 = Exercise(
+EXERCISE = Exercise(
     name="subproblem1",
     points=2,
     arguments=("k", "p", "q"),

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.rates import WRONG_MATRICES, quadrants, rates
+from course_lib.checks.subproblems_damped_ik.rate_matrix import WRONG_MATRICES, quadrants, rates
 
 _SMALL = 0.01  # sines below this are near zero
 
@@ -60,10 +60,10 @@ def _reciprocals(b):
 def _of_a_wrong_matrix(mistake):
     """The mistake of those who invert well, but another matrix."""
     name = f"the matrix is wrong before it is inverted: {mistake.name}"
-    return Mistake(name, mistake.hint, lambda b: np.linalg.inv(mistake.answer(b)))
+    return Mistake(name, mistake.hint, *(lambda b, wrong=wrong: np.linalg.inv(wrong(b)) for wrong in mistake.answers))
 
 
-INVERSE_RATE_MATRIX = Exercise(
+EXERCISE = Exercise(
     name="inverse_rate_matrix",
     points=1,
     arguments=("b",),

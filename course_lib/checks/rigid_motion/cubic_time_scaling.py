@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.rigid_motion.wrapping import as_numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.rigid_motion.wrap_angle import as_numbers
 from course_lib.planar import cubic_time_scaling, quintic_time_scaling
 
 
@@ -102,7 +102,7 @@ _SLIPS = (
     _with((-3, -2, -1), (2, 1, 1)),
 )
 
-CUBIC_TIME_SCALING = Exercise(
+EXERCISE = Exercise(
     name="cubic_time_scaling",
     points=2,
     arguments=("t", "T", "s0", "s1", "v0", "v1"),

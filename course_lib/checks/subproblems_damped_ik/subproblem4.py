@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.subproblems_damped_ik.distance import either_side
-from course_lib.checks.subproblems_damped_ik.solutions import (
+from course_lib.checks.vocabulary import unit
+from course_lib.checks.subproblems_damped_ik.subproblem3 import either_side
+from course_lib.checks.subproblems_damped_ik.shared import (
     across,
     all_of_them,
     angle_about,
@@ -18,7 +18,7 @@ from course_lib.checks.subproblems_damped_ik.solutions import (
     where_two,
     wrong_middles,
 )
-from course_lib.checks.subproblems_damped_ik.turn_onto import X, Y, Z, off_axis
+from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
 from course_lib.subproblems import subproblem4
 
 
@@ -113,7 +113,7 @@ def _both_sides_by_arcsine(k, h, p, d):
 
 _ONE = "angle"
 
-SUBPROBLEM4 = Exercise(
+EXERCISE = Exercise(
     name="subproblem4",
     points=2,
     arguments=("k", "h", "p", "d"),

@@ -55,7 +55,7 @@ def _screw(start, goal, way, n):
     return interpolate_body_screw(np.array(start, float), np.array(goal, float), n)
 
 
-INTERPOLATE_BODY = Exercise(
+EXERCISE = Exercise(
     name="interpolate_body",
     points=2,
     arguments=("start", "goal", "n"),

@@ -179,7 +179,7 @@ SIDEWAYS = ("vx and vy are swapped", "vx is ahead, along the body's x axis, and 
 DEGREES = ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.")
 NO_TURN = ("theta stays as it is", "A step has three parts: x, y and theta, which grows by omega * h.")
 
-PROPAGATE_BODY = Exercise(
+EXERCISE = Exercise(
     name="propagate_body",
     points=3,
     arguments=("start", "plan", "dt"),

@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.subproblems_damped_ik.solutions import (
+from course_lib.checks.vocabulary import unit
+from course_lib.checks.subproblems_damped_ik.shared import (
     all_of_them,
     angle_about,
     different,
@@ -17,7 +17,7 @@ from course_lib.checks.subproblems_damped_ik.solutions import (
     unless_empty,
     where_two,
 )
-from course_lib.checks.subproblems_damped_ik.turn_onto import X, Z
+from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Z
 from course_lib.subproblems import subproblem2
 
 _ANGLED = np.array([0.6, 0.0, 0.8])
@@ -179,7 +179,7 @@ _NEGATED = (
     "it stands on the other side.",
 )
 
-SUBPROBLEM2 = Exercise(
+EXERCISE = Exercise(
     name="subproblem2",
     points=3,
     arguments=("k1", "k2", "p1", "p2"),

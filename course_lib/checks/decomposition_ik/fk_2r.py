@@ -90,7 +90,7 @@ def _nothing(t1, t2):
 
 _FIRST, _BOTH = _link(lambda t1, t2: t1), _link(lambda t1, t2: t1 + t2)
 
-FK_2R = Exercise(
+EXERCISE = Exercise(
     name="fk_2r",
     points=1,
     arguments=("theta",),

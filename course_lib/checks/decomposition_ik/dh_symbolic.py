@@ -104,7 +104,7 @@ def _rounded(T, *case):
     return 1e-9 < np.abs(T - _right(*case)).max() < 0.006
 
 
-DH_SYMBOLIC = Exercise(
+EXERCISE = Exercise(
     name="dh_symbolic",
     points=1,
     arguments=("a", "alpha", "d", "theta"),

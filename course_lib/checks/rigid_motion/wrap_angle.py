@@ -48,7 +48,7 @@ _ROUGH = ("a rounded number stands for pi", "np.pi has all the digits.")
 _WHOLE = "A whole turn is 2 pi. After half a turn one faces the other way."
 _SIDE = "Backwards there are whole turns too: what becomes of -4, and of 4?"
 
-WRAP_ANGLE = Exercise(
+EXERCISE = Exercise(
     name="wrap_angle",
     points=1,
     arguments=("angle",),

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.euler_steps import drawn_case
+from course_lib.checks.rigid_motion.propagate_body import drawn_case
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
 from course_lib.planar import propagate_arm
@@ -73,7 +73,7 @@ def _assigned(start, plan, dt, time_of=lambda elapsed, h, duration: elapsed):
     return np.array(angles)
 
 
-PROPAGATE_ARM = Exercise(
+EXERCISE = Exercise(
     name="propagate_arm",
     points=1,
     arguments=("start", "plan", "dt"),

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.euler_steps import (
+from course_lib.checks.rigid_motion.propagate_body import (
     ADDED,
     BODY,
     DEGREES,
@@ -149,7 +149,7 @@ def _slow_cut(bound):
     return follow(move)
 
 
-PROPAGATE_BODY_EXACT = Exercise(
+EXERCISE = Exercise(
     name="propagate_body_exact",
     points=2,
     arguments=("start", "plan", "dt"),

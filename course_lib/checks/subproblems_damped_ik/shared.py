@@ -1,7 +1,5 @@
 """Answers that are lists of all solutions: none, one or two, each an angle or several. Whole turns do not matter."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
@@ -104,7 +102,7 @@ def where_two(count, misses, *mistakes):
 
         return speaks
 
-    return tuple(replace(mistake, seen=limited(mistake.seen)) for mistake in mistakes)
+    return tuple(Mistake(mistake.name, mistake.hint, seen=limited(mistake.seen)) for mistake in mistakes)
 
 
 def all_of_them(equation, one, misses, tell, count, none):

@@ -125,7 +125,7 @@ def _tell_number(angles, models, cell, xy):
     )
 
 
-PREDICT = Exercise(
+EXERCISE = Exercise(
     name="predict",
     points=2,
     arguments=("models", "cell", "xy"),

@@ -148,7 +148,7 @@ def _means(labels, theta):
     return f"The mean theta2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
 
 
-SPLIT_BRANCHES = Exercise(
+EXERCISE = Exercise(
     name="split_branches",
     points=2,
     arguments=("theta",),

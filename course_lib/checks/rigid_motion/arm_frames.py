@@ -117,7 +117,7 @@ _FROM_THE_LINK = (
     "It is measured from the first link: the second one is turned by theta1 + theta2.",
 )
 
-ARM_FRAMES = Exercise(
+EXERCISE = Exercise(
     name="arm_frames",
     points=2,
     arguments=("theta",),
