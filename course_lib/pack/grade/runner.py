@@ -126,26 +126,27 @@ def in_a_child(asked, answer, tell):
     os.close(here)
     os.close(told_there)
     os.set_blocking(told_here, False)
-    text, late, too_long = listen(there, told_here, asked, tell)
+    text, late, too_long = listen(child, there, told_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
         os.kill(child, signal.SIGKILL)
     os.close(there)
     os.close(told_here)
-    _, status = os.waitpid(child, 0)
+    _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
     if too_long:
         return {"ended": "its answer is too long to be read"}
-    return {"ended": "", "late": late, "status": os.waitstatus_to_exitcode(status)}
+    return {"ended": "", "late": late, "status": os.waitstatus_to_exitcode(status),
+            "computed": usage.ru_utime + usage.ru_stime}  # fmt: skip
 
 
-def listen(there, told_here, asked, tell):
+def listen(child, there, told_here, asked, tell):
     """Read lines from the child: calls, which begin with ?, and at last its reply. Return it, and why it is cut off."""
-    deadline, buffer, length = time.monotonic() + asked["seconds"], b"", 0
+    buffer, length = b"", 0
     while True:
-        ready, _, _ = select.select([there], [], [], max(deadline - time.monotonic(), 0))
+        ready = wait_for(child, there, asked)
         data = os.read(there, 1 << 20) if ready else b""
         buffer, length = buffer + data, length + len(data)
         while buffer.startswith(b"?") and b"\n" in buffer:
@@ -156,6 +157,26 @@ def listen(there, told_here, asked, tell):
                 return "", False, True
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
             return buffer.decode(errors="replace"), not ready, length > asked["reply"]
+
+
+def wait_for(child, pipe, asked):
+    """Wait until something comes out of the pipe; False if the child computes nothing for too long."""
+    begin = since = time.monotonic()
+    computed = None
+    while not select.select([pipe], [], [], 0.25)[0]:
+        now, before, computed = time.monotonic(), computed, computing_time(child)
+        since = since if computed == before else now
+        if now - since > asked["idle"] or now - begin > asked["seconds"]:
+            return False
+    return True
+
+
+def computing_time(process):
+    """The seconds of processor time of a process; None where the system has no such clock."""
+    try:
+        return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
+    except OSError:
+        return None
 
 
 def speak(pipe, told, asked, answer):
