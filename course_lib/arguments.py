@@ -2,6 +2,8 @@
 
 import numpy as np
 
+_MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
+
 
 def real_array(value, name, *shapes, copy=True, infinite=False):
     """Return `value` as a float64 array whose last axes have one of the given shapes.
@@ -21,6 +23,8 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
         raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
     if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
         raise ValueError(f"{_expected(name, shapes)}; its shape is {array.shape}")
+    if array.ndim > _MOST_AXES:
+        raise ValueError(f"{name} must have at most {_MOST_AXES} axes; it has {array.ndim}")
     if array.dtype != np.float64:
         with np.errstate(over="ignore"):  # a long double beyond float64 becomes inf, and is named below
             array = array.astype(np.float64)

@@ -119,7 +119,7 @@ def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
         ({"rows": [[0, 0, 0, 0]]}, "rows"),
         ({"rows": [DHRow(0, np.nan, 0)]}, "rows"),
         ({"rows": [DHRow(0, "pi", 0)]}, "rows"),
-        ({"rows": [DHRow(1e200, 0, 0)]}, "home"),
+        ({"rows": [DHRow(1e200, 0, 0)]}, "rows"),
         ({"convention": "craig"}, "convention"),
         ({"convention": np.zeros(2, [("x", float)])}, "convention"),
         ({"convention": None}, "convention"),
