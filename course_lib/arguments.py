@@ -53,7 +53,7 @@ def positive(value, name):
 
 
 def count(value, name="n", least=0):
-    """Return `value` as an int from `least` to a thousand million, beyond which no memory holds the answer."""
+    """Return `value` as an int from `least` to 10^9, beyond which no memory holds the answer."""
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
         raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
     return int(value)
@@ -63,7 +63,7 @@ def generator(value, name="rng"):
     """Return `value` if it is a numpy random Generator."""
     if not isinstance(value, np.random.Generator):
         raise ValueError(
-            f"{name} must be a numpy random Generator, as numpy.random.default_rng(seed) makes it; "
+            f"{name} must be a numpy random Generator, such as numpy.random.default_rng(seed); "
             f"it is of type {type(value).__name__}"
         )
     return value
@@ -83,7 +83,7 @@ def broadcast(**batches):
 
 
 def refuse_first(bad, name, reason):
-    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) says what is wrong there."""
+    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) gives the words."""
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")
