@@ -1,6 +1,6 @@
 """Measure what notebook 6 draws: memory, error and time of tables of local models, and of the closed form.
 
-The times are of this machine. All of it is for 50,000 samples, 50 x 50 cells and queries even in the joints' ranges.
+The times are of this machine. Everything is for 50,000 samples, 50 x 50 cells and queries uniform in the joint ranges.
 """
 
 import json
@@ -17,21 +17,21 @@ LOWEST, HIGHEST = np.deg2rad([0, -90]), np.deg2rad([170, 90])
 CELLS, QUERIES = 50, 200_000
 
 
-def ways(rng):
-    """Return {name: what fits it, giving its bytes and what answers queries}, and queries (m, 2)."""
+def methods(rng):
+    """Return {name: function that fits, returning its bytes and a function of queries}, and queries (m, 2)."""
     theta = rng.uniform(LOWEST, HIGHEST, (50_000, 2))
     xy = check.fk_2r.library(theta)
     queries = check.fk_2r.library(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2)))
     box = xy.min(0), xy.max(0)
     queries = queries[((queries >= box[0]) & (queries <= box[1])).all(-1)]
 
-    def number(places):
-        column, row = check.cell_index.library(places, *box, CELLS).T
+    def cell_number(xy):
+        column, row = check.cell_index.library(xy, *box, CELLS).T
         return column * CELLS + row
 
     def by_k_means():
-        models = check.fit_cells.library(xy, theta, number(xy), CELLS**2)
-        return models.nbytes, lambda places: check.predict.library(models, number(places), places)
+        models = check.fit_cells.library(xy, theta, cell_number(xy), CELLS**2)
+        return models.nbytes, lambda xy: check.predict.library(models, cell_number(xy), xy)
 
     def grid(forward):
         fitted = GridIK((CELLS, CELLS), forward).fit(xy, theta)
@@ -47,7 +47,7 @@ def ways(rng):
 
 def measured(rng):
     """Return {name: {"bytes", "mean_error" in metres, "seconds" a query}}."""
-    fits, queries = ways(rng)
+    fits, queries = methods(rng)
     return {name: _cost(*fit(), queries) for name, fit in fits.items()}
 
 
