@@ -2,6 +2,8 @@
 
 import contextlib
 import functools
+import json
+import linecache
 import signal
 import sys
 import threading
@@ -9,32 +11,24 @@ import warnings
 
 import numpy as np
 import pytest
+from toy_exercises import NEAREST_SO, right
 
 from course_lib import rotations
 from course_lib.checks import call_student, wire
-from course_lib.checks import rotations as check
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import describe
 from course_lib.checks.wire import Seed
-
-NEAREST_SO = check.nearest_so.exercise
-
-
-def right(M):
-    U, _, Vt = np.linalg.svd(M)
-    U[:, -1] *= np.linalg.det(U @ Vt)
-    return U @ Vt
-
 
 has_clock = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no clock of CPU time on this system")
 
 
 def put(function, *cases, forbidden=(), seconds=5):
-    """Put the cases to the function; return what ask.py replies, with the values read."""
+    """Put the cases to the function; return the answers, with the values read."""
     asked = {"cases": [list(case) for case in cases], "forbidden": list(forbidden), "seconds": seconds}
-    answers = wire.read(call_student.reply(function, wire.write(asked)))
+    asked |= {"through": "", "names": ["x", "y"]}
+    answers = json.loads(call_student.reply(function, wire.write(asked)))["answers"]
     assert len(answers) == len(cases)
-    return [answer | ({"value": wire.read(answer["value"])} if "value" in answer else {}) for answer in answers]
+    return [answer | ({"value": wire.from_json(answer["value"])} if "value" in answer else {}) for answer in answers]
 
 
 def the_error(function, *arguments, **options):
@@ -233,8 +227,7 @@ def test_a_forbidden_name_is_put_back_although_the_student_presses_stop():
         raise KeyboardInterrupt
 
     library = rotations.exp_so3
-    with pytest.raises(KeyboardInterrupt):
-        put(stopped, [np.zeros(3)], forbidden=FORBIDDEN)
+    assert the_error(stopped, np.zeros(3), forbidden=FORBIDDEN)["type"] == "KeyboardInterrupt"
     assert rotations.exp_so3 is library is exp_by_another_name
 
 
@@ -307,13 +300,94 @@ def test_what_cannot_be_called_is_an_error(function):
 
 
 @has_clock
-def test_an_endless_loop_in_words(monkeypatch):
-    monkeypatch.setattr("course_lib.checks.exercise.CPU_SECONDS", 1)
-
+def test_an_endless_loop_in_words():
     def endless(M):
         while True:
             pass
 
-    verdict = judge(NEAREST_SO, Here(endless))
+    verdict = judge(NEAREST_SO, Here(endless), seconds=1)
     assert verdict.state == ERROR
     assert "nearest_so(M) took more than 1 seconds of computing. Does a loop never end?" in describe(verdict)
+
+
+class Hostile(Exception):
+    def __str__(self):
+        raise ValueError("no text")
+
+
+class Own(BaseException):
+    pass
+
+
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (Hostile(), "raises Hostile: its text cannot be shown"),
+        (ValueError(), "raises ValueError\n"),
+        (Own("mine"), "raises Own: mine"),
+        (GeneratorExit(), "raises GeneratorExit\n"),
+        (SystemExit(3), "raises SystemExit: 3"),
+        (KeyboardInterrupt(), "nearest_so(M) was interrupted."),
+        (ValueError("x" * 10**6), "raises ValueError: xxx"),
+    ],
+    ids=repr,
+)
+def test_whatever_is_raised_is_one_calm_message(error, said):
+    def raises(M):
+        raise error
+
+    text = describe(judge(NEAREST_SO, Here(raises)))
+    assert said in text
+    assert len(text) < 1200
+
+
+def test_settings_of_numpy_are_put_back():
+    before = np.geterr(), np.get_printoptions()
+
+    def changes(M):
+        np.seterr(all="raise")
+        np.set_printoptions(precision=1)
+        return right(M)
+
+    assert judge(NEAREST_SO, Here(changes)).state == RIGHT
+    assert (np.geterr(), np.get_printoptions()) == before
+
+
+def test_pictures_of_the_function_are_closed():
+    import matplotlib.pyplot as plt
+
+    kept = plt.figure()
+
+    def plots(M):
+        plt.figure()
+        return right(M)
+
+    assert judge(NEAREST_SO, Here(plots)).state == RIGHT
+    assert plt.get_fignums() == [kept.number]
+    plt.close(kept)
+
+
+def test_a_matrix_of_numpy_s_old_kind_is_read_as_an_array():
+    assert judge(NEAREST_SO, Here(lambda M: np.matrix(right(M)))).state == RIGHT
+
+
+def test_numbers_of_sympy_are_explained():
+    import sympy
+
+    text = describe(judge(NEAREST_SO, Here(lambda M: sympy.Float(0.5))))
+    assert "Yours is a SymPy expression: float(...) makes a number of it." in text
+
+
+def test_a_huge_answer_is_refused_and_not_sent():
+    text = describe(judge(NEAREST_SO, Here(lambda M: np.zeros((3000, 3000)))))
+    assert "an array of shape (3000, 3000), which is too large to be an answer" in text
+
+
+def test_a_line_of_another_cell_is_said_to_be_there():
+    cells = {"one": "def helper(M):\n    return M.nothing\n", "two": "def nearest_so(M):\n    return helper(M)\n"}
+    space = {}
+    for name, source in cells.items():
+        exec(compile(source, f"<{name}>", "exec"), space)
+        linecache.cache[f"<{name}>"] = (len(source), None, source.splitlines(True), f"<{name}>")
+    text = describe(judge(NEAREST_SO, Here(space["nearest_so"])))
+    assert "Line 2 of the cell of helper, `return M.nothing`, raises AttributeError" in text

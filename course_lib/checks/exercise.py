@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -248,7 +248,7 @@ class Verdict:
     answer: object = None
     note: str = ""
     credit: int = 0
-    calls: tuple[str, ...] = field(default=(), compare=False)
+    calls: tuple[str, ...] = ()
     blames: str = ""
 
     @property
@@ -292,9 +292,7 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
     with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
-        verdict = exercise.verdict(cases, answers)
-    object.__setattr__(verdict, "calls", calls)
-    return verdict
+        return replace(exercise.verdict(cases, answers), calls=calls)
 
 
 def with_blame(verdict, others):

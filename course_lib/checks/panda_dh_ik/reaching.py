@@ -282,5 +282,10 @@ PANDA_IK = Exercise(
         "Around it a second loop: when 40 steps did not suffice, q = random.uniform(low, high), with "
         "random = np.random.default_rng(0). After 30 starts return np.full(7, np.nan).",
     ),
-    forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path", "course_lib.ik._search", "course_lib.ik._step"),
+    forbidden=(
+        "course_lib.ik.solve",
+        "course_lib.ik.damped_path",
+        "course_lib.ik._Search",
+        "course_lib.ik._damped_step",
+    ),
 )

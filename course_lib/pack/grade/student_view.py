@@ -46,43 +46,51 @@ def __getattr__(name):
 
 CHECKS = '''"""In the place of the checks: nothing is judged here."""
 
+import importlib
+
 
 class Quiet:
+    def __init__(self, library=""):
+        self.library = library
+
     def __call__(self, *arguments):
         pass
 
     def hint(self):
         pass
 
-    def choose(self, students, librarys):
-        return (students, "yours") if getattr(librarys, "taken_away", False) else (librarys, "the library's")
+    def predict(self, *choice):
+        pass
+
+    def use(self, students):
+        """The library's function where this process has it, so that a wrong answer spoils no other exercise."""
+        module, _, name = self.library.rpartition(".")
+        found = getattr(importlib.import_module(module), name) if module else students
+        return students if getattr(found, "taken_away", False) else found
 
 
-NAMES = {names!r}
-globals().update({{name: Quiet() for name in NAMES}})
-'''
-
-STAND_INS = '''"""In the place of what stands in for exercises: each raises."""
+LIBRARY = {library!r}
+globals().update({{name: Quiet(dotted) for name, dotted in LIBRARY.items()}})
 
 
 def __getattr__(name):
     if name.startswith("_"):
         raise AttributeError(name)
-
-    def taken(*arguments, **named):
-        from course_lib.checks.call_student import NotAllowed
-
-        raise NotAllowed(f"{__name__}.{name}")
-
-    taken.taken_away = True
-    return taken
+    return Quiet()
 '''
+
+
+def dotted_name(function):
+    """Return the name under which the library has a function; "" for one of the checks' own."""
+    module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
+    own = module.startswith("course_lib.checks") or not module.startswith("course_lib.") or "." in name
+    return "" if own or name.startswith("<") else f"{module}.{name}"
 
 
 def contents(checks, forbidden):
     """Return {path: bytes} for a sandbox.
 
-    checks: {name of a package of checks: names of its exercises}. forbidden: dotted names that are taken away.
+    checks: {name of a package of checks: its exercises}. forbidden: dotted names that are taken away.
     """
     own = Path(__file__).parent
     files = {name: (own / name).read_bytes() for name in SCRIPTS}
@@ -94,9 +102,9 @@ def contents(checks, forbidden):
         files[f"course_lib/{path.name}"] = without(path, dotted)
     for path in (PACKAGE / "figures").glob("*.py"):
         files[f"course_lib/figures/{path.name}"] = FIGURES.encode()
-    for package, names in checks.items():
-        files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(names=[*names, "progress"]).encode()
-        files[f"course_lib/checks/{package}/stand_ins.py"] = STAND_INS.encode()
+    for package, exercises in checks.items():
+        library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
+        files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(library=library).encode()
     return files
 
 
