@@ -93,7 +93,7 @@ def _poses(rng):
 
 def _quaternions(rng):
     q = rng.normal(size=4)
-    q = q / np.linalg.norm(q)
+    q /= np.linalg.norm(q)
     return [
         (np.array([1.0, 0, 0, 0]), TIGHT),
         (q, TIGHT),
