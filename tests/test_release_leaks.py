@@ -14,7 +14,6 @@ MAY = {
     ("matrix_to_quaternion", "course_lib/rotations.py"),
     ("is_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
     ("nearest_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
-    ("ik_step_transpose", "course_lib/checks/panda_dh_ik/downhill.py"),
 }
 
 

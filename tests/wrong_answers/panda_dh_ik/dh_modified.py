@@ -66,7 +66,7 @@ def wrong_standard_entry_by_entry(a, alpha, d, theta):
 
 
 def wrong_turns_in_the_other_order(a, alpha, d, theta):
-    """Rot_z(theta) stands before Rot_x(alpha)"""
+    """Rot_z(theta) is left of Rot_x(alpha)"""
     return rigid.transform(rot_z(theta) @ rot_x(alpha), [a, -d * np.sin(alpha), d * np.cos(alpha)])
 
 
@@ -97,18 +97,18 @@ def wrong_minus_lost(a, alpha, d, theta):
 
 
 def wrong_sign_of_one_sine(a, alpha, d, theta):
-    """one entry has its sign wrong"""
+    """one entry has the wrong sign"""
     ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
     return np.array([[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, -sa * c, ca, ca * d], [0, 0, 0, 1]])
 
 
 def wrong_alpha_the_other_way(a, alpha, d, theta):
-    """the turn by alpha goes the other way round"""
+    """alpha has the wrong sign"""
     return _x(a, -alpha) @ _z(d, theta)
 
 
 def wrong_theta_the_other_way(a, alpha, d, theta):
-    """the turn by theta goes the other way round"""
+    """theta has the wrong sign"""
     c, s = np.cos(theta), np.sin(theta)
     return _x(a, alpha) @ np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
 
@@ -137,12 +137,12 @@ def wrong_place_filled_in(a, alpha, d, theta):
 
 
 def wrong_a_behind_theta(a, alpha, d, theta):
-    """a is turned by theta"""
+    """a is rotated by theta"""
     return _x(0, alpha) @ _z(d, theta) @ _x(a, 0)
 
 
 def wrong_sum(a, alpha, d, theta):
-    """the matrices are added up"""
+    """the matrices are added"""
     return _x(a, alpha) + _z(d, theta)
 
 
@@ -164,17 +164,17 @@ def wrong_last_row_of_zeros(a, alpha, d, theta):
 
 
 def wrong_rotation_only(a, alpha, d, theta):
-    """the rotation alone is returned"""
+    """only the rotation is returned"""
     return rot_x(alpha) @ rot_z(theta)
 
 
 def wrong_about_y(a, alpha, d, theta):
-    """alpha turns about y"""
+    """alpha rotates about y"""
     return rigid.transform(rot_y(alpha), [a, 0, 0]) @ _z(d, theta)
 
 
 def wrong_sines_and_cosines(a, alpha, d, theta):
-    """sine and cosine are swapped"""
+    """unnamed"""
     sa, ca, s, c = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
     return [[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]]
 

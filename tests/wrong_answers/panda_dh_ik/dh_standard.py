@@ -64,7 +64,7 @@ def wrong_modified_entry_by_entry(a, alpha, d, theta):
 
 
 def wrong_turns_in_the_other_order(a, alpha, d, theta):
-    """Rot_x(alpha) stands before Rot_z(theta)"""
+    """Rot_x(alpha) is left of Rot_z(theta)"""
     return rigid.transform(rot_x(alpha) @ rot_z(theta), [a * np.cos(theta), a * np.sin(theta), d])
 
 
@@ -89,24 +89,24 @@ def wrong_order_theta_first(theta, d, a, alpha):
 
 
 def wrong_minus_lost(a, alpha, d, theta):
-    """one entry has its sign wrong"""
+    """one entry has the wrong sign"""
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
 
 def wrong_place_on_the_other_side(a, alpha, d, theta):
-    """a sine of the place has its sign turned"""
+    """the components of a along the new x are mixed up"""
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, -a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
 
 def wrong_alpha_the_other_way(a, alpha, d, theta):
-    """the turn by alpha goes the other way round"""
+    """alpha has the wrong sign"""
     return _z(d, theta) @ _x(a, -alpha)
 
 
 def wrong_theta_the_other_way(a, alpha, d, theta):
-    """the turn by theta goes the other way round"""
+    """theta has the wrong sign"""
     return _z(d, -theta) @ _x(a, alpha)
 
 
@@ -126,17 +126,17 @@ def wrong_inverse(a, alpha, d, theta):
 
 
 def wrong_place_filled_in(a, alpha, d, theta):
-    """a is not turned by theta"""
+    """a is not rotated by theta"""
     return rigid.transform(rot_z(theta) @ rot_x(alpha), [a, 0, d])
 
 
 def wrong_place_behind_the_turn(a, alpha, d, theta):
-    """d is turned by alpha"""
+    """d is rotated by alpha"""
     return rigid.transform(rot_z(theta) @ rot_x(alpha), np.zeros(3)) @ rigid.transform(np.eye(3), [a, 0, d])
 
 
 def wrong_sum(a, alpha, d, theta):
-    """the matrices are added up"""
+    """the matrices are added"""
     return _z(d, theta) + _x(a, alpha)
 
 
@@ -162,7 +162,7 @@ def wrong_steps_apart(a, alpha, d, theta):
 
 
 def wrong_about_y(a, alpha, d, theta):
-    """alpha turns about y"""
+    """alpha rotates about y"""
     return _z(d, theta) @ rigid.transform(rot_y(alpha), [a, 0, 0])
 
 

@@ -77,13 +77,13 @@ def wrong_omega_above(frames):
 
 
 def wrong_from_the_flange_to_the_axis(frames):
-    """the cross product has its sign turned"""
+    """the cross product has the wrong sign"""
     z, o, p = _parts(frames)
     return _joined(np.cross(z, o - p), z)
 
 
 def wrong_factors_swapped(frames):
-    """the cross product has its sign turned"""
+    """the cross product has the wrong sign"""
     z, o, p = _parts(frames)
     return _joined(np.cross(p - o, z), z)
 
@@ -155,7 +155,7 @@ def wrong_frame_behind(frames):
 
 
 def wrong_frame_n_for_the_flange(frames):
-    """the place of frame n is taken for the flange's"""
+    """the origin of frame n is taken for the flange's"""
     z, o, p = _parts(frames)
     return _joined(np.cross(z, frames[-2, :3, 3] - o), z)
 
@@ -174,7 +174,7 @@ def wrong_axes_of_the_flange(frames):
 
 
 def wrong_body_jacobian_omega_first(frames):
-    """along the flange's own axes"""
+    """unnamed"""
     z, o, p = _parts(frames)
     return adjoint(inverse(frames[-1])) @ _joined(z, np.cross(o, z))
 
@@ -220,7 +220,7 @@ def wrong_position_half_only(frames):
 
 
 def wrong_halves_in_a_pair(frames):
-    """do not stand in one column"""
+    """v and omega are not in one column"""
     z, o, p = _parts(frames)
     return np.cross(z, p - o).T, z.T
 

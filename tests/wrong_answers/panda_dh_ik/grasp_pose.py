@@ -64,12 +64,12 @@ def wrong_order(template, scene, T_grasp):
 
 
 def wrong_scene_to_template(template, scene, T_grasp):
-    """the scene is laid on the template"""
+    """the scene is registered to the template, not the template to the scene"""
     return register_points(scene, template, np.ones(len(template))) @ T_grasp
 
 
 def wrong_scene_to_template_from_the_right(template, scene, T_grasp):
-    """the scene is laid on the template"""
+    """the scene is registered to the template, not the template to the scene"""
     return T_grasp @ register_points(scene, template)
 
 
@@ -84,38 +84,38 @@ def wrong_grasp_alone(template, scene, T_grasp):
 
 
 def wrong_rotation_kept(template, scene, T_grasp):
-    """the gripper is moved with the mug, but not turned"""
+    """the gripper is moved with the mug, but not rotated"""
     X = T_grasp.copy()
     X[:3, 3] = (register_points(template, scene) @ T_grasp[:, 3])[:3]
     return X
 
 
 def wrong_place_added(template, scene, T_grasp):
-    """its place is only added"""
+    """the gripper is rotated, but its position is only added to the mug's"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R @ R_g, p + p_g)
 
 
 def wrong_place_of_the_mug(template, scene, T_grasp):
-    """sits at the mug's origin"""
+    """the gripper's orientation is right, and its position that of the mug or of T_grasp"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R @ R_g, p)
 
 
 def wrong_place_of_the_grasp(template, scene, T_grasp):
-    """its place stays that of T_grasp"""
+    """the gripper's orientation is right, and its position that of the mug or of T_grasp"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R @ R_g, p_g)
 
 
 def wrong_not_shifted(template, scene, T_grasp):
-    """turned but not shifted"""
+    """the gripper's orientation is right, and its position that of the mug or of T_grasp"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R @ R_g, R @ p_g)
 
 
 def wrong_turn_of_the_grasp_lost(template, scene, T_grasp):
-    """its own in T_grasp is lost"""
+    """the gripper has the mug's orientation: that of T_grasp is lost"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R, R @ p_g + p)
 
@@ -127,29 +127,23 @@ def wrong_turns_swapped(template, scene, T_grasp):
 
 
 def wrong_middles_only(template, scene, T_grasp):
-    """its turn is left out"""
+    """the mug is only translated, and its rotation is left out"""
     X = T_grasp.copy()
     X[:3, 3] += scene.mean(axis=0) - template.mean(axis=0)
     return X
 
 
 def wrong_first_point_only(template, scene, T_grasp):
-    """its turn is left out"""
+    """the mug is only translated, and its rotation is left out"""
     X = np.array(T_grasp)
     X[:3, 3] = X[:3, 3] + (scene - template)[0]
     return X
 
 
 def wrong_middle_for_the_place(template, scene, T_grasp):
-    """the middle of the scene's points"""
+    """the mug is only translated, and its rotation is left out"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R, scene.mean(0)) @ T_grasp
-
-
-def wrong_difference_of_the_middles(template, scene, T_grasp):
-    """the difference of the middles"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R, scene.mean(0) - template.mean(0)) @ T_grasp
 
 
 def wrong_grasp_inverted(template, scene, T_grasp):
@@ -167,31 +161,11 @@ def wrong_entry_by_entry(template, scene, T_grasp):
     return register_points(template, scene) * T_grasp
 
 
-def wrong_reflections_stay(template, scene, T_grasp):
-    """the mug's pose is a reflection"""
-    c, d = template.mean(0), scene.mean(0)
-    U, _, Vt = np.linalg.svd((scene - d).T @ (template - c))
-    return _pose(U @ Vt, d - U @ Vt @ c) @ T_grasp
-
-
-def wrong_not_centred(template, scene, T_grasp):
-    """the middles are not taken off"""
-    R = nearest_so(scene.T @ template)
-    return _pose(R, scene.mean(0) - R @ template.mean(0)) @ T_grasp
-
-
 def wrong_rotation_transposed(template, scene, T_grasp):
     """the mug's rotation is transposed"""
     c, d = template.mean(0), scene.mean(0)
     R = nearest_so((template - c).T @ (scene - d))
     return _pose(R, d - R @ c) @ T_grasp
-
-
-def wrong_linear_map(template, scene, T_grasp):
-    """any linear map is allowed"""
-    ones = np.ones((len(template), 1))
-    A = np.linalg.lstsq(np.hstack([template, ones]), np.hstack([scene, ones]), rcond=None)[0].T
-    return A @ T_grasp
 
 
 def wrong_place_alone(template, scene, T_grasp):

@@ -54,12 +54,12 @@ def right_diagonal_filled_in(q, J, e, eps):
 
 
 def wrong_minus(q, J, e, eps):
-    """the step goes the other way"""
+    """the step has the wrong sign"""
     return q - J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
 
 
 def wrong_minus_in_the_other_form(q, J, e, eps):
-    """the step goes the other way"""
+    """the step has the wrong sign"""
     return q - np.linalg.inv(J.T @ J + eps * np.eye(len(q))) @ J.T @ e
 
 
@@ -158,12 +158,12 @@ def wrong_step_never_added(q, J, e, eps):
 
 
 def wrong_transpose_step(q, J, e, eps):
-    """the transpose's step"""
+    """this is a step along J^T e: no equations are solved"""
     return q + eps * J.T @ e
 
 
 def wrong_multiplied_by_the_matrix(q, J, e, eps):
-    """multiplied by, not divided by"""
+    """e is multiplied by the matrix, not by its inverse"""
     return q + J.T @ (J @ J.T + eps * np.eye(len(e))) @ e
 
 
@@ -209,7 +209,7 @@ def wrong_sugiharas_damping(q, J, e, eps):
 
 
 def wrong_unit_error(q, J, e, eps):
-    """the error is divided by its length"""
+    """e is divided by its length"""
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e / max(np.linalg.norm(e), 1e-300))
 
 

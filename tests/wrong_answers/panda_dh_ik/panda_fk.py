@@ -106,12 +106,12 @@ def wrong_base_left_out(q):
 
 
 def wrong_base_on_the_right(q):
-    """the base stands on the right"""
+    """the base is the right factor"""
     return _chain(q, base=np.eye(4)) @ BASE
 
 
 def wrong_base_for_the_flange_only(q):
-    """the base is added to some of the poses only"""
+    """the base is the left factor of some poses only"""
     T = _chain(q, base=np.eye(4))
     T[-1] = BASE @ T[-1]
     return T
@@ -123,12 +123,12 @@ def wrong_base_with_every_step(q):
 
 
 def wrong_base_inverted(q):
-    """the base is taken off"""
+    """the inverse of the base's pose is taken"""
     return _chain(q, base=np.linalg.inv(BASE))
 
 
 def wrong_base_without_its_sign(q):
-    """the base is off in one coordinate"""
+    """the base has a wrong coordinate"""
     return _chain(q, base=rigid.transform(np.eye(3), [0.2, 0.13, 0.6]))
 
 
@@ -228,7 +228,7 @@ def wrong_one_matrix_in_the_list(q):
 
 
 def wrong_joints_4_and_6(q):
-    """joints 4 and 6 are counted the other way"""
+    """joints 4 and 6 rotate the other way, as in the report's table"""
     return _chain(np.array([1, 1, 1, -1, 1, -1, 1]) * q)
 
 
@@ -238,7 +238,7 @@ def wrong_signs_of_a(q):
 
 
 def wrong_sign_of_alpha_5(q):
-    """alpha has a sign wrong"""
+    """alpha has the wrong sign in some row"""
     table = TABLE.copy()
     table[4, 1] *= -1
     return _chain(q, table)
@@ -257,12 +257,12 @@ def wrong_columns_mixed_up(q):
 
 
 def wrong_turn_of_the_hand(q):
-    """turned by pi/4"""
+    """the last frame or the flange is rotated by pi/4, as the gripper is"""
     return _chain(q + np.array([0, 0, 0, 0, 0, 0, -np.pi / 4]))
 
 
 def wrong_turn_of_the_hand_in_the_flange(q):
-    """turned by pi/4"""
+    """the last frame or the flange is rotated by pi/4, as the gripper is"""
     return _chain(q, flange=_z(0.107, -np.pi / 4))
 
 
@@ -272,7 +272,7 @@ def wrong_flange_only(q):
 
 
 def wrong_places_only(q):
-    """only the places are returned"""
+    """only the positions are returned"""
     return _chain(q)[:, :3, 3]
 
 
@@ -282,12 +282,12 @@ def wrong_base_too(q):
 
 
 def wrong_base_for_the_flange(q):
-    """the base is put in front and the flange left out"""
+    """the base is the first pose and the flange is left out"""
     return [BASE, *_chain(q)[:7]]
 
 
 def wrong_joined_into_one_tall_matrix(q):
-    """one tall matrix"""
+    """the poses are joined into one large matrix"""
     return np.vstack(list(_chain(q)))
 
 
@@ -316,7 +316,7 @@ def wrong_entry_by_entry(q):
 
 
 def wrong_inverses(q):
-    """the inverses are returned"""
+    """the inverse is returned"""
     return np.linalg.inv(_chain(q))
 
 
@@ -374,7 +374,7 @@ def wrong_both_misprints_of_the_report(q):
 
 
 def wrong_joint_4_alone(q):
-    """some joint is counted the other way"""
+    """some joint rotates the other way"""
     return _chain(q * [1, 1, 1, -1, 1, 1, 1])
 
 

@@ -82,37 +82,37 @@ def _vee(M):
 
 
 def wrong_sign(T, T_target):
-    """the error has its sign turned"""
+    """the error has the wrong sign: current minus target"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([p - p_target, rotations.log_so3(R @ R_target.T)])
 
 
 def wrong_sign_of_the_rotation(T, T_target):
-    """phi has its sign turned"""
+    """phi has the wrong sign: the logarithm of R R_target^T"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([p_target - p, rotations.log_so3(R @ R_target.T)])
 
 
 def wrong_sign_of_the_place(T, T_target):
-    """the difference of the places has its sign turned"""
+    """the position error has the wrong sign: p - p_target"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([p - p_target, rotations.log_so3(R_target @ R.T)])
 
 
 def wrong_axes_of_the_hand(T, T_target):
-    """phi is seen from the hand"""
+    """phi is seen from the end-effector: the logarithm of R^T R_target"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([p_target - p, rotations.log_so3(R.T @ R_target)])
 
 
 def wrong_axes_of_the_hand_and_sign(T, T_target):
-    """phi is seen from the hand"""
+    """phi is seen from the end-effector: the logarithm of R^T R_target"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([p_target - p, rotations.log_so3(R_target.T @ R)])
 
 
 def wrong_all_from_the_hand(T, T_target):
-    """the whole error is seen from the hand"""
+    """the whole error is seen from the end-effector"""
     X = rigid.inverse(T) @ T_target
     return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
 
@@ -123,12 +123,12 @@ def wrong_body_twist(T, T_target):
 
 
 def wrong_body_twist_in_order(T, T_target):
-    """the whole error is seen from the hand"""
+    """the whole error is seen from the end-effector"""
     return np.roll(rigid.log_se3(rigid.inverse(T) @ T_target), 3)
 
 
 def wrong_place_in_the_hand(T, T_target):
-    """the difference of the places is turned into the hand's axes"""
+    """the difference of the positions is rotated into the end-effector's axes"""
     R, p, R_target, p_target = _parts(T, T_target)
     return np.concatenate([R.T @ (p_target - p), rotations.log_so3(R_target @ R.T)])
 
@@ -199,7 +199,7 @@ def wrong_rotation_vectors_subtracted(T, T_target):
 
 
 def wrong_seven_numbers(T, T_target):
-    """the difference of places and quaternions"""
+    """the difference of positions and quaternions is returned"""
     R, p, R_target, p_target = _parts(T, T_target)
     difference = rotations.matrix_to_quaternion(R_target) - rotations.matrix_to_quaternion(R)
     return np.concatenate([p_target - p, difference])
@@ -231,7 +231,7 @@ def wrong_sum_of_cross_products(T, T_target):
 
 
 def wrong_arccos_and_unit_axis(T, T_target):
-    """small turns"""
+    """small rotations"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     angle = np.arccos(np.clip((np.trace(X) - 1) / 2, -1, 1))
@@ -242,7 +242,7 @@ def wrong_arccos_and_unit_axis(T, T_target):
 
 
 def wrong_zero_below_the_arccos(T, T_target):
-    """small turns are cut off"""
+    """small rotations are cut off to zero"""
     R, p, R_target, p_target = _parts(T, T_target)
     angle = np.arccos(np.clip((np.trace(R_target @ R.T) - 1) / 2, -1, 1))
     phi = np.zeros(3) if angle < 1e-6 else rotations.log_so3(R_target @ R.T)
@@ -250,7 +250,7 @@ def wrong_zero_below_the_arccos(T, T_target):
 
 
 def wrong_allclose(T, T_target):
-    """small turns are cut off"""
+    """small rotations are cut off to zero"""
     R, p, R_target, p_target = _parts(T, T_target)
     if np.allclose(R, R_target):
         return np.concatenate([p_target - p, np.zeros(3)])
@@ -266,7 +266,7 @@ def wrong_zero_divided_by_zero(T, T_target):
 
 
 def wrong_half_turn_taken_for_none(T, T_target):
-    """half a turn is taken for none"""
+    """pi is taken for a rotation of 0, or its axis is wrong"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     angle = np.arccos(np.clip((np.trace(X) - 1) / 2, -1, 1))
@@ -344,7 +344,7 @@ def wrong_lengths(T, T_target):
 
 
 def wrong_matrix_logarithm(T, T_target):
-    """half a turn is taken for none, or its axis is wrong"""
+    """pi is taken for a rotation of 0, or its axis is wrong"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     if np.trace(X) > -0.999999:

@@ -99,13 +99,13 @@ def _finished(R, src, dst, weights):
 
 
 def wrong_reflections_stay(src, dst, weights):
-    """a reflection where its determinant is -1"""
+    """U V^T is returned as it is, a reflection if its determinant is -1"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     return _finished(Vt.T @ U.T, src, dst, weights)
 
 
 def wrong_as_in_the_report(src, dst, weights):
-    """a column or row of the finished R is negated, as in the report"""
+    """a column or row of the finished R is negated"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     R = Vt.T @ U.T
     if np.linalg.det(R) < 0:
@@ -155,7 +155,7 @@ def wrong_column_of_Vt_negated(src, dst, weights):
 
 
 def wrong_sign_always(src, dst, weights):
-    """the sign is turned always"""
+    """the sign is always changed"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     Vt[2] *= -1
     return _finished(Vt.T @ U.T, src, dst, weights)
@@ -179,19 +179,19 @@ def wrong_sign_by_the_products_determinant_with_a_tolerance(src, dst, weights):
 
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):
-    """the determinant of the sum of the b_i a_i^T is asked for the sign"""
+    """the sign is taken from the determinant of the sum of the b_i a_i^T"""
     H = _product(src, dst, weights)
     U, _, Vt = np.linalg.svd(H)
     return _finished(Vt.T @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ U.T, src, dst, weights)
 
 
 def wrong_transposed_the_wrong_way(src, dst, weights):
-    """R^T stands where R belongs"""
+    """R^T stands for R: the sum of the b_i a_i^T is transposed"""
     return _finished(nearest_so(_product(src, dst, weights)), src, dst, weights)
 
 
 def wrong_block_transposed_at_the_end(src, dst, weights):
-    """R^T stands where R belongs"""
+    """R^T stands for R: the sum of the b_i a_i^T is transposed"""
     T = _finished(_rotation(src, dst, weights), src, dst, weights)
     T[:3, :3] = T[:3, :3].T.copy()
     return T
@@ -232,14 +232,14 @@ def wrong_weights_ignored(src, dst, weights):
 
 
 def wrong_plain_middles(src, dst, weights):
-    """the middles are taken without the weights"""
+    """the centroids are taken without the weights"""
     c, d = src.mean(0), dst.mean(0)
     R = nearest_so((dst - d).T @ np.diag(weights) @ (src - c))
     return _pose(R, d - R @ c)
 
 
 def wrong_plain_middles_in_p_only(src, dst, weights):
-    """the middles are taken without the weights"""
+    """the centroids are taken without the weights"""
     R = _rotation(src, dst, weights)
     return _pose(R, np.mean(dst, axis=0) - R @ np.mean(src, axis=0))
 
@@ -280,20 +280,20 @@ def wrong_divided_by_the_count(src, dst, weights):
 
 
 def wrong_weighed_before_centring(src, dst, weights):
-    """the weights multiply the points before the middle is taken off"""
+    """the weights multiply the points before the centroid is subtracted"""
     a, b = weights[:, None] * src, weights[:, None] * dst
     R = nearest_so((b - b.mean(0)).T @ (a - a.mean(0)))
     return _finished(R, src, dst, weights)
 
 
 def wrong_not_centred(src, dst, weights):
-    """the middles are not taken off"""
+    """the centroids are not subtracted before R is computed"""
     R = nearest_so(dst.T @ (weights[:, None] * src))
     return _finished(R, src, dst, weights)
 
 
 def wrong_one_number_for_the_middle(src, dst, weights):
-    """axis=0 is missing"""
+    """one number stands for the centroid"""
     c, d = np.mean(src) * np.ones(3), np.mean(dst) * np.ones(3)
     R = nearest_so((dst - d).T @ (weights[:, None] * (src - c)))
     return _pose(R, d - R @ c)
@@ -305,13 +305,13 @@ def wrong_dst_to_src(src, dst, weights):
 
 
 def wrong_difference_of_the_middles(src, dst, weights):
-    """p is the difference of the middles"""
+    """p is the difference of the centroids, without R"""
     c, d = _middles(src, dst, weights)
     return _pose(_rotation(src, dst, weights), d - c)
 
 
 def wrong_sign_of_p(src, dst, weights):
-    """p has its sign turned"""
+    """p has the wrong sign"""
     c, d = _middles(src, dst, weights)
     R = _rotation(src, dst, weights)
     return _pose(R, R @ c - d)
@@ -339,13 +339,13 @@ def wrong_R_of_the_difference(src, dst, weights):
 
 
 def wrong_middle_of_dst(src, dst, weights):
-    """p is the middle of dst alone"""
+    """p is the centroid of dst alone"""
     c, d = _middles(src, dst, weights)
     return _pose(_rotation(src, dst, weights), d)
 
 
 def wrong_only_shifted(src, dst, weights):
-    """the turn is left out"""
+    """the rotation is left out"""
     c, d = _middles(src, dst, weights)
     return _pose(np.eye(3), d - c)
 
