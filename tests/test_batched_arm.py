@@ -31,7 +31,7 @@ def postures(arm, *batch):
 def test_many_are_what_each_is_alone(name, method):
     of = getattr(ALL[name], method)
     q = postures(ALL[name], 400)
-    assert len(q) > arms._FEW
+    assert len(q) > arms._SMALL_BATCH
     alone = np.array([of(one) for one in q])
     assert_allclose(of(q), alone, rtol=0, atol=1e-14)
     assert_allclose(of(np.zeros_like(q)), np.broadcast_to(of(0 * q[0]), alone.shape), rtol=0, atol=1e-14)
@@ -39,7 +39,7 @@ def test_many_are_what_each_is_alone(name, method):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize(
-    "batch", [(0,), (1,), (0, 7), (3, 1, 2), (arms._FEW,), (arms._FEW + 1,), (20, 1, 5), (CHUNK + 1,)]
+    "batch", [(0,), (1,), (0, 7), (3, 1, 2), (arms._SMALL_BATCH,), (arms._SMALL_BATCH + 1,), (20, 1, 5), (CHUNK + 1,)]
 )
 def test_batches_of_any_shape(batch, method):
     q = postures(SKEW, *batch)
@@ -59,13 +59,13 @@ def test_batches_of_any_shape(batch, method):
 def test_arms_of_any_size(scale):
     """What is left out as rounding is small beside the arm, not beside a metre."""
     small = SerialArm.from_screws(SKEW.screw_axes[:, :3], RNG.normal(size=(6, 3)) * scale, np.eye(4))
-    q = postures(small, 2 * arms._FEW)
+    q = postures(small, 2 * arms._SMALL_BATCH)
     assert_allclose(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], rtol=0, atol=2e-14)
 
 
 def test_a_small_length_beside_long_ones_counts():
     arm = planar_arm([1, 1e-9, 1])
-    q = postures(arm, 2 * arms._FEW)
+    q = postures(arm, 2 * arms._SMALL_BATCH)
     sums = np.cumsum(q, -1)
     expected = (np.exp(1j * sums) * [1, 1e-9, 1]).sum(-1)
     assert_allclose(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, rtol=0, atol=1e-15)

@@ -3,7 +3,6 @@
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points, processes, sources
 
-from course_lib.checks.call_student import NotAllowed
 from course_lib.pack.grade import sandbox
 from course_lib.pack.grade.cells import needed, statements
 from course_lib.pack.grade.notebook_file import courses

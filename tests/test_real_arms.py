@@ -121,6 +121,8 @@ def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
         ({"rows": [DHRow(0, "pi", 0)]}, "rows"),
         ({"rows": [DHRow(1e200, 0, 0)]}, "home"),
         ({"convention": "craig"}, "convention"),
+        ({"convention": np.zeros(2, [("x", float)])}, "convention"),
+        ({"convention": None}, "convention"),
         ({"end": np.zeros((4, 4))}, "end"),
         ({"end": np.eye(3)}, "end"),
         ({"limits": [[1, -1]] * 7}, "limits"),

@@ -123,6 +123,16 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
                     client.execute_cell(cell, index)
                 except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
                     raise NotebookFailed(f"{describe(number, cell)} {reason(error)}") from error
+                leave_number_out(cell)
+
+
+def leave_number_out(cell: nbformat.NotebookNode) -> None:
+    """Say that a cell was run, but not as which: a cell more would change the numbers of all that follow."""
+    if cell.execution_count is not None:
+        cell.execution_count = 1
+    for output in cell.outputs:
+        if "execution_count" in output:
+            output.execution_count = 1
 
 
 def describe(number: int, cell: nbformat.NotebookNode) -> str:

@@ -57,11 +57,7 @@ def near(rows, others, turning, tolerance=1e-6):
 def like(turning, words, *answers):
     """One mistake, name and hint in `words`, that may be made in more than one way: each an answer, as for Mistake."""
     name, hint = words
-
-    def seen(answer):
-        return lambda rows, *case: near(rows, answer(*case), turning)
-
-    return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
+    return (Mistake(name, hint, *answers, alike=lambda rows, predicted, *case: near(rows, predicted, turning)),)
 
 
 def _ends(plan, dt):

@@ -2,11 +2,12 @@
 
     {"apart": bool,       whether to take namespaces of its own: processes, mounts, network, messages, host name
      "root": path,        an empty folder where the sandbox's view of the file system is built (with apart)
-     "shown": [paths],    what of the system is shown there, read-only
+     "visible": [[path, bool]],  what of the system is shown there, read-only, or covered; outer folders first
      "course": path,      shown as /course, read-only
      "scratch": path,     the one folder that can be written; emptied by whoever started this where not apart
      "uid": number,       the user to become, 0 to stay
      "limits": {...},     memory, file, files, processes, scratch, everything: see sandbox.py
+     "filter": text,      a filter of system calls, in hexadecimal digits: see seccomp.py
      "command": [...]}
 
 What is told on stderr is for the grader: why the sandbox could not be entered, or why it was ended.
@@ -32,7 +33,8 @@ NEW_MOUNTS, NEW_NAME, NEW_MESSAGES, NEW_USER, NEW_PROCESSES, NEW_NETWORK = (
 )
 READ_ONLY, NO_SETUID, NO_DEVICES, NO_PROGRAMS, REMOUNT, BIND, RECURSIVE, PRIVATE = 1, 2, 4, 8, 32, 4096, 16384, 1 << 18
 DETACH = 2
-DIE_WITH_PARENT, NOT_DUMPABLE, DROP_BOUND, NO_NEW_PRIVILEGES, SUBREAPER = 1, 4, 24, 38, 36
+DIE_WITH_PARENT, NOT_DUMPABLE, SET_SECCOMP, DROP_BOUND, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 22, 24, 36, 38
+SECCOMP_FILTER = 2
 DEVICES = ("null", "zero", "full", "random", "urandom")
 ENDED = 111  # exit code where the sandbox was ended from here
 
@@ -129,8 +131,15 @@ def build(wanted):
     for folder, size in ((wanted["scratch"], room), ("/tmp", room // 4)):
         os.makedirs(root + folder)
         mount("scratch", root + folder, "tmpfs", NO_SETUID | NO_DEVICES, f"size={size},mode=777")
-    for path in wanted["shown"]:
-        show(path, root + path)
+    covered = []
+    for path, is_shown in wanted["visible"]:
+        if is_shown:
+            show(path, root + path)
+        else:
+            mount("hidden", root + path, "tmpfs", NO_SETUID | NO_DEVICES | NO_PROGRAMS, "size=64k,mode=755")
+            covered.append(root + path)
+    for path in covered:  # only now: what is shown inside needed folders there
+        mount(None, path, None, REMOUNT | BIND | READ_ONLY | NO_SETUID | NO_DEVICES | NO_PROGRAMS)
     show(wanted["course"], root + "/course")
     for device in DEVICES:
         touch(f"{root}/dev/{device}")
@@ -182,6 +191,7 @@ def take_away(wanted):
         ("RLIMIT_NOFILE", limits["files"]),
         ("RLIMIT_NPROC", limits["processes"] if limits["count_processes"] else resource.RLIM_INFINITY),
         ("RLIMIT_CORE", 0),
+        ("RLIMIT_CPU", resource.RLIM_INFINITY),  # the grader's own bound is for itself
     ):
         with contextlib.suppress(ValueError, OSError):  # macOS refuses some
             resource.setrlimit(getattr(resource, kind), (most, most))
@@ -192,6 +202,18 @@ def take_away(wanted):
     if sys.platform == "linux":
         control(NO_NEW_PRIVILEGES, 1)
         die_with_parent()
+        filter_calls(bytes.fromhex(wanted["filter"]))
+
+
+def filter_calls(code):
+    """Let the kernel refuse some system calls of this process and of all that it starts. code: see seccomp.py."""
+    if not code:
+        return
+
+    class Program(ctypes.Structure):
+        _fields_ = (("length", ctypes.c_ushort), ("filter", ctypes.c_char_p))
+
+    call("prctl", SET_SECCOMP, SECCOMP_FILTER, ctypes.byref(Program(len(code) // 8, code)), 0, 0)
 
 
 def watch(child, limits, every):
@@ -226,26 +248,38 @@ def reaped(child):
             return os.waitstatus_to_exitcode(status) & 0xFF
 
 
-def below():
-    """The processes that this one started, and those that they did: {pid: pages of memory}."""
-    parents, pages = {}, {}
+def below(root=None):
+    """Return {pid: Usage} of the processes that a process started (this one if none is named), and that those did."""
+    root, parents, found = root or os.getpid(), {}, {}
     with contextlib.suppress(OSError):
         for name in filter(str.isdigit, os.listdir("/proc")):
             with contextlib.suppress(OSError, IndexError, ValueError), open(f"/proc/{name}/stat") as file:
                 fields = file.read().rpartition(")")[2].split()
-                parents[int(name)], pages[int(name)] = int(fields[1]), int(fields[21])
-    found, grown = {os.getpid()}, True
-    while grown:
-        more = {pid for pid, parent in parents.items() if parent in found} - found
-        found, grown = found | more, bool(more)
-    return {pid: pages[pid] for pid in found - {os.getpid()}}
+                parents.setdefault(int(fields[1]), []).append(int(name))
+                found[int(name)] = [int(fields[21]), int(fields[11]) + int(fields[12]), int(fields[13]) + int(fields[14])]
+    usages, level, depth = {}, parents.get(root, []), 1
+    while level:
+        usages |= {pid: Usage(depth, *found[pid]) for pid in level}
+        level, depth = [child for pid in level for child in parents.get(pid, [])], depth + 1
+    return usages
+
+
+class Usage:
+    """What a process uses: pages of memory, ticks of processor time, and those of its children that have ended.
+
+    depth: 1 for a child, 2 for a child's child, and so on.
+    """
+
+    def __init__(self, depth, pages, ticks, ticks_of_ended):
+        self.depth, self.pages, self.ticks, self.ticks_of_ended = depth, pages, ticks, ticks_of_ended
 
 
 def too_much(limits):
+    """Return in words which bound the processes below are over, or ""."""
     running = below()
     if len(running) > limits["processes"] + 5:
         return f"more than {limits['processes']} processes"
-    if sum(running.values()) * resource.getpagesize() > limits["everything"]:
+    if sum(usage.pages for usage in running.values()) * resource.getpagesize() > limits["everything"]:
         return f"more than {limits['everything'] // 10**9} GB of memory"
     return ""
 

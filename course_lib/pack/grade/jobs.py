@@ -88,6 +88,10 @@ def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
         except Refused as reason:
             done[submission] = ungraded_result(submission, str(reason), "refused")
             continue
+        except Exception as problem:  # nothing about one file may stop the others
+            reason = f"It cannot be read: {type(problem).__name__}."
+            done[submission] = ungraded_result(submission, reason, "refused")
+            continue
         kept = stored(path)
         if kept is None:
             left[submission] = path

@@ -36,9 +36,9 @@ def main():
     from course_lib.checks import call_student
 
     def tell(name, text):
-        """Ask the grader, on behalf of a student's test, what a candidate answers."""
+        """Ask the grader, on behalf of a student's test, what a candidate answers; None if it has heard enough."""
         say(exercise=name, call=text)
-        return str(json.loads(requests.readline()).get("told"))
+        return json.loads(requests.readline())["told"]
 
     order = json.loads(requests.readline())
     run = run_whole if order["whole"] else run_needed
@@ -48,9 +48,7 @@ def main():
         asked = json.loads(line)
         name = asked["ask"]
 
-        def answer(consult, function=space.get(name), questions=asked["questions"]):
-            return call_student.reply(function, questions, consult)
-
+        answer = functools.partial(call_student.reply, space.get(name), asked["questions"])
         say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
 
 
@@ -128,36 +126,59 @@ def in_a_child(asked, answer, tell):
     os.close(here)
     os.close(told_there)
     os.set_blocking(told_here, False)
-    text, late, too_long = listen(there, told_here, asked, tell)
+    text, late, reason = listen(child, there, told_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
         os.kill(child, signal.SIGKILL)
     os.close(there)
     os.close(told_here)
-    _, status = os.waitpid(child, 0)
+    _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
-    if too_long:
-        return {"ended": "its answer is too long to be read"}
-    return {"ended": "", "late": late, "status": os.waitstatus_to_exitcode(status)}
+    return {"ended": reason, "late": late, "status": os.waitstatus_to_exitcode(status),
+            "computed": usage.ru_utime + usage.ru_stime}  # fmt: skip
 
 
-def listen(there, told_here, asked, tell):
-    """Read lines from the child: calls, which begin with ?, and at last its reply. Returns it, and why it is cut off."""
-    deadline, buffer, length = time.monotonic() + asked["seconds"], b"", 0
+def listen(child, there, told_here, asked, tell):
+    """Read lines from the child: calls, which begin with ?, and at last its reply. Return it, and why it is cut off."""
+    buffer, length = b"", 0
     while True:
-        ready, _, _ = select.select([there], [], [], max(deadline - time.monotonic(), 0))
+        ready = wait_for(child, there, asked)
         data = os.read(there, 1 << 20) if ready else b""
         buffer, length = buffer + data, length + len(data)
         while buffer.startswith(b"?") and b"\n" in buffer:
             call, _, buffer = buffer.partition(b"\n")
+            told = tell(call[1:].decode(errors="replace"))
+            if told is None:
+                return "", False, "it calls the functions that it tests too often"
             try:
-                os.write(told_here, tell(call[1:].decode(errors="replace")).encode() + b"\n")
-            except OSError:  # a child that does not read what it asked for
-                return "", False, True
+                os.write(told_here, told.encode() + b"\n")
+            except OSError:
+                return "", False, "it does not read what the functions that it tests answer"
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
-            return buffer.decode(errors="replace"), not ready, length > asked["reply"]
+            reason = "its answer is too long to be read" if length > asked["reply"] else ""
+            return buffer.decode(errors="replace"), not ready, reason
+
+
+def wait_for(child, pipe, asked):
+    """Wait until something comes out of the pipe; False if the child computes nothing for too long."""
+    begin = since = time.monotonic()
+    computed = None
+    while not select.select([pipe], [], [], 0.25)[0]:
+        now, before, computed = time.monotonic(), computed, computing_time(child)
+        since = since if computed == before else now
+        if now - since > asked["idle"] or now - begin > asked["seconds"]:
+            return False
+    return True
+
+
+def computing_time(process):
+    """The seconds of processor time of a process; None where the system has no such clock."""
+    try:
+        return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
+    except OSError:
+        return None
 
 
 def speak(pipe, told, asked, answer):

@@ -52,40 +52,6 @@ def right_pops_from_a_list_of_its_own(screws, M, theta):
     return T
 
 
-def wrong_M_missing(screws, M, theta):
-    """M is missing, as in the formula that the report prints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T
-
-
-def wrong_M_on_the_left(screws, M, theta):
-    """M stands on the left"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T
-
-
-def wrong_reverse_order(screws, M, theta):
-    """in the reverse order"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = exp_se3(S * angle) @ T
-    return T
-
-
-def wrong_exponentials_added(screws, M, theta):
-    """the exponentials are added up"""
-    return sum(exp_se3(S * angle) for S, angle in zip(screws, theta)) @ M
-
-
-def wrong_exponential_of_the_sum(screws, M, theta):
-    """one exponential is taken of the sum"""
-    return exp_se3(theta @ screws) @ M
-
-
 def wrong_M_changed(screws, M, theta):
     """M is changed in place"""
     for S, angle in zip(screws[::-1], theta[::-1]):
@@ -94,115 +60,11 @@ def wrong_M_changed(screws, M, theta):
 
 
 def wrong_screws_changed(screws, M, theta):
-    """screws is changed in place"""
+    """UFuncTypeError"""
     T = np.eye(4)
     for i in range(len(theta)):
         screws[i] *= theta[i]
         T = T @ exp_se3(screws[i])
-    return T @ M
-
-
-def wrong_degrees(screws, M, theta):
-    """degrees"""
-    T = np.eye(4)
-    for S, angle in zip(screws, np.deg2rad(theta)):
-        T = T @ exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_last_joint_left_out(screws, M, theta):
-    """the last joint is left out"""
-    T = np.eye(4)
-    for i in range(len(theta) - 1):
-        T = T @ exp_se3(screws[i] * theta[i])
-    return T @ M
-
-
-def wrong_first_joint_left_out(screws, M, theta):
-    """the first joint is left out"""
-    T = np.eye(4)
-    for i in range(1, len(theta)):
-        T = T @ exp_se3(screws[i] * theta[i])
-    return T @ M
-
-
-def wrong_inverse(screws, M, theta):
-    """the inverse of T is returned"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return inverse(T @ M)
-
-
-def wrong_angles_not_used(screws, M, theta):
-    """the angles are not used"""
-    T = np.eye(4)
-    for S in screws:
-        T = T @ exp_se3(S)
-    return T @ M
-
-
-def wrong_theta_on_omega_only(screws, M, theta):
-    """theta multiplies only one half"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(np.concatenate([S[:3] * angle, S[3:]]))
-    return T @ M
-
-
-def wrong_halves_swapped(screws, M, theta):
-    """the halves of the screw axes are swapped"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        v, w = S[:3], S[3:]
-        T = T @ exp_se3(np.concatenate([w, v]) * angle)
-    return T @ M
-
-
-def wrong_product_overwritten(screws, M, theta):
-    """only one joint turns the hand"""
-    for S, angle in zip(screws, theta):
-        T = exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_entry_by_entry(screws, M, theta):
-    """entry by entry"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T * exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_M_each_time(screws, M, theta):
-    """M comes in once for each joint"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle) @ M
-    return T
-
-
-def wrong_M_twice(screws, M, theta):
-    """M is multiplied on both sides"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_other_way_round(screws, M, theta):
-    """the other way round"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(-S * angle)
-    return T @ M
-
-
-def wrong_angles_reversed(screws, M, theta):
-    """the angles go with the wrong joints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta[::-1]):
-        T = T @ exp_se3(S * angle)
     return T @ M
 
 
@@ -214,13 +76,6 @@ def wrong_position_only(screws, M, theta):
 def wrong_one_matrix_a_joint(screws, M, theta):
     """a matrix for each joint"""
     return [exp_se3(S * angle) @ M for S, angle in zip(screws, theta)]
-
-
-def wrong_whole_numbers(screws, M, theta):
-    """digits after the point are cut off"""
-    T = np.zeros_like(M)
-    T[:] = right_loop(screws, M, theta)
-    return T
 
 
 def wrong_list_shared_by_all_calls(screws, M, theta, turns=[]):

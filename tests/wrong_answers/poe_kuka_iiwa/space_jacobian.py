@@ -79,83 +79,6 @@ def _with_adjoint(ad):
     return jacobian
 
 
-def wrong_reports_adjoint(screws, theta):
-    """R^-1 in its upper half"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[np.linalg.inv(R), np.zeros((3, 3))], [hat(p) @ R, R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_without_p(screws, theta):
-    """[p] R is left out"""
-    return _with_adjoint(lambda T: np.kron(np.eye(2), T[:3, :3]))(screws, theta)
-
-
-def wrong_adjoint_for_v_first(screws, theta):
-    """in the order (v, omega)"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[R, hat(p) @ R], [np.zeros((3, 3)), R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_R_p(screws, theta):
-    """[p] R is turned round"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[R, np.zeros((3, 3))], [R @ hat(p), R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_transposed(screws, theta):
-    """the adjoint is transposed"""
-    return _with_adjoint(lambda T: adjoint(T).T)(screws, theta)
-
-
-def wrong_adjoint_of_the_inverse(screws, theta):
-    """that of the inverse"""
-    return _with_adjoint(lambda T: adjoint(inverse(T)))(screws, theta)
-
-
-def wrong_joint_before_left_out(screws, theta):
-    """leaves out the joint just before it"""
-    J = np.zeros((6, len(theta)))
-    for i in range(len(theta)):
-        T = np.eye(4)
-        for k in range(i - 1):
-            T = T @ exp_se3(screws[k] * theta[k])
-        J[:, i] = adjoint(T) @ screws[i]
-    return J
-
-
-def wrong_joint_before_only(screws, theta):
-    """by the joint just before it only"""
-    columns = [screws[0]]
-    for i in range(1, len(theta)):
-        columns.append(adjoint(exp_se3(screws[i - 1] * theta[i - 1])) @ screws[i])
-    return np.array(columns).T
-
-
-def wrong_own_joint_only(screws, theta):
-    """left as they are at home"""
-    return np.column_stack([adjoint(exp_se3(S * angle)) @ S for S, angle in zip(screws, theta)])
-
-
-def wrong_all_joints(screws, theta):
-    """by all the joints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return adjoint(T) @ screws.T
-
-
 def wrong_joints_behind(screws, theta):
     """by the joints behind it"""
     columns, T = [], np.eye(4)
@@ -165,15 +88,6 @@ def wrong_joints_behind(screws, theta):
     return np.array(columns).T
 
 
-def wrong_body_jacobian(screws, theta):
-    """the body Jacobian"""
-    J, T = [], np.eye(4)
-    for S, angle in zip(screws, theta):
-        J.append(adjoint(T) @ S)
-        T = T @ exp_se3(S * angle)
-    return adjoint(inverse(T)) @ np.array(J).T
-
-
 def wrong_transposed(screws, theta):
     """rows and columns are swapped"""
     T, rows = np.eye(4), []
@@ -181,73 +95,6 @@ def wrong_transposed(screws, theta):
         rows.append(adjoint(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.array(rows)
-
-
-def wrong_reshaped(screws, theta):
-    """broken into rows wrongly"""
-    return wrong_transposed(screws, theta).reshape(6, len(theta))
-
-
-def wrong_reverse_order(screws, theta):
-    """in the reverse order"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        columns.append(adjoint(T) @ S)
-        T = exp_se3(S * angle) @ T
-    return np.column_stack(columns)
-
-
-def wrong_at_home(screws, theta):
-    """left as they are at home"""
-    return screws.T
-
-
-def wrong_v_first(screws, theta):
-    """v stands above omega"""
-    J = right_column_by_column(screws, theta)
-    return np.vstack([J[3:], J[:3]])
-
-
-def wrong_times_the_angles(screws, theta):
-    """the columns are multiplied by the angles"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        columns.append(adjoint(T) @ S * angle)
-        T = T @ exp_se3(S * angle)
-    return np.column_stack(columns)
-
-
-def wrong_degrees(screws, theta):
-    """degrees"""
-    return right_column_by_column(screws, np.radians(theta))
-
-
-def wrong_angles_not_used(screws, theta):
-    """without the angles"""
-    T, columns = np.eye(4), []
-    for S in screws:
-        columns.append(adjoint(T) @ S)
-        T = T @ exp_se3(S)
-    return np.column_stack(columns)
-
-
-def wrong_exponentials_added(screws, theta):
-    """the exponentials are added up"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        R, p = T[:3, :3], T[:3, 3]
-        columns.append(np.block([[R, np.zeros((3, 3))], [hat(p) @ R, R]]) @ S)
-        T = T + exp_se3(S * angle)
-    return np.column_stack(columns)
-
-
-def wrong_whole_numbers(screws, theta):
-    """digits after the point are cut off"""
-    J, T = screws.copy().T, np.eye(4)
-    for i in range(len(theta)):
-        J[:, i] = adjoint(T) @ screws[i]
-        T = T @ exp_se3(screws[i] * theta[i])
-    return J
 
 
 def wrong_last_column_only(screws, theta):
