@@ -12,7 +12,7 @@ from test_bank import FILES, exercise_of
 from course_lib.checks.exercise import RIGHT, Here, judge
 
 MOST = 40  # of the mutants of an exercise
-SLOW = {"random_rotations": 16}
+SLOW = {"random_rotations": 16, "panda_ik": 16}
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 CPU_SECONDS = 1  # a mutant may never end
 

@@ -12,8 +12,13 @@ from course_lib.pack.release.bundle import collect
 # Where (exercise, file) may say the same: the careful version, what the check itself asks for, and its last hint.
 MAY = {
     ("matrix_to_quaternion", "course_lib/rotations.py"),
+<<<<<<< HEAD
     ("nearest_quaternion", "course_lib/checks/rotations/nearest_quaternion.py"),
     ("ik_step_transpose", "course_lib/checks/panda_dh_ik/downhill.py"),
+=======
+    ("is_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
+    ("nearest_quaternion", "course_lib/checks/rotations/unit_quaternions.py"),
+>>>>>>> nb_panda_dh_ik
 }
 
 

@@ -1,22 +1,19 @@
-"""Points and their partners to ask register_points and grasp_pose about, and the right pose of each."""
+"""Points and their partners to ask register_points and others about, the right pose of each, and poses as answers."""
 
 import numpy as np
 
-from course_lib.checks.poe_kuka_iiwa.chains import away_from_zero, remembered, turned_hand
+from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import FINE, any_pose, away_from_zero, near, orthogonality_error, remembered
 from course_lib.registration import register_points
-from course_lib.rigid import transform
-from course_lib.rotations import rot_x, rot_z
 
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 1, 0]])
-WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
-WHOLE_TURNED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
-WHOLE_APART = np.array([[1, 2, 3], [2, 5, 3], [-1, 2, 4], [1, 2, 5]])
-WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
 _FLAT = 1e-9  # a singular value that is zero but for rounding, as a share of the largest
 
 
 @remembered
-def laid(src, dst, weights):
+def registered(src, dst, weights):
     """The right pose."""
     return register_points(src, dst, weights)
 
@@ -25,17 +22,17 @@ def moved(T, points):
     return points @ T[:3, :3].T + T[:3, 3]
 
 
-def middle(points, weights):
+def centroid(points, weights):
     return weights @ points / weights.sum()
 
 
 def product(src, dst, weights):
-    """The weighted sum of b a^T, where a and b are the points seen from their middles: R is the rotation nearest it."""
-    a, b = src - middle(src, weights), dst - middle(dst, weights)
+    """Return the weighted sum of b a^T, a and b being the centred points: R is the rotation nearest to it."""
+    a, b = src - centroid(src, weights), dst - centroid(dst, weights)
     return (weights[:, None] * b).T @ a / weights.sum()
 
 
-def rest(T, src, dst, weights):
+def squares(T, src, dst, weights):
     """The weighted sum of squared distances that T leaves."""
     return weights @ ((moved(T, src) - dst) ** 2).sum(-1)
 
@@ -48,7 +45,7 @@ def size(*arrays):
 def exact(src, dst, weights):
     """Whether dst is src moved, but for points of no weight."""
     seen = weights > 0
-    return np.abs(moved(laid(src, dst, weights), src) - dst)[seen].max() < 1e-10 * size(src, dst)
+    return np.abs(moved(registered(src, dst, weights), src) - dst)[seen].max() < 1e-10 * size(src, dst)
 
 
 def flat(src, dst, weights):
@@ -101,7 +98,7 @@ def exactly(rng, weights):
 
     def draw():
         src = points(rng, len(weights))
-        return src, moved(turned_hand(rng), src), weights
+        return src, moved(any_pose(rng), src), weights
 
     return _drawn(draw, lambda case: certain(*case))
 
@@ -124,7 +121,7 @@ def reflecting(rng, weights):
         distinct = s[0] > 1.3 * s[1] and s[1] - s[2] > 0.2 * s[0] and s[2] > 0.05 * s[0]
         return distinct and np.linalg.det(U @ Vt) < 0 and np.abs([U[:, 2], Vt[2]]).max() < 0.85
 
-    T = turned_hand(rng)
+    T = any_pose(rng)
 
     def draw():
         src = points(rng, len(weights))
@@ -142,7 +139,7 @@ def in_a_plane(rng):
     while wanted:
         src, axis = points(rng, 4), rng.integers(3)
         src[:, axis] = 0
-        dst = moved(turned_hand(rng), src)
+        dst = moved(any_pose(rng), src)
         H = product(src, dst, np.ones(4))
         s = np.linalg.svd(H, compute_uv=False)
         shown = {(way, _handed(P)) for way, P in enumerate((H, H.T))}
@@ -171,28 +168,62 @@ def without_weight(rng, n, noise):
     return cases
 
 
-def fits(rng):
-    """Cases (src, dst, weights), the simplest first."""
-    about_z, about_x = (transform(rot(np.pi / 2), [1.0, 2, 3]) for rot in (rot_z, rot_x))
-    three, four, five, many = (uneven(rng, n) for n in (3, 4, 5, 16))
-    named = [
-        (TRIANGLE, TRIANGLE, np.ones(3)),
-        (TRIANGLE, TRIANGLE + np.array([1, 2, 3]), np.ones(3)),
-        (TRIANGLE, moved(about_z, TRIANGLE), np.ones(3)),
-        (TRIANGLE, moved(about_x, TRIANGLE), np.array([1.0, 2, 3])),
-        (WHOLE, WHOLE_TURNED, WHOLE_WEIGHTS),
-    ]
-    drawn = [exactly(rng, weights) for weights in (np.ones(4), four, many)]
-    planes = [*in_a_plane(rng), *(exactly(rng, three) for _ in range(3))]
-    weightless = [*without_weight(rng, 4, 0), *without_weight(rng, 5, 0.3)]
-    noise = [noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
-    src, dst, _ = noise[2]
-    scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250)]
-    centred = moved(about_x @ turned_hand(rng), src)
-    centred = centred - middle(centred, four)
-    over = [reflecting(rng, weights) for weights in (np.ones(4), np.ones(5), four, five, many)]
-    shift = np.array([100, -80, 60])
-    away = [(src + shift, dst, four), (src, dst + shift, four), (src + 90, dst - 120, four)]
-    small = [(1e-3 * a, 1e-3 * b, 1e-3 * four) for a, b, _ in (noise[2], over[2])]
-    others = [(centred, dst, four), (WHOLE, WHOLE_APART, WHOLE_WEIGHTS), noise[2]]
-    return [*named, *drawn, *planes, *weightless, *noise, *scaled, *over, *away, *small, *others]
+_SEARCHED = 1e-7  # the error of a pose that is found by search, with steps down to rounding
+_ROTATION_ONLY = Mistake("only the rotation R is returned", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")
+_POSITION_ONLY = Mistake("only the column p is returned", "The answer is the whole T = [[R, p], [0, 0, 0, 1]].")
+_NO_ROW = Mistake("the last row is missing", "Start from np.eye(4) and fill in the block and the column.")
+_POINTS = Mistake("the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix.")
+_APART = Mistake("R and p are returned apart", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")
+_SHAPES = {(3, 3): _ROTATION_ONLY, (3,): _POSITION_ONLY, (3, 4): _NO_ROW}
+
+
+def _known_form(array, points, *rest):
+    if array.shape == points.shape and (len(points) != 3 or orthogonality_error(array) > FINE):
+        return _POINTS
+    return _SHAPES.get(array.shape)
+
+
+_fitted = numbers(lambda *case: (4, 4), _known_form)
+
+
+def read_pose(value, *case):
+    """Return the answer as an array (4, 4). case: the first argument is an array of points."""
+    try:
+        return _fitted(value, *case)
+    except Unreadable as wrong:
+        if wrong.mistake is OTHER_FORM and isinstance(value, list | tuple) and len(value) == 2:
+            raise Unreadable(str(wrong), _APART) from None
+        raise
+
+
+IS_A_POSE = (
+    Property(
+        "the last row of T is (0, 0, 0, 1)",
+        lambda T, *case: near(T[3], [0, 0, 0, 1]),
+        seen=lambda T, *case: f"Yours is {format_tuple(T[3])}.",
+        mistake=Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in block and column."),
+    ),
+    Property(
+        "the block R of T has columns of length one at right angles: R^T R = I",
+        lambda T, *case: orthogonality_error(T[:3, :3]) < FINE,
+        seen=lambda T, *case: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
+        mistake=Mistake("the block is no rotation", "With U, S, V^T of the singular value decomposition leave S out."),
+    ),
+    Property(
+        "R is no reflection: det R = +1",
+        lambda T, *case: np.linalg.det(T[:3, :3]) > 0,
+        seen=lambda T, *case: f"det R is {np.linalg.det(T[:3, :3]):.0f}.",
+    ),
+)
+
+
+def compared(what, yours, right):
+    """Tell two vectors apart, also where they agree in the digits shown."""
+    if np.abs(yours - right).max() < 1e-3 * size(right):
+        return f"{what} is off by {np.abs(yours - right).max():.2g}."
+    return f"{what} should be {format_tuple(right)}; yours is {format_tuple(yours)}."
+
+
+def close(T, right):
+    """Whether they agree as well as one can find a least sum of squares by search, with steps down to rounding."""
+    return np.abs(T - right).max() <= _SEARCHED * size(right)

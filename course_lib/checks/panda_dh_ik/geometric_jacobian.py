@@ -1,4 +1,4 @@
-"""geometric_jacobian: how fast the flange moves when each joint turns, from the frames alone."""
+"""geometric_jacobian: how fast the flange moves for each joint, from the frames alone."""
 
 import numpy as np
 
@@ -6,30 +6,20 @@ from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.panda_dh_ik import tables
-from course_lib.checks.panda_dh_ik.jacobian_mistakes import MISTAKES, jacobian
-from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, away_from_zero, turned_hand
-from course_lib.checks.poe_kuka_iiwa.matrices import near
+from course_lib.checks.panda_dh_ik import shared
+from course_lib.checks.panda_dh_ik.geometric_jacobian_mistakes import MISTAKES, jacobian
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
-_SIDE_BY_SIDE = "np.vstack([v.T, z.T]) for v and z with a row for each joint; or np.column_stack of the columns."
-_TRANSPOSED = Mistake(
-    "rows and columns are swapped", "One column for each joint: the shape is (6, n). Transpose with .T."
-)
-_FLANGE_TOO = Mistake(
-    "the flange's frame is counted as a joint's",
-    "No joint moves the flange against frame n: the axes are those of frames[:-1].",
-)
-_HALF = Mistake("only one half of the Jacobian is returned", "Each column has six numbers: v above, omega below.")
-_SEVEN = Mistake("the arm is taken to have seven joints", "Any number may come: n = len(frames) - 1, or frames[:-1].")
-_APART = Mistake("v and omega do not stand in one column", _SIDE_BY_SIDE)
-_ONE_LEFT_OUT = Mistake(
-    "one joint is left out", "The joints are frames[0] to frames[n - 1]: frames[:-1] has all of them."
-)
-_ONE_COLUMN = Mistake(
-    "only one column is returned", "One column for each joint, also where there is one: shape (6, n)."
-)
+_COLUMNS = "One column for each joint, six numbers each: the shape is (6, n)."
+_TRANSPOSED = Mistake("rows and columns are swapped", _COLUMNS)
+_FLANGE_TOO = Mistake("the flange's frame is counted as a joint's", "The last frame belongs to no joint.")
+_HALF = Mistake("only one half of the Jacobian is returned", _COLUMNS)
+_SEVEN = Mistake("the arm is taken to have seven joints", "The number of joints is len(frames) - 1.")
+_APART = Mistake("v and omega are not in one column", _COLUMNS)
+_ONE_LEFT_OUT = Mistake("one joint is left out", "Every frame but the last belongs to a joint.")
+_ONE_COLUMN = Mistake("only one column is returned", _COLUMNS)
 
 
 def _joints(frames):
@@ -55,7 +45,7 @@ def _known_form(array, frames):
 
 
 def _grown(array, n):
-    """Whether the columns are those of earlier calls too: then the last one is not the flange's, which has v = 0."""
+    """Return whether the columns of earlier calls are there too: a column of the flange would have v = 0."""
     if array.ndim != 2 or len(array) != 6:
         return False
     more = array.shape[1] - n
@@ -63,10 +53,10 @@ def _grown(array, n):
 
 
 def _drawn(rng, n):
-    """The frames of an arm with n joints askew, at any angles, its base anywhere in the world."""
+    """Return the frames of an arm with n skew joint axes, its base anywhere in the world."""
     numbers = away_from_zero(rng, (n, 4))
-    arm = SerialArm.from_dh([DHRow(*row) for row in numbers], end=turned_hand(rng))
-    return turned_hand(rng) @ arm.frames(away_from_zero(rng, n))
+    arm = SerialArm.from_dh([DHRow(*row) for row in numbers], end=any_pose(rng))
+    return any_pose(rng) @ arm.frames(away_from_zero(rng, n))
 
 
 def _cases(rng):
@@ -81,14 +71,13 @@ def _cases(rng):
         [here, ahead, transform(np.eye(3), [2.0, 0, 0])],
         [here, along_y, transform(rot_x(0.5), [1.0, 0.5, 1])],
     ]
-    postures = [np.zeros(7), np.array([0, -quarter / 2, 0, -1.5 * quarter, 0, quarter, quarter / 2])]
-    postures += list(away_from_zero(rng, (3, 7)))
-    drawn = [_drawn(rng, n) for n in (1, 2, 3, 4, 5, 6, 7)]
-    return [(np.array(frames),) for frames in (*simple, *drawn, *map(tables.frames, postures), drawn[1])]
+    configurations = [np.zeros(7), shared.READY, *away_from_zero(rng, (2, 7))]
+    drawn = [_drawn(rng, n) for n in (1, 2, 3, 5, 6)]
+    return [(np.array(frames),) for frames in (*simple, *drawn, *map(shared.frames, configurations), drawn[1])]
 
 
 def _off(J, frames, rows):
-    """The first column that is wrong in these rows, in words."""
+    """Return in words the first column that is wrong in these rows."""
     right, first = jacobian(frames), 3 * (rows is BELOW)
     i = next((k for k in range(_joints(frames)) if not near(J[rows, k], right[rows, k])), 0)
     return (
@@ -99,7 +88,7 @@ def _off(J, frames, rows):
 
 ABOVE, BELOW = slice(0, 3), slice(3, 6)
 
-GEOMETRIC_JACOBIAN = Exercise(
+EXERCISE = Exercise(
     name="geometric_jacobian",
     points=2,
     arguments=("frames",),
@@ -108,25 +97,26 @@ GEOMETRIC_JACOBIAN = Exercise(
     properties=(
         SAME_TWICE,
         Property(
-            "below, each column has the angular velocity when its joint turns with 1 rad/s: "
-            "z, the third column of the joint's frame",
+            "the lower half of each column is the angular velocity if its joint rotates at 1 rad/s: "
+            "the z axis of the joint's frame",
             lambda J, frames: near(J[BELOW], jacobian(frames)[BELOW]),
             seen=lambda J, frames: _off(J, frames, BELOW),
         ),
         Property(
-            "above, each column has the velocity of the flange's origin p when its joint turns with 1 rad/s: "
-            "z x (p - o), o being the origin of the joint's frame",
+            "the upper half of each column is the velocity of the flange's origin p if its joint rotates at 1 rad/s: "
+            "z x (p - o), with o the origin of the joint's frame",
             lambda J, frames: near(J[ABOVE], jacobian(frames)[ABOVE]),
             seen=lambda J, frames: _off(J, frames, ABOVE),
         ),
     ),
     mistakes=MISTAKES,
     hints=(
-        "The last frame is the flange's: p = frames[-1, :3, 3]. All others are joints': frames[:-1].",
-        "Of each joint's frame: its axis z = frame[:3, 2], a point on it o = frame[:3, 3].",
+        "The last frame is the flange's; all others belong to joints, one each.",
+        "A joint's axis z is the third column of its frame's rotation, a point o on it is the frame's origin.",
         "Column i is z x (p - o), and below it z: np.concatenate([np.cross(z, p - o), z]). "
         "At last np.column_stack, so that the shape is (6, n).",
     ),
     forbidden=("course_lib.arms.SerialArm",),
-    errors=(("IndexError", "index 7 is out of bounds", _SEVEN),),
+    library=jacobian,
+    errors=(("IndexError", "is out of bounds for axis 0", _SEVEN),),
 )
