@@ -243,7 +243,7 @@ def attempt(name, **arguments):
 
 
 @pytest.mark.parametrize("call", [call for call in CALLS if "rng" not in call[1]], ids=call_name)
-@settings(max_examples=50)
+@settings(max_examples=30)
 @given(data=st.data())
 def test_any_array_is_refused_or_answered(call, data):
     name, kinds = call
