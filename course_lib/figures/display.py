@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 
+PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
+
 
 def show(fig, *, alt):
     """Display a matplotlib or plotly figure with alternative text.
@@ -19,7 +21,7 @@ def show(fig, *, alt):
     if not isinstance(alt, str) or len(alt.strip()) < 20:
         raise ValueError(f"alt must say in words what the figure shows; it is {alt!r}")
     if hasattr(fig, "to_plotly_json"):
-        data = {"application/vnd.plotly.v1+json": _rounded(fig.to_plotly_json()), "text/plain": alt}
+        data = {PLOTLY: _rounded(fig.to_plotly_json()), "text/plain": alt}
         metadata = {"image/png": {"alt": alt}}  # for the still that is put beside it
     elif hasattr(fig, "savefig"):
         width, height = (round(96 * inches) for inches in fig.get_size_inches())

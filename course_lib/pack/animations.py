@@ -14,7 +14,8 @@ from matplotlib.animation import FFMpegWriter, PillowWriter
 from matplotlib.figure import Figure
 from tqdm import tqdm
 
-PLOTLY = "application/vnd.plotly.v1+json"
+from course_lib.figures.display import PLOTLY
+
 FOLDER = Path("build/animations")
 _DASHES = {"dash": "--", "dot": ":", "solid": "-"}
 

@@ -8,6 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import course_lib.figures
 from course_lib.pack.site import gather, sections
 from course_lib.pack.site.downloads import offer
 from course_lib.pack.site.errors import SiteError
@@ -16,6 +17,7 @@ from course_lib.pack.site.single import make_single
 from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
 
 HERE = Path(__file__).parent
+SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
 
 
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
@@ -90,6 +92,9 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
     """Put our style and scripts, MathJax and (if a figure needs it) plotly.js into `static`."""
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
+    (static / "figures").mkdir()
+    for script in SCRIPTS.glob("*.js"):
+        shutil.copy(script, static / "figures")
     # Of MathJax's many files this one is enough: all of TeX in, SVG out, its letters inside.
     mathjax = _package("sphinx-mathjax-offline") / "static" / "mathjax" / "tex-svg-full.js"
     shutil.copy(mathjax, static / "mathjax.js")

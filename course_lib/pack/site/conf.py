@@ -99,10 +99,15 @@ def leave_unnumbered(app, document):
             node["ids"].clear()
 
 
-def load_plotly_where_needed(app, pagename, templatename, context, doctree):
-    """Add plotly.js, after the text, to the pages that hold a figure."""
-    if 'class="plotly-figure"' in context.get("body", ""):
+def load_scripts_where_needed(app, pagename, templatename, context, doctree):
+    """Add plotly.js and the scripts of the figures, after the text, to the pages that hold a figure."""
+    figures = re.findall(r'<div class="plotly-figure"([^>]*)>', context.get("body", ""))
+    if any("data-without-plotly" not in figure for figure in figures):
         app.add_js_file("plotly.min.js", loading_method="defer")
+    scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
+    for script in dict.fromkeys(" ".join(scripts).split()):
+        app.add_js_file(f"figures/{script}.js", loading_method="defer")
+    if figures:
         app.add_js_file("figures.js", loading_method="defer")
 
 
@@ -117,4 +122,4 @@ def setup(app):
     app.connect("doctree-read", check_formulas)
     app.connect("doctree-read", leave_unnumbered)
     app.connect("html-page-context", name_what_is_folded)
-    app.connect("html-page-context", load_plotly_where_needed)
+    app.connect("html-page-context", load_scripts_where_needed)

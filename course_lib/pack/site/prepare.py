@@ -12,10 +12,10 @@ from pathlib import Path
 import nbformat
 from PIL import Image
 
+from course_lib.figures.display import PLOTLY
 from course_lib.pack.site.answers import fold, leave_out
 from course_lib.pack.site.errors import SiteError
 
-PLOTLY = "application/vnd.plotly.v1+json"
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 
@@ -96,8 +96,13 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
+    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
+    kind = course.get("kind", "")
+    scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
+    own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
+    own += " data-without-plotly" if course.get("plotly") is False else ""
     return (
-        f'<div class="plotly-figure" role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
         f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
     )
 
