@@ -11,7 +11,7 @@ font:14px/1.45 system-ui,sans-serif;border-radius:.25rem;color-scheme:light}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
 .course-toy svg,.course-toy canvas{display:block;width:100%;background:#f7f8fa;border-radius:.25rem}
 .course-toy .row{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
-.course-toy .row label{flex:0 0 9.5em}.course-toy .row input[type=range]{flex:1 1 4rem;min-width:4rem}
+.course-toy .row label{flex:0 0 9.5em}.course-toy .row input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
 .course-toy .row output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
 .course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid #555;border-radius:.25rem;background:#f2f2f2;color:#222}
@@ -65,7 +65,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
           input.setAttribute("aria-valuetext", output.textContent);
         };
         input.value = value;
-        input.addEventListener("input", () => { show(); change(Number(input.value)); });
+        input.addEventListener("input", () => { change(Number(input.value)); show(); }); // words may follow from the change
         // JupyterLab's own keys (arrows between cells) are not for who moves a range.
         input.addEventListener("keydown", (event) => event.stopPropagation());
         show();

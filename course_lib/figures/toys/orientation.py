@@ -65,6 +65,7 @@ def _still(R, axis):
     x, y, z = np.round(outline, 3).T
     drawn.append(go.Mesh3d(x=x, y=y, z=z, i=[0, 0, 0], j=[1, 2, 3], k=[2, 3, 4], color="#8d959e", hoverinfo="skip"))
     if axis is not None:
-        drawn += [line([-1.2 * axis, 1.2 * axis], PURPLE, 5, "scene", "dash"), name_at(1.3 * axis, "k", PURPLE, "scene")]
+        drawn.append(line([-1.2 * axis, 1.2 * axis], PURPLE, 5, "scene", "dash"))
+        drawn.append(name_at(1.3 * axis, "k", PURPLE, "scene"))
     layout = space_layout([""], (1.0, -1.2, 0.6), half=1.2, distance=1.5)
     return go.Figure(drawn, layout={**layout, "annotations": []})

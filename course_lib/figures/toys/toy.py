@@ -1,9 +1,9 @@
 """A toy: a figure to take by the hand, the same in a live notebook, in a stored one and on an exported page.
 
 What a toy computes and draws stands once, in the JavaScript of course_lib/figures/scripts. Its model (link lengths,
-screw axes, a start) travels in the plotly figure's `layout.meta.course`. An exported page loads the scripts and draws the
-toy in place of the figure; in JupyterLab a widget with the same scripts does. A stored notebook holds the plotly figure
-alone, which shows the toy at its start, without kernel or script.
+screw axes, a start) travels in the plotly figure's `layout.meta.course`. An exported page loads the scripts and draws
+the toy in place of the figure; in JupyterLab a widget with the same scripts does. A stored notebook holds the plotly
+figure alone, which shows the toy at its start, without kernel or script.
 """
 
 import os
