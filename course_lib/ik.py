@@ -144,6 +144,8 @@ class _Search:
         """Return the best joint angles (m, n) and the steps taken (m,). q0: (m, n), the first starts, or None."""
         if len(self.poses) == 1:
             self._descend_one_by_one(q0)
+            if self.solved[0]:
+                return self.best, self.iterations
             q0 = None
         descents = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
         while len(descents.target):
