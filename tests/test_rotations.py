@@ -32,7 +32,7 @@ def close(got, expected, atol=1e-14):
     assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-# hat, vee, rotations about one axis, exp ----------------------------------------------------------------------------------
+# hat, vee, rotations about one axis, exp ----------------------------------------------------------------------------
 
 
 def test_hat_is_the_cross_product():
