@@ -48,7 +48,7 @@ def test_far_more_exact_than_the_report(report, forward, xy):
 
 @EVERY_QUERY
 @pytest.mark.parametrize(("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)])
-def test_nearly_every_posture_is_found_and_no_other(forward, share, off, xy):
+def test_nearly_every_solution_is_found_and_no_other(forward, share, off, xy):
     got, true = fitted(forward).predict(xy), in_range(closed_form(xy))
     found, exists = ~np.isnan(got[..., 0]), ~np.isnan(true[..., 0])
     assert (found & exists).sum() >= share * exists.sum()
