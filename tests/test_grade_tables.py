@@ -147,6 +147,17 @@ def test_no_cell_begins_as_a_formula_does(text):
     assert cell_text(cell(text)) == " ".join(text.replace("\x00", "").split()) or text[0].isspace()
 
 
+@pytest.mark.parametrize("separator", [";", "; ", "\t", "\n", ";;"])
+def test_no_part_of_a_cell_begins_as_a_formula_does_under_another_separator(separator):
+    for text in (f"a{separator}=1+1", f"a{separator}@SUM(A1){separator}-2", f"={separator}=1"):
+        written = cell(text, lines=True)
+        parts = [part.lstrip() for part in written.replace("\n", ";").replace("\t", ";").split(";")]
+        assert [part for part in parts if part and part[0] in "=+-@"] == []
+        assert cell(written, lines=True) == written
+        assert cell_text(written) == text
+    assert cell("a; b\nc") == "a; b c"
+
+
 def test_other_cells_stay_as_they_are():
     for text in "R^T", "a = b", "'quoted'", "Zoë", "1.5", "":
         assert cell(text) == cell_text(cell(text)) == text
@@ -164,7 +175,7 @@ def test_what_cannot_be_written_or_read_is_left_out(path):
     assert (row["student"], row["release"]) == ("'=anna", "'-1")
     assert row["message"].startswith("'=m")
     assert len(row["message"]) < 1100
-    assert written.questions()[0]["answer"] == "? x[31m \n=1"
+    assert written.questions()[0]["answer"] == "? x[31m \n'=1"
     assert written.totals()[0]["student"] == "'=anna"
 
 

@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import functools
+import os
 import secrets
 import sys
 from collections import Counter
@@ -14,13 +15,13 @@ from course_lib.pack.grade.collect import find
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
 from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
-from course_lib.pack.grade.sandbox import notice
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.sandbox import notice, remove_old_folders
+from course_lib.pack.grade.submission import grade as grade_one
 from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals_text
 
 
-def main(arguments=None, grade=grade):
-    """Grade; return 1 with a plain sentence where that fails. grade: what grades one submission."""
+def main(arguments=None, grade=None):
+    """Grade; return 1 with a plain sentence if that fails. grade: what grades one submission, in tests."""
     chosen = _parser().parse_args(arguments)
     try:
         _grade(chosen, grade)
@@ -53,6 +54,8 @@ def _grade(chosen, grade):
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
         seed = _seed(output / "seed", given)
+        grade = grade or functools.partial(grade_one, hidden=(os.path.abspath(chosen.submissions), str(output.resolve())))
+        remove_old_folders()
         print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
         _write(output, graded_files(outcomes))

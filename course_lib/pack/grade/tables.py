@@ -14,6 +14,9 @@ LONGEST_ANSWER = 30_000  # what a cell of a spreadsheet holds
 FORMULA = (
     "=+-@\uff1d\uff0b\uff0d\uff20"  # what a spreadsheet may take for the beginning of a formula, also in wide letters
 )
+# A program that takes semicolons, tabs or line ends for the border of two cells finds a beginning there too.
+INSIDE = re.compile(rf"([;\t\n]\s*)(?=[{re.escape(FORMULA)}])")
+MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 
 
 @dataclass(frozen=True)
@@ -154,11 +157,13 @@ def cell(value, lines=False):
     if not lines:
         text = " ".join(text.split())
         text = text if len(text) <= LONGEST else text[:LONGEST] + " ..."
-    return f"'{text}" if text.lstrip()[:1] and text.lstrip()[:1] in FORMULA else text
+    text = f"'{text}" if text.lstrip()[:1] and text.lstrip()[:1] in FORMULA else text
+    return INSIDE.sub(r"\1'", text)
 
 
 def cell_text(text):
     """Return what was meant by a cell: the text without the mark that cell() may have put before it."""
+    text = MARKED_INSIDE.sub(r"\1", text)
     return text[1:] if text[:1] == "'" and text[1:].lstrip()[:1] in tuple(FORMULA) else text
 
 
