@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from grade_stand_in import result
 
-from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.jobs import ungraded_result
 from course_lib.pack.grade.marks import (
@@ -23,7 +22,7 @@ from course_lib.pack.grade.marks import (
     read_marks,
 )
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals_text
+from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals, totals_text
 from course_lib.pack.release.stubs import PROMPT
 
 
@@ -60,7 +59,7 @@ class Class:
         return read_table(grades_text(self.everything, self.marks_of))
 
     def totals(self):
-        return read_table(totals_text(self.everything, self.marks_of))
+        return read_table(totals_text(totals(self.everything, self.marks_of)))
 
 
 @pytest.fixture
@@ -262,7 +261,7 @@ def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
 def test_an_unanswered_question_has_nothing_to_be_read(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
-    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", NOT_ATTEMPTED)] * 2
+    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
 
 
 def test_a_copied_line_takes_no_mark_away(path):
