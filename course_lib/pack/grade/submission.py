@@ -265,7 +265,8 @@ def _result(notebook, release, course, problems, outcomes, cells):
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
     questions = course.questions if course else ()
     found["questions"] = [
-        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells or [])[:100_000]} for q in questions
+        {"question": q.name, "of": q.points, "task": q.after, "text": notebook_file.answer(q, cells or [])[:100_000]}
+        for q in questions
     ]
     if cells is None:
         for question in found["questions"]:
