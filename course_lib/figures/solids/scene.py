@@ -221,6 +221,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
     ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
     at_eye = ranges.mean(1) + eye * metres
     points = np.array(list(words.values()), float)
+    wide = [1 + 0.25 * (len(word) - 1) for word in words]
     occupied = list(projected(points, settings, aspect))
     if len(taken):
         occupied += list(projected(np.asarray(taken), settings, aspect))
@@ -229,7 +230,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
         best, where = -np.inf, point
         for far in (0.6, 1.0, 1.5):
             for t in np.arange(8) * np.pi / 4:
-                candidate = point + far * step * (np.cos(t) * right + np.sin(t) * up)
+                candidate = point + far * step * (wide[i] * np.cos(t) * right + np.sin(t) * up)
                 at = projected(candidate[None], settings, aspect)[0]
                 others = np.array(occupied[:i] + occupied[i + 1 :] + placed + placed)
                 apart = min(np.linalg.norm(others - at, axis=1).min() if len(others) else 1, 2.2 * gap)
@@ -241,7 +242,15 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
         points[i] = where + 0.12 * metres / np.linalg.norm(towards := at_eye - where) * towards
     font = {"color": colour, "size": size}
     return [
-        go.Scatter3d(**coordinates(points), mode="text", text=list(words), textfont=font, hoverinfo="skip", scene=scene)
+        go.Scatter3d(
+            **coordinates(points),
+            mode="text",
+            textposition="middle center",
+            text=list(words),
+            textfont=font,
+            hoverinfo="skip",
+            scene=scene,
+        )
     ]
 
 
