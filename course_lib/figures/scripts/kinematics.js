@@ -76,6 +76,32 @@ globalThis.course.kinematics = (() => {
     return [A[0] + c * x - s * y, A[1] + s * x + c * y];
   };
 
+  // Euler's poses of a plan of body velocities [[vx, vy, omega], seconds], and the exact ones, at the same times.
+  function propagate(start, plan, dt) {
+    const euler = [start], exact = [start];
+    plan.forEach(([[vx, vy, omega], seconds]) => {
+      const steps = Math.ceil((seconds / dt) * (1 - 1e-12)), from = exact[exact.length - 1];
+      for (let k = 1; k <= steps; k++) {
+        const elapsed = k < steps ? k * dt : seconds, h = elapsed - (k - 1) * dt;
+        const [x, y, theta] = euler[euler.length - 1], c = Math.cos(theta), s = Math.sin(theta);
+        euler.push([x + h * (c * vx - s * vy), y + h * (s * vx + c * vy), theta + h * omega]);
+        exact.push(expPlanar(from, [omega * elapsed, vx * elapsed, vy * elapsed]));
+      }
+    });
+    return { euler, exact };
+  }
+  // Where the circles of the unit vectors p1 about k1 and p2 about k2 meet: two points, one or none.
+  function meetings(k1, k2, p1, p2) {
+    const c = dot(k1, k2), h1 = dot(k1, p1), h2 = dot(k2, p2), n = cross(k1, k2), s2 = dot(n, n);
+    if (s2 < 1e-20) return [];
+    const a = (h1 - h2 * c) / s2, b = (h2 - h1 * c) / s2, rest = 1 - a * a - b * b - 2 * a * b * c;
+    if (rest < -1e-12) return [];
+    const foot = add(scale(k1, a), k2, b), g = Math.sqrt(Math.max(0, rest) / s2);
+    return g < 1e-9 ? [foot] : [add(foot, n, g), add(foot, n, -g)];
+  }
+  // The angle about the unit axis k that takes p to q, both on one circle about it.
+  const angleAbout = (k, p, q) => Math.atan2(dot(k, cross(p, q)), dot(p, q) - dot(k, p) * dot(k, q));
+
   // ---- serial arms: {screws: n x 6, home: n + 1 poses} ----
 
   // The poses that the product of exponentials gives each body: the base, then one after each joint.
@@ -106,6 +132,14 @@ globalThis.course.kinematics = (() => {
     return [q.map((_, i) => P[i][1] - y), q.map((_, i) => x - P[i][0])];
   }
 
+  // The joint angles of a planar arm with two links that reach a point, theta2 >= 0; null out of reach.
+  function twoLink([l1, l2], [x, y]) {
+    const c = (x * x + y * y - l1 * l1 - l2 * l2) / (2 * l1 * l2);
+    if (Math.abs(c) > 1) return null;
+    const theta2 = Math.acos(c);
+    return [Math.atan2(y, x) - Math.atan2(l2 * Math.sin(theta2), l1 + l2 * c), theta2];
+  }
+
   // ---- linear algebra ----
 
   // Solve A x = b by elimination with pivots.
@@ -127,6 +161,11 @@ globalThis.course.kinematics = (() => {
   function dampedStep(J, e, damping) {
     const A = times(J, transpose(J)).map((row, i) => row.map((x, j) => (i === j ? x + damping : x)));
     return apply(transpose(J), solve(A, e));
+  }
+  // The plane z = a + b x + c y nearest to points (x, y) with heights z: (a, b, c).
+  function fitPlane(points, z) {
+    const A = points.map(([x, y]) => [1, x, y]), At = transpose(A);
+    return solve(times(At, A), apply(At, z));
   }
   // Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations.
   function eigen(A) {
@@ -174,7 +213,8 @@ globalThis.course.kinematics = (() => {
 
   return {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, rotation, quaternion, multiply, fromEuler,
-    toEuler, pose, rotationOf, positionOf, move, inverse, expScrew, logPlanar, expPlanar, pole, bodies, frames,
-    geometricJacobian, planarPoints, planarJacobian, solve, dampedStep, eigen, nullVector, poseError,
+    toEuler, pose, rotationOf, positionOf, move, inverse, expScrew, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames,
+   
+    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, fitPlane, eigen, nullVector, poseError,
   };
 })();

@@ -87,8 +87,8 @@ def jog(arm, fk=None, *, q=None, base=None):
     arm : SerialArm
         The arm that is drawn, and the library's answer.
     fk : callable, optional
-        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4). Its
-        attribute ``whose``, if it has one, says whose it is. None for the library's own.
+        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4).
+        Its attribute ``whose``, if it has one, says whose it is. None for the library's own.
     q : array_like, shape (n,), optional
         Joint angles at the start, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
     base : array_like, shape (4, 4), optional
@@ -118,7 +118,9 @@ def jog(arm, fk=None, *, q=None, base=None):
     base = np.eye(4) if base is None else real_array(base, "base", (4, 4))
     if not is_se(base):
         raise ValueError("base must be a pose (rigid.nearest_se gives one near it)")
-    alt = f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
+    alt = (
+        f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
+    )
     answer = None if fk is None else Answers(arm, fk, base)
     return _arm_toy(arm, q, ["axes"], alt, f"An arm with {arm.n} joints", answer)
 
@@ -191,9 +193,9 @@ def _arm_toy(arm, q, parts, alt, title, answer=None, **more):
         "mesh": mesh,
         "limits": limits.tolist(),
         "q": q.tolist(),
-        "reach": 0.62 * reach if not flat else 0.8 * reach,
+        "reach": 0.58 * reach if not flat else 0.8 * reach,
         "elevation": 0.9 if flat else 0.3,
-        "centre": [0.0, 0.0, 0.0 if flat else low + 0.38 * reach],
+        "centre": [0.0, 0.0, 0.0 if flat else low + 0.44 * reach],
         **more,
     }
     return Toy("arm", model, _still(arm, mesh, q, model), alt, answer)

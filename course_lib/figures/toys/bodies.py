@@ -31,7 +31,9 @@ def arm_mesh(arm):
     points = np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]])  # the base, a point on each axis, the end-effector
     size = np.abs(points).max()
     widths = np.linspace(0.058, 0.036, arm.n + 1) * size
-    parts = [(0, _END, _lathe(points[0], [0, 0, 1], [(0, 0), (0.1 * size, 0), (0.1 * size, 0.03 * size), (0, 0.03 * size)]))]
+    parts = [
+        (0, _END, _lathe(points[0], [0, 0, 1], [(0, 0), (0.1 * size, 0), (0.1 * size, 0.03 * size), (0, 0.03 * size)]))
+    ]
     for body, (start, end, r) in enumerate(zip(points[:-1], points[1:], widths, strict=True)):
         if np.linalg.norm(end - start) > 1e-9:
             parts.append((body, _LINK, _tube(start, end, r)))
@@ -39,7 +41,9 @@ def arm_mesh(arm):
         along = points[joint + 1] - point if joint < arm.n else points[-1] - point
         axis = screw[:3]
         if np.linalg.norm(along) > 1e-9 and np.linalg.norm(np.cross(axis, along)) < 1e-9 * size:
-            parts.append((joint, _JOINT, _drum(point + 0.42 * along, axis, 1.12 * r, 0.3 * r)))  # a band around the link
+            parts.append(
+                (joint, _JOINT, _drum(point + 0.42 * along, axis, 1.12 * r, 0.3 * r))
+            )  # a band around the link
         elif np.linalg.norm(points[joint] - points[joint - 1]) > 1e-9 or np.linalg.norm(along) > 1e-9:
             parts.append((joint, _JOINT, _drum(point, axis, 0.95 * r, 1.35 * r)))
     z = arm.home[-1, :3, 2]
