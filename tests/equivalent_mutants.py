@@ -25,6 +25,7 @@ REASONS = {
     "another cut": "another start of k-means, and at times another cut: any cut that is as good is right",
     "unasked": "it matters only where the task asks nothing, or where it takes any answer",
     "same place": "the last axis of an array of this many dimensions, or the same integer once numpy has rounded it",
+    "free choice": "the task leaves it to the student: a damping, a tolerance below the one asked for, a seed",
     "rows": "as many rows differ from each other, and of an empty array none",
 }
 
@@ -155,6 +156,12 @@ EQUIVALENT = {
         "R = U @ np.diag([1, 1, np.linalg.det(U.T @ Vt)]) @ Vt": "transposed",
         "B = (w[:, None] * dst).T @ (src - middle_src)": "mean",
         "B = (w[:, None] * (dst - middle_dst)).T @ src": "mean",
+    },
+    "panda_ik": {
+        "random = np.random.default_rng(1)": "free choice",
+        "if np.linalg.norm(e) <= 1e-07:": "free choice",
+        "if np.linalg.norm(e) < 1.1e-07:": "free choice",
+        "q = ik_step_dls(q, geometric_jacobian(frames), e, 0.05 * e)": "free choice",
     },
     "grasp_pose": {
         "weights = -np.ones(len(template))": "sign",
