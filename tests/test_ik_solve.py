@@ -78,6 +78,17 @@ def test_a_target_that_only_a_posture_beyond_the_limits_reaches_is_not_reached()
     assert np.abs(found.q).max() <= 0.1
 
 
+@pytest.mark.parametrize("shift", [2 * np.pi, -6 * np.pi, 1.0])
+def test_limits_far_from_zero(shift):
+    limits = panda().limits + shift
+    limits[::2] = [shift, np.inf], [-np.inf, shift], [shift - 10, shift + 10], [shift - 9, shift + 20]
+    arm = SerialArm(panda().screw_axes, panda().home, limits)
+    targets = panda().fk(np.random.default_rng(0).uniform(*np.clip(limits, shift - 3, shift + 3).T, (20, 7)))
+    for found in (solve(arm, targets, np.random.default_rng(0)), solve(arm, targets[0], np.random.default_rng(0))):
+        assert found.success.all()
+        assert ((found.q >= limits[:, 0]) & (found.q <= limits[:, 1])).all()
+
+
 def test_the_start_that_is_given_is_used():
     arm = panda()
     q0 = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
@@ -183,6 +194,9 @@ def test_targets_far_beyond_any_arm():
     targets = np.tile(np.eye(4), (3, 1, 1))
     targets[:, 0, 3] = [1e9, 1e200, -1e300]
     found = solve(panda(), targets, np.random.default_rng(0), starts=3)
+    alone = [solve(panda(), target, np.random.default_rng(0), starts=3).q for target in targets]
+    for q in (found.q, alone):
+        assert ((q >= panda().limits[:, 0]) & (q <= panda().limits[:, 1])).all()
     assert np.isfinite(found.q).all()
     assert np.isfinite(found.residual).all()
     assert not found.success.any()

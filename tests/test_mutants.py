@@ -66,6 +66,9 @@ def test_mutants_change_one_thing_and_are_spread_over_the_kinds():
 
 def test_mutants_are_known_by_the_same_lines_after_a_reformatting_and_leave_broken_code_alone():
     compact = 'def f(a, b):\n    """Text."""\n    c = (a+b)*2\n    return [c, "x"]'
-    airy = "def f(\n    a,\n    b,\n):\n    'Text.'\n    c = (\n        (a + b) * 2\n    )\n\n    return [\n        c,\n        'x',\n    ]"
+    airy = (
+        "def f(\n    a,\n    b,\n):\n    'Text.'\n    c = (\n        (a + b) * 2\n    )\n\n"
+        "    return [\n        c,\n        'x',\n    ]"
+    )
     broken = compact + "\n    return a - b"
     assert {m.line for m in mutants(compact)} == {m.line for m in mutants(airy)} == {m.line for m in mutants(broken)}

@@ -17,8 +17,9 @@ from course_lib.checks.poe_kuka_iiwa.shared import (
     at,
     axes,
     drawn_axes,
+    whole_screws,
 )
-from course_lib.checks.vocabulary import X, any_pose, few_digits, halves_swapped, near, whole_numbers
+from course_lib.checks.vocabulary import X, any_pose, few_digits, halves_swapped, near
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
@@ -82,7 +83,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         few_digits(_right),
-        whole_numbers(_right),
+        whole_screws(_right),
         Mistake("the screw axes are returned as they came", "They are seen from the base still.", lambda S, M: S),
         Mistake(
             "Ad(M) stands where Ad(M^-1) belongs",
@@ -101,7 +102,10 @@ EXERCISE = Exercise(
             lambda screws, M: screws @ adjoint(M),
             shadowed_by="Ad(M) is transposed where it is to be inverted",
         ),
-        *adjoint_mistakes(_with_adjoint),
+        *adjoint_mistakes(
+            _with_adjoint,
+            without=("the adjoint is transposed", "the blocks of the adjoint are in the order (v, omega)"),
+        ),
         halves_swapped(_right, "v stands before omega", "Each row is (omega, v).", axis=1),
     ),
     hints=(

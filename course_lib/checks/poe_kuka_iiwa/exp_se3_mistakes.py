@@ -240,7 +240,6 @@ MISTAKES = (
         _translation(first=_lag, second=_versine),
         _translation(first=np.sin, second=_versine),
         _translation(first=np.sin, second=_versine, straight=lambda a: 1.0),
-        _translation(first=np.sin, second=_versine, straight=lambda a: 1.0, divisions=0),
     ),
     _in_p(
         "a sign in the formula of p is wrong, or cos and sin stand without 1 - or a -",

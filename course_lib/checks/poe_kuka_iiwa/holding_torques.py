@@ -29,23 +29,23 @@ def _cases(rng):
     ]
 
 
-def _wrench(screws, M, theta, mass, center):
+def _wrench(screws, M, q, mass, center):
     """The weight as the base sees it."""
-    T, f = tool_pose(screws, M, theta), np.array([0, 0, -mass * G])
+    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
     return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
 
 
-def _right(screws, M, theta, mass, center):
-    return -jacobian(screws, theta).T @ _wrench(screws, M, theta, mass, center)
+def _right(screws, M, q, mass, center):
+    return -jacobian(screws, q).T @ _wrench(screws, M, q, mass, center)
 
 
 def _by_wrench(wrench):
     """The torques of somebody who has another wrench: wrench(p of the load, T, f)."""
 
-    def answer(screws, M, theta, mass, center):
-        T, f = tool_pose(screws, M, theta), np.array([0, 0, -mass * G])
-        value = -jacobian(screws, theta).T @ wrench(T[:3, :3] @ center + T[:3, 3], T, f, center)
-        right = _right(screws, M, theta, mass, center)
+    def answer(screws, M, q, mass, center):
+        T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+        value = -jacobian(screws, q).T @ wrench(T[:3, :3] @ center + T[:3, 3], T, f, center)
+        right = _right(screws, M, q, mass, center)
         return None if near(value, right) else value
 
     return answer
@@ -68,10 +68,10 @@ def _seen(tau, *case):
 EXERCISE = Exercise(
     name="holding_torques",
     points=3,
-    arguments=("screws", "M", "theta", "mass", "center"),
+    arguments=("screws", "M", "q", "mass", "center"),
     cases=_cases,
     returns=numbers(
-        lambda screws, M, theta, mass, center: (len(theta),),
+        lambda screws, M, q, mass, center: (len(q),),
         lambda array, screws, *rest: _WRENCH if array.shape == (6,) else None,
     ),
     properties=(
@@ -91,7 +91,17 @@ EXERCISE = Exercise(
         Mistake(
             "the weight acts at the end-effector's origin, not at the center of mass",
             "The center of mass is given in the end-effector's frame: where is it, seen from the base?",
-            _other(lambda S, M, theta, mass, center: _right(S, M, theta, mass, 0 * center)),
+            _other(lambda S, M, q, mass, center: _right(S, M, q, mass, 0 * center)),
+        ),
+        Mistake(
+            "the center of mass is taken for a position in the base frame",
+            "It is known in the end-effector's frame: where is it, seen from the base?",
+            _by_wrench(lambda p, T, f, c: np.append(np.cross(c, f), f)),
+        ),
+        Mistake(
+            "the torques are multiplied by the angles",
+            "The angles only say where the axes are.",
+            _other(lambda *case: _right(*case) * case[2]),
         ),
         Mistake(
             "the center of mass is added without rotating it",
@@ -130,27 +140,26 @@ EXERCISE = Exercise(
         Mistake(
             "mass is left out",
             "The weight is mass times 9.81 m/s^2.",
-            _other(lambda S, M, theta, mass, center: _right(S, M, theta, 1.0, center)),
+            _other(lambda S, M, q, mass, center: _right(S, M, q, 1.0, center)),
         ),
         Mistake(
             "the wrench of the base frame is used with the body Jacobian, or the other way round",
             "A Jacobian's transpose takes the wrench seen from the same frame as its columns.",
             _other(
-                lambda S, M, theta, mass, center: (
-                    (adjoint(inverse(tool_pose(S, M, theta))) @ jacobian(S, theta)).T
-                    @ -_wrench(S, M, theta, mass, center)
+                lambda S, M, q, mass, center: (
+                    (adjoint(inverse(tool_pose(S, M, q))) @ jacobian(S, q)).T @ -_wrench(S, M, q, mass, center)
                 )
             ),
         ),
         Mistake(
             "the load is placed as if the arm were at home",
             "Where is the end-effector at these angles?",
-            _other(lambda S, M, theta, mass, center: -jacobian(S, theta).T @ _wrench(S, M, 0 * theta, mass, center)),
+            _other(lambda S, M, q, mass, center: -jacobian(S, q).T @ _wrench(S, M, 0 * q, mass, center)),
         ),
         Mistake(
             "the screw axes are left as they are at home",
             "The joints before have moved them: that is what the Jacobian says.",
-            _other(lambda S, M, theta, mass, center: -S @ _wrench(S, M, theta, mass, center)),
+            _other(lambda S, M, q, mass, center: -S @ _wrench(S, M, q, mass, center)),
         ),
         Mistake(
             "gravity pulls along y",
@@ -161,8 +170,8 @@ EXERCISE = Exercise(
     hints=(
         "Three steps: where is the center of mass, seen from the base? What wrench (m, f) is the weight, seen from the "
         "base? Which torques balance it?",
-        "A motion with joint velocities theta' lets the weight do the power F_s . (J_s theta'). The joints' power is "
-        "tau . theta'. Held still, the two add up to 0 for every theta'.",
+        "A motion with joint velocities q' lets the weight do the power F_s . (J_s q'). The joints' power is "
+        "tau . q'. Held still, the two add up to 0 for every q'.",
         "So tau is minus the transpose of the space Jacobian, times F_s; and F_s is (p x f, f), f = (0, 0, -9.81 "
         "mass).",
     ),

@@ -22,7 +22,7 @@ def _cases(rng):
     gantry = axes([Z, Z, Y, X, Y, Z], [0 * X, X, X + Z, X + 2 * Y, X, Y + Z])
     drawn = [jacobian(axes(*drawn_axes(rng, n)), rng.uniform(-1, 1, n)) for n in (5, 7)]
     return [
-        *((jacobian(arm, theta),) for theta in (elbow, wrist, shoulder)),
+        *((jacobian(arm, q),) for q in (elbow, wrist, shoulder)),
         (jacobian(gantry, rng.uniform(-1, 1, 6)),),
         *((J,) for J in drawn),
         (np.vstack([np.eye(5), np.ones(5)]),),
@@ -88,13 +88,18 @@ EXERCISE = Exercise(
             lambda J: np.linalg.svd(J)[2][-1, :6] if J.shape[1] >= 6 else None,
         ),
         Mistake(
+            "the singular values are returned",
+            "np.linalg.svd returns three arrays: U, the singular values, and V^T.",
+            lambda J: np.append(s := np.linalg.svd(J)[1], np.zeros(6 - len(s))),
+        ),
+        Mistake(
             "the vector is scaled by its singular value",
             "Return the unit vector itself.",
             lambda J: np.linalg.norm(_right(J) @ J) * _right(J),
         ),
     ),
     hints=(
-        "In the directions that the end-effector cannot move, J theta' has no part, whatever theta' is: u^T J = 0.",
+        "In the directions that the end-effector cannot move, J q' has no part, whatever q' is: u^T J = 0.",
         "np.linalg.svd(J) returns U, the singular values, and V^T. The vectors you look for live in the space of "
         "twists.",
         "It is the last column of the 6 x 6 matrix U.",

@@ -15,6 +15,9 @@ _POINTS = np.cross(_OMEGA, _ARM.screw_axes[:, 3:])  # the point of each axis tha
 _TRANSPOSED = Mistake("rows and columns are swapped", "One joint a row: the shape is (6, 6).")
 _NO_POINTS = Mistake("only the directions are returned", "A row is a direction and a point: six numbers.")
 
+_LAST = np.arange(6)[:, None] == 4
+_DROP = np.outer(np.arange(6) == 5, [False, False, True])
+
 
 def _right():
     return np.hstack([_OMEGA, _POINTS])
@@ -134,6 +137,17 @@ EXERCISE = Exercise(
             "heights are counted from the shoulder, not from the base",
             "All points are given in the base frame, whose origin is on the floor plate.",
             _with(_heights_from_shoulder),
+        ),
+        Mistake(
+            "dimensions are not added up from the base",
+            "Dimensions are distances between neighbours; a point's coordinates are counted from the base.",
+            _with(lambda omega, points: (omega, np.where(points < -0.8, -0.3922, points))),
+            _with(lambda omega, points: (omega, np.where(_LAST & (points < -0.8), 0, points))),
+        ),
+        Mistake(
+            "axis 6 is at the height of axes 2 to 4, or at twice the drop",
+            "Axis 6 lies below the upper arm: look at the side view.",
+            *(_with(lambda omega, points, z=z: (omega, np.where(_DROP, z, points))) for z in (0.1625, 0.2622)),
         ),
         Mistake(
             "all axes go through the origin",

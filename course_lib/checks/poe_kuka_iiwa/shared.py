@@ -5,7 +5,18 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, near, products, remembered, unit
+from course_lib.checks.vocabulary import (
+    X,
+    Y,
+    Z,
+    any_pose,
+    away_from_zero,
+    near,
+    products,
+    remembered,
+    unit,
+    whole_numbers,
+)
 from course_lib.rigid import adjoint, exp_se3, transform
 from course_lib.rotations import exp_so3, hat
 
@@ -41,7 +52,7 @@ def drawn_axes(rng, n):
 
 
 def arms(rng):
-    """Return cases (screws, M, theta): simple arms first, then any, then those given in whole numbers."""
+    """Return cases (screws, M, q): simple arms first, then any, then those given in whole numbers."""
     tool = transform(exp_so3(np.pi / 2 * X), [2.0, 0, 1])
     named = [
         (ONE, at(1, 0, 0), np.array([np.pi / 2])),
@@ -61,27 +72,27 @@ def arms(rng):
 
 
 @remembered
-def exponentials(screws, theta):
-    """Return exp([S1] theta1), ..., exp([Sn] thetan)."""
-    return exp_se3(screws * theta[:, None])
+def exponentials(screws, q):
+    """Return exp([S1] q1), ..., exp([Sn] qn)."""
+    return exp_se3(screws * q[:, None])
 
 
 @remembered
-def tool_pose(screws, M, theta):
+def tool_pose(screws, M, q):
     """Return the pose of the end-effector, by the product of exponentials."""
-    return products(exponentials(screws, theta))[-1] @ M
+    return products(exponentials(screws, q))[-1] @ M
 
 
 @remembered
-def before(screws, theta):
+def before(screws, q):
     """Return for each joint the product of the exponentials of the joints before it."""
-    return products(exponentials(screws, theta))[:-1]
+    return products(exponentials(screws, q))[:-1]
 
 
 @remembered
-def jacobian(screws, theta):
+def jacobian(screws, q):
     """Return the space Jacobian (6, n)."""
-    return columns(adjoint(before(screws, theta)), screws)
+    return columns(adjoint(before(screws, q)), screws)
 
 
 def columns(matrices, screws):
@@ -117,6 +128,12 @@ def off_column(J, right, first=0, last=6):
     i = int(np.argmax([not near(J[first:last, k], right[first:last, k]) for k in range(right.shape[1])]))
     wanted, yours = right[first:last, i], J[first:last, i]
     return f"J[{first}:{last}, {i}] should be {format_tuple(wanted)}; yours is {format_tuple(yours)}."
+
+
+def whole_screws(right):
+    """The mistake of filling a copy of the first argument, which holds whole numbers only."""
+    both = whole_numbers(right)
+    return Mistake(both.name, both.hint, both.answers[0], seen=both.seen)
 
 
 def reshaped(right):
@@ -208,9 +225,13 @@ ADJOINTS = {
 }
 
 
-def adjoint_mistakes(*with_matrix):
-    """Return a Mistake for each of ADJOINTS. with_matrix: each(matrix) is the answer of somebody with that adjoint."""
+def adjoint_mistakes(*with_matrix, without=()):
+    """Return a Mistake for each of ADJOINTS.
+
+    with_matrix: each(matrix) is the answer of somebody with that adjoint. without: names to leave out.
+    """
     return tuple(
         Mistake(name, hint, *(use(matrix) for use in with_matrix for matrix in matrices))
         for (name, hint), matrices in ADJOINTS.items()
+        if name not in without
     )

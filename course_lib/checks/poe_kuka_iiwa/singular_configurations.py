@@ -15,8 +15,8 @@ _SINGULAR = 1e-7  # the smallest singular value of a singular configuration, at 
 _REGULAR = 1e-3  # of one that is not
 
 
-def _smallest(theta):
-    return np.linalg.svd(_ARM.space_jacobian(theta), compute_uv=False)[..., 5]
+def _smallest(q):
+    return np.linalg.svd(_ARM.space_jacobian(q), compute_uv=False)[..., 5]
 
 
 def _right():
@@ -67,7 +67,7 @@ def _two_of(order):
 
 
 def _with(k, **angles):
-    """The right rows, with other angles in row k: theta4=0.0 and so on."""
+    """The right rows, with other angles in row k: q4=0.0 and so on."""
 
     def answer():
         rows = _right()
@@ -94,17 +94,30 @@ EXERCISE = Exercise(
         {(7, 3): Mistake("rows and columns are swapped", "One configuration a row: the shape is (3, 7).")},
     ),
     properties=(
-        Property("all angles are within the joint limits", _within, seen=_outside),
+        Property(
+            "all angles are within the joint limits",
+            _within,
+            seen=_outside,
+            mistake=Mistake("an angle is beyond its limit", "The limits are in arm.limits, one row a joint."),
+        ),
         Property(
             "the Jacobian has rank 5 in each of the three configurations",
             lambda rows: all(_rank_loss(row) == 1 for row in rows),
             seen=_ranks,
+            mistake=Mistake(
+                "a configuration is not singular",
+                "np.linalg.svd of the Jacobian shows it: the last singular value must be 0.",
+            ),
         ),
         Property(
             "row 0 is singular because of the elbow (joint 4), row 1 of the shoulder (joints 2 and 3), row 2 of the "
             "wrist (joints 5 and 6)",
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             seen=_families,
+            mistake=Mistake(
+                "two rows are of one family",
+                "Each row must become regular when the joints of its own family move.",
+            ),
         ),
     ),
     mistakes=(
@@ -123,8 +136,8 @@ EXERCISE = Exercise(
         Mistake(
             "pi / 2 is rounded",
             "A configuration near a singularity has full rank: use np.pi.",
-            _with(2, theta5=1.57),
-            _with(1, theta3=1.57),
+            _with(2, q5=1.57),
+            _with(1, q3=1.57),
             alike=lambda value, predicted: (
                 np.sort([_smallest(row) for row in value])[1:].max() < 1e-2
                 and any(_SINGULAR <= _smallest(row) < 1e-2 for row in value)
@@ -138,9 +151,9 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the straight wrist or the upright shoulder is taken for singular alone",
-            "A seventh joint helps out: theta6 = 0 (or theta2 = 0) needs a second angle. Try values of its neighbour.",
-            _with(2, theta5=0.5),
-            _with(1, theta3=-0.4),
+            "A seventh joint helps out: q6 = 0 (or q2 = 0) needs a second angle. Try values of its neighbour.",
+            _with(2, q5=0.5),
+            _with(1, q3=-0.4),
             alike=lambda value, predicted: (
                 all(_rank_loss(row) <= 1 for row in value)
                 and (
@@ -153,10 +166,10 @@ EXERCISE = Exercise(
     hints=(
         "Start from an ordinary configuration and look at np.linalg.svd of its Jacobian. The elbow is easy: "
         "stretch it.",
-        "For the shoulder, theta2 = 0 puts axis 3 on axis 1; for the wrist, theta6 = 0 puts axis 7 on axis 5. "
+        "For the shoulder, q2 = 0 puts axis 3 on axis 1; for the wrist, q6 = 0 puts axis 7 on axis 5. "
         "That alone "
-        "costs nothing. Plot the smallest singular value against theta3, or theta5.",
-        "It vanishes at a right angle: theta3 or theta5 is pi / 2.",
+        "costs nothing. Plot the smallest singular value against q3, or q5.",
+        "It vanishes at a right angle: q3 or q5 is pi / 2.",
     ),
     library=_right,
 )

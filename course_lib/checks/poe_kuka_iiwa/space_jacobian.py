@@ -22,16 +22,16 @@ from course_lib.rotations import hat
 
 def _with_adjoint(matrix):
     """The Jacobian of somebody with another adjoint: matrix(R, p), 6 x 6."""
-    return lambda screws, theta: columns([matrix(T[:3, :3], T[:3, 3]) for T in before(screws, theta)], screws)
+    return lambda screws, q: columns([matrix(T[:3, :3], T[:3, 3]) for T in before(screws, q)], screws)
 
 
 def _moved_by(others):
     """The Jacobian of somebody who lets other joints move each axis: others(exponentials) gives a pose for each."""
-    return lambda screws, theta: columns(adjoint(others(exponentials(screws, theta))), screws)
+    return lambda screws, q: columns(adjoint(others(exponentials(screws, q))), screws)
 
 
-def _added_up(screws, theta):
-    sums = np.cumsum([np.eye(4), *exponentials(screws, theta)[:-1]], 0)
+def _added_up(screws, q):
+    sums = np.cumsum([np.eye(4), *exponentials(screws, q)[:-1]], 0)
     blocks = [[[T[:3, :3], np.zeros((3, 3))], [hat(T[:3, 3]) @ T[:3, :3], T[:3, :3]]] for T in sums]
     return columns([np.block(block) for block in blocks], screws)
 
@@ -39,31 +39,31 @@ def _added_up(screws, theta):
 EXERCISE = Exercise(
     name="space_jacobian",
     points=2,
-    arguments=("screws", "theta"),
-    cases=lambda rng: [(screws, theta) for screws, M, theta in arms(rng)],
-    returns=read_jacobian(lambda screws, theta: len(theta)),
+    arguments=("screws", "q"),
+    cases=lambda rng: [(screws, q) for screws, M, q in arms(rng)],
+    returns=read_jacobian(lambda screws, q: len(q)),
     properties=(
         SAME_TWICE,
         Property(
             "the first column is the first screw axis: no joint stands before it",
-            lambda J, screws, theta: near(J[:, 0], screws[0]),
-            seen=lambda J, screws, theta: f"That is {format_tuple(screws[0])}; yours is {format_tuple(J[:, 0])}.",
+            lambda J, screws, q: near(J[:, 0], screws[0]),
+            seen=lambda J, screws, q: f"That is {format_tuple(screws[0])}; yours is {format_tuple(J[:, 0])}.",
         ),
         Property(
             "with all angles 0 the columns are the screw axes as they are",
-            lambda J, screws, theta: near(J, screws.T),
-            seen=lambda J, screws, theta: off_column(J, screws.T),
-            where=lambda screws, theta: not theta.any(),
+            lambda J, screws, q: near(J, screws.T),
+            seen=lambda J, screws, q: off_column(J, screws.T),
+            where=lambda screws, q: not q.any(),
         ),
         Property(
             "above, each column has the direction of its axis, rotated by all joints before it",
-            lambda J, screws, theta: near(J[:3], jacobian(screws, theta)[:3]),
-            seen=lambda J, screws, theta: off_column(J, jacobian(screws, theta), 0, 3),
+            lambda J, screws, q: near(J[:3], jacobian(screws, q)[:3]),
+            seen=lambda J, screws, q: off_column(J, jacobian(screws, q), 0, 3),
         ),
         Property(
             "below, each column has v = -omega x p, with a point p of its axis where the joints before have moved it",
-            lambda J, screws, theta: near(J[3:], jacobian(screws, theta)[3:]),
-            seen=lambda J, screws, theta: off_column(J, jacobian(screws, theta), 3, 6),
+            lambda J, screws, q: near(J[3:], jacobian(screws, q)[3:]),
+            seen=lambda J, screws, q: off_column(J, jacobian(screws, q), 3, 6),
         ),
     ),
     mistakes=(
@@ -72,7 +72,7 @@ EXERCISE = Exercise(
         Mistake(
             "the screw axes are left as they are at home",
             "An axis is moved by the joints before it; its own joint leaves it where it is.",
-            lambda screws, theta: screws.T,
+            lambda screws, q: screws.T,
         ),
         *adjoint_mistakes(_with_adjoint),
         Mistake(
@@ -105,7 +105,7 @@ EXERCISE = Exercise(
         Mistake(
             "the body Jacobian is returned",
             "The space Jacobian is seen from the base frame: no inverse is needed.",
-            lambda screws, theta: adjoint(inverse(products(exponentials(screws, theta))[-1])) @ jacobian(screws, theta),
+            lambda screws, q: adjoint(inverse(products(exponentials(screws, q))[-1])) @ jacobian(screws, q),
         ),
         Mistake(
             "the adjoint is that of the inverse",
@@ -117,28 +117,28 @@ EXERCISE = Exercise(
         Mistake(
             "the halves of the screw axes are swapped",
             "Twists are (omega, v): omega comes first.",
-            lambda screws, theta: jacobian(np.roll(screws, 3, axis=1), theta),
+            lambda screws, q: jacobian(np.roll(screws, 3, axis=1), q),
         ),
         Mistake(
             "the columns are multiplied by the angles",
             "The Jacobian is multiplied by joint velocities later; the angles only say where the axes are.",
-            lambda screws, theta: jacobian(screws, theta) * theta,
+            lambda screws, q: jacobian(screws, q) * q,
         ),
         Mistake(
             "degrees and radians are mixed up",
             "Angles are in radians throughout.",
-            lambda screws, theta: jacobian(screws, np.deg2rad(theta)),
-            lambda screws, theta: jacobian(screws, np.rad2deg(theta)),
+            lambda screws, q: jacobian(screws, np.deg2rad(q)),
+            lambda screws, q: jacobian(screws, np.rad2deg(q)),
         ),
         Mistake(
             "the joints rotate the other way round",
             "A positive angle is counter-clockwise about omega: no minus.",
-            lambda screws, theta: jacobian(screws, -theta),
+            lambda screws, q: jacobian(screws, -q),
         ),
         Mistake(
             "the exponentials are taken without the angles",
-            "exp([S] theta): where is theta?",
-            lambda screws, theta: jacobian(screws, 0 * theta + 1),
+            "exp([S] q): where is q?",
+            lambda screws, q: jacobian(screws, 0 * q + 1),
         ),
         reshaped(jacobian),
     ),

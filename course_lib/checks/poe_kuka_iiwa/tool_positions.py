@@ -36,16 +36,21 @@ def _cases(rng):
 
 
 def _each(position):
-    """The positions of somebody whose position(screws, M, theta) is that of one row of angles."""
-    return lambda screws, M, angles: np.array([position(screws, M, theta) for theta in angles])
+    """The positions of somebody whose position(screws, M, q) is that of one row of angles."""
+    return lambda screws, M, angles: np.array([position(screws, M, q) for q in angles])
 
 
-def _product(screws, theta):
-    return products(exponentials(screws, theta))[-1]
+def _product(screws, q):
+    return products(exponentials(screws, q))[-1]
 
 
-_right = _each(lambda screws, M, theta: tool_pose(screws, M, theta)[:3, 3])
-_broken = _each(lambda screws, M, theta: _product(screws, theta)[:3, 3])
+_right = _each(lambda screws, M, q: tool_pose(screws, M, q)[:3, 3])
+_broken = _each(lambda screws, M, q: _product(screws, q)[:3, 3])
+
+
+def _running(screws, M, angles):
+    """The positions of somebody who does not begin anew for each row."""
+    return np.array([(T @ M)[:3, 3] for T in products([_product(screws, q) for q in angles])[1:]])
 
 
 def _other(answer):
@@ -85,25 +90,35 @@ EXERCISE = Exercise(
             *(
                 _other(_each(position))
                 for position in (
-                    lambda screws, M, theta: (M @ _product(screws, theta))[:3, 3],
-                    lambda screws, M, theta: (M @ tool_pose(screws, M, theta))[:3, 3],
+                    lambda screws, M, q: (M @ _product(screws, q))[:3, 3],
+                    lambda screws, M, q: (M @ tool_pose(screws, M, q))[:3, 3],
                 )
             ),
         ),
         Mistake(
+            "M comes in once for each joint",
+            "M comes in once, after the last exponential.",
+            _other(_each(lambda S, M, q: products([E @ M for E in exponentials(S, q)])[-1][:3, 3])),
+        ),
+        Mistake(
+            "the product goes on from row to row",
+            "Each row of angles is a configuration of its own: the product begins anew.",
+            _other(_running),
+        ),
+        Mistake(
             "only the position of M is added, without rotating it",
             "The arm rotates what it carries: adding vectors of two frames gives no position.",
-            _other(_each(lambda screws, M, theta: _product(screws, theta)[:3, 3] + M[:3, 3])),
+            _other(_each(lambda screws, M, q: _product(screws, q)[:3, 3] + M[:3, 3])),
         ),
         Mistake(
             "the rotation alone is applied to the position of M",
             "The product of the exponentials moves points as well as rotating them.",
-            _other(_each(lambda screws, M, theta: _product(screws, theta)[:3, :3] @ M[:3, 3])),
+            _other(_each(lambda screws, M, q: _product(screws, q)[:3, :3] @ M[:3, 3])),
         ),
         Mistake(
             "every row is at home",
             "The exponentials must move the end-effector.",
-            _other(_each(lambda screws, M, theta: M[:3, 3])),
+            _other(_each(lambda screws, M, q: M[:3, 3])),
         ),
         Mistake(
             "every row is that of the same angles",
@@ -113,13 +128,13 @@ EXERCISE = Exercise(
         Mistake(
             "a row of T is returned, not its last column",
             "The position is in the last column of T.",
-            _other(_each(lambda screws, M, theta: tool_pose(screws, M, theta)[3, :3])),
-            _other(_each(lambda screws, M, theta: tool_pose(screws, M, theta)[2, :3])),
+            _other(_each(lambda screws, M, q: tool_pose(screws, M, q)[3, :3])),
+            _other(_each(lambda screws, M, q: tool_pose(screws, M, q)[2, :3])),
         ),
         Mistake(
             "one exponential is taken of the sum of the twists",
             "For matrices exp(A) exp(B) is not exp(A + B).",
-            _other(_each(lambda screws, M, theta: (exp_se3(theta @ screws) @ M)[:3, 3])),
+            _other(_each(lambda screws, M, q: (exp_se3(q @ screws) @ M)[:3, 3])),
         ),
     ),
     hints=(

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.poe_kuka_iiwa.shared import at
+from course_lib.checks.poe_kuka_iiwa.shared import at, whole_screws
 from course_lib.checks.vocabulary import (
     X,
     any_pose,
@@ -14,7 +14,6 @@ from course_lib.checks.vocabulary import (
     few_digits,
     halves_swapped,
     near,
-    whole_numbers,
 )
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
@@ -73,7 +72,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         few_digits(_right),
-        whole_numbers(_right),
+        whole_screws(_right),
         argument_returned(0, "the wrench is returned as it came", "It is seen from the end-effector still."),
         Mistake(
             "the wrench is carried as if it were a twist",

@@ -201,7 +201,7 @@ def wrong_v_divided_twice(twist):
 
 
 def wrong_tiny_angles_cut(twist):
-    """tiny rotations are cut off"""
+    """the part of p across v is lost"""
     if np.linalg.norm(twist[:3]) < 1e-6:
         return _matrix(exp_so3(twist[:3]), twist[3:])
     return right_series_below_1e_5(twist)

@@ -60,13 +60,6 @@ def wrong_v_first_row_on_top(twist):
     return V
 
 
-def wrong_last_entry_of_v_forgotten(twist):
-    """unnamed"""
-    V = right_filled_in(twist)
-    V[2, 3] = 0
-    return V
-
-
 def wrong_index_one_too_far(twist):
     """IndexError"""
     V = np.zeros((4, 4))

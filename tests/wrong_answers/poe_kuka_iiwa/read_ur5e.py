@@ -50,14 +50,14 @@ def wrong_axis_5_up():
 
 
 def wrong_axis_5_above_the_origin():
-    """unnamed"""
+    """not added up from the base"""
     rows = np.array(right_table(), float)
     rows[4, 3:] = 0, -0.1333, 0
     return rows
 
 
 def wrong_forearm_alone_for_the_wrist():
-    """unnamed"""
+    """not added up from the base"""
     rows = np.array(right_table(), float)
     rows[3:, 3] = -0.3922
     return rows
@@ -82,7 +82,7 @@ def wrong_screw_axes():
 
 
 def wrong_axis_6_at_the_height_of_axis_4():
-    """unnamed"""
+    """axis 6 is at the height of axes 2 to 4"""
     rows = np.array(right_table(), float)
     rows[5, 5] = H
     return rows

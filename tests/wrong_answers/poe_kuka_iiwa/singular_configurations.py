@@ -67,21 +67,21 @@ def wrong_right_angle_rounded():
 
 
 def wrong_elbow_at_a_right_angle():
-    """unnamed"""
+    """a configuration is not singular"""
     rows = np.array(right_by_the_text())
     rows[0, 3] = np.pi / 2
     return rows
 
 
 def wrong_beyond_the_limits():
-    """unnamed"""
+    """beyond its limit"""
     rows = np.array(right_by_the_text())
     rows[1, 1] = np.pi
     return rows
 
 
 def wrong_elbow_three_times():
-    """unnamed"""
+    """two rows are of one family"""
     return np.tile(right_by_the_text()[0], (3, 1))
 
 

@@ -8,9 +8,9 @@ from course_lib.rigid import exp_se3, hat_se3
 
 def right_M_at_the_end(screws, M, angles):
     path = []
-    for theta in angles:
+    for q in angles:
         T = np.eye(4)
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle)
         path.append((T @ M)[:3, 3])
     return np.array(path)
@@ -18,10 +18,10 @@ def right_M_at_the_end(screws, M, angles):
 
 def right_beginning_with_M(screws, M, angles):
     path = []
-    for theta in angles:
+    for q in angles:
         x = M[:, 3]
-        for i in reversed(range(len(theta))):
-            x = scipy.linalg.expm(hat_se3(screws[i]) * theta[i]) @ x
+        for i in reversed(range(len(q))):
+            x = scipy.linalg.expm(hat_se3(screws[i]) * q[i]) @ x
         path.append(list(x[:3]))
     return path
 
@@ -36,9 +36,9 @@ def right_all_rows_at_once(screws, M, angles):
 def wrong_M_added(screws, M, angles):
     """only the position of M is added"""
     path = []
-    for theta in angles:
+    for q in angles:
         T = np.eye(4)
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle)
         path.append(T[:3, 3] + M[:3, 3])
     return np.array(path)
@@ -47,19 +47,19 @@ def wrong_M_added(screws, M, angles):
 def wrong_M_first(screws, M, angles):
     """M stands on the left"""
     path = []
-    for theta in angles:
+    for q in angles:
         T = M
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle)
         path.append(T[:3, 3])
     return np.array(path)
 
 
 def wrong_M_carried_over(screws, M, angles):
-    """unnamed"""
+    """from row to row"""
     path, T = [], np.eye(4)
-    for theta in angles:
-        for S, angle in zip(screws, theta):
+    for q in angles:
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle)
         path.append((T @ M)[:3, 3])
     return np.array(path)
@@ -68,9 +68,9 @@ def wrong_M_carried_over(screws, M, angles):
 def wrong_unchanged(screws, M, angles):
     """unnamed"""
     path = []
-    for theta in angles:
+    for q in angles:
         T = np.eye(4)
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle)
         path.append(T[:3, 3])
     return np.array(path)
@@ -78,33 +78,33 @@ def wrong_unchanged(screws, M, angles):
 
 def wrong_last_row(screws, M, angles):
     """a row of T is returned"""
-    return np.array([_pose(screws, M, theta)[3, :3] for theta in angles])
+    return np.array([_pose(screws, M, q)[3, :3] for q in angles])
 
 
-def _pose(screws, M, theta):
+def _pose(screws, M, q):
     T = np.eye(4)
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         T = T @ exp_se3(S * angle)
     return T @ M
 
 
 def wrong_whole_poses(screws, M, angles):
     """whole poses"""
-    return [_pose(screws, M, theta) for theta in angles]
+    return [_pose(screws, M, q) for q in angles]
 
 
 def wrong_returns_in_the_loop(screws, M, angles):
     """only one position"""
-    for theta in angles:
-        return _pose(screws, M, theta)[:3, 3]
+    for q in angles:
+        return _pose(screws, M, q)[:3, 3]
 
 
 def wrong_M_times_each(screws, M, angles):
-    """unnamed"""
+    """once for each joint"""
     path = []
-    for theta in angles:
+    for q in angles:
         T = np.eye(4)
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             T = T @ exp_se3(S * angle) @ M
         path.append(T[:3, 3])
     return np.array(path)
@@ -118,7 +118,7 @@ def wrong_transposed(screws, M, angles):
 def wrong_M_changed(screws, M, angles):
     """M is changed in place"""
     path = []
-    for theta in angles:
-        M[:] = _pose(screws, M, theta)
+    for q in angles:
+        M[:] = _pose(screws, M, q)
         path.append(M[:3, 3].copy())
     return path

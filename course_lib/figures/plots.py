@@ -1,4 +1,4 @@
-"""Plain plots that every notebook uses."""
+"""Plots of series over one variable, for every notebook."""
 
 from course_lib.figures.style import plane_figure
 
@@ -6,7 +6,7 @@ STYLES = ("-", "--", ":", "-.")
 
 
 def lines(x, series, *, xlabel, ylabel, title="", log="", marks=None):
-    """Return a plain plot of several series over x. log: "x", "y" or "xy" for logarithmic axes.
+    """Return a plot of several series over x. log: "x", "y" or "xy" for logarithmic axes.
 
     series: {label: y (n,)}. marks: {label: (x, y)} single points, or None.
     """
@@ -21,7 +21,7 @@ def lines(x, series, *, xlabel, ylabel, title="", log="", marks=None):
 
 
 def panels(x, contents, *, xlabel, log=""):
-    """Return plain plots side by side, with one legend for all.
+    """Return plots side by side, with one legend for all.
 
     contents: {the panel's ylabel: {label: y (n,)}}; the same labels in each panel.
     """

@@ -6,24 +6,31 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.sampling import (
     DRAWS,
+    FULL_TURN,
     LEVEL,
     ROTATIONS,
     TIED,
     cases,
     cells_p_value,
-    even,
-    gaps,
+    has_gaps,
     many,
-    nearly_even,
+    nearly_uniform,
     of_many,
     tied,
+    uniform,
 )
+from course_lib.rotations import rot_x, rot_y, rot_z
+
+
+def _right(n, rng):
+    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def _angles(R):
     """(alpha, beta, gamma) of R = Rz(gamma) Ry(beta) Rx(alpha), beta in [-pi/2, pi/2].
 
-    With beta beyond pi/2, alpha + pi, pi - beta and gamma + pi are read off: what is even and independent stays so.
+    With beta beyond pi/2, alpha + pi, pi - beta and gamma + pi are read off: what is uniform and independent stays so.
     """
     return (
         np.arctan2(R[:, 2, 1], R[:, 2, 2]),
@@ -32,10 +39,10 @@ def _angles(R):
     )
 
 
-_RANGES = [(-np.pi, np.pi), (0, np.pi / 2), (-np.pi, np.pi)]
+_RANGES = [FULL_TURN, (0, np.pi / 2), FULL_TURN]
 
 
-def _entry(R, i, j):
+def _signs(R, i, j):
     """Which signs R[i, j] has among the draws: (any negative, any positive)."""
     return bool(R[:, i, j].min() < -1e-12), bool(R[:, i, j].max() > 1e-12)
 
@@ -44,33 +51,34 @@ _BOTH, _NEVER_POSITIVE, _NEVER_NEGATIVE = (True, True), (True, False), (False, T
 
 
 def _other_order(R):
-    return _entry(R, 2, 0) == _BOTH and _entry(R, 0, 2) == _NEVER_NEGATIVE
+    return _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE
 
 
 def _transposed(R):
-    return _entry(R, 2, 0) == _BOTH and _entry(R, 0, 2) == _NEVER_POSITIVE
+    return _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE
 
 
 def _other_range(R):
-    return nearly_even(_angles(R)[1], -np.pi / 2, np.pi / 2)
+    return nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)
 
 
 def _one_axis_twice(R):
     """R = Rz Ry Rz has cos(beta) in one corner, R = Rx Ry Rx in the other."""
-    return any(even(np.arccos(np.clip(R[:, i, i], -1, 1)), 0, np.pi) for i in (0, 2))
+    return any(uniform(np.arccos(np.clip(R[:, i, i], -1, 1)), 0, np.pi) for i in (0, 2))
 
 
 def _in_one_half(R):
     alpha, _, gamma = _angles(R)
-    return not gaps(alpha, -np.pi, np.pi) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
+    return not has_gaps(alpha, *FULL_TURN) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
 
 
-RANDOM_ROTATIONS_EULER = Exercise(
+EXERCISE = Exercise(
     name="random_rotations_euler",
     points=1,
     arguments=("n", "rng"),
     cases=cases,
     returns=numbers(lambda n, rng: (n, 3, 3)),
+    library=_right,
     properties=(
         ROTATIONS,
         *DRAWS,
@@ -81,16 +89,18 @@ RANDOM_ROTATIONS_EULER = Exercise(
             where=many,
         ),
         Property(
-            "beta is drawn evenly",
-            lambda R, n, rng: even(_angles(R)[1], 0, np.pi / 2),
+            "beta is drawn uniformly",
+            lambda R, n, rng: uniform(_angles(R)[1], 0, np.pi / 2),
             where=many,
-            mistake=Mistake("beta is not drawn evenly from [0, pi]", "np.pi * rng.random(n)"),
+            mistake=Mistake("beta is not uniform in [0, pi]", "What does rng.random(n) have to be multiplied by?"),
         ),
         Property(
-            "alpha and gamma are drawn evenly from the full turn",
-            lambda R, n, rng: all(even(_angles(R)[i], -np.pi, np.pi) for i in (0, 2)),
+            "alpha and gamma are drawn uniformly from the full circle",
+            lambda R, n, rng: all(uniform(_angles(R)[i], *FULL_TURN) for i in (0, 2)),
             where=many,
-            mistake=Mistake("alpha or gamma does not cover a full turn evenly", "2 * np.pi * rng.random(n) for each"),
+            mistake=Mistake(
+                "alpha or gamma is not uniform on the full circle", "What does rng.random(n) have to be multiplied by?"
+            ),
         ),
         Property(
             "the three angles are drawn independently",
@@ -102,40 +112,40 @@ RANDOM_ROTATIONS_EULER = Exercise(
     mistakes=(
         Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(_angles(R), _RANGES))),
         Mistake(
-            "alpha and gamma are drawn from half a turn",
-            "Only beta is: 2 * np.pi * rng.random(n) for the other two.",
+            "alpha and gamma are drawn from half the circle",
+            "Only beta ends at pi.",
             seen=of_many(_in_one_half),
         ),
         Mistake(
             "the factors stand in the other order, Rx Ry Rz",
-            "R = Rz Ry Rx turns about x first; it stands on the right.",
+            "The rotation about x is the first to act: on which side does it stand?",
             seen=of_many(_other_order),
         ),
         Mistake(
             "the rotations are transposed: their signs are those of R^T",
-            "Look at the signs of the sines in your Rx, Ry, Rz.",
+            "Check the signs of the sines in your Rx, Ry, Rz.",
             seen=of_many(_transposed),
         ),
         Mistake(
             "the sine in Ry has the other sign",
-            "Ry takes e_z towards e_x: Ry[0, 2] = +sin(beta), Ry[2, 0] = -sin(beta).",
-            seen=of_many(lambda R: _entry(R, 2, 0) == _NEVER_NEGATIVE),
+            "Ry by a quarter turn takes e_z to e_x.",
+            seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE),
         ),
         Mistake(
-            "the first and the last turn are about the same axis, as in Rz Ry Rz",
-            "Rz(gamma) Ry(beta) Rx(alpha): each axis once.",
+            "the first and the last rotation are about the same axis, as in Rz Ry Rz",
+            "Each axis occurs once.",
             seen=of_many(_one_axis_twice),
         ),
         Mistake(
-            "beta is drawn from a full turn, from -pi/2 to pi/2, or in degrees",
-            "The naive sampler of the report takes [0, pi], in radians: np.pi * rng.random(n).",
+            "beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees",
+            "The task takes beta from [0, pi), in radians.",
             seen=of_many(_other_range),
         ),
     ),
     hints=(
-        "Draw alpha, beta, gamma as arrays of n numbers: 2 pi, pi and 2 pi times rng.random(n).",
-        "Rz(gamma) Ry(beta) Rx(alpha): the first to act stands on the right.",
-        "rot_x, rot_y and rot_z of the library take arrays of angles.",
+        "Draw alpha, beta, gamma as three arrays of n numbers.",
+        "rng.random(n) is uniform in [0, 1): scale it by 2 pi, pi, 2 pi.",
+        "rot_x, rot_y and rot_z take arrays of angles; the first to act stands on the right: Rz(gamma) Ry(beta) "
+        "Rx(alpha).",
     ),
-    forbidden=(),
 )
