@@ -233,6 +233,7 @@ XY, THETA = (array[:100] for array in SAMPLES)
         ({"cells": (3.0, 3)}, r"cells\[0\] must be a whole number from 1"),
         ({"forward": 3}, "forward must be a function"),
         ({"forward": lambda theta: None}, "forward must return a pair"),
+        ({"forward": lambda: None}, "forward must take one array"),
         ({"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
         ({"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
         ({"forward": lambda theta: planar_forward(np.rad2deg(theta))}, "forward must lead from theta to xy; it misses"),
