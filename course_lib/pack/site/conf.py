@@ -99,18 +99,17 @@ def set_formula(translator, node):
     except formulas.FormulaError as error:
         logging.getLogger(__name__).warning("formula: %s: %s", error, " ".join(text.split())[:70], location=node)
         made = ""
-    kind = "div" if display else "span"
-    translator.body.append(f'<{kind} class="math">{made}</{kind}>')
+    translator.body.append(made)
     raise nodes.SkipNode
 
 
 def _in_output(found):
-    return f'<span class="math">{formulas.typeset(html.unescape(found[1]))}'
+    return formulas.typeset(html.unescape(found[1]))
 
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
     """Typeset what JupyterLab would in HTML outputs, and put the letters of all formulas on the page once."""
-    body = re.sub(r'<span class="math" data-tex="([^"]*)">', _in_output, context.get("body", ""))
+    body = re.sub(r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", ""))
     if letters := formulas.letters_of(body + (context.get("toc") or "")):
         context["body"] = letters + body
 
