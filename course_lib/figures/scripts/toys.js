@@ -10,9 +10,9 @@ font:14px/1.45 system-ui,sans-serif;border-radius:.25rem;color-scheme:light}
 .course-toy *{box-sizing:border-box}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
 .course-toy svg,.course-toy canvas{display:block;width:100%;background:#f7f8fa;border-radius:.25rem}
-.course-toy .row{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
-.course-toy .row label{flex:0 0 9.5em}.course-toy .row input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
-.course-toy .row output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+.course-toy .setting{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
+.course-toy .setting label{flex:0 0 9.5em}.course-toy .setting input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
+.course-toy .setting output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
 .course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid #555;border-radius:.25rem;background:#f2f2f2;color:#222}
 .course-toy button[aria-pressed=true]{background:#d9e8f3;border-color:#0072B2}
@@ -21,8 +21,8 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
 .course-toy p{margin:.4rem 0 0}.course-toy :focus-visible{outline:3px solid #0b5fff;outline-offset:2px}
 .course-toy .handle{cursor:grab;touch-action:none;outline:none}.course-toy .handle .ring{opacity:0}
 .course-toy .handle:focus .ring{opacity:1}
-@media(max-width:480px){.course-toy .row{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .row label{flex:1 1 55%}
-.course-toy .row input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}}`;
+@media(max-width:480px){.course-toy .setting{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .setting label{flex:1 1 55%}
+.course-toy .setting input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}}`;
 
   function element(name, attributes, parent, text) {
     const made = document.createElement(name);
@@ -55,7 +55,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
       root, views, controls,
       // A labelled range. write(value) -> words; change(value) is called while it moves.
       range(label, { min, max, step, value }, write, change) {
-        const row = element("div", { class: "row" }, controls), text = element("label", {}, row, label);
+        const row = element("div", { class: "setting" }, controls), text = element("label", {}, row, label);
         const input = element("input", { type: "range", min, max, step }, row), output = element("output", {}, row);
         text.append(" ");
         input.id = `toy-${Math.random().toString(36).slice(2)}`;
