@@ -1,19 +1,22 @@
-"""Look at what a caller passed in, and refuse it in one sentence that names the argument."""
+"""Check what a caller passed in, and refuse it in one sentence that names the argument."""
 
 import numpy as np
 
 
-def real_array(value, name, *shapes, copy=True):
+def real_array(value, name, *shapes, copy=True, infinite=False):
     """Return `value` as a float64 array whose last axes have one of the given shapes.
 
     shapes: tuples such as (3,) or (3, 3); any axes before them are the batch. () takes any shape.
-    copy: False where the caller only reads the array, which may then be `value` itself.
+    copy: False if the caller only reads the array, which may then be `value` itself.
+    infinite: True if entries may be infinite, as limits may.
     Raises ValueError for anything that is not real numbers, has another shape, or is not finite.
     """
+    if isinstance(value, np.ma.MaskedArray):
+        raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
     except Exception as unreadable:  # ragged lists, and whatever the __array__ of a foreign object raises
-        raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable}") from unreadable
+        raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
     if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
@@ -23,7 +26,7 @@ def real_array(value, name, *shapes, copy=True):
             array = array.astype(np.float64)
     elif copy:
         array = array.copy()
-    finite = np.isfinite(array)
+    finite = ~np.isnan(array) if infinite else np.isfinite(array)
     if np.count_nonzero(finite) < array.size:  # a third of the time of finite.all() for a small array
         first = tuple(np.argwhere(~finite)[0])
         raise ValueError(f"{name} must be finite; {entry(name, first)} is {array[first]}")
@@ -80,6 +83,18 @@ def refuse_first(bad, name, reason):
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")
+
+
+def finite_result(result, name, item_axes=-1):
+    """Return `result` if all of it is finite; else ValueError says that the argument `name` is too large.
+
+    item_axes: the axes of one item; None if the result's batch is not the argument's: then no index is named.
+    """
+    finite = np.isfinite(result)
+    if np.count_nonzero(finite) < finite.size:
+        reason = "is too large: the result exceeds the largest number"
+        refuse_first(~finite.all(item_axes), name, lambda i: reason)
+    return result
 
 
 def entry(name, index):

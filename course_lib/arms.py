@@ -1,7 +1,7 @@
-"""Serial arms: where the hand is, and how fast it moves, for given joint angles.
+"""Serial arms: the pose and the velocity of the end-effector for given joint angles.
 
-An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero and seen from
-the base. Arrays are batched on the left: joint angles q are (..., n), in radians. Every function raises ValueError,
+An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero and in the base
+frame. Arrays are batched on the left: joint angles q are (..., n), in radians. Every function raises ValueError,
 naming the argument, for a wrong shape and for entries that are not finite real numbers.
 
 Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig, Introduction to Robotics,
@@ -11,26 +11,37 @@ standard ones.
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from course_lib.arguments import positive, real_array, refuse_first
-from course_lib.chain import CHUNK, Chain
-from course_lib.layout import in_chunks
-from course_lib.rigid import hat_se3, is_se, transform
-from course_lib.rotations import length, rot_x, rot_z
+from course_lib.batched_arm import CHUNK, BatchedArm
+from course_lib.batching import in_chunks
+from course_lib.rigid import checked_pose, hat_se3, transform
+from course_lib.rotations import rot_x, rot_z, unchecked_length
 
-_FEW = 50  # postures: up to here matrix by matrix is as fast
+_SMALL_BATCH = 50  # configurations: up to here matrix products are as fast as BatchedArm
+_IDENTITY = np.eye(4)
 _NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # of x, y, z, for cross products
-_FARTHEST = 1e100  # metres, so that nothing computed from a place overflows
+_FARTHEST = 1e100  # metres, so that nothing computed from a length overflows
 
 
 @dataclass(frozen=True)
 class DHRow:
-    """One row of a table of Denavit-Hartenberg parameters: lengths a, d in metres, angles alpha, theta in radians.
+    """One row of a table of Denavit-Hartenberg parameters.
 
-    theta is what the joint's angle is counted from. In the modified convention a and alpha lead from the axis before to
-    this one (Craig writes them with the index i - 1), in the standard one from this one to the next.
+    In the modified convention a and alpha lead from the previous axis to this one (Craig writes them with the index
+    i - 1); in the standard convention they lead from this axis to the next.
+
+    Attributes
+    ----------
+    a, d : float
+        Link length and link offset, in metres.
+    alpha : float
+        Link twist, in radians.
+    theta : float, default 0
+        Added to the joint angle, in radians.
     """
 
     a: float
@@ -41,10 +52,18 @@ class DHRow:
 
 @dataclass(frozen=True)
 class SerialArm:
-    """An arm of n revolute joints. Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14 or panda.
+    """An arm of n revolute joints.
 
-    screw_axes: (n, 6), (omega, v) of each joint in the base frame at q = 0. home: (n + 1, 4, 4), at q = 0 the pose of
-    the frame on each joint's axis, and of the end last. limits: (n, 2), lowest and highest angle of each joint.
+    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e.
+
+    Attributes
+    ----------
+    screw_axes : array (n, 6)
+        (omega, v) of each joint in the base frame at q = 0.
+    home : array (n + 1, 4, 4)
+        At q = 0 the pose of the frame that each joint moves, then that of the end-effector.
+    limits : array (n, 2)
+        Lowest and highest angle of each joint, in radians.
     """
 
     screw_axes: np.ndarray
@@ -53,151 +72,423 @@ class SerialArm:
 
     @classmethod
     def from_screws(cls, omega, points, home, limits=None):
-        """Return the arm whose joint i turns about the direction omega[i] through points[i], with its end at `home`.
+        """Return the arm whose joint i rotates about the direction omega[i] through points[i].
 
-        omega, points: (n, 3), at q = 0 in the base frame. home: (4, 4), the end's pose there. limits: (n, 2), low
-        before high; None for joints that turn without end. The frames on the joints are drawn parallel to the base.
+        Parameters
+        ----------
+        omega : array_like (n, 3)
+            Directions of the axes at q = 0 in the base frame; they need not have length one.
+        points : array_like (n, 3)
+            A point on each axis at q = 0 in the base frame, in metres.
+        home : array_like (4, 4)
+            The end-effector's pose at q = 0.
+        limits : array_like (n, 2), optional
+            Lowest and highest angle of each joint, in radians; infinite for joints without limits, as with None.
+
+        Returns
+        -------
+        SerialArm
+            Its joint frames have their origins at `points`, and the base frame's axes at q = 0.
+
+        Raises
+        ------
+        ValueError
+            If a shape is wrong, a direction is zero, `home` is not a pose, a length exceeds 1e100 m, or a lower limit
+            is not below the upper one.
+
+        References
+        ----------
+        MR section 4.1; v = -omega x p: MR section 3.3.2.2.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> home = np.eye(4)
+        >>> home[0, 3] = 1.0
+        >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], home)  # one joint about z, one metre long
+        >>> print(arm.fk([np.pi / 2])[:3, 3].round(9))
+        [0. 1. 0.]
         """
         omega = real_array(omega, "omega", (3,))
         if omega.ndim != 2 or len(omega) == 0:
             raise ValueError(f"omega must be an array of shape (n, 3), one axis a joint; its shape is {omega.shape}")
         n = len(omega)
-        size = length(omega)
+        size = unchecked_length(omega)
         refuse_first(size == 0, "omega", lambda i: "is zero: an axis needs a direction")
+        refuse_first(np.isinf(size), "omega", lambda i: "is too large: its length exceeds the largest number")
         omega = omega / size[:, None]
-        points = _within_reach(_of_shape(points, "points", (n, 3)), "points")
-        home = _within_reach(_of_shape(home, "home", (4, 4)), "home")
-        refuse_first(~is_se(home), "home", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
-        limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else _of_shape(limits, "limits", (n, 2))
+        points = _refuse_huge(_of_shape(points, "points", (n, 3)), "points")
+        home = _refuse_huge(_of_shape(home, "home", (4, 4)), "home")
+        home = checked_pose(home, "home", (4, 4))
+        limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else limits
+        limits = _of_shape(limits, "limits", (n, 2), infinite=True)
         refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
-        screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)  # v = -omega x p: MR section 3.3.2.2
+        screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)
         return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
 
     @classmethod
     def from_dh(cls, rows, convention="modified", end=None, limits=None):
-        """Return the arm of a table of DH parameters, one DHRow a joint.
+        """Return the arm of a table of Denavit-Hartenberg parameters, one DHRow for each joint.
 
-        convention: "modified" (Craig) or "standard". end: (4, 4), the end's pose in the last frame; None for that frame
-        itself. limits: as for from_screws. `frames` gives the table's own frames 1 to n, and the end's.
+        Parameters
+        ----------
+        rows : sequence of DHRow
+        convention : {"modified", "standard"}
+            "modified" is Craig's.
+        end : array_like (4, 4), optional
+            The end-effector's pose in the last frame. None for the last frame itself.
+        limits : array_like (n, 2), optional
+            As in from_screws.
+
+        Returns
+        -------
+        SerialArm
+            Its `frames` are the table's frames 1 to n, then the end-effector's.
+
+        Raises
+        ------
+        ValueError
+            If `rows` is not a list of DHRow with finite numbers, `convention` is unknown, or `end` is not a pose.
+
+        References
+        ----------
+        Craig, eq. 3.6 (modified); Siciliano and others, eq. 2.52 (standard).
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> arm = SerialArm.from_dh([DHRow(a=1, alpha=0, d=0), DHRow(a=0.5, alpha=0, d=0)], "standard")
+        >>> print(arm.fk([0, np.pi / 2])[:3, 3].round(9))
+        [1.  0.5 0. ]
         """
-        if convention not in ("modified", "standard"):
-            raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r}')
+        if not isinstance(convention, str) or convention not in ("modified", "standard"):
+            raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r:.80}')
         frames, axes = _dh_frames(_dh_table(rows), convention)
-        end = np.eye(4) if end is None else _of_shape(end, "end", (4, 4))
-        refuse_first(~is_se(end), "end", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
+        end = np.eye(4) if end is None else checked_pose(_of_shape(end, "end", (4, 4)), "end", (4, 4))
         arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
         return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
 
     @property
     def n(self):
-        """How many joints there are."""
+        """The number of joints."""
         return len(self.screw_axes)
 
     def frames(self, q):
-        """Return the poses (..., n + 1, 4, 4) in the base frame: the frame carried by each joint, and the end's last.
+        """Return the poses of the frames that the joints move, and of the end-effector.
 
-        q: (..., n). The product of exponentials, MR eq. 4.14, kept at every joint.
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., n + 1, 4, 4)
+            Poses in the base frame, metres; the end-effector's last.
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        The product of exponentials, MR eq. 4.14, up to each joint.
+
+        Examples
+        --------
+        >>> print(planar_arm([1, 2]).frames([0, 0])[:, 0, 3])
+        [0. 1. 3.]
         """
-        return self._by_postures(q, (self.n + 1, 4, 4), self._few_frames, self.chain.fill_frames)
+        return self._evaluate(q, (self.n + 1, 4, 4), self._small_batch_frames, self.batched.fill_frames)
 
     def fk(self, q):
-        """Return the pose (..., 4, 4) of the end in the base frame, for q (..., n)."""
-        return self._by_postures(q, (4, 4), self._few_ends, self.chain.fill_end)
+        """Return the end-effector's pose: forward kinematics.
+
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., 4, 4)
+            Poses in the base frame, metres.
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        MR eq. 4.14.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> print(planar_arm([1, 2]).fk([np.pi / 2, 0]).round(9) + 0.0)
+        [[ 0. -1.  0.  0.]
+         [ 1.  0.  0.  3.]
+         [ 0.  0.  1.  0.]
+         [ 0.  0.  0.  1.]]
+        """
+        return self._evaluate(q, (4, 4), self._small_batch_fk, self.batched.fill_end_effector)
 
     def space_jacobian(self, q):
-        """Return (..., 6, n): the end's twist (omega, v), seen from the base frame, is this times q'. MR eq. 5.11."""
-        return self._by_postures(q, (6, self.n), self._few_space_jacobians, self.chain.fill_space_jacobian)
+        """Return the space Jacobian: it maps joint velocities to the end-effector's spatial twist.
+
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., 6, n)
+            Column i is the screw axis (omega, v) of joint i in the base frame.
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        MR eq. 5.11.
+
+        Examples
+        --------
+        >>> print(planar_arm([1, 2]).space_jacobian([0, 0]) + 0.0)
+        [[ 0.  0.]
+         [ 0.  0.]
+         [ 1.  1.]
+         [ 0.  0.]
+         [ 0. -1.]
+         [ 0.  0.]]
+        """
+        fill = self.batched.fill_space_jacobian
+        return self._evaluate(q, (6, self.n), self._small_batch_space_jacobian, fill)
 
     def geometric_jacobian(self, q):
-        """Return (..., 6, n): the end's angular velocity and its origin's velocity, both along the base frame's axes.
+        """Return the geometric Jacobian: angular velocity and velocity of the end-effector's origin.
 
-        In this order (omega, v), as everywhere here; Siciliano and others, section 3.1, have (v, omega).
+        Both are expressed along the base frame's axes, in the order (omega, v) that this library uses everywhere;
+        Siciliano and others have (v, omega). Other names for this twist are hybrid and local-world-aligned.
+
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., 6, n)
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        Siciliano and others, section 3.1.
+
+        Examples
+        --------
+        >>> print(planar_arm([1, 2]).geometric_jacobian([0, 0])[2:5])
+        [[1. 1.]
+         [0. 0.]
+         [3. 2.]]
         """
-        return self._by_postures(q, (6, self.n), self._few_geometric_jacobians, self.chain.fill_geometric_jacobian)
+        fill = self.batched.fill_geometric_jacobian
+        return self._evaluate(q, (6, self.n), lambda q: self.pose_and_geometric_jacobian(q)[1], fill)
 
     def body_jacobian(self, q):
-        """Return (..., 6, n): the end's twist (omega, v), seen from its own frame, is this times q'. MR eq. 5.22."""
+        """Return the body Jacobian: it maps joint velocities to the end-effector's twist in its own frame.
+
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., 6, n)
+            The twist's order is (omega, v).
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        MR eq. 5.22.
+
+        Examples
+        --------
+        >>> print(planar_arm([1, 2]).body_jacobian([0.3, 0])[2:5].round(9) + 0.0)
+        [[1. 1.]
+         [0. 0.]
+         [3. 2.]]
+        """
         J = self.geometric_jacobian(q)
-        halves = J.reshape(*J.shape[:-2], 2, 3, self.n)  # omega and v, both along the base's axes, to the end's
+        halves = J.reshape(*J.shape[:-2], 2, 3, self.n)  # omega and v, both along the base frame's axes
         return (np.swapaxes(self.fk(q)[..., None, :3, :3], -1, -2) @ halves).reshape(J.shape)
 
     def position_jacobian(self, q):
-        """Return (..., 3, n): the velocity of the end's origin, along the base frame's axes, is this times q'."""
+        """Return the Jacobian of the end-effector's position, along the base frame's axes.
+
+        Parameters
+        ----------
+        q : array_like (..., n)
+            Joint angles in radians.
+
+        Returns
+        -------
+        array (..., 3, n)
+            Metres per radian.
+
+        Raises
+        ------
+        ValueError
+            If `q` is not n finite real numbers.
+
+        References
+        ----------
+        The lower half of the geometric Jacobian: Siciliano and others, section 3.1.
+
+        Examples
+        --------
+        >>> print(planar_arm([1, 2]).position_jacobian([0, 0]))
+        [[0. 0.]
+         [3. 2.]
+         [0. 0.]]
+        """
         return self.geometric_jacobian(q)[..., 3:, :]
 
     @cached_property
-    def chain(self):
-        """The same arm for many postures at once: a Chain."""
-        return Chain.of(self.screw_axes, self.home)
+    def batched(self):
+        """The same arm for large batches: a BatchedArm."""
+        return BatchedArm.of(self.screw_axes, self.home)
 
-    def _by_postures(self, q, shape, few, fill):
-        """Return (..., *shape) for q (..., n): for few postures as books have it, for many in the chain's layout."""
+    def _evaluate(self, q, shape, small_batch, fill):
+        """Return (..., *shape) for q (..., n): by the textbook's matrix products, or by BatchedArm for many."""
         q = real_array(q, "q", (self.n,))
-        return few(q) if q.size <= _FEW * self.n else in_chunks(fill, shape, q, batch=q.shape[:-1], most=CHUNK)
+        if q.size <= _SMALL_BATCH * self.n:
+            return small_batch(q)
+        return in_chunks(fill, shape, q, batch=q.shape[:-1], most=CHUNK)
+
+    def pose_and_geometric_jacobian(self, q):
+        """Return the end-effector's pose (..., 4, 4) and geometric Jacobian (..., 6, n), without looking at q.
+
+        For small batches q (..., n) that the caller has looked at. It costs little more than one of the two.
+        """
+        moved = self._partial_products(q)
+        T = moved[..., -1, :, :] @ self.home[-1]
+        return T, self._jacobians(moved, T[..., None, :3, 3])
 
     @cached_property
-    def _screws(self):
-        S = hat_se3(self.screw_axes)
-        return S, S @ S
+    def _constants(self):
+        """The screw matrices (n, 4, 4), their squares, and each axis's direction and point as columns, (n, 4, 2)."""
+        S, omega, v = hat_se3(self.screw_axes), self.screw_axes[:, :3], self.screw_axes[:, 3:]
+        axes = np.zeros((self.n, 4, 2))
+        axes[:, :3, 0], axes[:, :3, 1], axes[:, 3, 1] = omega, np.cross(omega, v), 1
+        return S, S @ S, axes
 
-    def _moved(self, q):
-        """The products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""
-        S, S_squared = self._screws
+    def _partial_products(self, q):
+        """Return the products exp(S1 q1) ... exp(Si qi), (..., n, 4, 4)."""
+        S, S_squared, _ = self._constants
         q = q[..., None, None]
-        # Rodrigues' formula holds for 4 x 4 matrices too where the screw has no pitch: S^3 = -S.
-        turns = np.eye(4) + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
-        for i in range(1, self.n):
-            turns[..., i, :, :] = turns[..., i - 1, :, :] @ turns[..., i, :, :]
-        return turns
+        # Rodrigues' formula holds for 4 x 4 matrices too if the screw has no pitch: S^3 = -S.
+        exponentials = _IDENTITY + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
+        for before, product in pairwise(exponentials.swapaxes(-3, 0)):
+            product[...] = before @ product
+        return exponentials
 
-    def _few_frames(self, q):
-        moved = self._moved(q)
+    def _small_batch_frames(self, q):
+        moved = self._partial_products(q)
         return np.concatenate([moved, moved[..., -1:, :, :]], -3) @ self.home
 
-    def _few_ends(self, q):
-        return self._moved(q)[..., -1, :, :] @ self.home[-1]
+    def _small_batch_fk(self, q):
+        return self._partial_products(q)[..., -1, :, :] @ self.home[-1]
 
-    def _few_space_jacobians(self, q):
-        return _few_jacobians(self._moved(q), self.screw_axes, np.zeros(3))
+    def _small_batch_space_jacobian(self, q):
+        return self._jacobians(self._partial_products(q), 0.0)
 
-    def _few_geometric_jacobians(self, q):
-        moved = self._moved(q)
-        p = (moved[..., -1, :, :] @ self.home[-1])[..., :3, 3]
-        # The v of a space twist is that of the point passing the base's origin; the end moves by omega x p more.
-        return _few_jacobians(moved, self.screw_axes, p)
+    def _jacobians(self, moved, reference):
+        """Return (..., 6, n): omega of each axis and the velocity of the reference point, omega x (reference - point).
 
-
-def _few_jacobians(moved, screw_axes, point):
-    """Return (..., 6, n): column i is the screw axis i, moved (..., n, 4, 4) by the joints up to it, seen from `point`.
-
-    Up to it and its own: a joint's own turn leaves its screw axis where it is. MR def. 3.20.
-    """
-    omega, v = (np.matvec(moved[..., :3, :3], part) for part in (screw_axes[:, :3], screw_axes[:, 3:]))
-    p = moved[..., :3, 3] - point[..., None, :]
-    v = v + p[..., _NEXT] * omega[..., _LAST] - p[..., _LAST] * omega[..., _NEXT]  # v + p x omega
-    return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
+        moved: (..., n, 4, 4), the partial products. A joint does not move its own axis, so joint i's product serves.
+        """
+        axes = moved @ self._constants[2]
+        omega, arm = axes[..., :3, 0], reference - axes[..., :3, 1]
+        v = omega[..., _NEXT] * arm[..., _LAST] - omega[..., _LAST] * arm[..., _NEXT]
+        return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 
 def planar_arm(lengths):
-    """Return the arm in the plane z = 0 with links of these lengths (n,), in metres, along x at q = 0."""
+    """Return the arm in the plane z = 0 whose links lie along x at q = 0.
+
+    Parameters
+    ----------
+    lengths : array_like (n,)
+        Lengths of the links in metres, above zero.
+
+    Returns
+    -------
+    SerialArm
+        With n joints about z, without limits.
+
+    Raises
+    ------
+    ValueError
+        If `lengths` is not an array (n,) of numbers above zero, at most 1e100.
+
+    References
+    ----------
+    MR figure 4.1, with n = 3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(planar_arm([2, 1]).fk([0, np.pi / 2])[:3, 3].round(9))
+    [2. 1. 0.]
+    """
     lengths = positive(lengths, "lengths")
     if lengths.ndim != 1 or len(lengths) == 0:
         raise ValueError(f"lengths must be an array of shape (n,), one length a link; its shape is {lengths.shape}")
-    ends = np.concatenate([[0.0], np.cumsum(_within_reach(lengths, "lengths"))])
+    ends = np.concatenate([[0.0], np.cumsum(_refuse_huge(lengths, "lengths"))])
     points = np.stack([ends, 0 * ends, 0 * ends], -1)
     return SerialArm.from_screws(np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1]))
 
 
-def _within_reach(array, name):
+def _refuse_huge(array, name):
     refuse_first(np.abs(array) > _FARTHEST, name, lambda i: f"must be at most {_FARTHEST:g}; it is {array[i]:g}")
     return array
 
 
 def iiwa14():
-    """Return the KUKA LBR iiwa 14 as published in the report: seven axes, the end 1.301 m above the base.
+    """Return the KUKA LBR iiwa 14 as published in the report: the end-effector 1.301 m above the base at q = 0.
 
-    Geometry: read off the published Jacobian and pose. The manufacturer's flange is 5 mm higher, at 0.360 + 0.420 +
-    0.400 + 0.126 = 1.306 m. Limits: KUKA, LBR iiwa 14 R820 data sheet.
+    The geometry is read off the published Jacobian and pose. The manufacturer's flange is 5 mm higher, at 0.360 +
+    0.420 + 0.400 + 0.126 = 1.306 m.
+
+    Returns
+    -------
+    SerialArm
+        With seven joints, and the limits of the data sheet.
+
+    References
+    ----------
+    KUKA, LBR iiwa 14 R820 data sheet, for the limits.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(iiwa14().fk(np.zeros(7))[:3, 3])
+    [0.    0.    1.301]
     """
     omega = [[0, 0, 1], [0, 1, 0], [0, 0, 1], [0, -1, 0], [0, 0, 1], [0, 1, 0], [0, 0, 1]]
     points = [[0, 0, 0], [0, 0, 0.36], [0, 0, 0.36], [0, 0, 0.78], [0, 0, 0.78], [0, 0, 1.18], [0, 0, 1.18]]
@@ -206,9 +497,22 @@ def iiwa14():
 
 
 def panda():
-    """Return the Franka Emika Panda up to its flange, by the manufacturer's modified DH parameters and limits.
+    """Return the Franka Emika Panda up to its flange, by the manufacturer's modified DH parameters.
 
-    Source: Franka Control Interface documentation, "Robot and interface specifications".
+    Returns
+    -------
+    SerialArm
+        With seven joints, and the manufacturer's limits.
+
+    References
+    ----------
+    Franka Control Interface documentation, "Robot and interface specifications".
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(panda().fk(np.zeros(7))[:3, 3].round(9) + 0.0)
+    [0.088 0.    0.926]
     """
     quarter = np.pi / 2
     rows = [
@@ -226,8 +530,41 @@ def panda():
     return SerialArm.from_dh(rows, "modified", flange, np.stack([low, high], -1))
 
 
+def ur5e():
+    """Return the Universal Robots UR5e up to its flange: six axes, no spherical wrist.
+
+    Built from screw axes, the product of exponentials of Lynch and Park, section 4.1. Their UR5 (section 4.1.2) is the
+    older model with other dimensions and another base frame. Here the base frame is the manufacturer's: z up, and the
+    stretched arm points along -x at q = 0. The axes of joints 2, 3 and 4 are parallel.
+
+    Returns
+    -------
+    SerialArm
+        With the limits of the data sheet, a full revolution to either side for each joint.
+
+    References
+    ----------
+    Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard convention):
+    d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(ur5e().fk(np.zeros(6)).round(4) + 0.0)
+    [[ 1.      0.      0.     -0.8172]
+     [ 0.      0.     -1.     -0.2329]
+     [ 0.      1.      0.      0.0628]
+     [ 0.      0.      0.      1.    ]]
+    """
+    shoulder, elbow, wrist = (0, 0, 0.1625), (-0.425, 0, 0.1625), (-0.8172, 0, 0.1625)
+    omega = [[0, 0, 1], [0, -1, 0], [0, -1, 0], [0, -1, 0], [0, 0, -1], [0, -1, 0]]
+    points = [[0, 0, 0], shoulder, elbow, wrist, [-0.8172, -0.1333, 0.1625], [-0.8172, -0.1333, 0.0628]]
+    flange = transform([[1, 0, 0], [0, 0, -1], [0, 1, 0]], [-0.8172, -0.2329, 0.0628])
+    return SerialArm.from_screws(omega, points, flange, np.tile([-2 * np.pi, 2 * np.pi], (6, 1)))
+
+
 def _dh_table(rows):
-    """Look at rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
+    """Check rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
     try:
         table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
     except (TypeError, AttributeError) as no_rows:
@@ -238,7 +575,7 @@ def _dh_table(rows):
 
 
 def _dh_frames(table, convention):
-    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints turn, both (n, 4, 4)."""
+    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints rotate, both (n, 4, 4)."""
     frames, axes, before = [], [], np.eye(4)
     for a, alpha, d, theta in table:
         along_x = transform(rot_x(alpha), [a, 0, 0])
@@ -250,8 +587,8 @@ def _dh_frames(table, convention):
     return np.array(frames), np.array(axes)
 
 
-def _of_shape(value, name, shape):
-    array = real_array(value, name, shape)
+def _of_shape(value, name, shape, infinite=False):
+    array = real_array(value, name, shape, infinite=infinite)
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}; its shape is {array.shape}")
     return array

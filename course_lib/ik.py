@@ -1,4 +1,4 @@
-"""Inverse kinematics by steps: joint angles for a pose, or a place, that the end of an arm is to reach.
+"""Inverse kinematics by iteration: joint angles for a pose, or a position, that the end-effector is to reach.
 
 Arrays are batched on the left. Every function raises ValueError, naming the argument, for a wrong shape and for
 entries that are not finite real numbers.
@@ -6,7 +6,7 @@ entries that are not finite real numbers.
 Sources: Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method, IEEE Transactions on
 Robotics 27 (2011), for damping by the squared error; Nakamura and Hanafusa, Inverse kinematic solutions with
 singularity robustness for robot manipulator control, Journal of Dynamic Systems, Measurement, and Control 108 (1986),
-for damping at all.
+for damping as such. Lynch and Park, Modern Robotics (2017), is called MR.
 """
 
 from dataclasses import dataclass
@@ -15,26 +15,36 @@ import numpy as np
 
 from course_lib.arguments import broadcast, count, generator, positive, real_array, refuse_first
 from course_lib.arms import SerialArm
-from course_lib.chain import CHUNK
-from course_lib.rigid import is_se
-from course_lib.rotations import length, log_so3
+from course_lib.batched_arm import CHUNK
+from course_lib.rigid import checked_pose
+from course_lib.rotations import log_so3, unchecked_length
 
-REACHED = 1e-6  # metres and radians: what counts as a target reached
-_DAMPING = 0.1  # times the squared error: far away short steps, near the target full ones
-_PATIENCE = 10  # steps; after so many one that leaves more than half of the squared error is the last of its start,
-_NEAR = 0.01  # unless the squared error is below this or there is no other start to go on with
-_DRAWN = 8  # random postures, of which the one whose end is nearest to the target is a start
-_TOGETHER = 128  # postures that are stepped in about the time of one
-_LEAST_DAMPING = 1e-12  # so that a stretched arm beside its target divides by no zero
+REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
+_REACHED_SQUARED = (REACHED / 10) ** 2  # for the search: a tenth, because `solve` measures the result once more
+_DAMPING = 0.1  # times the squared error: short steps far from the target, full Newton steps near it
+_LEAST_DAMPING = 1e-12  # added to it, so that nothing is divided by zero when the arm is stretched towards its target
+_PATIENCE = 10  # steps, after which a descent is given up if its last step failed to halve the squared error,
+_NEAR = 0.01  # unless the squared error is below this
+_CANDIDATES = 8  # random configurations, of which the one nearest to the target becomes a start
+_CANDIDATES_ALONE = 32  # the same for a descent by itself, which costs more than choosing well
+_ONE_BY_ONE = 4  # descents for a single target before many are tried at once
+_TOGETHER = 128  # descents that together take about the time of one
 
 
 @dataclass(frozen=True)
 class IKResult:
-    """What solve found. The batch (...) is that of the targets.
+    """The result of `solve`. The batch (...) is that of the targets.
 
-    q: (..., n) the joint angles that come nearest, inside the limits. success: (...) whether the end is within 1e-6 m
-    and 1e-6 rad of the target there, by forward kinematics. iterations: (...) steps taken for the target, all starts
-    together. residual: (..., 2) metres and radians that are left.
+    Attributes
+    ----------
+    q : array (..., n)
+        Joint angles in radians, within the limits, with the smallest error found.
+    success : bool array (...)
+        Whether forward kinematics at q is within 1e-6 m and 1e-6 rad of the target.
+    iterations : int array (...)
+        Steps taken for the target, over all its starts.
+    residual : array (..., 2)
+        The errors at q: distance in metres, rotation angle in radians.
     """
 
     q: np.ndarray
@@ -44,17 +54,52 @@ class IKResult:
 
 
 def solve(arm, targets, rng, q0=None, starts=400, steps=50):
-    """Return an IKResult: joint angles inside the arm's limits for which its end has the poses `targets`.
+    """Return joint angles within the arm's limits for which the end-effector has the poses `targets`.
 
-    Levenberg-Marquardt from q0, or a random posture, and from other random postures where that leads nowhere: each the
-    one that is nearest to its target of a few drawn.
-    arm: a SerialArm. targets: (..., 4, 4). rng: a numpy Generator, for the starts. q0: (..., n), where to begin, or
-    None; outside the limits it is brought to them. starts: how many at most for a target. steps: at most from each.
+    Levenberg-Marquardt descends from q0, or from a random configuration. If it fails to converge, it descends again
+    from other random configurations; each start is the one nearest to the target among a few candidates.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    targets : array_like (..., 4, 4)
+        Poses of the end-effector frame in the base frame; metres.
+    rng : numpy.random.Generator
+        Draws the starts.
+    q0 : array_like (..., n), optional
+        The first start, in radians; clipped to the limits. None draws one.
+    starts : int, default 400
+        The largest number of starts for each target.
+    steps : int, default 50
+        The largest number of steps from each start.
+
+    Returns
+    -------
+    IKResult
+        With `success` False for a target that was not reached; q is then the nearest that was found.
+
+    Raises
+    ------
+    ValueError
+        If `arm` is not a SerialArm, a target is not a pose, `rng` is not a Generator, or `q0`, `starts` or `steps`
+        does not fit.
+
+    References
+    ----------
+    Sugihara (2011): damping in proportion to the squared error.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from course_lib.arms import panda
+    >>> arm = panda()
+    >>> target = arm.fk([0.1, -0.5, 0.2, -2.0, 0.3, 1.8, 0.4])
+    >>> found = solve(arm, target, np.random.default_rng(0))
+    >>> bool(found.success), bool(np.abs(arm.fk(found.q) - target).max() < 1e-6)
+    (True, True)
     """
-    if not isinstance(arm, SerialArm):
-        raise ValueError(f"arm must be a SerialArm; it is of type {type(arm).__name__}")
-    targets = real_array(targets, "targets", (4, 4))
-    refuse_first(~is_se(targets), "targets", lambda i: "is not a pose (rigid.nearest_se gives one near it)")
+    _require_arm(arm)
+    targets = checked_pose(targets, "targets", (4, 4))
     generator(rng)
     starts, steps = count(starts, "starts", least=1), count(steps, "steps", least=1)
     batch, poses = targets.shape[:-2], targets.reshape(-1, 4, 4)
@@ -67,83 +112,171 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
             raise ValueError(
                 f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}"
             ) from too_many
-    best, spent = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
+    best, iterations = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
     for first in range(0, len(poses), CHUNK):
-        some = slice(first, first + CHUNK)
-        with np.errstate(over="ignore"):  # squares of what is left to a target far beyond any arm
-            q = _starts(arm, poses[some], rng) if q0 is None else q0[some]
-            best[some], spent[some] = _search(arm, poses[some], q, rng, starts, steps)
-    residual = _lengths(_error(arm.fk(best), poses))
-    return IKResult(
-        best.reshape(*batch, arm.n),
-        (residual <= REACHED).all(-1).reshape(batch),
-        spent.reshape(batch),
-        residual.reshape(*batch, 2),
-    )
+        chunk = slice(first, first + CHUNK)
+        with np.errstate(all="ignore"):  # squared errors overflow for a target far beyond any arm
+            search = _Search(arm, poses[chunk], rng, starts, steps)
+            best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
+    q = best.reshape(*batch, arm.n)
+    error = _pose_error(arm.fk(q), targets)
+    residual = np.stack([unchecked_length(error[..., 3:]), unchecked_length(error[..., :3])], -1)
+    return IKResult(q, (residual <= REACHED).all(-1), iterations.reshape(batch), residual)
 
 
-def _search(arm, poses, q, rng, starts, steps):
-    """Return the best joint angles (m, n) for poses (m, 4, 4), beginning at q, and how many steps each pose took.
+class _Search:
+    """The search of `solve` for m targets at once. A descent is the sequence of steps from one start.
 
-    In course_lib.layout's layout: postures under way lie along the last axis. In it a few cost as much as a hundred
-    (_TOGETHER). So where fewer are under way, the poses whose first start led nowhere get several more starts at once.
+    Descents lie along the last axis, as in course_lib.batching, where a hundred cost little more than one. So when few
+    are left, the unsolved targets get several new starts at once. A single target is first tried by itself, because
+    one descent by matrix products is faster than one by arrays.
     """
-    goals, limits = _columns_and_place(poses), arm.limits.T[..., None]
-    best, least = q.copy(), np.full(len(q), np.inf)
-    spent, started, solved = np.zeros(len(q), int), np.ones(len(q), int), np.zeros(len(q), bool)
-    # Of each posture under way: joint angles, which pose it is for, steps taken, squared error before the last of them.
-    q, target, age, before = q.T, *_new(np.arange(len(q)))
-    while len(target):
-        J = np.empty((6, *q.shape))
-        error = _left(*arm.chain.fill_geometric_jacobian(q, J), goals[..., target])
-        way, turn = (error[3:] ** 2).sum(0), (error[:3] ** 2).sum(0)
-        cost = way + turn
-        np.fmin.at(least, target, cost)
-        nearest = cost == least[target]
-        best[target[nearest]] = q.T[nearest]
-        solved[target[np.maximum(way, turn) <= (REACHED / 10) ** 2]] = True  # a tenth: it is measured once more
-        moved, age = _within(q, J, error, *limits), age + 1
-        spent += np.bincount(target, minlength=len(spent))
-        slow = (age > _PATIENCE) & (cost > np.maximum(before / 2, _NEAR)) & (started < starts)[target]
-        on = ~solved[target] & ~slow & (np.abs(moved - q).max(0) >= 1e-9) & (age < steps)
-        more = _more_starts(target[on], started, ~solved & (started < starts), starts)
-        q, target, age, before = moved[:, on], target[on], age[on], cost[on]
-        if len(more):
-            started += np.bincount(more, minlength=len(started))
-            q = np.concatenate([q, _starts(arm, poses[more], rng).T], -1)
-            target, age, before = map(np.append, (target, age, before), _new(more))
-    return best, spent
+
+    def __init__(self, arm, poses, rng, starts, steps):
+        m = len(poses)
+        self.arm, self.poses, self.rng, self.starts, self.steps = arm, poses, rng, starts, steps
+        self.goals = np.ascontiguousarray(poses[:, :3].T)  # (4, 3, m): three columns, then the position
+        # For each target: the best joint angles, their squared error, steps and starts so far, whether it is reached.
+        self.best, self.least = np.zeros((m, arm.n)), np.full(m, np.inf)
+        self.iterations, self.started, self.solved = np.zeros(m, int), np.zeros(m, int), np.zeros(m, bool)
+
+    def run(self, q0):
+        """Return the best joint angles (m, n) and the steps taken (m,), with the first descents from q0 (m, n)."""
+        if len(self.poses) == 1:
+            self._descend_one_by_one(q0)
+            q0 = None
+        descents = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
+        while len(descents.target):
+            J, error = self._jacobians_and_errors(descents)
+            cost = self._record(descents, error)
+            moved = _step_within_limits(descents.q, J, error, cost, *self.arm.limits.T[..., None])
+            ended = self.solved[descents.target] | _ends(
+                *(descents.q, moved, descents.age + 1, descents.cost, cost, self.steps),
+                (self.started < self.starts)[descents.target],
+            )
+            descents.advance(~ended, moved, cost)
+            descents.add(self._new_descents(self._targets_to_start(descents.target)))
+        return self.best, self.iterations
+
+    def _descend_one_by_one(self, q0):
+        """Try the only target with a few descents by themselves."""
+        goal, (low, high) = self.goals[..., 0], self.arm.limits.T
+        while not self.solved[0] and self.started[0] < min(_ONE_BY_ONE, self.starts):
+            q = _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE) if q0 is None else q0
+            q, q0, age, before, ended = q[0], None, 0, np.inf, False
+            self.started[0] += 1
+            while not ended:
+                T, J = self.arm.pose_and_geometric_jacobian(q)
+                error = _error_by_entries(T[:3].T, goal)
+                cost, reached = _cost(error)
+                if cost < self.least[0]:
+                    self.best[0], self.least[0] = q, cost
+                moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
+                ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)
+                q, before = moved, cost
+            self.solved[0] = reached
+            self.iterations[0] += age
+
+    def _jacobians_and_errors(self, descents):
+        J, end = np.empty((6, *descents.q.shape)), np.empty((4, 3, descents.q.shape[1]))
+        columns, position = self.arm.batched.fill_geometric_jacobian(descents.q, J)
+        for i, vector in enumerate((*columns, position)):
+            end[i] = vector
+        return J, _error_by_entries(end, self.goals[..., descents.target])
+
+    def _record(self, descents, error):
+        """Keep the best joint angles of each target; return the squared error of each descent."""
+        target = descents.target
+        cost, reached = _cost(error)
+        np.fmin.at(self.least, target, cost)
+        best = cost == self.least[target]
+        self.best[target[best]] = descents.q.T[best]
+        self.solved[target[reached]] = True
+        self.iterations += np.bincount(target, minlength=len(self.iterations))
+        return cost
+
+    def _targets_to_start(self, running):
+        """Return the targets that get new descents, given those of the running ones (N,); a target may occur often.
+
+        Every unsolved target without a descent gets one. Those that have failed before share the room that is left.
+        """
+        allowed = ~self.solved & (self.started < self.starts)
+        idle = allowed & (np.bincount(running, minlength=len(allowed)) == 0)
+        hard = allowed & (self.started > 0) & (idle | (self.started > 1))
+        extra = max(0, _TOGETHER - len(running) - idle.sum()) // max(1, hard.sum())
+        return np.repeat(np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started))
+
+    def _new_descents(self, target, q0=None):
+        """Return the descents that begin for the targets (N,), at q0 (N, n) or at random configurations."""
+        self.started += np.bincount(target, minlength=len(self.started))
+        q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None and len(target) else q0
+        q = np.empty((0, self.arm.n)) if q is None else q
+        return _Descents(q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf))
 
 
-def _new(target):
-    """Of postures that begin: which pose each is for, steps taken, squared error before the last of them."""
-    return target, np.zeros(len(target), int), np.full(len(target), np.inf)
+@dataclass
+class _Descents:
+    """Descents of a _Search: joint angles (n, N), target (N,), steps taken (N,), squared error before the last (N,)."""
+
+    q: np.ndarray
+    target: np.ndarray
+    age: np.ndarray
+    cost: np.ndarray
+
+    def advance(self, going_on, moved, cost):
+        """Drop those that end, and move the others."""
+        self.q, self.target = moved[:, going_on], self.target[going_on]
+        self.age, self.cost = self.age[going_on] + 1, cost[going_on]
+
+    def add(self, others):
+        if len(others.target):
+            self.q = np.concatenate([self.q, others.q], -1)
+            self.target, self.age, self.cost = (
+                np.append(getattr(self, name), getattr(others, name)) for name in ("target", "age", "cost")
+            )
 
 
-def _more_starts(target, started, may, starts):
-    """Return for which poses to start anew: all that may and have no posture under way, more where there is room."""
-    idle = may & (np.bincount(target, minlength=len(may)) == 0)
-    hard = may & (idle | (started > 1))
-    share = max(0, _TOGETHER - len(target) - idle.sum()) // max(1, hard.sum())
-    return np.repeat(np.arange(len(may)), np.minimum(idle + share * hard, starts - started))
+def _cost(error):
+    """Return the squared error (N,) of pose errors (6, N), and whether it means that the target is reached; or no N."""
+    angle, distance = (error[:3] ** 2).sum(0), (error[3:] ** 2).sum(0)
+    reached = (angle <= _REACHED_SQUARED) & (distance <= _REACHED_SQUARED)
+    return angle + distance, reached
 
 
-def _within(q, J, error, low, high):
-    """Return q after one damped step. A joint at its limit that would go beyond is held, and the others do its part."""
-    downhill = np.einsum("kn...,k...->n...", J, error)
+def _ends(q, moved, age, before, cost, steps, may_restart):
+    """Return whether a descent that steps from q to `moved` ends: it fails to converge, stands still, or is too long.
+
+    age: steps taken, with this one. before, cost: the squared errors one step earlier and at q.
+    """
+    fails = (age > _PATIENCE) & (cost > np.maximum(before / 2, _NEAR)) & may_restart
+    return fails | (abs(moved - q).max(0) < 1e-9) | (age >= steps)
+
+
+def _step_within_limits(q, J, error, cost, low, high):
+    """Return q after one damped step. A joint that is at its limit and would leave it is held; the others compensate.
+
+    Arrays as in _damped_step; cost: the squared errors; low, high: (n, 1) or (n,).
+    """
+    downhill = _transpose_times(J, error)
     held = ((q <= low) & (downhill < 0)) | ((q >= high) & (downhill > 0))
-    step, sound = _step(J * ~held, error, _DAMPING * (error**2).sum(0) + _LEAST_DAMPING)
-    return np.clip(q + np.where(sound & np.isfinite(step).all(0), step, 0.0), low, high)
+    step, sound = _damped_step(J * ~held, error, _DAMPING * cost + _LEAST_DAMPING)
+    step = np.where(sound & np.isfinite(step).all(0), step, 0.0)
+    return np.minimum(np.maximum(q + step, low), high)
 
 
-def _step(J, error, damping):
-    """Return J^T (J J^T + damping I)^-1 error, (n, N), and of each of N whether rounding left something of the damping.
+def _damped_step(J, error, damping):
+    """Return J^T (J J^T + damping I)^-1 error, (n, N), and (N,) whether the damping outweighs rounding.
 
-    J: (k, n, N). error: (k, N). damping: (N,). It is the same as (J^T J + damping I)^-1 J^T error, by a smaller system.
-    Gauss's elimination, all N systems at once; for positive definite matrices it needs no choice of pivots (Golub and
-    Van Loan, Matrix Computations, section 4.2).
+    J: (k, n, N). error: (k, N). damping: (N,). Or all without N, for one. It equals (J^T J + damping I)^-1 J^T error,
+    by a smaller system. Many systems are solved together by Gaussian elimination; being positive definite they need no
+    pivoting (Golub and Van Loan, Matrix Computations, section 4.2).
     """
     k = len(error)
+    if error.ndim == 1:
+        try:
+            return np.linalg.solve(J @ J.T + damping * np.eye(k), error) @ J, True
+        except np.linalg.LinAlgError:
+            return np.zeros(J.shape[1]), False
     sound = np.ones(error.shape[1], bool)
     with np.errstate(all="ignore"):
         A = np.einsum("in...,jn...->ij...", J, J)
@@ -156,72 +289,128 @@ def _step(J, error, damping):
         x = A[:, k]
         for i in reversed(range(k)):
             x[:i] -= A[:i, i] * x[i]
-        return np.einsum("kn...,k...->n...", J, x), sound
+        return _transpose_times(J, x), sound
 
 
-def _columns_and_place(T):
-    """The columns and the place of poses (N, 4, 4), in course_lib.layout's layout: (4, 3, N)."""
-    return np.ascontiguousarray(np.moveaxis(T[:, :3], (0, 1, 2), (2, 1, 0)))
+def _transpose_times(J, x):
+    """Return J^T x, (n, N) for J (k, n, N) and x (k, N), or without N."""
+    return x @ J if x.ndim == 1 else np.einsum("knN,kN->nN", J, x)
 
 
-def _left(columns, place, goal):
-    """What _error gives, in course_lib.layout's layout: (6, N), from how and where an end is to goals (4, 3, N)."""
-    end = np.empty(goal.shape)
-    for i, column in enumerate((*columns, place)):
-        end[i] = column
-    R = np.einsum("ka...,kb...->ab...", goal[:3], end[:3])
-    axis_times_sine = np.stack([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2  # MR eq. 3.53
-    sine, cosine = np.sqrt((axis_times_sine**2).sum(0)), (np.trace(R) - 1) / 2
-    turn = axis_times_sine * np.divide(np.arctan2(sine, cosine), sine, out=np.ones_like(sine), where=sine > 0)
-    half = np.flatnonzero(cosine < -0.99)  # near half a turn the sine has few digits of the axis left
-    if len(half):
-        turn[:, half] = log_so3(np.moveaxis(R[..., half], -1, 0)).T
-    return np.concatenate([turn, goal[3] - end[3]])
+def _error_by_entries(end, goal):
+    """Return the pose errors (6, N) from frames to goals, both (4, 3, N): three columns, then the position. Or no N."""
+    R = (goal[:3].T @ end[:3]).tolist() if goal.ndim == 2 else np.einsum("kaN,kbN->abN", goal[:3], end[:3])
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
+    x, y, z = (zy - yz) / 2, (xz - zx) / 2, (yx - xy) / 2  # the axis times the sine: MR eq. 3.53
+    sine, cosine = np.sqrt(x * x + y * y + z * z), (xx + yy + zz - 1) / 2
+    stretch = np.arctan2(sine, cosine) / np.where(sine > 0, sine, 1.0)
+    error = np.array([x, y, z, *(goal[3] - end[3])])
+    error[:3] *= stretch
+    half_turn = cosine < -0.99  # where the sine has few digits of the axis left
+    if np.count_nonzero(half_turn):
+        error[:3, half_turn] = log_so3(np.moveaxis(np.asarray(R)[..., half_turn], -1, 0)).T
+    return error
 
 
-def pose_error(T, target):
-    """Return what is left to do from the poses T (..., 4, 4) to the targets (..., 4, 4): (..., 6), a turn and a way.
+def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
+    """Return for each of the poses (m, 4, 4) the nearest of a few random configurations, (m, n).
 
-    The turn is a rotation vector, in radians, the way is the origin's, both along the base's axes: in the order and
-    the axes of SerialArm.geometric_jacobian, so that J q' is about equal to it for a small one. Sugihara, section II.
+    They are uniform between the limits; a joint without limits takes any angle. Radians weigh as much as metres.
     """
-    T, target = real_array(T, "T", (4, 4)), real_array(target, "target", (4, 4))
-    for name, poses in (("T", T), ("target", target)):
-        refuse_first(~is_se(poses), name, lambda i: "is not a pose (rigid.nearest_se gives one near it)")
-    broadcast(T=T.shape[:-2], target=target.shape[:-2])
-    return _error(T, target)
-
-
-def _error(T, target):
-    turn = log_so3(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
-    return np.concatenate([turn, target[..., :3, 3] - T[..., :3, 3]], -1)
-
-
-def _lengths(error):
-    """Metres and radians of an error (..., 6)."""
-    return np.stack([length(error[..., 3:]), length(error[..., :3])], -1)
-
-
-def _starts(arm, poses, rng):
-    """Return for each of the poses (m, 4, 4) the nearest of a few random postures, (m, n).
-
-    They are even between the limits; a joint without limits turns anywhere. Small turns count as much as ways.
-    """
-    q = rng.uniform(*np.clip(arm.limits.T, -np.pi, np.pi), (_DRAWN, len(poses), arm.n))
-    off = (arm.fk(q) - poses) ** 2
-    distance = off[..., :3, :3].sum((-2, -1)) / 2 + off[..., :3, 3].sum(-1)
+    q = rng.uniform(*np.clip(arm.limits.T, -np.pi, np.pi), (candidates, len(poses), arm.n))
+    squares = (arm.fk(q) - poses) ** 2
+    distance = squares[..., :3, :3].sum((-2, -1)) / 2 + squares[..., :3, 3].sum(-1)
     return np.take_along_axis(q, distance.argmin(0)[None, :, None], 0)[0]
 
 
-def damped_path(arm, q0, target, alpha, eps, steps):
-    """Return the joint angles (..., steps + 1, n) of damped least-squares steps towards a point, q0 first.
+def pose_error(T, target):
+    """Return the error from a pose to a target: the rotation vector and the translation that remain.
 
-    q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), p the place of the arm's end and J its Jacobian.
-    arm: a SerialArm. q0: (..., n). target: (..., 2) for an arm in the plane z = 0, or (..., 3). alpha, eps: (...),
-    above zero: the step size and the damping, in square metres. steps: how many. No limits are looked at.
+    Both are expressed along the base frame's axes, in the order of SerialArm.geometric_jacobian: for small errors,
+    geometric_jacobian(q) @ dq is about equal to the error that dq removes.
+
+    Parameters
+    ----------
+    T, target : array_like (..., 4, 4)
+        Poses in the base frame, batches broadcast; metres.
+
+    Returns
+    -------
+    array (..., 6)
+        Three entries of a rotation vector in radians, of length at most pi, then three of a translation in metres.
+
+    Raises
+    ------
+    ValueError
+        If `T` or `target` is not a pose, or their batches do not fit.
+
+    References
+    ----------
+    Sugihara (2011), section II.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from course_lib.rigid import transform
+    >>> from course_lib.rotations import rot_z
+    >>> print(pose_error(np.eye(4), transform(rot_z(0.5), [1, 2, 3])))
+    [0.  0.  0.5 1.  2.  3. ]
     """
-    if not isinstance(arm, SerialArm):
-        raise ValueError(f"arm must be a SerialArm; it is of type {type(arm).__name__}")
+    T, target = checked_pose(T, "T", (4, 4)), checked_pose(target, "target", (4, 4))
+    broadcast(T=T.shape[:-2], target=target.shape[:-2])
+    return _pose_error(T, target)
+
+
+def _pose_error(T, target):
+    w = log_so3(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
+    return np.concatenate([w, target[..., :3, 3] - T[..., :3, 3]], -1)
+
+
+def damped_path(arm, q0, target, alpha, eps, steps):
+    """Return the joint angles of damped least-squares steps towards a point, q0 first.
+
+    Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's position p and its
+    Jacobian J. It ignores the joint limits.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    q0 : array_like (..., n)
+        Joint angles at the beginning, in radians.
+    target : array_like (..., 2) or (..., 3)
+        The point, in metres; two coordinates for an arm in the plane z = 0.
+    alpha : array_like (...)
+        The step size, above zero; 1 is the full step.
+    eps : array_like (...)
+        The damping, above zero, in square metres.
+    steps : int
+
+    Returns
+    -------
+    array (..., steps + 1, n)
+        Joint angles in radians. The batches of all arguments are broadcast.
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or sign, if `eps` is lost in rounding at a singular configuration, or if
+        `alpha` is so large that the angles overflow.
+
+    References
+    ----------
+    Nakamura and Hanafusa (1986).
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> arm = planar_arm([1, 1])
+    >>> path = damped_path(arm, [0.3, 0.5], target=[1, 1], alpha=1, eps=0.01, steps=30)
+    >>> path.shape
+    (31, 2)
+    >>> print(arm.fk(path[-1])[:2, 3].round(6))
+    [1. 1.]
+    """
+    _require_arm(arm)
     q = real_array(q0, "q0", (arm.n,))
     target = real_array(target, "target", (2,), (3,))
     alpha, eps = positive(alpha, "alpha"), positive(eps, "eps")
@@ -234,12 +423,17 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     path[..., 0, :] = q
     q, J = path[..., 0, :].reshape(flat, n).T, np.empty((6, n, flat))
     for i in range(steps):
-        _, place = arm.chain.fill_geometric_jacobian(q, J)
-        step, sound = _step(J[3 : 3 + k], place[:k] - target, eps)
+        _, position = arm.batched.fill_geometric_jacobian(q, J)
+        step, sound = _damped_step(J[3 : 3 + k], position[:k] - target, eps)
         if not sound.all():
-            raise ValueError("eps is too small: where the arm is singular, rounding leaves nothing of it")
+            raise ValueError("eps is too small: rounding outweighs it where the arm is singular")
         with np.errstate(over="ignore"):
             q = q - alpha * step
         path[..., i + 1, :] = q.T.reshape(*batch, n)
         refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", lambda i: "is too large: the angles overflow")
     return path
+
+
+def _require_arm(arm):
+    if not isinstance(arm, SerialArm):
+        raise ValueError(f"arm must be a SerialArm; it is of type {type(arm).__name__}")

@@ -1,6 +1,6 @@
 """Paths of a body in the plane, and of an arm's joints: from pose to pose, and by a plan of velocities.
 
-A pose is (x, y, theta), in metres and radians; arrays are batched on the left. The angle along a path goes on
+A pose is (x, y, theta), in metres and radians; arrays are batched on the left. The angle along a path continues
 beyond pi and is not wrapped, so that it can be drawn and differentiated. Every function raises ValueError,
 naming the argument, for a wrong shape and for entries that are not finite real numbers.
 
@@ -11,63 +11,205 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from course_lib.arguments import broadcast, count, positive, real_array, refuse_first
+from course_lib.arguments import broadcast, count, finite_result, positive, real_array, refuse_first
 from course_lib.rigid import exp_se2, log_se2
 
 _MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
 
 
 def wrap_angle(angle):
-    """Return the angle (...) less whole turns, in (-pi, pi]; one that lies there already comes back unchanged."""
+    """Return the angle minus whole revolutions, in (-pi, pi].
+
+    An angle that lies there already comes back unchanged.
+
+    Parameters
+    ----------
+    angle : array_like (...)
+        Radians.
+
+    Returns
+    -------
+    array (...)
+
+    Raises
+    ------
+    ValueError
+        If `angle` is not finite real numbers.
+
+    References
+    ----------
+    IEEE 754 remainder: the subtraction is exact, unlike adding pi and subtracting it again.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 1e-20]) / np.pi)
+    [ 1.00000000e+00  1.00000000e+00 -5.00000000e-01  3.18309886e-21]
+    """
     angle = np.fmod(real_array(angle, "angle", ()), 2 * np.pi)  # exact, which adding pi and taking it off is not
     return angle - 2 * np.pi * (angle > np.pi) + 2 * np.pi * (angle <= -np.pi)
 
 
 def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
-    """Return s(t), the cubic from s0 at time 0 to s1 at time T with velocities v0 and v1 there.
+    """Return s(t): the cubic polynomial with given values and first derivatives at time 0 and at time T.
 
-    All are numbers or arrays (...) that are broadcast; T > 0, and t from 0 to T. MR section 9.2.2.1.
+    Parameters
+    ----------
+    t, T : array_like (...)
+        Time and duration in seconds: T above zero, t from 0 to T.
+    s0, s1 : array_like (...), default 0 and 1
+        Values at time 0 and at time T.
+    v0, v1 : array_like (...), default 0
+        Derivatives there.
+
+    Returns
+    -------
+    array (...)
+        All arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If `t` is not within 0 and `T`, `T` is not above zero, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 9.2.2.1.
+
+    Examples
+    --------
+    >>> print(cubic_time_scaling([0, 0.5, 1, 2], T=2))
+    [0.      0.15625 0.5     1.     ]
     """
     t, T, s0, s1, v0, v1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1)
     u = t / T
     with np.errstate(all="ignore"):
-        way, d0, d1 = s1 - s0, v0 * T, v1 * T
-        s = s0 + u * (d0 + u * (3 * way - 2 * d0 - d1 + u * (d0 + d1 - 2 * way)))
-    return _finite(s, "s1")
+        change, d0, d1 = s1 - s0, v0 * T, v1 * T
+        s = s0 + u * (d0 + u * (3 * change - 2 * d0 - d1 + u * (d0 + d1 - 2 * change)))
+    return finite_result(s, "s1", None)
 
 
 def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
-    """Return s(t), the polynomial of degree five that also has the accelerations a0 and a1 at its ends.
+    """Return s(t): the polynomial of degree five that also has given second derivatives at both ends.
 
-    Arguments as for cubic_time_scaling. MR section 9.2.2.2.
+    Parameters
+    ----------
+    t, T : array_like (...)
+        Time and duration in seconds: T above zero, t from 0 to T.
+    s0, s1 : array_like (...), default 0 and 1
+        Values at time 0 and at time T.
+    v0, v1 : array_like (...), default 0
+        Derivatives there.
+    a0, a1 : array_like (...), default 0
+        Second derivatives there.
+
+    Returns
+    -------
+    array (...)
+        All arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If `t` is not within 0 and `T`, `T` is not above zero, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 9.2.2.2.
+
+    Examples
+    --------
+    >>> print(quintic_time_scaling([0, 0.5, 1, 2], T=2))
+    [0.         0.10351562 0.5        1.        ]
     """
     t, T, s0, s1, v0, v1, a0, a1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1, a0=a0, a1=a1)
     u = t / T
     with np.errstate(all="ignore"):
-        way, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
-        third = 10 * way - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
-        fourth = -15 * way + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
-        fifth = 6 * way - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
+        change, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
+        third = 10 * change - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
+        fourth = -15 * change + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
+        fifth = 6 * change - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
         s = s0 + u * (d0 + u * (c0 / 2 + u * (third + u * (fourth + u * fifth))))
-    return _finite(s, "s1")
+    return finite_result(s, "s1", None)
 
 
 def interpolate_body(start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling):
-    """Return n poses from start to goal, at even times from 0 to T; x, y and theta each follow the time scaling.
+    """Return n poses from start to goal at evenly spaced times; x, y and theta each follow the time scaling.
 
-    start, goal: (..., 3). v_start, v_goal: (..., 3), the velocities (x', y', theta') there. n: 2 or more. T: seconds.
-    scaling: cubic_time_scaling or quintic_time_scaling. Returns (..., n, 3). The angle goes the short way round;
-    with zero velocities the way is a straight line.
+    The angle takes the shorter arc. With zero velocities the path is a straight line.
+
+    Parameters
+    ----------
+    start, goal : array_like (..., 3)
+        Poses (x, y, theta), in metres and radians.
+    n : int
+        How many, 2 or more.
+    T : float, default 1
+        Duration in seconds.
+    v_start, v_goal : array_like (..., 3), default 0
+        Derivatives at the start and at the goal.
+    scaling : function, default cubic_time_scaling
+        Or quintic_time_scaling.
+
+    Returns
+    -------
+    array (..., n, 3)
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 9.2.
+
+    Examples
+    --------
+    >>> print(interpolate_body([0, 0, 0], [2, 4, 1], n=3))
+    [[0.  0.  0. ]
+     [1.  2.  0.5]
+     [2.  4.  1. ]]
     """
     start, goal = real_array(start, "start", (3,)), real_array(goal, "goal", (3,))
     return _interpolate(start, goal, [False, False, True], n, T, v_start, v_goal, scaling)
 
 
 def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_time_scaling):
-    """Return n joint vectors from start to goal, at even times from 0 to T, each joint the short way round.
+    """Return n joint vectors from start to goal at evenly spaced times, each joint along the shorter arc.
 
-    start, goal: (..., k) for k joints that may turn without end. The rest as for interpolate_body.
-    Returns (..., n, k).
+    Parameters
+    ----------
+    start, goal : array_like (..., k)
+        Joint angles in radians, of joints without limits.
+    n : int
+        How many, 2 or more.
+    T : float, default 1
+        Duration in seconds.
+    v_start, v_goal : array_like (..., k), default 0
+        Derivatives at the start and at the goal.
+    scaling : function, default cubic_time_scaling
+        Or quintic_time_scaling.
+
+    Returns
+    -------
+    array (..., n, k)
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 9.2.
+
+    Examples
+    --------
+    >>> print(interpolate_arm([0, 3], [1, -3], n=3).round(4))
+    [[0.     3.    ]
+     [0.5    3.1416]
+     [1.     3.2832]]
     """
     start = _joints(start)
     goal = real_array(goal, "goal", start.shape[-1:])
@@ -75,26 +217,80 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
 
 
 def interpolate_body_screw(start, goal, n):
-    """Return n poses from start to goal along the screw of the plane: an arc, by the cubic time scaling.
+    """Return n poses from start to goal along a screw motion of the plane: an arc, by the cubic time scaling.
 
-    start, goal: (..., 3). n: 2 or more. Returns (..., n, 3): T(s) = T_start exp(s log(T_start^-1 T_goal)), MR eq. 9.7.
+    T(s) = T_start exp(s log(T_start^-1 T_goal)).
+
+    Parameters
+    ----------
+    start, goal : array_like (..., 3)
+        Poses (x, y, theta), in metres and radians.
+    n : int
+        How many, 2 or more.
+
+    Returns
+    -------
+    array (..., n, 3)
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR eq. 9.7.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(interpolate_body_screw([1, 0, 0], [0, 1, np.pi / 2], n=3).round(4) + 0.0)
+    [[1.     0.     0.    ]
+     [0.7071 0.7071 0.7854]
+     [0.     1.     1.5708]]
     """
     start, goal = real_array(start, "start", (3,)), real_array(goal, "goal", (3,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1])
     change = _change(start, goal)
-    way = _turned(-start[..., 2], change[..., :2])
+    in_body = _rotated(-start[..., 2], change[..., :2])
     s = cubic_time_scaling(np.linspace(0, 1, count(n, least=2)), 1.0)
-    with _named("goal"):
-        twist = log_se2(pose_matrix(np.concatenate([way, change[..., 2:]], -1)))
+    with _blaming("goal"):
+        twist = log_se2(pose_matrix(np.concatenate([in_body, change[..., 2:]], -1)))
         return _along_twist(start, twist, s)
 
 
 def propagate_body(start, plan, dt):
-    """Return the poses that forward Euler reaches step by step: p <- p + R(theta) v dt, theta <- theta + omega dt.
+    """Return the poses that forward Euler reaches: p <- p + R(theta) v dt, theta <- theta + omega dt.
 
-    start: (..., 3). plan: pairs ((vx, vy, vtheta), duration), velocities in the body's frame, durations in seconds,
-    zero or more. dt: seconds; the last step of each pair is as short as it must be. Returns (..., n, 3), the start
-    first, at the times of plan_times.
+    Parameters
+    ----------
+    start : array_like (..., 3)
+        Pose (x, y, theta), in metres and radians.
+    plan : sequence of ((v_x, v_y, omega), duration)
+        Velocities in the body's frame in metres and radians per second; durations in seconds, zero or more.
+    dt : float
+        Step in seconds. The last step of each pair is as short as it needs to be.
+
+    Returns
+    -------
+    array (..., n, 3)
+        The start first, then the pose at each of plan_times.
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section I.7: Euler's method.
+
+    Examples
+    --------
+    >>> print(propagate_body([0, 0, 0], [((1, 0, 1), 1.0)], dt=0.5).round(4))
+    [[0.     0.     0.    ]
+     [0.5    0.     0.5   ]
+     [0.9388 0.2397 1.    ]]
     """
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
@@ -102,49 +298,160 @@ def propagate_body(start, plan, dt):
         step = np.diff(elapsed, prepend=0.0)
         with np.errstate(all="ignore"):
             theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
-            way = np.concatenate([_turned(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
-            poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * way, -2)], -2)
-    return _finite(poses, "plan")
+            rate = np.concatenate([_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
+            poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2)
+    return finite_result(poses, "plan", None)
 
 
 def propagate_body_exact(start, plan, dt):
-    """Return the poses of the same plan by the exponential of SE(2), exact for any dt. Arguments as for propagate_body.
+    """Return the poses of a plan by the exponential of SE(2), exact for any dt.
 
-    MR section 3.3.3: a constant body twist for a time t moves the body by T exp(t [twist]).
+    A constant body twist for a time t moves the body by T exp(t [twist]).
+
+    Parameters
+    ----------
+    start : array_like (..., 3)
+        Pose (x, y, theta), in metres and radians.
+    plan : sequence of ((v_x, v_y, omega), duration)
+        Velocities in the body's frame in metres and radians per second; durations in seconds, zero or more.
+    dt : float
+        Step in seconds. The last step of each pair is as short as it needs to be.
+
+    Returns
+    -------
+    array (..., n, 3)
+        The start first, then the pose at each of plan_times.
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 3.3.3.
+
+    Examples
+    --------
+    >>> print(propagate_body_exact([0, 0, 0], [((1, 0, 1), 1.0)], dt=0.5).round(4))
+    [[0.     0.     0.    ]
+     [0.4794 0.1224 0.5   ]
+     [0.8415 0.4597 1.    ]]
     """
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
     for (velocity, *_), elapsed in _segments(plan, dt, 3):
-        with _named("plan"):
+        with _blaming("plan"):
             poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
     return poses
 
 
 def propagate_arm(start, plan, dt):
-    """Return the joint angles that a plan of joint velocities leads to, at the times of plan_times.
+    """Return the joint angles that a plan of joint velocities leads to. Euler's method is exact here.
 
-    start: (..., k). plan: pairs ((k velocities), duration). dt: seconds. Returns (..., n, k), the start first.
-    Angles add up, so that Euler's rule is exact here.
+    Parameters
+    ----------
+    start : array_like (..., k)
+        Joint angles in radians.
+    plan : sequence of (k velocities, duration)
+        Radians per second; seconds, zero or more.
+    dt : float
+        Step in seconds. The last step of each pair is as short as it needs to be.
+
+    Returns
+    -------
+    array (..., n, k)
+        The start first, then the angles at each of plan_times.
+
+    Raises
+    ------
+    ValueError
+        If an argument has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 9.2, for paths in joint space.
+
+    Examples
+    --------
+    >>> print(propagate_arm([0, 1], [((1, -1), 0.5)], dt=0.25))
+    [[0.   1.  ]
+     [0.25 0.75]
+     [0.5  0.5 ]]
     """
     start = _joints(start)
     angles = start[..., None, :]
     for (velocity, *_), elapsed in _segments(plan, dt, start.shape[-1]):
         with np.errstate(all="ignore"):
             angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
-    return _finite(angles, "plan")
+    return finite_result(angles, "plan", None)
 
 
 def plan_times(plan, dt):
-    """Return the times (n,) from 0 on at which propagate_body and propagate_arm give their results."""
+    """Return the times at which propagate_body, propagate_body_exact and propagate_arm give their results.
+
+    Parameters
+    ----------
+    plan : sequence of (velocities, duration)
+        As for those functions.
+    dt : float
+        Step in seconds.
+
+    Returns
+    -------
+    array (n,)
+        Seconds, from 0 on.
+
+    Raises
+    ------
+    ValueError
+        If `plan` or `dt` has the wrong shape or range, or the result exceeds the largest number.
+
+    References
+    ----------
+    See propagate_body.
+
+    Examples
+    --------
+    >>> print(plan_times([((1, 0, 0), 1.0), ((0, 0, 1), 0.5)], dt=0.4))
+    [0.  0.4 0.8 1.  1.4 1.5]
+    """
     times = np.zeros(1)
     for _, elapsed in _segments(plan, dt, None):
         with np.errstate(over="ignore"):
             times = np.append(times, times[-1] + elapsed)
-    return _finite(times, "plan")
+    return finite_result(times, "plan", None)
 
 
 def pose_matrix(pose):
-    """Return the homogeneous matrix (..., 3, 3) of a pose (x, y, theta) (..., 3)."""
+    """Return the homogeneous matrix of a pose (x, y, theta).
+
+    Parameters
+    ----------
+    pose : array_like (..., 3)
+        Metres and radians.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `pose` is not an array (..., 3) of finite real numbers.
+
+    References
+    ----------
+    MR definition 3.14.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(pose_matrix([2, 3, np.pi / 2]).round(9))
+    [[ 0. -1.  2.]
+     [ 1.  0.  3.]
+     [ 0.  0.  1.]]
+    """
     pose = real_array(pose, "pose", (3,))
     c, s, zero = np.cos(pose[..., 2]), np.sin(pose[..., 2]), np.zeros(pose.shape[:-1])
     rows = [[c, -s, pose[..., 0]], [s, c, pose[..., 1]], [zero, zero, zero + 1]]
@@ -161,8 +468,8 @@ def _scaling_arguments(**values):
     return [np.clip(t, 0, T), *list(arrays.values())[1:]]
 
 
-def _interpolate(start, goal, turning, n, T, v_start, v_goal, scaling):
-    """Each coordinate by the time scaling, the turning ones the short way round."""
+def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
+    """Interpolate each coordinate by the time scaling, and angles in the direction of the shorter arc."""
     k = start.shape[-1]
     v_start, v_goal = _velocities(v_start, "v_start", k), _velocities(v_goal, "v_goal", k)
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])
@@ -170,12 +477,12 @@ def _interpolate(start, goal, turning, n, T, v_start, v_goal, scaling):
     if T.shape:
         raise ValueError(f"T must be one number; its shape is {T.shape}")
     change = _change(start, goal)
-    change = np.where(turning, wrap_angle(change), change)
+    change = np.where(is_angle, wrap_angle(change), change)
     t = np.linspace(0, T, count(n, least=2))[:, None]
     ends = (start, start + change, v_start, v_goal)
     if not callable(scaling):
         raise ValueError(f"scaling must be a time scaling such as cubic_time_scaling; it is {scaling!r:.80}")
-    with _named("goal"):
+    with _blaming("goal"):
         return scaling(t, T, *(end[..., None, :] for end in ends))
 
 
@@ -186,7 +493,7 @@ def _velocities(value, name, k):
 
 def _change(start, goal):
     with np.errstate(all="ignore"):
-        return _finite(goal - start, "goal")
+        return finite_result(goal - start, "goal", None)
 
 
 def _joints(start):
@@ -196,8 +503,8 @@ def _joints(start):
     return start
 
 
-def _turned(theta, v):
-    """Return the vectors v (..., 2) turned by theta (...)."""
+def _rotated(theta, v):
+    """Return the vectors v (..., 2) rotated by theta (...)."""
     c, s = np.cos(theta), np.sin(theta)
     with np.errstate(all="ignore"):
         return np.stack([c * v[..., 0] - s * v[..., 1], s * v[..., 0] + c * v[..., 1]], -1)
@@ -206,12 +513,12 @@ def _turned(theta, v):
 def _along_twist(start, twist, s):
     """Return the poses start exp(s twist), (..., n, 3), for s (n,)."""
     with np.errstate(all="ignore"):
-        turning = s[:, None] * twist[..., None, :]
-    moved = exp_se2(turning)[..., :2, 2]
+        scaled = s[:, None] * twist[..., None, :]
+    moved = exp_se2(scaled)[..., :2, 2]
     with np.errstate(all="ignore"):
-        p = start[..., None, :2] + _turned(start[..., None, 2], moved)
-        theta = start[..., None, 2] + turning[..., 0]
-    return _finite(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist")
+        p = start[..., None, :2] + _rotated(start[..., None, 2], moved)
+        theta = start[..., None, 2] + scaled[..., 0]
+    return finite_result(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist", None)
 
 
 def _segments(plan, dt, k):
@@ -232,7 +539,7 @@ def _segments(plan, dt, k):
 
 
 def _pairs(plan, k):
-    """Look at a plan, pair by pair; k: how many velocities, None for any number."""
+    """Check a plan, pair by pair. k: the number of velocities, None for any."""
     expected = "plan must be a list of pairs (velocities, duration)"
     try:
         pairs = [tuple(pair) for pair in plan]
@@ -252,15 +559,9 @@ def _pairs(plan, k):
 
 
 @contextmanager
-def _named(name):
-    """Let an overflow further down be refused by the name that the caller gave."""
+def _blaming(name):
+    """Let a ValueError from a function below name the argument that the caller gave."""
     try:
         yield
     except ValueError as too_large:
         raise ValueError(f"{name} is too large: {too_large}") from too_large
-
-
-def _finite(values, name):
-    if not np.isfinite(values).all():
-        raise ValueError(f"{name} is too large: the result exceeds the largest number")
-    return values

@@ -1,24 +1,61 @@
-"""Registration of points: the pose that lays one set of points on another, each point knowing its partner.
+"""Registration of points: the pose that moves one set of points onto another, each point knowing its partner.
 
 Sources: Kabsch, A solution for the best rotation to relate two sets of vectors, Acta Crystallographica A32 (1976);
-Umeyama, Least-squares estimation of transformation parameters between two point patterns, IEEE PAMI 13 (1991).
+Umeyama, Least-squares estimation of transformation parameters between two point patterns, IEEE PAMI 13 (1991);
+Golub and Van Loan, Matrix Computations, section 8.5, for rotations plane by plane (Jacobi's method).
 """
 
 import numpy as np
 
-from course_lib.arguments import broadcast, real_array, refuse_first
+from course_lib.arguments import broadcast, finite_result, real_array, refuse_first
 from course_lib.rigid import transform
 from course_lib.rotations import nearest_so
 
-_FLAT = 1e-9  # how thin a set of points may be, as a share of its length, before it is taken for a line
+# Rounding moves a point by 1e-16 of the largest coordinate. Divided by how far the points are from one line, that is
+# the angle about the line by which the answer is uncertain.
+_THINNEST = 1e-12  # of the largest coordinate; the uncertainty is then 1e-4 rad
+_PLANES = ((1, 2), (0, 1), (0, 2))
+_SWEEPS = 30
+_SMALLEST_ANGLE = 1e-15  # radians
 
 
 def register_points(src, dst, weights=None):
-    """Return the pose T (..., 4, 4) that makes the weighted sum of |T src_i - dst_i|^2 least.
+    """Return the pose T that minimises the weighted sum of |T src_i - dst_i|^2. It is never a reflection.
 
-    src, dst: (..., n, 3), partners in the same order. weights: (..., n), zero or more; None for equal ones. It is a
-    rotation, never a reflection. Raises ValueError for fewer than three points that have weight, and for points on one
-    line: they can be turned about it without a difference.
+    The points may be nearly on one line, or of any size. The answer is exact to what rounding allows for them, and
+    they are refused if that leaves the angle about the line uncertain by more than 1e-4 rad.
+
+    Parameters
+    ----------
+    src, dst : array_like (..., n, 3)
+        Points in metres, partners in the same order, n at least 3.
+    weights : array_like (..., n), optional
+        Zero or more; at least three above zero. None for equal weights.
+
+    Returns
+    -------
+    array (..., 4, 4)
+        All batches broadcast.
+
+    Raises
+    ------
+    ValueError
+        If `src` or `dst` is not such an array, has fewer than three points with weight, or has its points on one line,
+        about which every angle fits; if a weight is negative; or if the result exceeds the largest number.
+
+    References
+    ----------
+    Umeyama (1991), without the scale.
+
+    Examples
+    --------
+    >>> src = [[0, 0, 0], [1, 0, 0], [0, 2, 0]]
+    >>> dst = [[1, 1, 1], [1, 2, 1], [-1, 1, 1]]
+    >>> print(register_points(src, dst).round(9) + 0.0)
+    [[ 0. -1.  0.  1.]
+     [ 1.  0.  0.  1.]
+     [ 0.  0.  1.  1.]
+     [ 0.  0.  0.  1.]]
     """
     src, dst = _points(src, "src"), _points(dst, "dst")
     n = src.shape[-2]
@@ -29,18 +66,16 @@ def register_points(src, dst, weights=None):
     few = (weights > 0).sum(-1) < 3
     refuse_first(few, "weights" if n >= 3 else "src", lambda i: "must leave at least three points: two fix no rotation")
     batch = broadcast(src=src.shape[:-2], dst=dst.shape[:-2], weights=weights.shape[:-1])
+    weights = weights / weights.max(-1, keepdims=True)
     share = (weights / weights.sum(-1, keepdims=True))[..., None]
-    middle_src, middle_dst = (share * src).sum(-2), (share * dst).sum(-2)
-    a, b = src - middle_src[..., None, :], dst - middle_dst[..., None, :]
-    for name, centred in (("src", a), ("dst", b)):
-        s = np.linalg.svd(np.sqrt(share) * centred, compute_uv=False)
-        refuse_first(
-            s[..., 1] <= _FLAT * s[..., 0], name, lambda i: "has its points on one line: about it any turn fits"
-        )
-    # The rotation nearest to the sum of b a^T makes trace(R^T sum) largest, which is what is asked; its sign is inside.
-    R = nearest_so(np.swapaxes(share * b, -1, -2) @ a)
-    p = middle_dst - (R @ middle_src[..., None])[..., 0]
-    return np.broadcast_to(transform(R, p), (*batch, 4, 4))
+    with np.errstate(under="ignore"):
+        a, mean_a, exponent_a, _ = _centred(src, share, "src")
+        b, mean_b, exponent_b, axes = _centred(dst, share, "dst")
+        R = _rotation(a, b, share, axes)
+    with np.errstate(all="ignore"):
+        mean_src, mean_dst = np.ldexp(mean_a, exponent_a), np.ldexp(mean_b, exponent_b)
+        p = mean_dst - (R @ mean_src[..., None])[..., 0]
+    return np.broadcast_to(transform(R, finite_result(p, "dst", None)), (*batch, 4, 4))
 
 
 def _points(value, name):
@@ -48,3 +83,47 @@ def _points(value, name):
     if points.ndim < 2:
         raise ValueError(f"{name} must be an array of points of shape (..., n, 3); its shape is {points.shape}")
     return points
+
+
+def _centred(points, share, name):
+    """Return the points at a scale where the largest coordinate is about 1 and less their mean, the mean, and more.
+
+    Also the exponent of 2 that undoes the scale, and the principal axes (..., 3, 3), as rows, the longest first.
+    A point without weight counts as none, however far away it is.
+    """
+    points = np.where(share > 0, points, 0.0)
+    exponent = np.frexp(np.abs(points).max((-2, -1)))[1][..., None]
+    points = np.ldexp(points, -exponent[..., None])
+    mean = (share * points).sum(-2)
+    points = np.where(share > 0, points - mean[..., None, :], 0.0)
+    _, sizes, axes = np.linalg.svd(np.sqrt(share) * points, full_matrices=False)
+    refuse_first(
+        sizes[..., 1] <= _THINNEST,
+        name,
+        lambda i: "has its points on one line, but for rounding: every angle about it fits",
+    )
+    return points, mean, exponent, axes
+
+
+def _rotation(a, b, share, axes):
+    """Return the rotation that takes a (..., n, 3) to b best. axes: the principal axes of b.
+
+    The rotation nearest to the sum of b a^T is right up to the angle about the longest axis: that depends on the square
+    of the thickness, which may be lost in the sum. So a is rotated by it, and both are expressed along the principal
+    axes. The same sum, M, has then all its digits, and rotations in one plane after another make its trace largest.
+    """
+    R = nearest_so(np.swapaxes(share * b, -1, -2) @ a)
+    along = np.swapaxes(axes, -1, -2)
+    M = np.swapaxes(share * (b @ along), -1, -2) @ (a @ np.swapaxes(R, -1, -2) @ along)
+    G = np.broadcast_to(np.eye(3), M.shape).copy()
+    for _ in range(_SWEEPS):
+        largest = 0.0
+        for i, j in _PLANES:
+            angle = np.arctan2(M[..., j, i] - M[..., i, j], M[..., i, i] + M[..., j, j])
+            c, s = np.cos(angle)[..., None], np.sin(angle)[..., None]
+            M[..., i, :], M[..., j, :] = c * M[..., i, :] + s * M[..., j, :], c * M[..., j, :] - s * M[..., i, :]
+            G[..., i], G[..., j] = c * G[..., i] + s * G[..., j], c * G[..., j] - s * G[..., i]
+            largest = max(largest, np.abs(angle).max(initial=0.0))
+        if largest < _SMALLEST_ANGLE:
+            break
+    return nearest_so(along @ G @ axes @ R)

@@ -2,22 +2,47 @@
 
 A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space, in
 radians and metres. Arrays are batched on the left. Every function raises ValueError, naming the argument, for
-a wrong shape, for entries that are not finite real numbers, and for what is no pose where one is needed.
+a wrong shape, for entries that are not finite real numbers, and for a matrix that is not a pose if one is needed.
 
 Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
 """
 
 import numpy as np
 
-from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
-from course_lib.layout import by_entries
-from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
+from course_lib.arguments import broadcast, finite_result, real_array, refuse_first, tolerance
+from course_lib.batching import by_entries
+from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, log_so3, nearest_so, unchecked_length, vee
 
 
 def transform(R, p):
     """Return the pose T = [[R, p], [0, 1]].
 
-    R: (..., n, n) a rotation, p: (..., n), n = 2 or 3; their batches are broadcast. Returns (..., n+1, n+1).
+    Parameters
+    ----------
+    R : array_like (..., n, n)
+        A rotation, n = 2 or 3.
+    p : array_like (..., n)
+        A position, in metres. The batches of both are broadcast.
+
+    Returns
+    -------
+    array (..., n+1, n+1)
+
+    Raises
+    ------
+    ValueError
+        If `R` is not a rotation, `p` is not of its size, or their batches do not fit.
+
+    References
+    ----------
+    MR definition 3.13.
+
+    Examples
+    --------
+    >>> print(transform([[0, -1], [1, 0]], [2, 3]))
+    [[ 0. -1.  2.]
+     [ 1.  0.  3.]
+     [ 0.  0.  1.]]
     """
     R = real_array(R, "R", (2, 2), (3, 3), copy=False)
     refuse_first(~is_so(R), "R", lambda i: "is not a rotation (nearest_so gives the nearest rotation)")
@@ -27,41 +52,139 @@ def transform(R, p):
 
 
 def is_se(T, tol=TOLERANCE):
-    """Return whether T is a pose: its block a rotation (see is_so), its last row (0, ..., 0, 1), both within tol.
+    """Return whether T is a pose: its rotation block satisfies is_so, and its last row is within tol of (0, ..., 0, 1).
 
-    T: (..., 3, 3) or (..., 4, 4). Returns booleans (...).
+    Parameters
+    ----------
+    T : array_like (..., 3, 3) or (..., 4, 4)
+    tol : float, default 1e-6
+
+    Returns
+    -------
+    bool or bool array (...)
+
+    Raises
+    ------
+    ValueError
+        If `T` is not an array of such matrices of finite real numbers, or `tol` is not a number from zero on.
+
+    References
+    ----------
+    MR definitions 3.13 and 3.14: SE(3) and SE(2).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(is_se([np.eye(4), np.diag([1, 1, 1, 2])]))
+    [ True False]
     """
     T = real_array(T, "T", (3, 3), (4, 4), copy=False)
     tol = tolerance(tol)
     return is_so(T[..., :-1, :-1], tol) & (by_entries(_last_row_off, (), T[..., -1, :], batch=T.shape[:-2]) <= tol)
 
 
-def nearest_se(T):
-    """Return T with its block replaced by the nearest rotation and its last row by (0, ..., 0, 1).
+def checked_pose(value, name, *shapes):
+    """Return `value` as an array (..., 3, 3) or (..., 4, 4), as the shapes allow, or ValueError if it is not a pose."""
+    T = real_array(value, name, *shapes, copy=False)
+    refuse_first(~is_se(T), name, lambda i: "is not a pose (rigid.nearest_se gives the nearest)")
+    return T
 
-    T: (..., 3, 3) or (..., 4, 4). Returns the same shape; the translation stays as it is.
+
+def nearest_se(T):
+    """Return the pose nearest to T in the Frobenius norm.
+
+    Its block is the nearest rotation, its last row is (0, ..., 0, 1), and the translation stays as it is.
+
+    Parameters
+    ----------
+    T : array_like (..., 3, 3) or (..., 4, 4)
+
+    Returns
+    -------
+    array of the same shape
+
+    Raises
+    ------
+    ValueError
+        If `T` is not an array of such matrices of finite real numbers.
+
+    References
+    ----------
+    Umeyama, IEEE PAMI 13 (1991), for the rotation; see nearest_so.
+
+    Examples
+    --------
+    >>> print(nearest_se([[0, -2, 5], [2, 0, 6], [0.1, 0, 1]]) + 0.0)
+    [[ 0. -1.  5.]
+     [ 1.  0.  6.]
+     [ 0.  0.  1.]]
     """
     T = real_array(T, "T", (3, 3), (4, 4), copy=False)
     return _assemble(nearest_so(T[..., :-1, :-1]), T[..., :-1, -1])
 
 
 def inverse(T):
-    """Return the inverse pose, [[R^T, -R^T p], [0, 1]].
+    """Return the inverse of a pose, [[R^T, -R^T p], [0, 1]].
 
-    T: (..., 3, 3) or (..., 4, 4), a pose. Returns the same shape. MR eq. 3.64.
+    Parameters
+    ----------
+    T : array_like (..., 3, 3) or (..., 4, 4)
+
+    Returns
+    -------
+    array of the same shape
+
+    Raises
+    ------
+    ValueError
+        If `T` is not a pose, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR eq. 3.64.
+
+    Examples
+    --------
+    >>> print(inverse([[0, -1, 2], [1, 0, 3], [0, 0, 1]]))
+    [[ 0.  1. -3.]
+     [-1.  0.  2.]
+     [ 0.  0.  1.]]
     """
-    T = _pose(T, (3, 3), (4, 4))
+    T = checked_pose(T, "T", (3, 3), (4, 4))
     T_inverse = by_entries(_inverse, T.shape[-2:], T, batch=T.shape[:-2])
-    _finite(T_inverse[..., :-1, -1], "T")
+    finite_result(T_inverse[..., :-1, -1], "T")
     return T_inverse
 
 
 def adjoint(T):
-    """Return the matrix that takes twists (omega, v) from frame b to frame a, for T = T_ab.
+    """Return the matrix that converts a twist from frame b to frame a, given T = T_ab.
 
-    T: (..., 4, 4) gives (..., 6, 6), [[R, 0], [[p] R, R]] (MR def. 3.20); (..., 3, 3) gives (..., 3, 3).
+    Parameters
+    ----------
+    T : array_like (..., 3, 3) or (..., 4, 4)
+
+    Returns
+    -------
+    array (..., 3, 3) or (..., 6, 6)
+        For a twist (omega, v): [[R, 0], [[p] R, R]] in space; in the plane its part for (omega_z, v_x, v_y).
+
+    Raises
+    ------
+    ValueError
+        If `T` is not a pose, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR definition 3.20.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> T_ab = transform(np.eye(3), [0, 2, 0])
+    >>> print(adjoint(T_ab) @ [0, 0, 1, 0, 0, 0])  # rotation about b's z axis: a's origin moves along x
+    [0. 0. 1. 2. 0. 0.]
     """
-    T = _pose(T, (3, 3), (4, 4))
+    T = checked_pose(T, "T", (3, 3), (4, 4))
     R, p = T[..., :-1, :-1], T[..., :-1, -1]
     if R.shape[-1] == 2:
         Ad = np.zeros(T.shape)
@@ -69,14 +192,38 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    Ad[..., 3:, :3] = _finite(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", axes=(-2, -1))
+    Ad[..., 3:, :3] = finite_result(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", item_axes=(-2, -1))
     return Ad
 
 
 def hat_se3(twist):
-    """Return the matrix [[[omega], v], [0, 0]] of a twist (not skew-symmetric, for all its hat).
+    """Return the 4 x 4 matrix [[[omega], v], [0, 0]] of a twist. Despite its name it is not skew-symmetric.
 
-    twist: (..., 6). Returns (..., 4, 4). MR eq. 3.85.
+    Parameters
+    ----------
+    twist : array_like (..., 6)
+        (omega, v).
+
+    Returns
+    -------
+    array (..., 4, 4)
+
+    Raises
+    ------
+    ValueError
+        If `twist` is not an array (..., 6) of finite real numbers.
+
+    References
+    ----------
+    MR eq. 3.85.
+
+    Examples
+    --------
+    >>> print(hat_se3([1, 2, 3, 4, 5, 6]))
+    [[ 0. -3.  2.  4.]
+     [ 3.  0. -1.  5.]
+     [-2.  1.  0.  6.]
+     [ 0.  0.  0.  0.]]
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     matrix = np.zeros((*twist.shape[:-1], 4, 4))
@@ -86,9 +233,30 @@ def hat_se3(twist):
 
 
 def vee_se3(matrix):
-    """Return the twist of a matrix [[[omega], v], [0, 0]], the inverse of hat_se3.
+    """Return the twist of a matrix [[[omega], v], [0, 0]]: the inverse of hat_se3.
 
-    matrix: (..., 4, 4). Returns (..., 6). Raises ValueError where the block is not skew or the last row not zero.
+    Parameters
+    ----------
+    matrix : array_like (..., 4, 4)
+
+    Returns
+    -------
+    array (..., 6)
+        (omega, v).
+
+    Raises
+    ------
+    ValueError
+        If the upper left block is not skew-symmetric, or the last row is not zero, within 1e-6.
+
+    References
+    ----------
+    MR eq. 3.85.
+
+    Examples
+    --------
+    >>> print(vee_se3([[0, -3, 2, 4], [3, 0, -1, 5], [-2, 1, 0, 6], [0, 0, 0, 0]]))
+    [1. 2. 3. 4. 5. 6.]
     """
     matrix = real_array(matrix, "matrix", (4, 4), copy=False)
     refuse_first(
@@ -104,59 +272,146 @@ def vee_se3(matrix):
 
 
 def exp_se3(twist):
-    """Return the pose reached by following the constant twist for unit time.
+    """Return the pose that a constant twist reaches in unit time: the exponential of SE(3).
 
-    twist: (..., 6), (omega, v). Returns (..., 4, 4). MR prop. 3.25.
+    Parameters
+    ----------
+    twist : array_like (..., 6)
+        (omega, v): exponential coordinates, in radians and metres.
+
+    Returns
+    -------
+    array (..., 4, 4)
+
+    Raises
+    ------
+    ValueError
+        If `twist` is not an array (..., 6) of finite real numbers, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR proposition 3.25.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(exp_se3([0, 0, np.pi / 2, 0, -np.pi / 2, 0]).round(9))  # about the axis through (1, 0, 0), along z
+    [[ 0. -1.  0.  1.]
+     [ 1.  0.  0. -1.]
+     [ 0.  0.  1.  0.]
+     [ 0.  0.  0.  1.]]
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    p = _finite(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
+    p = finite_result(by_entries(_translation, (3,), twist, unchecked_length(omega), batch=omega.shape[:-1]), "twist")
     return _assemble(exp_so3(omega), p)
 
 
 def log_se3(T):
-    """Return the twist (omega, v), |omega| at most pi, whose exponential is T: the inverse of exp_se3.
+    """Return the twist (omega, v) whose exponential is T, with |omega| at most pi: the inverse of exp_se3.
 
-    T: (..., 4, 4), a pose. Returns (..., 6). At exactly pi the axis's sign is that of log_so3. MR sec. 3.3.3.2.
+    At exactly pi the sign of the axis is that of log_so3.
+
+    Parameters
+    ----------
+    T : array_like (..., 4, 4)
+
+    Returns
+    -------
+    array (..., 6)
+        Radians and metres.
+
+    Raises
+    ------
+    ValueError
+        If `T` is not a pose, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 3.3.3.2.
+
+    Examples
+    --------
+    >>> print(log_se3([[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]))
+    [0. 0. 0. 5. 6. 7.]
     """
-    T = _pose(T, (4, 4))
+    T = checked_pose(T, "T", (4, 4))
     omega = log_so3(T[..., :3, :3])
-    v = by_entries(_velocity, (3,), omega, length(omega), T[..., :3, 3], batch=T.shape[:-2])
-    return np.concatenate([omega, _finite(v, "T")], -1)
+    v = by_entries(_velocity, (3,), omega, unchecked_length(omega), T[..., :3, 3], batch=T.shape[:-2])
+    return np.concatenate([omega, finite_result(v, "T")], -1)
 
 
 def exp_se2(twist):
-    """Return the planar pose reached by following the constant twist (omega, vx, vy) for unit time.
+    """Return the planar pose that a constant twist reaches in unit time: the exponential of SE(2).
 
-    twist: (..., 3). Returns (..., 3, 3). MR section 3.3.3 with the axis along z.
+    Parameters
+    ----------
+    twist : array_like (..., 3)
+        (omega, v_x, v_y), in radians and metres.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `twist` is not an array (..., 3) of finite real numbers, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 3.3.3, with the axis along z.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(exp_se2([np.pi, 0, -np.pi]).round(9) + 0.0)  # half a revolution about the point (1, 0)
+    [[-1.  0.  2.]
+     [ 0. -1.  0.]
+     [ 0.  0.  1.]]
     """
     twist = real_array(twist, "twist", (3,), copy=False)
     omega, v = twist[..., 0], twist[..., 1:]
     along = np.sinc(omega / np.pi)[..., None]  # sin(omega) / omega
     across = (omega * _one_minus_cos(omega))[..., None]
     with np.errstate(all="ignore"):
-        p = along * v + across * _quarter_turn(v)
-    return _assemble(_turn(omega), _finite(p, "twist"))
+        p = along * v + across * _perpendicular(v)
+    return _assemble(_plane_rotation(omega), finite_result(p, "twist"))
 
 
 def log_se2(T):
-    """Return the twist (omega, vx, vy), omega in (-pi, pi], whose exponential is T: the inverse of exp_se2.
+    """Return the twist whose exponential is T, with omega in (-pi, pi]: the inverse of exp_se2.
 
-    T: (..., 3, 3), a pose. Returns (..., 3).
+    Parameters
+    ----------
+    T : array_like (..., 3, 3)
+
+    Returns
+    -------
+    array (..., 3)
+        (omega, v_x, v_y), in radians and metres.
+
+    Raises
+    ------
+    ValueError
+        If `T` is not a pose, or the result exceeds the largest number.
+
+    References
+    ----------
+    MR section 3.3.3, with the axis along z.
+
+    Examples
+    --------
+    >>> print(log_se2([[1, 0, 5], [0, 1, 6], [0, 0, 1]]))
+    [0. 5. 6.]
     """
-    T = _pose(T, (3, 3))
+    T = checked_pose(T, "T", (3, 3))
     p = T[..., :2, 2]
     omega = np.arctan2(T[..., 1, 0], T[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
     with np.errstate(all="ignore"):
-        v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _quarter_turn(p)
-    return np.concatenate([omega[..., None], _finite(v, "T")], -1)
-
-
-def _pose(T, *shapes):
-    T = real_array(T, "T", *shapes, copy=False)
-    refuse_first(~is_se(T), "T", lambda i: "is not a pose (nearest_se gives one near it)")
-    return T
+        v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _perpendicular(p)
+    return np.concatenate([omega[..., None], finite_result(v, "T")], -1)
 
 
 def _assemble(R, p):
@@ -166,21 +421,13 @@ def _assemble(R, p):
     return T
 
 
-def _turn(angle):
+def _plane_rotation(angle):
     c, s = np.cos(angle), np.sin(angle)
     return np.stack([np.stack([c, -s], -1), np.stack([s, c], -1)], -2)
 
 
-def _quarter_turn(v):
+def _perpendicular(v):
     return np.stack([-v[..., 1], v[..., 0]], -1)
-
-
-def _finite(p, name, axes=-1):
-    finite = np.isfinite(p)
-    if np.count_nonzero(finite) < p.size:
-        reason = "is too large: the result exceeds the largest number"
-        refuse_first(~finite.all(axes), name, lambda i: reason)
-    return p
 
 
 def _one_minus_cos(angle):

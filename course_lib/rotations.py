@@ -2,7 +2,7 @@
 
 Arrays are batched on the left: a function of one (3, 3) matrix takes (..., 3, 3). Angles are in radians,
 quaternions are (w, x, y, z). Every function raises ValueError, naming the argument, for a wrong shape, for
-entries that are not finite real numbers, and for what is no rotation or unit quaternion where one is needed.
+entries that are not finite real numbers, and for a matrix or quaternion that is not a rotation if one is needed.
 
 Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; others where they are used.
 """
@@ -10,26 +10,69 @@ Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; oth
 import numpy as np
 
 from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
-from course_lib.layout import by_entries
+from course_lib.batching import by_entries
 
-# How far R^T R may be from I, or |q| from 1, in what the functions below take for a rotation. Wide enough for
-# matrices printed to seven digits, narrow enough to catch one that was never meant to be a rotation.
+# The tolerance (see is_so and is_quaternion) within which the functions below accept a rotation. Wide enough for
+# matrices printed to seven digits, narrow enough to catch a matrix that was never meant to be a rotation.
 TOLERANCE = 1e-6
 
 
 def hat(w):
     """Return the skew-symmetric matrix [w] with [w] p = w x p.
 
-    w: (..., 3). Returns (..., 3, 3). MR eq. 3.30.
+    Parameters
+    ----------
+    w : array_like (..., 3)
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `w` is not an array (..., 3) of finite real numbers.
+
+    References
+    ----------
+    MR eq. 3.30.
+
+    Examples
+    --------
+    >>> print(hat([1, 2, 3]))
+    [[ 0. -3.  2.]
+     [ 3.  0. -1.]
+     [-2.  1.  0.]]
     """
     w = real_array(w, "w", (3,), copy=False)
     return by_entries(_skew, (3, 3), w, batch=w.shape[:-1])
 
 
 def vee(W):
-    """Return the vector w with [w] = W, the inverse of hat.
+    """Return the vector w with [w] = W: the inverse of hat.
 
-    W: (..., 3, 3), skew-symmetric. Returns (..., 3). Raises ValueError for a matrix that is not skew-symmetric.
+    Parameters
+    ----------
+    W : array_like (..., 3, 3)
+        Skew-symmetric.
+
+    Returns
+    -------
+    array (..., 3)
+
+    Raises
+    ------
+    ValueError
+        If an entry of W + W^T exceeds 1e-6, or 1e-6 times the largest entry of W.
+
+    References
+    ----------
+    MR eq. 3.30.
+
+    Examples
+    --------
+    >>> print(vee([[0, -3, 2], [3, 0, -1], [-2, 1, 0]]))
+    [1. 2. 3.]
     """
     W = real_array(W, "W", (3, 3), copy=False)
     with np.errstate(over="ignore"):  # of what is not skew-symmetric
@@ -42,27 +85,134 @@ def vee(W):
 
 
 def rot_x(angle):
-    """Return the rotation by `angle` (...) radians about the x axis, (..., 3, 3)."""
-    return _turn(angle, lambda c, s, one, zero: [[one, zero, zero], [zero, c, -s], [zero, s, c]])
+    """Return the rotation by `angle` about the x axis.
+
+    Parameters
+    ----------
+    angle : array_like (...)
+        Radians.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `angle` is not finite real numbers.
+
+    References
+    ----------
+    MR section 3.2.1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(rot_x(np.pi / 2).round(9) + 0.0)
+    [[ 1.  0.  0.]
+     [ 0.  0. -1.]
+     [ 0.  1.  0.]]
+    """
+    return _rotation_about_axis(angle, lambda c, s, one, zero: [[one, zero, zero], [zero, c, -s], [zero, s, c]])
 
 
 def rot_y(angle):
-    """Return the rotation by `angle` (...) radians about the y axis, (..., 3, 3)."""
-    return _turn(angle, lambda c, s, one, zero: [[c, zero, s], [zero, one, zero], [-s, zero, c]])
+    """Return the rotation by `angle` about the y axis.
+
+    Parameters
+    ----------
+    angle : array_like (...)
+        Radians.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `angle` is not finite real numbers.
+
+    References
+    ----------
+    MR section 3.2.1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(rot_y(np.pi / 2).round(9) + 0.0)
+    [[ 0.  0.  1.]
+     [ 0.  1.  0.]
+     [-1.  0.  0.]]
+    """
+    return _rotation_about_axis(angle, lambda c, s, one, zero: [[c, zero, s], [zero, one, zero], [-s, zero, c]])
 
 
 def rot_z(angle):
-    """Return the rotation by `angle` (...) radians about the z axis, (..., 3, 3)."""
-    return _turn(angle, lambda c, s, one, zero: [[c, -s, zero], [s, c, zero], [zero, zero, one]])
+    """Return the rotation by `angle` about the z axis.
+
+    Parameters
+    ----------
+    angle : array_like (...)
+        Radians.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `angle` is not finite real numbers.
+
+    References
+    ----------
+    MR section 3.2.1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(rot_z(np.pi / 2).round(9) + 0.0)
+    [[ 0. -1.  0.]
+     [ 1.  0.  0.]
+     [ 0.  0.  1.]]
+    """
+    return _rotation_about_axis(angle, lambda c, s, one, zero: [[c, -s, zero], [s, c, zero], [zero, zero, one]])
 
 
 def exp_so3(w):
     """Return the rotation about the axis w by the angle |w|: Rodrigues' formula.
 
-    w: (..., 3), radians. Returns (..., 3, 3). MR eq. 3.51.
+    It keeps all digits at every angle, zero included.
+
+    Parameters
+    ----------
+    w : array_like (..., 3)
+        Rotation vector (exponential coordinates), in radians.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `w` is not an array (..., 3) of finite real numbers, or its length exceeds the largest number.
+
+    References
+    ----------
+    MR eq. 3.51.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(exp_so3([0, 0, np.pi / 2]).round(9))
+    [[ 0. -1.  0.]
+     [ 1.  0.  0.]
+     [ 0.  0.  1.]]
     """
     w = real_array(w, "w", (3,), copy=False)
-    angle = length(w)
+    angle = unchecked_length(w)
     refuse_first(np.isinf(angle), "w", lambda i: "is too large: its length exceeds the largest number")
     return by_entries(_matrix_of_vector, (3, 3), w, angle, batch=angle.shape)
 
@@ -70,30 +220,102 @@ def exp_so3(w):
 def log_so3(R):
     """Return the rotation vector of R, of length 0 to pi: the inverse of exp_so3.
 
-    R: (..., 3, 3). Returns (..., 3), radians. At exactly pi both signs of the axis are right; one is returned.
-    By way of the quaternion, which keeps all digits near 0 and near pi, where the textbook's division by
-    sin(angle) (MR eq. 3.53) keeps none.
+    At exactly pi both signs of the axis are right; one of them is returned. The vector is computed from the quaternion,
+    which keeps all digits near 0 and near pi. The textbook's division by sin(angle) loses them there.
+
+    Parameters
+    ----------
+    R : array_like (..., 3, 3)
+
+    Returns
+    -------
+    array (..., 3)
+        Radians.
+
+    Raises
+    ------
+    ValueError
+        If `R` is not a rotation.
+
+    References
+    ----------
+    MR section 3.2.3.3; eq. 3.53 is the division by sin(angle).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(log_so3(rot_z(np.pi / 2)) / np.pi)
+    [0.  0.  0.5]
+    >>> print(log_so3(np.diag([1.0, -1, -1])) / np.pi)
+    [1. 0. 0.]
     """
     q = matrix_to_quaternion(R)
     return by_entries(_rotation_vector, (3,), q, batch=q.shape[:-1])
 
 
 def is_so(R, tol=TOLERANCE):
-    """Return whether R is a rotation: every entry of R^T R within tol of I, and det R > 0.
+    """Return whether R is a rotation: every entry of R^T R is within tol of I, and det R is within tol of +1.
 
-    R: (..., 2, 2) or (..., 3, 3). Returns booleans (...). With R^T R near I the determinant is near +1 or -1,
-    so its sign decides.
+    Parameters
+    ----------
+    R : array_like (..., 2, 2) or (..., 3, 3)
+    tol : float, default 1e-6
+
+    Returns
+    -------
+    bool or bool array (...)
+
+    Raises
+    ------
+    ValueError
+        If `R` is not an array of such matrices of finite real numbers, or `tol` is not a number from zero on.
+
+    References
+    ----------
+    MR definitions 3.1 and 3.2: SO(3) and SO(2).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(is_so(rot_x(0.3)), is_so(-np.eye(3)), is_so(1.0049 * np.eye(3), 0.01))
+    True False False
     """
     R = real_array(R, "R", (2, 2), (3, 3), copy=False)
-    return by_entries(_distance_from_so, (), R, batch=R.shape[:-2]) <= tolerance(tol)
+    return by_entries(_error_as_rotation, (), R, batch=R.shape[:-2]) <= tolerance(tol)
 
 
 def nearest_so(M):
-    """Return the rotation nearest to M in the Frobenius norm; a rotation comes back as it is, to rounding.
+    """Return the rotation nearest to M in the Frobenius norm.
 
-    M: (..., 2, 2) or (..., 3, 3). Returns the same shape. With M = U S V^T it is U diag(1, ..., det(U V^T)) V^T
-    (Schoenemann 1966; Umeyama 1991). Where several are equally near (rank at most n - 2, or det M < 0 with the
-    two smallest singular values equal) one of them is returned.
+    With the singular value decomposition M = U S V^T it is U diag(1, ..., det(U V^T)) V^T. A rotation comes back
+    unchanged but for rounding. If several rotations are equally near (rank at most n - 2, or det M < 0 and the two
+    smallest singular values equal), one of them is returned.
+
+    Parameters
+    ----------
+    M : array_like (..., 2, 2) or (..., 3, 3)
+
+    Returns
+    -------
+    array of the same shape
+
+    Raises
+    ------
+    ValueError
+        If `M` is not an array of such matrices of finite real numbers.
+
+    References
+    ----------
+    Schoenemann, A generalized solution of the orthogonal Procrustes problem, Psychometrika 31 (1966); Umeyama, IEEE
+    PAMI 13 (1991), for the determinant.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(nearest_so([[0, -2.1, 0], [1.9, 0, 0], [0, 0, 1]]) + 0.0)
+    [[ 0. -1.  0.]
+     [ 1.  0.  0.]
+     [ 0.  0.  1.]]
     """
     M = real_array(M, "M", (2, 2), (3, 3), copy=False)
     largest = np.abs(M).max((-2, -1), keepdims=True)
@@ -103,17 +325,58 @@ def nearest_so(M):
 
 
 def is_quaternion(q, tol=TOLERANCE):
-    """Return whether q is a unit quaternion: |q| within tol of 1.
+    """Return whether q is a unit quaternion: |q| is within tol of 1.
 
-    q: (..., 4). Returns booleans (...).
+    Parameters
+    ----------
+    q : array_like (..., 4)
+    tol : float, default 1e-6
+
+    Returns
+    -------
+    bool or bool array (...)
+
+    Raises
+    ------
+    ValueError
+        If `q` is not an array (..., 4) of finite real numbers, or `tol` is not a number from zero on.
+
+    References
+    ----------
+    MR appendix B.3.
+
+    Examples
+    --------
+    >>> print(is_quaternion([[0.6, 0, 0.8, 0], [1, 1, 0, 0]]))
+    [ True False]
     """
-    return np.abs(length(real_array(q, "q", (4,), copy=False)) - 1) <= tolerance(tol)
+    return np.abs(unchecked_length(real_array(q, "q", (4,), copy=False)) - 1) <= tolerance(tol)
 
 
 def nearest_quaternion(q):
     """Return the unit quaternion nearest to q: q / |q|.
 
-    q: (..., 4). Returns (..., 4). Raises ValueError for a zero quaternion, which has no nearest one.
+    Parameters
+    ----------
+    q : array_like (..., 4)
+
+    Returns
+    -------
+    array (..., 4)
+
+    Raises
+    ------
+    ValueError
+        If `q` is zero, so that every unit quaternion is equally near, or not an array (..., 4) of finite real numbers.
+
+    References
+    ----------
+    MR appendix B.3.
+
+    Examples
+    --------
+    >>> print(nearest_quaternion([3, 0, 4, 0]))
+    [0.6 0.  0.8 0. ]
     """
     q = real_array(q, "q", (4,), copy=False)
     largest = np.abs(q).max(-1, keepdims=True)
@@ -125,11 +388,36 @@ def nearest_quaternion(q):
 def quaternion_to_matrix(q):
     """Return the rotation matrix of the unit quaternion q; q and -q give the same one.
 
-    q: (..., 4). Returns (..., 3, 3). R = I + 2 (w [v] + [v]^2) / |q|^2: the division makes R orthogonal to
-    rounding even where |q| is off by as much as TOLERANCE allows. MR appendix B.3.
+    R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division makes R orthogonal to rounding even if |q| is off by
+    as much as the tolerance allows.
+
+    Parameters
+    ----------
+    q : array_like (..., 4)
+        (w, x, y, z), of length 1 within 1e-6.
+
+    Returns
+    -------
+    array (..., 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `q` is not a unit quaternion.
+
+    References
+    ----------
+    MR appendix B.3.
+
+    Examples
+    --------
+    >>> print(quaternion_to_matrix([0, 1, 0, 0]))
+    [[ 1.  0.  0.]
+     [ 0. -1.  0.]
+     [ 0.  0. -1.]]
     """
     q = real_array(q, "q", (4,), copy=False)
-    size = length(q)
+    size = unchecked_length(q)
     refuse_first(
         np.abs(size - 1) > TOLERANCE,
         "q",
@@ -139,35 +427,139 @@ def quaternion_to_matrix(q):
 
 
 def matrix_to_quaternion(R):
-    """Return the unit quaternion of R with w >= 0 (and where w = 0, its first entry that is not 0 positive).
+    """Return the unit quaternion of R with w >= 0.
 
-    R: (..., 3, 3). Returns (..., 4). All ten products of two entries of q can be read off R. Dividing by the
-    largest entry of q never divides by a small number (Shepperd 1978).
+    If w = 0, the first entry that is not 0 is positive. All ten products of two entries of q can be read off R.
+    Dividing by the largest entry of q never divides by a small number.
+
+    Parameters
+    ----------
+    R : array_like (..., 3, 3)
+
+    Returns
+    -------
+    array (..., 4)
+        (w, x, y, z).
+
+    Raises
+    ------
+    ValueError
+        If `R` is not a rotation.
+
+    References
+    ----------
+    Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(matrix_to_quaternion(np.diag([-1.0, -1, 1])))
+    [0. 0. 0. 1.]
     """
     R = real_array(R, "R", (3, 3), copy=False)
-    off = by_entries(_distance_from_so, (), R, batch=R.shape[:-2])
-    refuse_first(~(off <= TOLERANCE), "R", lambda i: _why_no_rotation(R[i]))
+    error = by_entries(_error_as_rotation, (), R, batch=R.shape[:-2])
+    refuse_first(~(error <= TOLERANCE), "R", lambda i: _why_no_rotation(R[i]))
     return by_entries(_quaternion_of, (4,), R, batch=R.shape[:-2])
 
 
 def random_rotations(n, rng):
-    """Return n rotations (n, 3, 3), uniform on SO(3), drawn from the numpy Generator rng."""
+    """Return n rotations, uniformly distributed on SO(3).
+
+    Parameters
+    ----------
+    n : int
+        Zero or more.
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    array (n, 3, 3)
+
+    Raises
+    ------
+    ValueError
+        If `n` is not a whole number from zero on, or `rng` is not a Generator.
+
+    References
+    ----------
+    Shoemake, Uniform random rotations, in Graphics Gems III (1992).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> R = random_rotations(1000, np.random.default_rng(0))
+    >>> R.shape, bool(is_so(R).all())
+    ((1000, 3, 3), True)
+    """
     return quaternion_to_matrix(random_quaternions(n, rng))
 
 
 def random_quaternions(n, rng):
-    """Return n unit quaternions (n, 4), uniform on the sphere, drawn from the numpy Generator rng.
+    """Return n unit quaternions, uniformly distributed on the unit sphere of four dimensions.
 
+    Parameters
+    ----------
+    n : int
+        Zero or more.
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    array (n, 4)
+        (w, x, y, z); both signs occur.
+
+    Raises
+    ------
+    ValueError
+        If `n` is not a whole number from zero on, or `rng` is not a Generator.
+
+    References
+    ----------
     Shoemake, Uniform random rotations, in Graphics Gems III (1992).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> q = random_quaternions(1000, np.random.default_rng(0))
+    >>> q.shape, bool(is_quaternion(q).all())
+    ((1000, 4), True)
     """
-    s, turn1, turn2 = generator(rng).random((3, count(n))) * [[1.0], [2 * np.pi], [2 * np.pi]]
+    s, angle1, angle2 = generator(rng).random((3, count(n))) * [[1.0], [2 * np.pi], [2 * np.pi]]
     near, far = np.sqrt(1 - s), np.sqrt(s)
-    return np.stack([np.cos(turn2) * far, np.sin(turn1) * near, np.cos(turn1) * near, np.sin(turn2) * far], -1)
+    return np.stack([np.cos(angle2) * far, np.sin(angle1) * near, np.cos(angle1) * near, np.sin(angle2) * far], -1)
 
 
 def length(v):
-    """Return the lengths (...) of the vectors v (..., n), right also where squares overflow or underflow."""
-    v = np.asarray(v, float)
+    """Return the lengths of vectors, exact to rounding even if squares overflow or underflow.
+
+    Parameters
+    ----------
+    v : array_like (..., n)
+        n at least 1.
+
+    Returns
+    -------
+    float or array (...)
+        inf for a length above the largest number.
+
+    Raises
+    ------
+    ValueError
+        If `v` is not an array of vectors of finite real numbers.
+
+    Examples
+    --------
+    >>> print(length([[3, 4], [3e-200, 4e-200]]))
+    [5.e+000 5.e-200]
+    """
+    v = real_array(v, "v", (), copy=False)
+    if v.ndim == 0 or v.shape[-1] == 0:
+        raise ValueError(f"v must be an array of vectors of shape (..., n), n at least 1; its shape is {v.shape}")
+    return unchecked_length(v)
+
+
+def unchecked_length(v):
+    """Return what `length` does for a float array that the caller has looked at."""
     with np.errstate(all="ignore"):  # a length above the largest number is inf
         squared = (v * v) @ np.ones(v.shape[-1])  # twice as fast as a sum over short rows
         size = np.sqrt(squared)
@@ -191,12 +583,12 @@ def _why_no_rotation(R):
 # Formulas for by_entries ----------------------------------------------------------------------------------------------
 
 
-def _distance_from_so(R):
-    """Return the largest entry of |R^T R - I|, or inf where det R is not positive."""
+def _error_as_rotation(R):
+    """Return the largest of the entries of |R^T R - I| and |det R - 1|; NaN if they overflow."""
     gram = np.einsum("ki...,kj...->ij...", R, R)
     diagonal = np.einsum("ii...->i...", gram)  # a view
     diagonal -= 1
-    return np.where(_determinant(R) > 0, np.abs(gram).max((0, 1)), np.inf)
+    return np.maximum(np.abs(gram).max((0, 1)), np.abs(_determinant(R) - 1))
 
 
 def _determinant(R):
@@ -213,7 +605,7 @@ def _skew(w):
     return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
 
 
-def _turn(angle, matrix):
+def _rotation_about_axis(angle, matrix):
     """Return the matrices that matrix(cos, sin, 1, 0) makes of the entries it is given."""
     angle = real_array(angle, "angle", (), copy=False)
     return by_entries(
@@ -293,8 +685,8 @@ def _quaternion_of(R):
     a, b, c, d = row
     q = row / np.sqrt(a * a + b * b + c * c + d * d)
     sign = np.where(q[0] < 0, -1.0, 1.0)
-    half_turn = q[0] == 0
-    if np.count_nonzero(half_turn):
+    angle_is_pi = q[0] == 0
+    if np.count_nonzero(angle_is_pi):
         leading = np.take_along_axis(q, (q != 0).argmax(0)[None], 0)[0]
-        sign = np.where(half_turn, np.sign(leading), sign)
-    return q * sign + 0.0  # + 0.0 turns -0 into 0
+        sign = np.where(angle_is_pi, np.sign(leading), sign)
+    return q * sign + 0.0  # + 0.0 makes 0 of -0

@@ -1,8 +1,8 @@
-"""The Paden-Kahan subproblems 0 to 4: which turns about given axes bring one point, line or plane onto another.
+"""The Paden-Kahan subproblems 0 to 4: the angles of rotation about given axes that bring points where they should be.
 
-All axes run through the origin; a point on the axis is subtracted beforehand where they do not. R(k, t) is the turn
-by t about k. Arrays are batched on the left, batches are broadcast, angles lie in (-pi, pi]. Where no angle is right,
-the answers are those that come nearest (least squares), and `exact` says so. Every function raises ValueError, naming
+All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the rotation by t about
+k. Arrays are batched on the left, batches are broadcast, angles lie in (-pi, pi]. If no angle solves the problem, the
+answers are those that come nearest (least squares), and `exact` is False. Every function raises ValueError, naming
 the argument, for a wrong shape, for entries that are not finite real numbers, and for an axis of length zero.
 
 Sources: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation (1994), section 3.2, for 1 to 3;
@@ -15,20 +15,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.arguments import broadcast, real_array, refuse_first
-from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
+from course_lib.rotations import exp_so3, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y, unchecked_length
 
-EXACT = 1e-9  # how far beside the mark an exact answer may end, as a share of the largest length given
+EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
 _ROUNDING = 1e-14  # what rounding may do to a length, as a share of the largest
-_TOUCH = 1e-7  # two answers nearer than this (radians) are one: the circles touch; what is lost by it is below 1e-14
+_TOUCH = 1e-7  # two answers nearer than this (radians) are one: the circles touch; the error of that is below 1e-14
 
 
 @dataclass(frozen=True)
-class Turns:
+class RotationAngles:
     """The answers of a subproblem.
 
-    theta: radians; its shape stands with each function. Where only one answer exists it stands there twice.
-    count: (...) how many answers differ, 1 or 2. exact: (...) whether they solve the problem or only come nearest.
-    free: (...) whether infinitely many turns are as good (a point on its axis, parallel axes); theta holds one of them.
+    Attributes
+    ----------
+    theta : array
+        Radians; each function states its shape. If only one answer exists, it is repeated.
+    count : int array (...)
+        How many of the answers differ: 1 or 2.
+    exact : bool array (...)
+        Whether the answers solve the problem; if not, they come nearest.
+    free : bool array (...)
+        Whether infinitely many answers are equally good (a point on its axis, parallel axes); theta holds one of them.
     """
 
     theta: np.ndarray
@@ -38,9 +45,32 @@ class Turns:
 
 
 def subproblem0(k, p, q):
-    """Return the turn about k that brings p to q, both perpendicular to k: R(k, theta) p = q.
+    """Return the angle about k that brings p to q, both perpendicular to k: R(k, theta) p = q.
 
-    k, p, q: (..., 3). Returns Turns with theta (...). Raises ValueError where p or q is not perpendicular to k.
+    Parameters
+    ----------
+    k, p, q : array_like (..., 3)
+        Axis, and points in metres.
+
+    Returns
+    -------
+    RotationAngles
+        With theta (...).
+
+    Raises
+    ------
+    ValueError
+        If `p` or `q` is not perpendicular to `k`, or `k` is zero.
+
+    References
+    ----------
+    Murray, Li and Sastry, section 3.2, subproblem 1 with points perpendicular to the axis.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(subproblem0([0, 0, 1], [1, 0, 0], [0, 1, 0]).theta / np.pi)
+    0.5
     """
     k, p, q = _arguments(k=k, p=p, q=q)
     for name, v in (("p", p), ("q", q)):
@@ -54,33 +84,84 @@ def subproblem0(k, p, q):
 
 
 def subproblem1(k, p, q):
-    """Return the turn about k that brings p to q, or as near as it gets: R(k, theta) p = q.
+    """Return the angle about k that brings p to q, or as near as possible: R(k, theta) p = q.
 
-    k, p, q: (..., 3). Returns Turns with theta (...).
+    Parameters
+    ----------
+    k, p, q : array_like (..., 3)
+        Axis, and points in metres.
+
+    Returns
+    -------
+    RotationAngles
+        With theta (...).
+
+    Raises
+    ------
+    ValueError
+        If `k` is zero.
+
+    References
+    ----------
+    Murray, Li and Sastry, section 3.2, subproblem 1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> found = subproblem1([0, 0, 1], [1, 0, 2], [0, 1, 2])
+    >>> print(found.theta / np.pi, found.exact)
+    0.5 True
     """
     k, p, q = _arguments(k=k, p=p, q=q)
     free = _on_axis(k, p) | _on_axis(k, q)
-    theta = np.where(free, 0.0, _turn(k, p, q))
+    theta = np.where(free, 0.0, _angle_about(k, p, q))
     p, q = _to_scale(p, q)
-    missed = length(_rotate(k, theta, p) - q)
-    return Turns(theta, np.ones(theta.shape, int), missed <= EXACT, free)
+    error = unchecked_length(_rotate(k, theta, p) - q)
+    return RotationAngles(theta, np.ones(theta.shape, int), error <= EXACT, free)
 
 
 def subproblem2(k1, k2, p1, p2):
-    """Return the turns that bring two points together: R(k1, theta1) p1 = R(k2, theta2) p2.
+    """Return the angles that bring two points together: R(k1, theta1) p1 = R(k2, theta2) p2.
 
-    k1, k2, p1, p2: (..., 3). Returns Turns with theta (..., 2, 2): two answers, each (theta1, theta2). The points run
-    on circles, on one sphere if they are equally far from the origin; circles meet twice, once or not at all. How far
-    out the points are changes the distance between them but not which turns make it least: unit vectors are used.
+    The points move on circles, which lie on one sphere if the points are equally far from the origin. Circles meet
+    twice, once or not at all. How far the points are from the origin does not change which angles bring them nearest,
+    so unit vectors are used.
+
+    Parameters
+    ----------
+    k1, k2, p1, p2 : array_like (..., 3)
+        Axes, and points in metres.
+
+    Returns
+    -------
+    RotationAngles
+        With theta (..., 2, 2): two answers, each (theta1, theta2).
+
+    Raises
+    ------
+    ValueError
+        If `k1` or `k2` is zero.
+
+    References
+    ----------
+    Murray, Li and Sastry, section 3.2, subproblem 2; Elias and Wen for the order of arguments.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> found = subproblem2([0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 1, 0])
+    >>> print((found.theta / np.pi).round(9) + 0.0)
+    [[ 0.5  0. ]
+     [-0.5  1. ]]
     """
     k1, k2, p1, p2 = _arguments(k1=k1, k2=k2, p1=p1, p2=p2)
     u1, u2 = _unit(p1), _unit(p2)
     n = np.cross(k1, k2)
-    sine, cosine = length(n), _dot(k1, k2)
+    sine, cosine = unchecked_length(n), _dot(k1, k2)
     parallel = sine <= _ROUNDING
     n = n / np.where(parallel, 1.0, sine)[..., None]
     heights = _dot(k1, u1), _dot(k2, u2)
-    radii = length(np.cross(k1, u1)), length(np.cross(k2, u2))
+    radii = unchecked_length(np.cross(k1, u1)), unchecked_length(np.cross(k2, u2))
     x, y = _meeting(heights, radii, cosine, np.where(parallel, 1.0, sine))
     fixed1, fixed2 = _on_axis(k1, u1), _on_axis(k2, u2)
     free = parallel | fixed1 | fixed2
@@ -89,65 +170,139 @@ def subproblem2(k1, k2, p1, p2):
     answers = []
     for side in (y, -y):
         meeting = x[..., None] * across + side[..., None] * n  # from k1's axis, in the direction of the meeting point
-        theta1 = np.where(fixed1 | parallel, 0.0, _turn(k1, u1, meeting))
+        theta1 = np.where(fixed1 | parallel, 0.0, _angle_about(k1, u1, meeting))
         onto = _rotate(k1, theta1, u1)
-        theta2 = np.where(fixed2, 0.0, _turn(k2, u2, onto))
+        theta2 = np.where(fixed2, 0.0, _angle_about(k2, u2, onto))
         answers.append(np.stack([theta1, theta2], -1))
     theta = np.stack(answers, -2)
     p1, p2 = _to_scale(p1, p2)
-    missed = length(_rotate(k1, theta[..., 0, 0], p1) - _rotate(k2, theta[..., 0, 1], p2))
-    return Turns(theta, np.where(y == 0, 1, 2), missed <= EXACT, free)
+    error = unchecked_length(_rotate(k1, theta[..., 0, 0], p1) - _rotate(k2, theta[..., 0, 1], p2))
+    return RotationAngles(theta, np.where(y == 0, 1, 2), error <= EXACT, free)
 
 
 def subproblem3(k, p, q, d):
-    """Return the turns about k that bring p to the distance d from q: |R(k, theta) p - q| = d.
+    """Return the angles about k that bring p to the distance d from q: |R(k, theta) p - q| = d.
 
-    k, p, q: (..., 3), d: (...). Returns Turns with theta (..., 2). A distance below zero cannot be had: the nearest is.
+    Parameters
+    ----------
+    k, p, q : array_like (..., 3)
+        Axis, and points in metres.
+    d : array_like (...)
+        Metres. Below zero no angle solves the problem; the answer is then the nearest approach.
+
+    Returns
+    -------
+    RotationAngles
+        With theta (..., 2).
+
+    Raises
+    ------
+    ValueError
+        If `k` is zero.
+
+    References
+    ----------
+    Murray, Li and Sastry, section 3.2, subproblem 3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print((subproblem3([0, 0, 1], [1, 0, 0], [1, 0, 0], np.sqrt(2)).theta / np.pi).round(9))
+    [-0.5  0.5]
     """
     k, p, q, d = _arguments(k=k, p=p, q=q, d=d)
-    d = _share(d, np.maximum(length(p), length(q)))
+    d = _share(d, np.maximum(unchecked_length(p), unchecked_length(q)))
     p, q = _to_scale(p, q)
-    radius1, radius2, height = length(np.cross(k, p)), length(np.cross(k, q)), _dot(k, p - q)
+    radius1, radius2, height = unchecked_length(np.cross(k, p)), unchecked_length(np.cross(k, q)), _dot(k, p - q)
     nearest, farthest = height**2 + (radius1 - radius2) ** 2, height**2 + (radius1 + radius2) ** 2
     asked = np.maximum(d, 0.0)
     theta, count, free = _either_side(k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked)
-    got = length(_rotate(k, theta[..., 0], p) - q)
-    return Turns(theta, count, np.abs(got - d) <= EXACT, free)
+    got = unchecked_length(_rotate(k, theta[..., 0], p) - q)
+    return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
 
 
 def subproblem4(k, h, p, d):
-    """Return the turns about k that bring p to the height d along h: h . R(k, theta) p = d.
+    """Return the angles about k that bring p to the height d along h: h . R(k, theta) p = d.
 
-    k, h, p: (..., 3), d: (...). Returns Turns with theta (..., 2). h need not have length one.
+    Parameters
+    ----------
+    k, h, p : array_like (..., 3)
+        Axis, direction (of any length), and a point in metres.
+    d : array_like (...)
+        The height, times the length of h.
+
+    Returns
+    -------
+    RotationAngles
+        With theta (..., 2).
+
+    Raises
+    ------
+    ValueError
+        If `k` is zero.
+
+    References
+    ----------
+    Elias and Wen, subproblem 4.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print((subproblem4([0, 0, 1], [0, 1, 0], [2, 0, 0], 1).theta / np.pi * 6).round(9))
+    [1. 5.]
     """
     k, h, p, d = _arguments(k=k, h=h, p=p, d=d)
-    h, p, d = _unit(h), _unit(p), _share(d, length(h), length(p))
-    middle, swing = _dot(k, h) * _dot(k, p), length(np.cross(k, h)) * length(np.cross(k, p))
+    h, p, d = _unit(h), _unit(p), _share(d, unchecked_length(h), unchecked_length(p))
+    middle, swing = _dot(k, h) * _dot(k, p), unchecked_length(np.cross(k, h)) * unchecked_length(np.cross(k, p))
     theta, count, free = _either_side(k, p, h, middle + swing - d, d - middle + swing, _ROUNDING)
     got = _dot(h, _rotate(k, theta[..., 0], p))
-    return Turns(theta, count, np.abs(got - d) <= EXACT, free)
+    return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
 
 
 def euler_yxy(R):
-    """Return both triples (b1, b2, b3) with R = Ry(b1) Rx(b2) Ry(b3), by subproblems 2 and 1.
+    """Return both triples of angles with R = Ry(b1) Rx(b2) Ry(b3), by subproblems 2 and 1.
 
-    R: (..., 3, 3). Returns Turns with theta (..., 2, 3): b2 in [0, pi] first, then its negative. At b2 = 0 or pi only
-    b1 + b3 or b1 - b3 counts: `free` is True there, and one triple is returned, with b1 = 0.
+    At b2 = 0 or pi only b1 + b3 or b1 - b3 matters: `free` is True there, and one triple is returned, with b1 = 0.
+
+    Parameters
+    ----------
+    R : array_like (..., 3, 3)
+
+    Returns
+    -------
+    RotationAngles
+        With theta (..., 2, 3): first the triple with b2 in [0, pi], then the one with its negative.
+
+    Raises
+    ------
+    ValueError
+        If `R` is not a rotation.
+
+    References
+    ----------
+    Murray, Li and Sastry, section 3.2, for the subproblems.
+
+    Examples
+    --------
+    >>> R = rot_y(0.1) @ rot_x(0.2) @ rot_y(0.3)
+    >>> print(euler_yxy(R).theta.round(4))
+    [[ 0.1     0.2     0.3   ]
+     [-3.0416 -0.2    -2.8416]]
     """
-    R = quaternion_to_matrix(matrix_to_quaternion(R))  # refuses what is no rotation, and mends what is nearly one
+    R = quaternion_to_matrix(matrix_to_quaternion(R))  # refuses all but rotations, and rounds to the nearest
     ex, ey = np.eye(3)[:2]
     image = R[..., :, 1]  # of e_y: Ry(-b1) R e_y = Rx(b2) e_y
-    onto = subproblem2(ex, ey, ey, image)
-    b2, b1 = onto.theta[..., 0], -onto.theta[..., 1]
+    found = subproblem2(ex, ey, ey, image)
+    b2, b1 = found.theta[..., 0], -found.theta[..., 1]
     first = (b2[..., 0] >= 0)[..., None]
     b1, b2 = np.where(first, b1, b1[..., ::-1]), np.where(first, b2, b2[..., ::-1])
     rest = np.swapaxes(rot_y(b1) @ rot_x(b2), -1, -2) @ R[..., None, :, :]
     b3 = subproblem1(ey, ex, rest[..., :, 0]).theta
-    return Turns(np.stack([b1, b2, b3], -1) + 0.0, onto.count, onto.exact, onto.free)
+    return RotationAngles(np.stack([b1, b2, b3], -1) + 0.0, found.count, found.exact, found.free)
 
 
 def _arguments(**arguments):
-    """Look at vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
+    """Check vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
     arrays = {name: real_array(value, name, () if name == "d" else (3,)) for name, value in arguments.items()}
     batch = broadcast(**{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()})
     found = []
@@ -155,7 +310,7 @@ def _arguments(**arguments):
         if name == "d":
             found.append(np.broadcast_to(array, batch))
             continue
-        size = length(array)
+        size = unchecked_length(array)
         refuse_first(np.isinf(size), name, lambda i: "is too large: its length exceeds the largest number")
         if name.startswith("k"):
             refuse_first(size == 0, name, lambda i: "is zero: an axis needs a direction")
@@ -169,7 +324,7 @@ def _meeting(heights, radii, cosine, sine):
     across it; y = 0 where they touch or miss.
 
     x = (height2 - cosine height1) / sine. A cosine near 1 is taken as 1 less a small number, so that its digits are
-    kept; the signs turn axes and points to where the cosines are positive. The smaller circle says best what y is.
+    kept; the signs flip axes and points so that the cosines are positive. The smaller circle gives y most precisely.
     """
     sign1, sign2 = np.copysign(1.0, heights[0]), np.copysign(1.0, heights[0] * cosine)
     less, less1 = _less(np.abs(cosine), sine), _less(sign1 * heights[0], radii[0])
@@ -188,23 +343,24 @@ def _less(cosine, sine):
 
 
 def _either_side(k, p, q, over, under, rounding):
-    """The turns about k that stand as far to either side of the one that brings p over to q: theta (..., 2), how many
-    they are, and whether all turns are as good.
+    """Return the two angles about k at equal distances from the one that aligns p with q: theta (..., 2), how many
+    differ, and whether all angles are as good.
 
-    From that turn, a, to half a turn on, what is asked for changes by sin^2((theta - a) / 2). over, under: how far it
-    is beyond its value at a, and short of that half a turn on; at most `rounding` means there.
+    From the aligning angle, a, to a + pi, the quantity asked for changes in proportion to sin^2((theta - a) / 2).
+    over: how far the asked value lies beyond the one at a. under: how far it falls short of the one at a + pi. Both
+    count as zero up to `rounding`.
     """
     free = _on_axis(k, p) | _on_axis(k, q)
     over, under = (np.where(part <= rounding, 0.0, part) for part in (over, under))
     one = (over == 0) | (under == 0) | free
-    middle, aside = _turn(k, p, q), 2 * np.arctan2(np.sqrt(over), np.sqrt(under))
+    middle, aside = _angle_about(k, p, q), 2 * np.arctan2(np.sqrt(over), np.sqrt(under))
     other = np.where(one, middle - aside, middle + aside)
     theta = np.where(free[..., None], 0.0, _wrap(np.stack([middle - aside, other], -1)))
     return theta, np.where(one, 1, 2), free
 
 
-def _turn(k, p, q):
-    """The turn about k from the direction of p to that of q: the angle between their parts across k."""
+def _angle_about(k, p, q):
+    """Return the angle about k from the direction of p to that of q: between their parts perpendicular to k."""
     p, q = np.cross(k, _unit(p)), np.cross(k, _unit(q))
     return _wrap(np.arctan2(_dot(k, np.cross(p, q)), _dot(p, q)))
 
@@ -214,23 +370,23 @@ def _rotate(k, theta, p):
 
 
 def _on_axis(k, p):
-    return length(np.cross(k, _unit(p))) <= _ROUNDING
+    return unchecked_length(np.cross(k, _unit(p))) <= _ROUNDING
 
 
 def _unit(v):
-    size = length(v)[..., None]
+    size = unchecked_length(v)[..., None]
     return v / np.where(size > 0, size, 1.0)
 
 
 def _to_scale(p, q):
-    """Both vectors over the length of the longer, so that squares neither overflow nor underflow."""
-    largest = np.maximum(length(p), length(q))[..., None]
+    """Divide both vectors by the length of the longer, so that squares neither overflow nor underflow."""
+    largest = np.maximum(unchecked_length(p), unchecked_length(q))[..., None]
     safe = np.where(largest > 0, largest, 1.0)
     return p / safe, q / safe
 
 
 def _share(d, *sizes):
-    """d over the sizes; what is over 4, as all is over a size of zero, is far out of reach."""
+    """Divide d by the sizes. More than 4, as with a size of zero, is far out of reach."""
     with np.errstate(all="ignore"):
         for size in sizes:
             d = np.where(d == 0, 0.0, d / size)
@@ -242,6 +398,6 @@ def _dot(a, b):
 
 
 def _wrap(angle):
-    """Angles within (-3 pi, 3 pi), less a whole turn where need be; -pi is written pi."""
+    """Return angles from (-3 pi, 3 pi) in (-pi, pi]."""
     angle = np.where(angle > np.pi, angle - 2 * np.pi, angle)
     return np.where(angle <= -np.pi, angle + 2 * np.pi, angle)

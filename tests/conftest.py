@@ -1,3 +1,4 @@
+import os
 import zipfile
 from pathlib import Path
 
@@ -12,6 +13,23 @@ NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 # The same examples on every run and every machine: a test that fails is one that will fail again.
 settings.register_profile("course", derandomize=True, database=None, deadline=None, max_examples=100)
 settings.load_profile("course")
+
+
+BANK = Path(__file__).parent / "wrong_answers"
+ABOUT_AN_EXERCISE = ("test_bank.py", "test_mutants.py", "test_release_leaks.py")
+ABOUT_A_NOTEBOOK = (*ABOUT_AN_EXERCISE, "test_notebooks.py", "test_release_runs.py")
+
+
+def pytest_ignore_collect(collection_path):
+    """With ONLY=unhat (make test ONLY=unhat), leave out files that hold nothing of that name: collecting takes time."""
+    only, name = os.environ.get("ONLY", ""), collection_path.name
+    if not only or not collection_path.is_file():
+        return None
+    if any(BANK.glob(f"*/*{only}*.py")):
+        return name not in ABOUT_AN_EXERCISE or None
+    if any(BANK.glob(f"*{only}*")):
+        return not (name in ABOUT_A_NOTEBOOK or only in name) or None
+    return not (only in name or (name.endswith(".py") and only in collection_path.read_text(encoding="utf-8"))) or None
 
 
 @pytest.fixture(scope="session")
@@ -68,11 +86,11 @@ def browser():
 
 
 def pytest_terminal_summary(terminalreporter):
-    """Print what test_wrong_answers.py and test_mutants.py record of each exercise, whichever process ran them."""
+    """Print what test_bank.py and test_mutants.py record of each exercise, whichever process ran them."""
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (
-        ("bank", "checks against the bank of answers", "mistakes refused,mistakes named,right ones accepted"),
+        ("bank", "checks against the bank of answers", "wrong answers refused,called by name,right ones accepted"),
         ("mutants", "checks against mutants of the solutions", "mutants,tried,refused,alive and equivalent,holes"),
     ):
         rows = sorted({tuple(row) for name, row in recorded if name == kind})

@@ -49,7 +49,7 @@ def mutants(source):
     """Return every Mutant of the function whose source is given; no two with the same text."""
     tree = ast.parse(source)
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
-    function.body = function.body[1:]  # without the docstring
+    function.body = _reached(function.body[1:])  # without the docstring
     original = ast.unparse(tree)
     matrices = _matrices(function)
     found, lines, seen = [], {}, {original}
@@ -65,6 +65,12 @@ def mutants(source):
                     lines[line] = lines.get(line, 0) + 1
                     found.append(Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text))
     return found
+
+
+def _reached(statements):
+    """The statements up to the first return: below it, an exercise on finding a bug keeps its broken code."""
+    ends = (k for k, statement in enumerate(statements) if isinstance(statement, ast.Return))
+    return statements[: next(ends, len(statements)) + 1]
 
 
 def spread(found, most):

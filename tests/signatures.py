@@ -195,8 +195,8 @@ ARGUMENTS = {
     "pose_error": [{"T": _pose(3), "target": _pose(3)}],
 }
 
-# length is used on arrays that were looked at already, it looks at nothing itself; solve has tests of its own.
-_TESTED_APART = {"length", "solve"}
+# solve and length have tests of their own; the other two serve the library, for arguments that are looked at elsewhere.
+_TESTED_APART = {"solve", "length", "unchecked_length", "checked_pose"}
 
 FUNCTIONS = {
     name: function
@@ -228,8 +228,8 @@ def valid_arguments(arguments, rng, batch=()):
 
 
 def parts(answer):
-    """Return the arrays that an answer consists of, by name: the fields of a Turns, or the one array."""
-    return vars(answer) if isinstance(answer, subproblems.Turns) else {"answer": np.asarray(answer)}
+    """Return the arrays that an answer consists of, by name: the fields of a RotationAngles, or the one array."""
+    return vars(answer) if isinstance(answer, subproblems.RotationAngles) else {"answer": np.asarray(answer)}
 
 
 def expected_type(name, part):

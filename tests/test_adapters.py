@@ -1,12 +1,13 @@
 """Functions asked with SymPy symbols, and judged by numbers."""
 
+import json
 import math
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from course_lib.checks import ask, plain
+from course_lib.checks import call_student, wire
 from course_lib.checks import decomposition_ik as check
 from course_lib.checks.adapters import ADAPTERS, NoNumber, with_symbols
 from course_lib.checks.exercise import ERROR, WRONG, Here, judge
@@ -24,11 +25,11 @@ def put(function, **arguments):
     """Put one case to the function as ask.py does; return its answer."""
     asked = {"cases": [list(arguments.values())], "forbidden": [], "seconds": 5}
     asked |= {"through": "symbols", "names": list(arguments)}
-    return plain.read(ask.reply(function, plain.write(asked)))[0]
+    return json.loads(call_student.reply(function, wire.write(asked)))["answers"][0]
 
 
 def value(function, **arguments):
-    return plain.read(put(function, **arguments)["value"])
+    return wire.from_json(put(function, **arguments)["value"])
 
 
 def test_floats_go_in_as_real_symbols_of_their_names_and_whole_numbers_as_they_are():

@@ -76,6 +76,7 @@ NO_REAL_NUMBERS = {
     "hole": lambda valid: [1.0, None, 3.0],
     "huge int": lambda valid: 10**400,
     "strings": lambda valid: valid.astype(str),
+    "masked": lambda valid: np.ma.array(valid),
     "bool": lambda valid: valid.astype(bool),
     "complex": lambda valid: valid.astype(complex),
     "objects": lambda valid: valid.astype(object),

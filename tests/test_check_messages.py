@@ -5,19 +5,12 @@ import re
 
 import numpy as np
 import pytest
+from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, reflections_stay, right
 
 from course_lib import rotations
-from course_lib.checks import rotations as check
-from course_lib.checks.exercise import NOT_ATTEMPTED
-from course_lib.checks.notebook import Check, Progress
-
-NEAREST_SO = check.nearest_so.exercise
-
-
-def right(M):
-    U, _, Vt = np.linalg.svd(M)
-    U[:, -1] *= np.linalg.det(U @ Vt)
-    return U @ Vt
+from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Verdict
+from course_lib.checks.notebook import Check, Predict, Progress, describe
+from course_lib.checks.prediction import Prediction
 
 
 @pytest.fixture
@@ -36,11 +29,6 @@ def words(bundle):
     return bundle["text/plain"]
 
 
-def _reflections_stay(M):
-    U, _, Vt = np.linalg.svd(M)
-    return U @ Vt
-
-
 def _not_begun(M):
     raise NotImplementedError
 
@@ -51,7 +39,7 @@ def test_a_right_answer_is_one_line(shown):
 
 
 def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(shown):
-    Check(NEAREST_SO)(_reflections_stay)
+    Check(NEAREST_SO)(reflections_stay)
     (text,) = map(words, shown)
     order = ["✗ nearest_so: not right yet", "For M = ", "your answer is ", "What should hold: ", "It looks as if "]
     positions = [text.index(part) for part in order]
@@ -88,17 +76,9 @@ def test_an_exercise_that_calls_one_not_begun_says_which(shown, unwritten, said)
     assert words(shown[0]).startswith(f"○ nearest_so: {said}")
 
 
-def test_a_tiny_argument_is_not_shown_as_zero(shown):
-    def cut(w):
-        return np.eye(3) if np.linalg.norm(w) < 1e-9 else rotations.rot_z(0.0) @ _rodrigues(w)
-
-    def _rodrigues(w):
-        angle = np.linalg.norm(w)
-        N = rotations.hat(w / angle)
-        return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-    Check(check.exp_so3.exercise)(cut)
-    assert re.search(r"For w = \[.*e-13.*\]", words(shown[0]))
+def test_a_tiny_argument_is_not_shown_as_zero():
+    verdict = Verdict(DOUBLE, WRONG, "it is twice x.", case=(np.array([3e-13, 0.0]),), answer=np.zeros(2))
+    assert re.search(r"For x = \[.*e-13.*\]", describe(verdict))
 
 
 def test_hints_come_one_by_one_and_then_all(shown):
@@ -115,60 +95,62 @@ def test_hints_come_one_by_one_and_then_all(shown):
 
 def test_hints_of_two_exercises_are_counted_apart(shown):
     Check(NEAREST_SO).hint()
-    Check(check.is_so.exercise).hint()
+    Check(IS_SMALL).hint()
     assert all(words(bundle).startswith("Hint 1 of ") for bundle in shown)
 
 
 def test_progress_shows_what_is_done_and_what_is_next(shown):
-    checks = [Check(NEAREST_SO), Check(check.is_so.exercise), Check(check.exp_so3.exercise)]
+    checks = [Check(NEAREST_SO), Check(IS_SMALL), Check(DOUBLE)]
     progress = Progress(checks)
     checks[0](right)
-    checks[1](lambda R, tol: True)
+    checks[1](lambda x, tol: True)
     progress()
     lines = words(shown[-1]).splitlines()
     assert "3 of 6 points" in lines[0]
     assert lines[0].startswith("██████████░░░░░░░░░░ ")
     assert lines[1:] == [
         "✓ nearest_so: right (3 of 3)",
-        "✗ is_so: wrong (0 of 1)",
-        "○ exp_so3: not attempted yet (0 of 2)",
-        "Next: is_so",
+        "✗ is_small: wrong (0 of 1)",
+        "○ double: not attempted yet (0 of 2)",
+        "Next: is_small",
     ]
-    checks[1](lambda R, tol: True)
+    checks[1](lambda x, tol: True)
     checks[2].verdict, checks[1].verdict = checks[1].verdict, checks[2].verdict
     progress()
-    assert words(shown[-1]).endswith("Next: exp_so3")
+    assert words(shown[-1]).endswith("Next: double")
     for each in checks:
         each.verdict = checks[0].verdict
     progress()
     assert words(shown[-1]).endswith("All exercises of this notebook are done.")
 
 
-def test_choose_takes_the_librarys_function_until_the_students_is_right(shown):
+def test_use_takes_the_library_s_function_until_the_student_s_is_right(shown):
     each = Check(NEAREST_SO)
-    library = rotations.nearest_so
-    assert each.choose(right, library) == (library, "the library's nearest_so, until yours passes its check")
-    each(_reflections_stay)
-    assert each.choose(_reflections_stay, library)[0] is library
+    used = each.use(right)
+    assert (used.func, used.whose) == (rotations.nearest_so, "the library's")
+    assert words(shown[-1]) == "nearest_so from here on: the library's, until yours passes its check"
+    each(reflections_stay)
+    assert each.use(reflections_stay).whose == "the library's"
     each(right)
-    chosen, whose = each.choose(right, library)
-    assert (chosen.__wrapped__, whose) == (right, "your nearest_so")
+    used = each.use(right)
+    assert (used.__wrapped__, used.whose) == (right, "yours")
+    assert words(shown[-1]) == "nearest_so from here on: yours"
 
 
-def test_a_chosen_answer_in_lists_comes_as_an_array(shown):
+def test_a_used_answer_in_lists_comes_as_an_array(shown):
     each = Check(NEAREST_SO)
     lists = lambda M: right(M).tolist()  # noqa: E731
     each(lists)
-    chosen, whose = each.choose(lists, rotations.nearest_so)
-    assert whose == "your nearest_so"
-    assert chosen(np.eye(2))[:, 0].tolist() == [1, 0]
+    used = each.use(lists)
+    assert used.whose == "yours"
+    assert used(np.eye(2))[:, 0].tolist() == [1, 0]
 
 
 def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     each = Check(NEAREST_SO)
-    with pytest.raises(AssertionError, match="a reflection where det M < 0"):
-        each(_reflections_stay)
+    with pytest.raises(AssertionError, match="a reflection stays one"):
+        each(reflections_stay)
     with pytest.raises(AssertionError, match="not attempted yet"):
         each(_not_begun)
     assert not shown
@@ -179,7 +161,7 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
 @pytest.mark.parametrize(
     ("answer", "expected"),
     [
-        (lambda M: [1] - [2], "lists are taken for arrays"),
+        (lambda M: [1] - [2], "a list is taken for an array"),
         (lambda M: 2.0 ^ M, "^ is taken for a power"),
         (lambda M: 2.0 ^ M[0, 0].item(), "^ is taken for a power"),
         (lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)), "decimals are added to an array of whole numbers"),
@@ -191,12 +173,69 @@ def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expect
 
 
 def test_a_check_says_how_to_call_it():
-    assert "check.nearest_so(nearest_so)" in repr(check.nearest_so)
+    assert "check.nearest_so(nearest_so)" in repr(Check(NEAREST_SO))
 
 
-def test_every_exercise_of_the_notebook_has_hints_and_points():
-    for each in check.CHECKS:
-        assert each.exercise.points > 0
-        assert len(each.exercise.hints) >= 2
-        assert all(len(hint) < 300 for hint in each.exercise.hints)
-    assert check.progress.checks == check.CHECKS
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ((), "Pass the function to its check: check.nearest_so(nearest_so)."),
+        ((np.eye(3),), "without brackets behind its name: check.nearest_so(nearest_so). What came is of type ndarray."),
+        (("nearest_so",), "What came is of type str."),
+        ((right, np.eye(3)), "without brackets behind its name"),
+    ],
+)
+def test_what_is_no_function_is_one_calm_message(shown, arguments, said):
+    Check(NEAREST_SO)(*arguments)
+    assert said in words(shown[-1])
+
+
+HELPED = """
+def double(x):
+    return 3 * x
+
+def nearest_so(M):
+    U, _, Vt = np.linalg.svd(double(M))
+    return U @ Vt
+"""
+
+
+def test_a_wrong_helper_is_named_in_the_notebook(shown):
+    space = {"np": np}
+    exec(HELPED, space)
+    checks = [Check(DOUBLE), Check(NEAREST_SO)]
+    checks[1].siblings = checks
+    checks[1](space["nearest_so"])
+    assert "Your double, which it calls, is not right yet." in words(shown[-1])
+
+
+ORDER = Prediction("order", "b", {"a": "No: the right factor acts first.", "b": "Yes: Rx acts first."})
+
+
+def test_a_prediction_answers_each_choice(shown):
+    predict = Predict(ORDER)
+    for choice, said in (("b", "✓ b: Yes"), (" A", "✗ a: No"), ("z", "○ Choose one of a, b."), (3, "○ Choose one of")):
+        predict.predict(choice)
+        assert words(shown[-1]).startswith(said)
+    assert predict.choice == "a"
+
+
+def test_an_unmade_prediction_shows_its_choices_and_folds_their_answers(shown):
+    Predict(ORDER).predict()
+    assert shown[-1]["text/plain"] == '○ Choose before you go on: check.order.predict("a") or check.order.predict("b")'
+    assert shown[-1]["text/html"].count("<details>") == 2
+    assert "right acts first" not in shown[-1]["text/plain"]
+
+
+def test_progress_counts_predictions(shown):
+    predictions = [Predict(ORDER), Predict(ORDER)]
+    predictions[0].predict("a")
+    Progress([Check(IS_SMALL)], predictions)()
+    assert "Predictions made: 1 of 2" in words(shown[-1])
+
+
+def test_a_prediction_has_two_to_four_choices_with_the_right_one_among_them():
+    with pytest.raises(ValueError, match="order: two to four choices"):
+        Prediction("order", "c", {"a": "", "b": ""})
+    with pytest.raises(ValueError, match="two to four"):
+        Prediction("order", "a", {"a": ""})

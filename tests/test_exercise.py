@@ -1,31 +1,22 @@
-"""Verdicts: replies that nobody honest writes, and what tells uniform rotations from others."""
+"""Verdicts: replies that nobody honest writes, and each kind of exercise."""
+
+import json
 
 import numpy as np
 import pytest
-from scipy.stats import kstest
+from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, TEST_LOG, right
 
 from course_lib import rotations
-from course_lib.checks import plain
-from course_lib.checks import rotations as check
-from course_lib.checks.exercise import ERROR, WRONG, judge
+from course_lib.checks import wire
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, judge, with_blame
 from course_lib.checks.notebook import describe
-from course_lib.checks.rotations.uniform import arvo
-from course_lib.checks.rotations.uniformity import angle_p_value, axis_p_value, trace_p_value
-
-NEAREST_SO = check.nearest_so.exercise
-
-
-def right(M):
-    U, _, Vt = np.linalg.svd(M)
-    U[:, -1] *= np.linalg.det(U @ Vt)
-    return U @ Vt
 
 
 class Forged:
     def __init__(self, text):
         self.text = text
 
-    def reply(self, questions):
+    def reply(self, questions, consult=None):
         return self.text
 
 
@@ -33,7 +24,7 @@ N = len(NEAREST_SO.cases(np.random.default_rng(0)))
 
 
 def _all(answer):
-    return plain.write([answer] * N)
+    return json.dumps({"answers": [answer] * N, "calls": []})
 
 
 @pytest.mark.parametrize(
@@ -44,28 +35,30 @@ def _all(answer):
         "null",
         "[]",
         "1",
-        plain.write("right"),
-        plain.write([]),
-        plain.write({i: {} for i in range(N)}),
-        plain.write(np.zeros(N)),
-        plain.write("x" * N),
+        wire.write("right"),
+        wire.write([]),
+        json.dumps({i: {} for i in range(N)}),
+        wire.write(np.zeros(N)),
+        json.dumps({"answers": "x" * N, "calls": []}),
+        json.dumps({"answers": [{"value": 1, "changed": []}] * N, "calls": 7}),
+        "[" * 5000,
         _all({}),
         _all("right"),
         _all(None),
         _all({"value": 1, "changed": []}),
         _all({"value": None, "changed": []}),
         _all({"value": "nonsense", "changed": []}),
-        _all({"value": plain.write(np.eye(2))}),
-        _all({"value": plain.write(np.eye(2)), "changed": [99]}),
-        _all({"value": plain.write(np.eye(2)), "changed": ["M"]}),
-        _all({"value": plain.write(np.eye(2)), "changed": np.zeros(3)}),
-        _all({"value": plain.write(np.eye(2)), "changed": 1}),
-        _all({"value": plain.write(np.eye(2)), "changed": [], "warning": np.zeros(3)}),
+        _all({"value": wire.to_json(np.eye(2))}),
+        _all({"value": wire.to_json(np.eye(2)), "changed": [99]}),
+        _all({"value": wire.to_json(np.eye(2)), "changed": ["M"]}),
+        _all({"value": wire.to_json(np.eye(2)), "changed": [0.0, 0.0]}),
+        _all({"value": wire.to_json(np.eye(2)), "changed": 1}),
+        _all({"value": wire.to_json(np.eye(2)), "changed": [], "warning": [0.0, 0.0]}),
         _all({"error": None}),
         _all({"error": "right"}),
         _all({"error": {}}),
         _all({"error": {"type": "right"}}),
-        _all({"error": {"type": np.zeros(3), "message": [], "line": {}, "source": None, "state": "right"}}),
+        _all({"error": {"type": [0.0, 0.0], "message": [], "line": {}, "source": None, "state": "right"}}),
         _all({"error": {"type": "x" * 10**6, "message": "x" * 10**6, "line": 0, "source": "x" * 10**6}}),
     ],
     ids=lambda text: repr(text)[:80],
@@ -77,52 +70,123 @@ def test_a_forged_reply_earns_nothing_and_stops_nothing(text):
     assert len(describe(verdict)) < 2500
 
 
-# Uniformity
-
-MANY = 20_000
+# Find the bug
 
 
-def _haar(rng):
-    return rotations.random_rotations(MANY, rng)
+def test_broken_code_as_it_is_given_is_a_state_of_its_own():
+    assert judge(DOUBLE, Here(lambda x: 2 + x)).state == UNCHANGED
+    assert "the bug is still there" in describe(judge(DOUBLE, Here(lambda x: x + 2)))
+    assert judge(DOUBLE, Here(lambda x: 2 * x)).state == RIGHT
+    assert judge(DOUBLE, Here(lambda x: 3 * x)).state == WRONG
 
 
-def _euler_angles(rng):
-    alpha, beta, gamma = rng.random((3, MANY)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
-    return rotations.rot_z(gamma) @ rotations.rot_y(beta) @ rotations.rot_x(alpha)
+# Write the test
 
 
-def _turns_about(k):
-    return lambda rng: [rotations.rot_x, rotations.rot_y, rotations.rot_z][k](2 * np.pi * rng.random(MANY))
+def _thorough(log):
+    turns = [rotations.exp_so3(np.array(w)) for w in ([0.1, 0.2, 0.3], [0, 0, np.pi], [1.5, -1.2, 0.8])]
+    return all(np.allclose(rotations.exp_so3(log(R)), R) for R in turns)
 
 
-def _every_other_cell(rng):
-    """Even in where e_z lands, in the angle and in the trace."""
-    R = rotations.random_rotations(3 * MANY, rng)
-    z, phi, theta = arvo(R)
-    return R[np.sin(3 * phi + 0.4) * np.sin(6 * np.pi * z) * np.sin(3 * theta) > 0][:MANY]
+def test_a_test_that_tells_all_versions_apart_is_right_for_every_seed():
+    for seed in range(5):
+        assert judge(TEST_LOG, Here(_thorough), seed).state == RIGHT
 
 
-UNIFORMITY = {
-    "the angles follow": _euler_angles,
-    "the images of e_x": _turns_about(0),
-    "the images of e_y": _turns_about(1),
-    "the images of e_z": _turns_about(2),
-    "the mean of tr(R)^2": _euler_angles,
-    "where e_z lands": _every_other_cell,
-}
+def test_what_slips_through_is_described_and_earns_in_proportion():
+    verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
+    assert (verdict.state, verdict.points) == (WRONG, 3)
+    assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(verdict)
 
 
-@pytest.mark.parametrize("text", UNIFORMITY)
-def test_each_property_of_uniform_rotations_tells_them_from_others(text):
-    (wanted,) = (each for each in check.random_rotations.exercise.properties if each.text.startswith(text))
-    for seed in range(3):
-        rng = np.random.default_rng(seed)
-        assert wanted.holds(_haar(rng), MANY, rng)
-        assert not wanted.holds(UNIFORMITY[text](rng), MANY, rng)
+def test_a_test_with_asserts_refuses_by_raising():
+    def by_asserts(log):
+        assert _thorough(log)
+        return True
+
+    assert judge(TEST_LOG, Here(by_asserts)).state == RIGHT
 
 
-def test_p_values_of_uniform_rotations_are_even():
-    """So that the level of a test is how often it refuses a right sampler."""
-    drawn = [_haar(np.random.default_rng(seed)) for seed in range(60)]
-    for p_value in [angle_p_value, trace_p_value, *(lambda R, k=k: axis_p_value(R, k) for k in range(3))]:
-        assert kstest([p_value(R) for R in drawn], "uniform").pvalue > 1e-3
+@pytest.mark.parametrize("always", [True, False, 1, np.bool_(False)])
+def test_a_test_that_always_says_the_same_earns_nothing(always):
+    verdict = judge(TEST_LOG, Here(lambda log: always))
+    assert (verdict.state, verdict.points) == (WRONG, 0)
+    assert "your test" in verdict.mistake.name
+
+
+def test_a_test_that_fails_on_a_right_version_says_where():
+    verdict = judge(TEST_LOG, Here(lambda log: log(np.eye(3)).undefined))
+    assert verdict.state == ERROR
+    assert "undefined" in describe(verdict)
+    assert "Candidate" not in describe(verdict)
+
+
+def test_candidates_look_alike_from_inside():
+    """What a test could tell them apart by, but for their answers, is the same for each or changes with the seed."""
+    seen = []
+
+    def inspects(log):
+        seen.append((type(log), [name for name in dir(log)], log.__call__.__doc__, repr(type(log))))
+        return True
+
+    judge(TEST_LOG, Here(inspects))
+    assert len(seen) == len(TEST_LOG.versions)
+    assert all(each == seen[0] for each in seen)
+
+
+def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
+    def by_number(log):
+        return log._number in numbers
+
+    for seed in range(3):  # the best choice of numbers for one seed is not for the next
+        _, consult = TEST_LOG.questions(np.random.default_rng(seed))
+        order = [case.version.right for (case,) in TEST_LOG.questions(np.random.default_rng(seed))[0]]
+        numbers = {k for k, is_right in enumerate(order) if is_right}
+        assert judge(TEST_LOG, Here(by_number), seed).state == RIGHT
+        assert judge(TEST_LOG, Here(by_number), seed + 100).state == WRONG
+        assert consult is not None
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        "",
+        "[]",
+        "{}",
+        json.dumps({"candidate": 99, "arguments": [wire.to_json(np.eye(3))]}),
+        json.dumps({"candidate": -1, "arguments": [wire.to_json(np.eye(3))]}),
+        json.dumps({"candidate": "0", "arguments": [wire.to_json(np.eye(3))]}),
+        json.dumps({"candidate": 0, "arguments": []}),
+        json.dumps({"candidate": 0, "arguments": [10**6]}),
+        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.zeros((3, 4)))]}),
+        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.full((3, 3), np.nan))]}),
+        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.eye(3).astype(complex))]}),
+        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.eye(60))]}),
+        "[" * 9000,
+    ],
+    ids=lambda text: text[:60],
+)
+def test_a_call_that_no_test_makes_is_answered_with_an_error(request_):
+    _, consult = TEST_LOG.questions(np.random.default_rng(0))
+    assert "error" in json.loads(consult(request_))
+
+
+# What else a verdict says
+
+
+def test_a_helper_that_is_wrong_is_named():
+    ours, other = judge(NEAREST_SO, Here(lambda M: 2 * right(M))), judge(IS_SMALL, Here(lambda x, tol: True))
+    verdict = with_blame(ours, [judge(DOUBLE, Here(lambda x: 2 * x)), other])
+    assert verdict.blames == "is_small"
+    assert "Your is_small, which it calls, is not right yet." in describe(verdict)
+    assert with_blame(ours, []).blames == ""
+
+
+def test_a_verdict_knows_which_functions_of_the_notebook_were_called():
+    space = {"np": np}
+    exec("def helper(M):\n    return M\ndef other(M):\n    return helper(M)\ndef f(M):\n    return other(M)", space)
+    assert judge(NEAREST_SO, Here(space["f"])).calls == ("other", "helper")
+
+
+def test_nothing_there_is_not_attempted():
+    assert judge(NEAREST_SO, Here(None)).state == NOT_ATTEMPTED

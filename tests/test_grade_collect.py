@@ -6,7 +6,7 @@ import unicodedata
 import pytest
 
 from course_lib.pack.grade import collect
-from course_lib.pack.grade.collect import Refused, file_names, find, read, shown, split
+from course_lib.pack.grade.collect import Refused, file_names, find, printable, read, split
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 
@@ -61,6 +61,36 @@ def test_both_layouts_are_read(tmp_path):
     assert sorted(found(tmp_path)) == sorted([*both, ("carl", "anything"), ("dora_my work", "dora_my work")])
 
 
+EXPORTED = {
+    "doejane_1234_5678_01_rotations.ipynb": ("doejane_1234", "01_rotations", "1234", False),
+    "doejane_LATE_1234_5678_01_rotations-1.ipynb": ("doejane_1234", "01_rotations", "1234", True),
+    "o_neill_77_88_my work.ipynb": ("o_neill_77", "my work", "77", False),
+    "anon_Xy3zQ_5678_01_rotations.ipynb": ("anon_Xy3zQ", "01_rotations", "anon_Xy3zQ", False),
+    "LATE_anon_Xy3zQ_5678_02_rigid_motion.ipynb": ("anon_Xy3zQ", "02_rigid_motion", "anon_Xy3zQ", True),
+    "mallory_5_6_doejane_1234_5678_01_rotations.ipynb": ("mallory_5", "01_rotations", "5", False),
+    "Zoë Ünal_42_assignsubmission_file_/01_rotations.ipynb": ("Zoë Ünal", "01_rotations", "42", False),
+    "李 小龍_43_assignsubmission_file/x/Untitled.ipynb": ("李 小龍", "Untitled", "43", False),
+    "Al Bo_44_assignsubmission_file_01_rotations.ipynb": ("Al Bo", "01_rotations", "44", False),
+    "Participant_45_assignsubmission_file_01_rotations.ipynb": ("Participant 45", "01_rotations", "45", False),
+}
+
+
+def test_names_that_learning_platforms_export_are_read_as_they_are(tmp_path):
+    write(tmp_path, *EXPORTED)
+    seen = {
+        each.place: (each.student, each.notebook, each.platform_id, each.late) for each in find(tmp_path, NOTEBOOKS)
+    }
+    assert seen == EXPORTED
+
+
+def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
+    for number, name in [(1, "01_rotations"), (2, "01_rotations"), (3, "02_rigid_motion")]:
+        write(tmp_path, f"Jane Doe_{number}_assignsubmission_file_/{name}.ipynb")
+        write(tmp_path, f"Al Bo_{number + 10}_assignsubmission_file_/{name}.ipynb") if number > 1 else None
+    students = sorted(student for student, _ in found(tmp_path))
+    assert students == ["Al Bo", "Al Bo", "Jane Doe 1", "Jane Doe 2", "Jane Doe 3"]
+
+
 def test_two_spellings_of_one_name_are_one_student(tmp_path):
     one, other = (unicodedata.normalize(form, "Zoë") for form in ("NFC", "NFD"))
     write(tmp_path, f"{one}/01_rotations.ipynb", f"{other}_02_rigid_motion.ipynb")
@@ -75,8 +105,8 @@ def test_what_programs_leave_behind_is_passed_over(tmp_path):
 
 
 def test_names_are_shown_on_one_line_and_as_they_read(tmp_path):
-    assert shown("a\nb\u202ec") == "a\\x0ab\\x202ec"
-    assert shown(os.fsdecode(b"a\xff")) == "a\\xff"
+    assert printable("a\nb\u202ec") == "a\\x0ab\\x202ec"
+    assert printable(os.fsdecode(b"a\xff")) == "a\\xff"
     (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
     assert found(tmp_path) == [("a\\xff", "01_rotations")]
 
@@ -124,7 +154,7 @@ def test_only_files_of_a_bearable_size_are_read(tmp_path, monkeypatch):
     for name in "link", "pipe", "nothing", ".":
         with pytest.raises(Refused, match=r"\.$"):
             read(tmp_path / name)
-    monkeypatch.setattr(collect, "MOST_BYTES", 1)
+    monkeypatch.setattr(collect, "MAX_BYTES", 1)
     with pytest.raises(Refused, match="larger than"):
         read(tmp_path / "file")
 

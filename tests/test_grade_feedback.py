@@ -12,9 +12,9 @@ from site_visits import CONTRAST, Visit
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.feedback import feedback_page, write_feedback
-from course_lib.pack.grade.jobs import without_grade
-from course_lib.pack.grade.marks import marked
-from course_lib.pack.grade.tables import Handed, handed
+from course_lib.pack.grade.jobs import ungraded_result
+from course_lib.pack.grade.marks import mark_answer
+from course_lib.pack.grade.tables import GradedFile, graded_files
 
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m {brace}"
 TAGS = {"html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "p", "strong", "a", "pre"}
@@ -45,7 +45,7 @@ def of(student, points=(), texts=(), place=None, notebook="01_rotations", **chan
 
 
 def marks_of(each):
-    return [marked(question, each.student, each.notebook, {}) for question in each.result["questions"]]
+    return [mark_answer(question, each.student, each.notebook, {}) for question in each.result["questions"]]
 
 
 def evil_one():
@@ -69,7 +69,7 @@ def assert_inert(text, tags=TAGS):
 
 
 def test_feedback_tells_what_was_found():
-    each = Handed(*of("zoe", [2, 0], ["because"]))
+    each = GradedFile(*of("zoe", [2, 0], ["because"]))
     read = Read(feedback_page(each, marks_of(each)))
     for words in "2 of 6 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because":
         assert words in read.text
@@ -81,12 +81,12 @@ def test_feedback_tells_what_was_found():
 
 
 def test_feedback_shows_what_is_from_a_submission_as_text():
-    each = Handed(*evil_one())
+    each = GradedFile(*evil_one())
     assert_inert(feedback_page(each, marks_of(each)))
 
 
 def test_feedback_is_written_for_what_counts_and_only_below_its_folder(tmp_path):
-    everything = handed(
+    everything = graded_files(
         [
             of("zoe", [2], place="a"),
             of("zoe", [0], place="b"),
@@ -95,7 +95,7 @@ def test_feedback_is_written_for_what_counts_and_only_below_its_folder(tmp_path)
             of("..", [2]),
             of("anna", [2], notebook="../../x"),
             of("", place="roster.csv"),
-            (of("bob")[0], without_grade(of("bob")[0], "It is a link to another file.", "refused")),
+            (of("bob")[0], ungraded_result(of("bob")[0], "It is a link to another file.", "refused")),
         ]
     )
     folder = tmp_path / "out" / "feedback"
@@ -117,7 +117,7 @@ def test_feedback_is_written_for_what_counts_and_only_below_its_folder(tmp_path)
 def a_class():
     outcomes = [of(f"s{i}", [2 * (i % 2), 2 * (i % 5 == 0), 2], ["because"]) for i in range(12)]
     twice = [of("s1", [points], notebook="02_rigid_motion", place=f"{points}") for points in (2, 0)]
-    return handed([*outcomes, *twice])
+    return graded_files([*outcomes, *twice])
 
 
 def pictures(page):
@@ -145,14 +145,14 @@ def test_the_same_class_gives_the_same_page():
 
 
 def test_the_class_page_shows_what_is_from_a_submission_as_text():
-    page = class_page(handed([evil_one()]), marks_of)
+    page = class_page(graded_files([evil_one()]), marks_of)
     assert_inert(page, TAGS | DRAWN)
     assert len(pictures(page)) == 3
 
 
 @pytest.mark.parametrize("points", [[], [2, 2]])
 def test_a_class_without_mistakes_or_grades_has_a_page(points):
-    page = class_page(handed([of("zoe", points)]), marks_of)
+    page = class_page(graded_files([of("zoe", points)]), marks_of)
     assert len(pictures(page)) == (1 if points else 0)
 
 

@@ -20,10 +20,10 @@ from hostile.build import (
     traces,
 )
 
-from course_lib.pack.grade.sandbox import APART, kind
+from course_lib.pack.grade.sandbox import NAMESPACES, kind
 from course_lib.pack.grade.submission import grade
 
-pytestmark = pytest.mark.skipif(kind() != APART, reason="namespaces are not allowed here")
+pytestmark = pytest.mark.skipif(kind() != NAMESPACES, reason="namespaces are not allowed here")
 
 
 ENDS_BY_ITSELF = ("memory", "too long")  # though not soon on a machine that is busy

@@ -10,7 +10,7 @@ from grade_stand_in import result
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
-from course_lib.pack.grade.jobs import without_grade
+from course_lib.pack.grade.jobs import ungraded_result
 from course_lib.pack.grade.marks import (
     COLUMNS,
     OLDER,
@@ -18,12 +18,12 @@ from course_lib.pack.grade.marks import (
     TO_BE_READ,
     MarksUnreadable,
     key,
-    marked,
+    mark_answer,
     marks_text,
     read_marks,
 )
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GRADES, cell, cell_text, grades_text, handed, totals_text
+from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals_text
 from course_lib.pack.release.stubs import PROMPT
 
 
@@ -37,7 +37,7 @@ def outcome(student, points=(), texts=(), notebook="01_rotations", place=None, *
 
 
 def its_marks(each, rows):
-    return [marked(question, each.student, each.notebook, rows) for question in each.result["questions"]]
+    return [mark_answer(question, each.student, each.notebook, rows) for question in each.result["questions"]]
 
 
 def read_table(text):
@@ -48,7 +48,7 @@ class Class:
     """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps it."""
 
     def __init__(self, path, *outcomes):
-        self.path, self.rows, self.everything = path, read_marks(path), handed(outcomes)
+        self.path, self.rows, self.everything = path, read_marks(path), graded_files(outcomes)
         self.marks_of = functools.partial(its_marks, rows=self.rows)
 
     def questions(self):
@@ -108,12 +108,12 @@ def test_totals_have_a_line_for_each_student_and_nothing_where_nothing_was_hande
 
 def test_of_two_files_for_one_notebook_the_better_counts_once(path):
     worse, better = outcome("zoe", [0, 2], place="a"), outcome("zoe", [2, 2], place="b")
-    broken = submission("zoe", place="c"), without_grade(submission("zoe", place="c"), "It is a link.", "refused")
+    broken = submission("zoe", place="c"), ungraded_result(submission("zoe", place="c"), "It is a link.", "refused")
     for outcomes in [worse, better, broken], [broken, better, worse]:
         both = Class(path, *outcomes)
         assert both.totals()[0]["total"] == "4"
         said = [(row["state"], row["message"]) for row in both.grades()]
-        assert ("not counted", "Another file of this notebook counts: b.") in said
+        assert ("not count_noun", "Another file of this notebook counts: b.") in said
         assert ("refused", "c: It is a link.") in said
         assert len(said) == 4
 
@@ -123,8 +123,8 @@ def test_refused_files_are_told_with_their_reason_and_cost_nobody_else(path):
     nobodys = submission("", "", "roster.csv")
     both = Class(
         path,
-        (mine, without_grade(mine, "It is a link to another file.", "refused")),
-        (nobodys, without_grade(nobodys, "It is no notebook.", "refused")),
+        (mine, ungraded_result(mine, "It is a link to another file.", "refused")),
+        (nobodys, ungraded_result(nobodys, "It is no notebook.", "refused")),
         outcome("zoe", [2], problems=["Code cell 3 was left out."]),
     )
     states = [(row["student"], row["points"], row["state"], row["message"]) for row in both.grades()]
@@ -238,12 +238,12 @@ def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
 def test_a_mark_that_is_none_is_not_told_to_the_student(path):
     question = {"question": "explain_0", "of": 2, "text": "because"}
     its_key = key("zoe", "01_rotations", "explain_0", "because")
-    each = marked(question, "zoe", "01_rotations", {its_key: {"mark": "3", "comment": ""}})
+    each = mark_answer(question, "zoe", "01_rotations", {its_key: {"mark": "3", "comment": ""}})
     assert (each.state, each.told) == (TO_BE_READ, f"{TO_BE_READ}: the mark 3 is no number from 0 to 2")
 
 
 def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
-    each = marked({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
+    each = mark_answer({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
     assert (each.state, each.points) == (UNREADABLE, 0)
     assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
 

@@ -152,7 +152,7 @@ def test_a_batch_in_several_pieces(call, monkeypatch):
     name, kinds = call
     arguments = valid_arguments(kinds, np.random.default_rng(10), (7,))
     whole = parts(FUNCTIONS[name](**arguments))
-    monkeypatch.setattr("course_lib.layout.ITEMS", 3)
+    monkeypatch.setattr("course_lib.batching.ITEMS", 3)
     for part, got in parts(FUNCTIONS[name](**arguments)).items():
         assert_allclose(got, whole[part], rtol=1e-15, atol=1e-15)
 

@@ -5,8 +5,8 @@ import pytest
 from helpers import pose_samples
 
 from course_lib import ik, rigid, rotations
-from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
-from course_lib.chain import CHUNK
+from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
+from course_lib.batched_arm import CHUNK
 from course_lib.ik import pose_error, solve
 
 
@@ -33,6 +33,28 @@ def test_a_thousand_targets_from_cold_starts(make):
         assert gap.max() <= 1e-6
         np.testing.assert_allclose(found.residual[:, i], gap, rtol=0, atol=1e-7)
     assert (found.iterations >= 1).all()
+
+
+@pytest.mark.parametrize("make", [panda, iiwa14, ur5e])
+def test_targets_one_by_one(make):
+    """A single target is first tried by itself, with few steps for most."""
+    arm = make()
+    targets = reachable(arm, 100)
+    found = [solve(arm, target, np.random.default_rng(i)) for i, target in enumerate(targets)]
+    assert all(one.success for one in found)
+    q = np.array([one.q for one in found])
+    assert ((q >= arm.limits[:, 0]) & (q <= arm.limits[:, 1])).all()
+    assert max(gap.max() for gap in apart(arm.fk(q), targets)) <= 1e-6
+    assert np.median([one.iterations for one in found]) <= 15
+
+
+def test_a_descent_by_itself_takes_the_steps_that_it_takes_among_others():
+    arm, rng = panda(), np.random.default_rng(11)
+    targets, q0 = reachable(arm, 20), rng.uniform(*arm.limits.T, (20, 7))
+    together = solve(arm, targets, rng, q0=q0, starts=1, steps=6)
+    alone = [solve(arm, target, rng, q0=q, starts=1, steps=6) for target, q in zip(targets, q0, strict=True)]
+    np.testing.assert_allclose([one.q for one in alone], together.q, rtol=0, atol=1e-6)
+    assert [one.iterations for one in alone] == together.iterations.tolist()
 
 
 def test_an_unreachable_target_ends_nearby_and_says_so():
@@ -137,10 +159,10 @@ def test_no_more_starts_and_steps_than_allowed():
 def test_starts_are_near_their_targets():
     arm = panda()
     targets = reachable(arm, 300)
-    q = ik._starts(arm, targets, np.random.default_rng(2))
+    q = ik._random_starts(arm, targets, np.random.default_rng(2))
     assert (q >= arm.limits[:, 0]).all()
     assert (q <= arm.limits[:, 1]).all()
-    drawn = np.random.default_rng(2).uniform(*arm.limits.T, (ik._DRAWN, 300, 7))
+    drawn = np.random.default_rng(2).uniform(*arm.limits.T, (ik._CANDIDATES, 300, 7))
     gaps = [np.linalg.norm(apart(arm.fk(one), targets), axis=0) for one in drawn]
     chosen = np.linalg.norm(apart(arm.fk(q), targets), axis=0)
     # By another measure, so not always the very nearest of them.
@@ -169,13 +191,13 @@ def test_targets_far_beyond_any_arm():
 def test_a_step_solves_its_equations():
     rng = np.random.default_rng(4)
     J, error, damping = rng.normal(size=(6, 7, 50)), rng.normal(size=(6, 50)), 10.0 ** rng.uniform(-6, 1, 50)
-    step, sound = ik._step(J, error, damping)
+    step, sound = ik._damped_step(J, error, damping)
     for i in range(50):
         expected = np.linalg.solve(J[..., i].T @ J[..., i] + damping[i] * np.eye(7), J[..., i].T @ error[:, i])
         np.testing.assert_allclose(step[:, i], expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     assert sound.all()
     J[1] = 0
-    assert not ik._step(J, error, np.zeros(50))[1].any()
+    assert not ik._damped_step(J, error, np.zeros(50))[1].any()
 
 
 def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
@@ -184,8 +206,8 @@ def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     wanted = np.sign(J[:, 0].T @ error)[0, 0]  # which way joint 1 would go
     low, high = np.full((7, 1), -np.inf), np.full((7, 1), np.inf)
     (high if wanted > 0 else low)[0] = 0
-    moved = ik._within(q, J, error, low, high)[:, 0]
-    expected, _ = ik._step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
+    moved = ik._step_within_limits(q, J, error, (error**2).sum(0), low, high)[:, 0]
+    expected, _ = ik._damped_step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
     assert moved[0] == 0
     np.testing.assert_allclose(moved[1:], expected[:, 0], rtol=0, atol=1e-12)
 
@@ -196,7 +218,12 @@ def test_a_start_that_no_longer_moves_ends():
     assert found.iterations < 1000
 
 
-def test_what_is_left_is_the_same_in_both_layouts():
+def columns_and_position(T):
+    """Poses (N, 4, 4) as ik has them: (4, 3, N)."""
+    return np.ascontiguousarray(T[:, :3].T)
+
+
+def test_the_pose_error_is_the_same_in_both_layouts():
     """Also at half a turn and near it, and for no turn at all."""
     rng = np.random.default_rng(5)
     angles = np.concatenate([rng.uniform(0, np.pi, 200), np.pi - 10.0 ** -np.arange(1, 17), [np.pi, 0, 1e-9, 1e-200]])
@@ -205,13 +232,14 @@ def test_what_is_left_is_the_same_in_both_layouts():
     T = pose_samples(3)(rng, (len(angles),))
     goal = pose_samples(3)(rng, (len(angles),))
     goal[:, :3, :3] = rotations.exp_so3(w) @ T[:, :3, :3]
-    end = ik._columns_and_place(T)
-    left = ik._left(end[:3], end[3], ik._columns_and_place(goal)).T
+    left = ik._error_by_entries(columns_and_position(T), columns_and_position(goal)).T
     expected = pose_error(T, goal)
     other = expected * np.where(np.linalg.norm(expected[:, :3], axis=-1) > np.pi - 1e-9, -1, 1)[:, None]
     other[:, 3:] = expected[:, 3:]
-    gap = np.minimum(np.abs(left - expected).max(-1), np.abs(left - other).max(-1))
-    assert gap.max() < 2e-14
+    alone = np.array([ik._error_by_entries(one[:3].T, to[:3].T) for one, to in zip(T, goal, strict=True)])
+    for got in (left, alone):
+        gap = np.minimum(np.abs(got - expected).max(-1), np.abs(got - other).max(-1))
+        assert gap.max() < 2e-14
 
 
 def test_poses_anywhere_end_in_finite_numbers():

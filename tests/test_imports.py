@@ -29,7 +29,7 @@ def test_importing_the_mathematics_costs_little_more_than_numpy():
     assert least["course_lib.rotations"] <= 1.5 * least["numpy"]
 
 
-MATHEMATICS = ["arguments", "layout", "rotations", "rigid", "planar", "subproblems", "chain", "arms", "ik"]
+MATHEMATICS = ["arguments", "batching", "rotations", "rigid", "planar", "subproblems", "batched_arm", "arms", "ik"]
 MATHEMATICS += ["registration", "trajectory"]
 
 

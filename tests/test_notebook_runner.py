@@ -14,8 +14,9 @@ from choreographer.browsers.chromium import Chromium
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from course_lib.pack import notebooks
+from course_lib.pack.files import write_atomically
 
-FIGURE, STILL = notebooks.FIGURE, notebooks.STILL
+FIGURE, STILL = notebooks.PLOTLY, notebooks.STILL
 
 # Shows one point at `x`, the way course_lib.figures.show does: raw, with alternative text.
 SHOW = """
@@ -247,7 +248,7 @@ def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
 
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        notebooks.write_whole(path, "{}")
+        write_atomically(path, "{}")
     assert path.read_bytes() == before
     assert list(Path(path.parent).iterdir()) == [path]
 
@@ -255,7 +256,7 @@ def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
 def test_who_may_read_the_file_stays(write):
     path = write(new_code_cell("1"))
     path.chmod(0o640)
-    notebooks.write_whole(path, "{}")
+    write_atomically(path, "{}")
     assert path.stat().st_mode & 0o777 == 0o640
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course_lib import trajectory
-from course_lib.arms import DHRow, SerialArm, iiwa14, panda
+from course_lib.arms import DHRow, SerialArm, iiwa14, panda, ur5e
 from course_lib.pack import data
 
 QUARTER = np.pi / 2
@@ -19,6 +19,17 @@ STANDARD = [
     DHRow(0, QUARTER, 0.384),
     DHRow(0.088, QUARTER, 0),
     DHRow(0, 0, 0.107),
+]
+
+
+# The manufacturer's table of the UR5e, in the standard convention.
+UR5E = [
+    DHRow(0, QUARTER, 0.1625),
+    DHRow(-0.425, 0, 0),
+    DHRow(-0.3922, 0, 0),
+    DHRow(0, QUARTER, 0.1333),
+    DHRow(0, -QUARTER, 0.0997),
+    DHRow(0, 0, 0.0996),
 ]
 
 
@@ -69,19 +80,27 @@ def test_the_pandas_two_tables_and_its_screws_agree():
         np.testing.assert_allclose(other.space_jacobian(q), modified.space_jacobian(q), rtol=0, atol=1e-13)
 
 
+def test_the_ur5e_by_screws_moves_as_its_dh_table_says():
+    by_screws, by_table = ur5e(), SerialArm.from_dh(UR5E, "standard")
+    q = np.random.default_rng(5).uniform(*by_screws.limits.T, (1000, 6))
+    np.testing.assert_allclose(by_screws.fk(q), by_table.fk(q), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(by_screws.space_jacobian(q), by_table.space_jacobian(q), rtol=0, atol=1e-13)
+
+
 def test_the_panda_upright():
     T = panda().fk(np.zeros(7))
     np.testing.assert_allclose(T[:3, 3], [0.088, 0, 0.333 + 0.316 + 0.384 - 0.107], atol=1e-15)
     np.testing.assert_allclose(T[:3, :3], np.diag([1, -1, -1]), atol=1e-15)
 
 
-@pytest.mark.parametrize("make", [iiwa14, panda])
+@pytest.mark.parametrize("make", [iiwa14, panda, ur5e])
 def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
     arm = make()
-    assert arm.limits.shape == (7, 2)
+    n = arm.n
+    assert arm.limits.shape == (n, 2)
     assert (arm.limits[:, 0] < arm.limits[:, 1]).all()
-    q, h = np.random.default_rng(4).uniform(*arm.limits.T, (50, 7)), 1e-6
-    for i, e in enumerate(np.eye(7)):
+    q, h = np.random.default_rng(4).uniform(*arm.limits.T, (50, n)), 1e-6
+    for i, e in enumerate(np.eye(n)):
         rate = (arm.fk(q + h * e) - arm.fk(q - h * e)) / (2 * h)
         twist = rate @ np.linalg.inv(arm.fk(q))
         J = arm.space_jacobian(q)[..., i]
@@ -102,6 +121,8 @@ def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
         ({"rows": [DHRow(0, "pi", 0)]}, "rows"),
         ({"rows": [DHRow(1e200, 0, 0)]}, "home"),
         ({"convention": "craig"}, "convention"),
+        ({"convention": np.zeros(2, [("x", float)])}, "convention"),
+        ({"convention": None}, "convention"),
         ({"end": np.zeros((4, 4))}, "end"),
         ({"end": np.eye(3)}, "end"),
         ({"limits": [[1, -1]] * 7}, "limits"),

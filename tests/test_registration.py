@@ -1,5 +1,6 @@
 """Registration of points: the pose comes back, noise is averaged, a mirror is never the answer."""
 
+import mpmath
 import numpy as np
 import pytest
 from helpers import pose_samples
@@ -86,3 +87,68 @@ SPREAD = np.random.default_rng(7).normal(size=(5, 3))
 def test_what_fixes_no_rotation_is_refused(arguments, words):
     with pytest.raises(ValueError, match=words):
         register_points(*arguments)
+
+
+def angle_between(R, S):
+    return 2 * np.arcsin(np.minimum(np.linalg.norm(R - S, axis=(-2, -1)) / np.sqrt(8), 1))
+
+
+@pytest.mark.parametrize("exponent", [-308, -300, -200, -150, -100, 100, 150, 200, 300, 307])
+def test_sets_of_any_size_are_right(exponent):
+    rng, size = np.random.default_rng(8), 10.0**exponent
+    R, src = pose_samples(3)(rng, (20,))[:, :3, :3], rng.uniform(-1, 1, size=(20, 6, 3))
+    dst = src @ np.swapaxes(R, -1, -2)
+    for found in (register_points(size * src, size * dst), register_points(src, size * dst)):
+        assert angle_between(found[:, :3, :3], R).max() < 1e-13
+    p = rng.uniform(-0.5, 0.5, size=(20, 3))
+    found = register_points(size * src, size * (dst + p[:, None]))
+    np.testing.assert_allclose(found[:, :3, 3] / size, p, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("exponent", range(16))
+def test_thin_sets_are_right_to_what_rounding_allows_or_refused(exponent):
+    """Points near a line in any direction: rounding of the points rotates them by 1e-16 / thickness."""
+    rng, thickness = np.random.default_rng(9), 10.0**-exponent
+    refused = 0
+    for _ in range(20):
+        R, axes = pose_samples(3)(rng, (2,))[:, :3, :3]
+        src = (rng.normal(size=(6, 3)) * [1, thickness, thickness]) @ axes.T
+        try:
+            found = register_points(src, src @ R.T)
+        except ValueError as thin:
+            refused += "has its points on one line" in str(thin)
+        else:
+            assert angle_between(found[:3, :3], R) < 2e-15 / thickness
+    assert refused == 0 if exponent <= 11 else refused > 0
+    assert refused == 20 if exponent >= 13 else True
+
+
+def test_the_best_rotation_of_thin_noisy_sets():
+    """Against the singular value decomposition with sixty digits."""
+    rng = np.random.default_rng(10)
+    for thickness in (1, 1e-3, 1e-6):
+        for noise in (0.1, 1, 3):
+            R = pose_samples(3)(rng, ())[:3, :3]
+            src = rng.normal(size=(6, 3)) * [1, thickness, thickness]
+            dst = src @ R.T + noise * thickness * rng.normal(size=(6, 3))
+            a, b = src - src.mean(0), dst - dst.mean(0)
+            with mpmath.workdps(60):
+                sums = mpmath.matrix(b.T.tolist()) * mpmath.matrix(a.tolist())
+                U, _, Vt = mpmath.svd(sums)
+                best = U * mpmath.diag([1, 1, mpmath.sign(mpmath.det(U) * mpmath.det(Vt))]) * Vt
+            best = np.array(best.tolist(), float)
+            assert angle_between(register_points(src, dst)[:3, :3], best) < 1e-14 / thickness
+
+
+def test_weights_of_any_size():
+    rng = np.random.default_rng(11)
+    T, src = pose_samples(3)(rng, ()), rng.normal(size=(4, 3))
+    for size in (1e-308, 1e308, 1.7e308):
+        found = register_points(src, moved(T, src), np.full(4, size))
+        np.testing.assert_allclose(found, T, rtol=0, atol=1e-12)
+
+
+def test_a_translation_beyond_the_largest_number_is_refused():
+    src = 1.7e308 * np.array([[1, 1, 1], [1, 1, 0.9], [1, 0.9, 1], [0.9, 1, 1]])
+    with pytest.raises(ValueError, match=r"^dst is too large"):
+        register_points(src, -src[[1, 0, 2, 3]])

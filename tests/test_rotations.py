@@ -197,7 +197,8 @@ def _shear(d, n):
 @pytest.mark.parametrize("tol", [1e-9, 1e-6, 0.01, 0.3])
 def test_is_so_is_within_tol_in_every_entry(n, tol):
     turn = rotation_samples(n)(np.random.default_rng(4), ())
-    for R in (turn @ _stretch(0.99 * tol, n), turn @ _stretch(-0.99 * tol, n), turn @ _shear(0.9 * tol, n)):
+    within = 0.99 * tol if n == 2 else 0.6 * tol  # det R is off by half as much again in space
+    for R in (turn @ _stretch(within, n), turn @ _stretch(-within, n), turn @ _shear(0.9 * tol, n)):
         assert is_so(R, tol)
         assert not is_so(R * np.where(np.arange(n) == 0, -1, 1), tol)
     for R in (turn @ _stretch(1.01 * tol, n), turn @ _stretch(-1.01 * tol, n), turn @ _shear(1.01 * tol, n)):
@@ -210,6 +211,9 @@ def test_is_so_is_within_tol_in_every_entry(n, tol):
         (np.diag([1.0049, 1 / 1.0049, 1]), 0.01, True),
         (np.diag([1.0049, 1 / 1.0049, 1]), 0.0098, False),
         (np.diag([1.0051, 1 / 1.0051, 1]), 0.01, False),
+        (1.0049 * np.eye(3), 0.01, False),  # R^T R is within 0.01 of I, det R is 1.0148
+        (1.0033 * np.eye(3), 0.01, True),
+        (1.0049 * np.eye(2), 0.01, True),
         (np.eye(3), 0, True),
         (np.eye(2), 0, True),
         (-np.eye(2), 0, True),
@@ -225,7 +229,27 @@ def test_is_so(R, tol, expected):
 
 @pytest.mark.parametrize("n", [2, 3])
 def test_is_so_default(n):
-    assert is_so([_stretch(0.9e-6, n), _stretch(1.1e-6, n)]).tolist() == [True, False]
+    assert is_so([_stretch(0.6e-6, n), _stretch(1.1e-6, n)]).tolist() == [True, False]
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_is_so_is_the_definition_of_the_exercise(n):
+    """Every entry of R^T R within tol of I, and det R within tol of 1."""
+    rng = np.random.default_rng(12)
+    R = rotation_samples(n)(rng, (4000,)) + rng.normal(size=(4000, n, n)) * 10.0 ** rng.uniform(-4, 0, (4000, 1, 1))
+    tol = 0.01
+    expected = [np.abs(M.T @ M - np.eye(n)).max() <= tol and abs(np.linalg.det(M) - 1) <= tol for M in R]
+    assert 500 < sum(expected) < 3500
+    assert is_so(R, tol).tolist() == expected
+
+
+NO_VECTORS = [None, {"a": 1}, 3.0, [], [[]], [1j, 2], [np.nan, 1], [np.inf], "ab", np.ma.array([1.0, 2])]
+
+
+@pytest.mark.parametrize("v", NO_VECTORS, ids=str)
+def test_lengths_of_what_are_no_vectors_are_refused(v):
+    with pytest.raises(ValueError, match=r"^v\b"):
+        rotations.length(v)
 
 
 @st.composite

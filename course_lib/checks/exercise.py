@@ -1,32 +1,107 @@
 """What an exercise asks and how its answers are judged. Nothing here knows where the student's function runs."""
 
+import json
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from course_lib.checks.ask import CPU_SECONDS
-from course_lib.checks.plain import NotPlain, read, write
+from course_lib.checks import call_student
+from course_lib.checks.call_student import CPU_SECONDS
+from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses one of its own
 
-UNWRITTEN = "Write {} here."  # what the line says that stands where an exercise is still to be written
+UNWRITTEN = "Write {} here."  # the message of the line that stands in for an answer still to be written
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
+UNCHANGED = "the bug is still there"
+
+
+def same(value, predicted, *arguments, tolerance=1e-6):
+    """Return whether two answers are the same numbers, to the rounding in which students differ."""
+    try:
+        value, predicted = np.asarray(value, float), np.asarray(predicted, float)
+    except (TypeError, ValueError):
+        return False
+    return value.shape == predicted.shape and np.allclose(value, predicted, rtol=tolerance, atol=tolerance)
+
+
+class Mistake:
+    """A known mistake, called by its name.
+
+    Parameters
+    ----------
+    name : str
+        "R^T is returned" and the like, to follow "It looks as if".
+    hint : str
+        What to think about.
+    *answers : callable
+        Each answer(*arguments) is what somebody making this mistake would return; None for arguments of which the
+        mistake says nothing. Several answers are variants of one mistake.
+    seen : callable, optional
+        seen(value, *arguments): whether an answer shows the mistake, if no formula predicts it.
+    alike : callable, optional
+        alike(value, predicted, *arguments): whether a value is what was predicted; otherwise that of the exercise.
+    shadowed_by : str
+        The name of the mistake that explains these answers first, because both predict the same.
+    """
+
+    def __init__(self, name, hint, *answers, seen=None, alike=None, shadowed_by=""):
+        self.name, self.hint, self.answers = name, hint, answers
+        self.seen, self.alike, self.shadowed_by = seen, alike, shadowed_by
+
+    def __repr__(self):
+        return f"Mistake({self.name!r})"
+
+    def explains_all(self, exercise, cases, values, failing):
+        """Return whether one variant predicts the wrong answers, and the others too wherever it says something."""
+        return any(
+            all(self._predicts(answer, exercise, values[i], cases[i]) for i in failing)
+            and all(
+                self._predicts(answer, exercise, value, case) is not False
+                for value, case in zip(values, cases, strict=True)
+            )
+            for answer in self.answers
+        )
+
+    def explains(self, exercise, cases, values, failing):
+        """Return whether the mistake accounts for the wrong answers, whatever the other answers are."""
+        if self.seen is not None and all(attempt(self.seen, values[i], *cases[i]) for i in failing):
+            return True
+        return any(
+            all(self._predicts(answer, exercise, values[i], cases[i]) for i in failing) for answer in self.answers
+        )
+
+    def _predicts(self, answer, exercise, value, case):
+        """Whether the variant predicts this value; None if it says nothing of this case."""
+        predicted = attempt(answer, *case)
+        if predicted is None:
+            return None
+        return bool(attempt(self.alike or exercise.alike, value, predicted, *case))
 
 
 @dataclass(frozen=True)
 class Property:
     """Something that must hold of every answer.
 
-    text: what should hold, as a sentence that can follow "What should hold:".
-    holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at all answers together
-    and returns the position of the first that is wrong, or None.
-    seen(value, *arguments): what was seen instead, in words; optional.
-    where(*arguments): which cases it speaks of; optional.
-    mistake: what it points to where no mistake of the exercise explains the answers; optional.
-    points: how many of the exercise's an answer earns for this alone, where it is wrong in something else.
+    Parameters
+    ----------
+    text : str
+        What should hold, as a sentence that can follow "What should hold:".
+    holds : callable
+        holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at all answers together
+        and returns the position of the first wrong one, or None.
+    seen : callable, optional
+        seen(value, *arguments): what was seen instead, in words.
+    where : callable, optional
+        where(*arguments): whether the property speaks of this case.
+    across : bool
+    mistake : Mistake, optional
+        What a failure points to if no mistake of the exercise explains the answers.
+    points : int
+        Partial credit: the points earned if this property holds and another does not.
     """
 
     text: str
@@ -34,7 +109,7 @@ class Property:
     seen: Callable | None = None
     where: Callable | None = None
     across: bool = False
-    mistake: "Mistake | None" = None
+    mistake: Mistake | None = None
     points: int = 0
 
     def failing(self, cases, values):
@@ -43,46 +118,43 @@ class Property:
             first = self.holds(values, cases)
             return [] if first is None else [first]
         asked = [i for i, case in enumerate(cases) if self.where is None or self.where(*case)]
-        return [i for i in asked if not _attempt(self.holds, values[i], *cases[i])]
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """A known way to go wrong, called by its name.
-
-    name: "R^T is returned" and the like, to follow "It looks as if". hint: what to think about.
-    answer(*arguments): what somebody making this mistake would answer; None where the mistake says nothing.
-    seen(value, *arguments): or else, whether an answer shows the mistake.
-    """
-
-    name: str
-    hint: str
-    answer: Callable | None = None
-    seen: Callable | None = None
-
-    def explains(self, value, case):
-        """Return whether this mistake accounts for the value given in this case; None where it says nothing."""
-        if self.seen is not None:
-            return bool(_attempt(self.seen, value, *case))
-        predicted = _attempt(self.answer, *case)
-        return None if predicted is None else same(value, predicted)
-
-    def explains_all(self, cases, values, failing):
-        """Return whether its `answer` accounts for the wrong answers, and for the others where it speaks of them."""
-        if self.answer is None or not all(self.explains(values[i], cases[i]) for i in failing):
-            return False
-        return all(self.explains(value, case) is not False for value, case in zip(values, cases, strict=True))
+        return [i for i in asked if not attempt(self.holds, values[i], *cases[i])]
 
 
 @dataclass(frozen=True)
 class Exercise:
     """One task of a notebook.
 
-    arguments: the names of the function's arguments. cases(rng): lists of arguments, the simplest first.
-    returns(value, *arguments): the answer as the properties want it (see reading.py); raises Unreadable.
-    forbidden: dotted names that the answer may not call.
-    through: how the function is called, a key of adapters.ADAPTERS.
-    errors: known errors of the student's code: the type's name, words of the message, and the Mistake they point to.
+    Parameters
+    ----------
+    name : str
+        The function's name.
+    points : int
+    arguments : tuple of str
+        The names of the function's arguments.
+    cases : callable
+        cases(rng): tuples of arguments, an ordinary simple one first, special cases after it.
+    returns : callable
+        returns(value, *arguments): the answer in the form that the properties expect (see answer_types.py); raises
+        Unreadable.
+    properties : tuple of Property
+        In the order in which they are examined.
+    mistakes : tuple of Mistake
+        In the order in which they are tried.
+    hints : tuple of str
+        In steps; the last one may give the formula.
+    library : callable
+        A function that is right: the library's, or the check's own where the library has none.
+    forbidden : tuple of str
+        Dotted names that the answer may not call.
+    through : str
+        How the function is called: a key of adapters.ADAPTERS.
+    errors : tuple of (str, str, Mistake)
+        Known errors of the student's code: the type's name, a part of the message, and the mistake they point to.
+    alike : callable
+        alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
+    broken : callable, optional
+        If the task is to find a bug: a function that answers as the broken code does.
     """
 
     name: str
@@ -93,9 +165,45 @@ class Exercise:
     properties: tuple[Property, ...]
     mistakes: tuple[Mistake, ...]
     hints: tuple[str, ...]
+    library: Callable | None = None
     forbidden: tuple[str, ...] = ()
     through: str = ""
     errors: tuple[tuple[str, str, Mistake], ...] = ()
+    alike: Callable = same
+    broken: Callable | None = None
+
+    def questions(self, rng):
+        """Return the cases, and what answers a student's test that calls a candidate (here nothing)."""
+        return self.cases(rng), None
+
+    def verdict(self, cases, answers):
+        """Return the Verdict on the answers, given as call_student.reply describes them."""
+        for case, answer in zip(cases, answers, strict=True):
+            if "error" in answer:
+                return no_answer(self, case, **answer["error"])
+        values = [answer["value"] for answer in answers]
+        if self.broken and self._is_unchanged(cases, values):
+            return Verdict(self, UNCHANGED)
+        for case, answer, value in zip(cases, answers, values, strict=True):
+            if answer["changed"]:
+                return _changed(self, answer["changed"][0], case, value)
+            if value is None:
+                return Verdict(self, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None)
+        for position, case in enumerate(cases):
+            try:
+                values[position] = self.returns(values[position], *case)
+            except Unreadable as wrong_kind:
+                return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake, case, values[position])
+        for wanted in self.properties:
+            failing = wanted.failing(cases, values)
+            if failing:
+                return _wrong(self, wanted, cases, values, failing)
+        note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
+        return Verdict(self, RIGHT, note=note)
+
+    def _is_unchanged(self, cases, values):
+        pairs = [(attempt(self.broken, *case), value, case) for case, value in zip(cases, values, strict=True)]
+        return all(value is not None and same(value, broken) for broken, value, _ in pairs)
 
 
 class Unreadable(ValueError):
@@ -108,9 +216,26 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of a check. case, answer: the smallest failing case and what was answered, where there is one.
+    """The outcome of a check.
 
-    credit: the points that a wrong answer has earned all the same.
+    Parameters
+    ----------
+    exercise : Exercise
+    state : str
+        RIGHT, WRONG, ERROR, NOT_ATTEMPTED or UNCHANGED.
+    reason : str
+        What should hold, or what happened.
+    mistake : Mistake, optional
+    case, answer : optional
+        The simplest failing case and the answer given in it.
+    note : str
+        A remark on a right answer.
+    credit : int
+        The points of a wrong answer.
+    calls : tuple of str
+        The names of the notebook's functions that the answer uses, as the student's process reports them.
+    blames : str
+        The name of another exercise that the answer calls and that is not right yet.
     """
 
     exercise: Exercise
@@ -121,6 +246,8 @@ class Verdict:
     answer: object = None
     note: str = ""
     credit: int = 0
+    calls: tuple[str, ...] = ()
+    blames: str = ""
 
     @property
     def points(self):
@@ -133,71 +260,65 @@ class Here:
     def __init__(self, function):
         self.function = function
 
-    def reply(self, questions):
-        from course_lib.checks import ask
-
-        return ask.reply(self.function, questions)
+    def reply(self, questions, consult=None):
+        return call_student.reply(self.function, questions, consult)
 
 
-def judge(exercise, student, seed=PUBLIC_SEED):
+def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     """Return the Verdict on a student's function.
 
-    student: an object whose reply(questions) passes JSON text to ask.reply where the function lives: Here, or a
-    stand-in for another process. Its reply is read as plain data and trusted in nothing else.
+    Parameters
+    ----------
+    exercise : Exercise
+    student : object
+        Its reply(questions, consult) passes JSON text to call_student.reply where the function lives: Here, or a
+        stand-in for another process. The reply is read as plain data and trusted in nothing else.
+    seed : int
+        Of the cases.
+    seconds : float
+        Processor time for all cases.
     """
-    cases = exercise.cases(np.random.default_rng(seed))
-    questions = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": CPU_SECONDS}
-    questions |= {"through": exercise.through, "names": list(exercise.arguments)}
+    cases, consult = exercise.questions(np.random.default_rng(seed))
+    asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
+    asked |= {"through": exercise.through, "names": list(exercise.arguments)}
     try:
-        answers = read(student.reply(write(questions)))
+        told = json.loads(student.reply(write(asked), consult))
+        answers = [_claim(answer, exercise.arguments) for answer in told["answers"]]
         if len(answers) != len(cases):
             raise NotPlain("not one answer for each case")
-        answers = [_claim(answer, exercise.arguments) for answer in answers]
-    except (ValueError, LookupError, TypeError, AttributeError) as problem:
-        return Verdict(exercise, ERROR, f"What came back cannot be read: {problem}.")
+        calls = tuple(str(name)[:100] for name in told["calls"][:100])
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as problem:
+        return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
     with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
-        return _verdict(exercise, cases, answers)
+        return replace(exercise.verdict(cases, answers), calls=calls)
+
+
+def with_blame(verdict, others):
+    """Return the verdict, which blames the first of the `others` that is not right: Verdicts on what it calls."""
+    first = next((other.exercise.name for other in others if other.state != RIGHT), "")
+    return replace(verdict, blames=first)
 
 
 def _claim(answer, arguments):
-    """One answer as ask.py writes it, with the names of the arguments changed; raises for what is none."""
+    """One answer as call_student.py writes it, with the names of the arguments changed; raises for anything else."""
     if "error" in answer:
-        return {"error": {key: str(answer["error"][key])[:300] for key in ("type", "message", "line", "source")}}
-    changed = [arguments[position] for position in answer["changed"]]
-    return {"value": read(answer["value"]), "changed": changed, "warning": str(answer.get("warning", ""))[:300]}
+        parts = ("type", "message", "line", "source", "cell")
+        return {"error": {key: str(answer["error"].get(key) or "")[:300] for key in parts}}
+    changed = [arguments[int(position)] for position in answer["changed"]]
+    return {"value": from_json(answer["value"]), "changed": changed, "warning": str(answer.get("warning", ""))[:300]}
 
 
-def _verdict(exercise, cases, answers):
-    for case, answer in zip(cases, answers, strict=True):
-        if "error" in answer:
-            return _no_answer(exercise, case, **answer["error"])
-    values = [answer["value"] for answer in answers]
-    for case, answer, value in zip(cases, answers, values, strict=True):
-        if answer["changed"]:
-            name = answer["changed"][0]
-            mistake = Mistake(
-                f"{name} is changed in place",
-                f"The caller still needs its {name}. Work on a copy: {name} = np.array({name}).",
-            )
-            return Verdict(exercise, WRONG, f"your function leaves {name} as it was.", mistake, case, value)
-        if value is None:
-            return Verdict(exercise, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None)
-    for position, case in enumerate(cases):
-        try:
-            values[position] = exercise.returns(values[position], *case)
-        except Unreadable as wrong_kind:
-            return Verdict(exercise, WRONG, str(wrong_kind), wrong_kind.mistake, case, values[position])
-    for wanted in exercise.properties:
-        failing = wanted.failing(cases, values)
-        if failing:
-            return _wrong(exercise, wanted, cases, values, failing)
-    note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
-    return Verdict(exercise, RIGHT, note=note)
+def _changed(exercise, name, case, value):
+    mistake = Mistake(
+        f"{name} is changed in place",
+        f"The caller still needs its {name}. Work on a copy: {name} = np.array({name}).",
+    )
+    return Verdict(exercise, WRONG, f"your function leaves {name} as it was.", mistake, case, value)
 
 
 def _wrong(exercise, wanted, cases, values, failing):
     case, value = cases[failing[0]], values[failing[0]]
-    seen = _attempt(wanted.seen, value, *case) if wanted.seen else None
+    seen = attempt(wanted.seen, value, *case) if wanted.seen else None
     reason = f"{wanted.text}." + (f" {seen}" if seen else "")
     mistake = _named(exercise, wanted, cases, values, failing)
     earned = sum(each.points for each in exercise.properties if each.points and not each.failing(cases, values))
@@ -207,16 +328,17 @@ def _wrong(exercise, wanted, cases, values, failing):
 def _named(exercise, wanted, cases, values, failing):
     """The mistake that accounts for every answer, else one that accounts for those in which `wanted` fails."""
     for known in exercise.mistakes:
-        if known.explains_all(cases, values, failing):
+        if known.explains_all(exercise, cases, values, failing):
             return known
     if not isinstance(values[failing[0]], bool):  # a few True or False fit many a mistake by chance
         for known in exercise.mistakes:
-            if all(known.explains(values[i], cases[i]) for i in failing):
+            if known.explains(exercise, cases, values, failing):
                 return known
     return wanted.mistake
 
 
-def _no_answer(exercise, case, type, message, line, source):
+def no_answer(exercise, case, type, message, line="", source="", cell=""):
+    """Return the Verdict on a call that ended in an error of this type."""
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if type == "NotImplementedError":
         return Verdict(exercise, NOT_ATTEMPTED, _waits(exercise.name, message))
@@ -227,25 +349,29 @@ def _no_answer(exercise, case, type, message, line, source):
         return Verdict(exercise, WRONG, "your own lines compute the answer.", mistake)
     if type == "TimeUp":
         return Verdict(exercise, ERROR, f"{call} took {message}. Does a loop never end?", case=case)
+    if type == "KeyboardInterrupt":
+        return Verdict(exercise, ERROR, f"{call} was interrupted.")
     if type == "NoNumber":
         reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
         return Verdict(exercise, WRONG, reason, ANOTHER_SYMBOL)
-    where = f"Line {line} of its cell, `{source}`, raises" if source else f"Calling {call} raises"
+    where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
+    said = f"{type}: {message}" if message else type
     known = (mistake for kind, words, mistake in (*exercise.errors, *ERRORS) if kind == type and words in message)
     shown = None if exercise.through else case  # the numbers that are shown are not what the function was given
-    return Verdict(exercise, ERROR, f"{where} {type}: {message}", next(known, None), shown)
+    reason = f"{where if source else f'Calling {call} raises'} {said}"
+    return Verdict(exercise, ERROR, reason, next(known, None), shown)
 
 
 def _waits(name, message):
-    """What to write first, where not this exercise but another, which its function calls, is still to be written."""
+    """What to write first, if not this exercise but another, which its function calls, is still to be written."""
     found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
     if found is None or found[1] == name:
         return ""
     return f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this check again."
 
 
-def _attempt(formula, *arguments):
-    """What the formula gives, or None where it does not apply: answers may be numbers of any size."""
+def attempt(formula, *arguments):
+    """Return what the formula gives, or None where it does not apply: answers may be numbers of any size."""
     try:
         return formula(*arguments)
     except (ValueError, IndexError, ArithmeticError):
@@ -256,28 +382,35 @@ ANOTHER_SYMBOL = Mistake(
     "a symbol made elsewhere stands in the answer",
     "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
 )
+FORGOTTEN_RETURN = Mistake(
+    "the function returns None: a return is missing, or returns nothing for this input",
+    "Look at each way through the function: does it end in `return` and a value of the kind that the task asks for?",
+)
 _NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
-ERRORS = (  # that are met in any exercise; an exercise's own go before
+_LIST_FOR_ARRAY = Mistake(
+    "a list is taken for an array", "np.array(x, float) makes an array of a list: arrays can be added and multiplied."
+)
+_ARRAY_FOR_NUMBER = Mistake(
+    "an array is taken for one number",
+    "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
+)
+ERRORS = (  # that occur in any exercise; an exercise's own go before
     (
         "UFuncTypeError",
         "Cannot cast",
         Mistake("decimals are added to an array of whole numbers", "np.array(x, float) makes one that holds decimals."),
     ),
-    (
-        "TypeError",
-        "'list' and 'list'",
-        Mistake("lists are taken for arrays", "np.array(x, float) makes an array of a list: arrays can be subtracted."),
-    ),
+    ("TypeError", "'list' and 'list'", _LIST_FOR_ARRAY),
+    ("TypeError", "can't multiply sequence by non-int", _LIST_FOR_ARRAY),
     ("TypeError", "operand type(s) for ^", _NO_POWER),
     ("TypeError", "bitwise_xor", _NO_POWER),
+    ("TypeError", "only 0-dimensional arrays can be converted", _ARRAY_FOR_NUMBER),
+    ("TypeError", "only length-1 arrays can be converted", _ARRAY_FOR_NUMBER),
+    ("TypeError", "only size-1 arrays can be converted", _ARRAY_FOR_NUMBER),
+    ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
+    (
+        "ValueError",
+        "matmul",
+        Mistake("two arrays whose shapes do not fit are multiplied by @", "Print the .shape of both."),
+    ),
 )
-FORGOTTEN_RETURN = Mistake("a return is missing", "The last line of a function is often `return ...`.")
-
-
-def same(value, predicted, tolerance=1e-6):
-    """Return whether two answers are the same numbers, to rounding that students differ in."""
-    try:
-        value, predicted = np.asarray(value, float), np.asarray(predicted, float)
-    except (TypeError, ValueError):
-        return False
-    return value.shape == predicted.shape and np.allclose(value, predicted, rtol=tolerance, atol=tolerance)

@@ -1,15 +1,50 @@
-"""The checks as a student meets them: one calm message each, hints in steps, and what is done so far."""
+"""The checks as a student meets them: one calm message each, hints in steps, predictions, and what is done so far."""
 
 import functools
 import html
+import importlib
+import importlib.util
 import os
 
 import numpy as np
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Here, Verdict, judge
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    UNCHANGED,
+    WRONG,
+    Here,
+    Verdict,
+    judge,
+    with_blame,
+)
 
 # A mark and a colour for the rule beside each message; the words say the same, and both read on light and dark.
-_MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e"), NOT_ATTEMPTED: ("○", "#808080")}
+_MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
+_MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
+_NOTHING = object()
+
+
+def namespace(package, exercises):
+    """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list, "progress": Progress}.
+
+    Parameters
+    ----------
+    package : str
+        The package of the notebook's checks. Its module of the same name as an exercise holds that Exercise as
+        EXERCISE; its module `questions`, if there is one, holds the predictions as PREDICTIONS.
+    exercises : tuple of str
+        The names of the exercises, in the order of the notebook.
+    """
+    checks = [Check(importlib.import_module(f"{package}.{name}").EXERCISE) for name in exercises]
+    asked = f"{package}.questions"
+    found = importlib.import_module(asked).PREDICTIONS if importlib.util.find_spec(asked) else ()
+    predictions = [Predict(prediction) for prediction in found]
+    for check in checks:
+        check.siblings = checks
+    names = {check.exercise.name: check for check in checks} | {each.prediction.name: each for each in predictions}
+    return names | {"CHECKS": checks, "PREDICTIONS": predictions, "progress": Progress(checks, predictions)}
 
 
 class Check:
@@ -18,19 +53,40 @@ class Check:
     def __init__(self, exercise):
         self.exercise = exercise
         self.verdict = Verdict(exercise, NOT_ATTEMPTED)
+        self.siblings = [self]
         self._hints_given = 0
 
     def __repr__(self):
         name = self.exercise.name
         return f"the check of {name}: call it as check.{name}({name}), or check.{name}.hint()"
 
-    def __call__(self, function):
+    def __call__(self, function=_NOTHING, *more):
         """Judge the function and show one message. Under nbgrader a wrong answer raises, so that points follow."""
-        self.verdict = judge(self.exercise, Here(function))
+        if more or not callable(function):
+            self.verdict = Verdict(self.exercise, ERROR, self._how_to_call(function))
+        else:
+            self.verdict = self._judged(function)
         text = describe(self.verdict)
         if "NBGRADER_EXECUTION" in os.environ and self.verdict.state != RIGHT:
             raise AssertionError(text)
         _show(text, _MARKS[self.verdict.state][1])
+
+    def _judged(self, function):
+        verdict = judge(self.exercise, Here(function))
+        if verdict.state in (WRONG, ERROR) and verdict.calls:
+            own = function.__globals__
+            others = [s.exercise for s in self.siblings if s is not self and s.exercise.name in verdict.calls]
+            verdict = with_blame(verdict, (judge(other, Here(own[other.name])) for other in others))
+        return verdict
+
+    def _how_to_call(self, function):
+        name = self.exercise.name
+        if function is _NOTHING:
+            return f"Pass the function to its check: check.{name}({name})."
+        return (
+            f"The check takes the function itself, without brackets behind its name: check.{name}({name}). "
+            f"What came is of type {type(function).__name__}."
+        )
 
     def hint(self):
         """Show the next hint; after the last one, all of them."""
@@ -42,15 +98,18 @@ class Check:
             text = "All hints:\n" + "\n".join(f"{i}. {hint}" for i, hint in enumerate(hints, 1))
         _show(text, _MARKS[NOT_ATTEMPTED][1])
 
-    def choose(self, students, librarys):
-        """Return (function, whose): the student's once its check has passed, the library's until then.
+    def use(self, function):
+        """Return the student's function if its check has passed, else the library's, and show which one it is.
 
-        So a picture after the exercise can always be drawn; `whose` says in words which one drew it.
+        So unfinished work stops nothing that follows. The function returned has an attribute `whose`, "yours" or
+        "the library's"; the student's returns arrays where it returned lists.
         """
-        name = self.exercise.name
-        if self.verdict.state == RIGHT:
-            return _giving_arrays(students), f"your {name}"
-        return librarys, f"the library's {name}, until yours passes its check"
+        mine = self.verdict.state == RIGHT
+        used = _giving_arrays(function) if mine else functools.partial(self.exercise.library)
+        used.whose = "yours" if mine else "the library's"
+        until = "" if mine else ", until yours passes its check"
+        _show(f"{self.exercise.name} from here on: {used.whose}{until}", _MARKS[NOT_ATTEMPTED][1], "course-use")
+        return used
 
 
 def _giving_arrays(function):
@@ -64,11 +123,37 @@ def _giving_arrays(function):
     return giving_arrays
 
 
+class Predict:
+    """One prediction: check.order.predict("b") answers a choice that is made before the next cell runs."""
+
+    def __init__(self, prediction):
+        self.prediction = prediction
+        self.choice = None
+
+    def __repr__(self):
+        name = self.prediction.name
+        return f'a prediction: choose by check.{name}.predict("{next(iter(self.prediction.replies))}"), and so on'
+
+    def predict(self, choice=...):
+        """Show what there is to say of a choice. Without one, show the choices, each with its answer folded."""
+        letters = list(self.prediction.replies)
+        if choice is ...:
+            _show_choices(self.prediction)
+            return
+        letter = str(choice).strip().lower()
+        if letter not in letters:
+            _show(f"○ Choose one of {', '.join(letters)}.", _MARKS[NOT_ATTEMPTED][1])
+            return
+        self.choice = letter
+        state = RIGHT if letter == self.prediction.right else WRONG
+        _show(f"{_MARKS[state][0]} {letter}: {self.prediction.replies[letter]}", _MARKS[state][1])
+
+
 class Progress:
     """check.progress() shows what is done, how many points that is, and what is next."""
 
-    def __init__(self, checks):
-        self.checks = checks
+    def __init__(self, checks, predictions=()):
+        self.checks, self.predictions = checks, predictions
 
     def __call__(self):
         verdicts = [check.verdict for check in self.checks]
@@ -78,6 +163,9 @@ class Progress:
         lines += [
             f"{_MARKS[v.state][0]} {v.exercise.name}: {v.state} ({v.points} of {v.exercise.points})" for v in verdicts
         ]
+        if self.predictions:
+            made = sum(each.choice is not None for each in self.predictions)
+            lines.append(f"Predictions made: {made} of {len(self.predictions)}")
         following = next((v.exercise.name for v in verdicts if v.state != RIGHT), None)
         lines.append(f"Next: {following}" if following else "All exercises of this notebook are done.")
         _show("\n".join(lines), _MARKS[RIGHT][1])
@@ -91,8 +179,14 @@ def describe(verdict):
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
     if verdict.state == NOT_ATTEMPTED:
         return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
+    if verdict.state == UNCHANGED:
+        return f"{mark} {exercise.name}: {UNCHANGED}. Run it on an example whose answer you know."
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
     lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
+    if verdict.blames:
+        lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
+        lines.append(f"Mend {verdict.blames} first, then run this check again.")
+        return "\n".join(lines)
     if verdict.state == ERROR:
         lines.append(verdict.reason)
     if verdict.case is not None:
@@ -125,12 +219,29 @@ def _labelled(before, label, value):
     return label + text.replace("\n", "\n" + " " * len(label))
 
 
-def _show(text, colour):
+def _show_choices(prediction):
+    """Show the choices of a prediction; in HTML each one opens to its answer, for pages without a kernel too."""
+    letters = list(prediction.replies)
+    calls = " or ".join(f'check.{prediction.name}.predict("{letter}")' for letter in letters)
+    text = f"○ Choose before you go on: {calls}"
+    replies = [
+        f"<details><summary>{letter}</summary>{html.escape(f'{_mark(prediction, letter)} {reply}')}</details>"
+        for letter, reply in prediction.replies.items()
+    ]
+    _show(text, _MARKS[NOT_ATTEMPTED][1], "course-predict", "○ Choose before you go on:" + "".join(replies))
+
+
+def _mark(prediction, letter):
+    return _MARKS[RIGHT if letter == prediction.right else WRONG][0]
+
+
+def _show(text, colour, kind="course-check", inside=None):
     """Display text as it is, and in a box for places that show HTML; both say the same words."""
     from IPython.display import display
 
     box = (
-        f'<div role="status" style="border-left: 0.3em solid {colour}; padding: 0.2em 0.8em; white-space: pre-wrap; '
-        f'overflow-wrap: anywhere; font-family: ui-monospace, monospace">{html.escape(text)}</div>'
+        f'<div class="{kind}" role="status" style="border-left: 0.3em solid {colour}; padding: 0.2em 0.8em; '
+        f'white-space: pre-wrap; overflow-wrap: anywhere; font-family: ui-monospace, monospace">'
+        f"{inside or html.escape(text)}</div>"
     )
     display({"text/plain": text, "text/html": box}, raw=True)

@@ -5,7 +5,7 @@ imported when first used.
 """
 
 from course_lib.figures.display import show
-from course_lib.figures.plain import lines, panels
+from course_lib.figures.plots import lines, panels
 
 _TOYS = (
     "cells_toy",

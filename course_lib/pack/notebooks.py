@@ -25,8 +25,11 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
+from course_lib.figures.display import PLOTLY
+from course_lib.pack.files import write_atomically
+
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
-FIGURE, STILL = "application/vnd.plotly.v1+json", "image/png"
+STILL = "image/png"
 
 # What is kept of the metadata: the rest is what programs leave behind (timings, an editor's state).
 NOTEBOOK_KEYS = ("course", "nbgrader")
@@ -77,14 +80,14 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     except ValueError as error:  # a half-resolved merge, most often
         raise NotebookFailed(f"is no notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
-    known = {as_key(data[FIGURE]): data[STILL] for data in outputs if STILL in data}
+    known = {as_key(data[PLOTLY]): data[STILL] for data in outputs if STILL in data}
     run(notebook, path)
     without = add_stills(notebook, known, make_stills or draw_stills)
     tidy(notebook)
     after = nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
     if after == before:
         return ", unchanged" + without
-    write_whole(path, after)
+    write_atomically(path, after)
     return ", written" + without
 
 
@@ -121,6 +124,16 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
                     client.execute_cell(cell, index)
                 except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
                     raise NotebookFailed(f"{describe(number, cell)} {reason(error)}") from error
+                leave_number_out(cell)
+
+
+def leave_number_out(cell: nbformat.NotebookNode) -> None:
+    """Say that a cell was run, but not as which: a cell more would change the numbers of all that follow."""
+    if cell.execution_count is not None:
+        cell.execution_count = 1
+    for output in cell.outputs:
+        if "execution_count" in output:
+            output.execution_count = 1
 
 
 def describe(number: int, cell: nbformat.NotebookNode) -> str:
@@ -143,7 +156,7 @@ def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.Noteboo
     """Every output that holds a plotly figure."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
-            if FIGURE in output.get("data", {}):
+            if PLOTLY in output.get("data", {}):
                 yield output
 
 
@@ -156,8 +169,8 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
     """
-    outputs = [(as_key(output.data[FIGURE]), output) for output in figure_outputs(notebook)]
-    missing = {key: output.data[FIGURE] for key, output in outputs if key not in known}
+    outputs = [(as_key(output.data[PLOTLY]), output) for output in figure_outputs(notebook)]
+    missing = {key: output.data[PLOTLY] for key, output in outputs if key not in known}
     remark = ""
     if missing:
         try:
@@ -170,7 +183,7 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
     for key, output in outputs:
         if key in known:
             output.data[STILL] = known[key]
-            width, height = size(output.data[FIGURE])
+            width, height = size(output.data[PLOTLY])
             shown = output.metadata.setdefault(STILL, {})
             shown.setdefault("width", width)
             shown.setdefault("height", height)
@@ -225,19 +238,6 @@ def tidy(notebook: nbformat.NotebookNode) -> None:
 
 def keep(metadata: dict, keys: Sequence[str]) -> dict:
     return {key: metadata[key] for key in keys if key in metadata}
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a file so that an interruption leaves the old one or the new one, never half."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(name, path.stat().st_mode)
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
 
 
 if __name__ == "__main__":

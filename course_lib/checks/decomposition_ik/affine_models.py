@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.branches import split
+from course_lib.checks.decomposition_ik.split_branches import split
 
 
 def least_squares(xy, theta):

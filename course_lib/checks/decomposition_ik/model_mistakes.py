@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.decomposition_ik.affine_models import clusters, least_squares, models
-from course_lib.checks.decomposition_ik.branches import split
+from course_lib.checks.decomposition_ik.split_branches import split
 from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
 from course_lib.checks.exercise import Mistake
 

@@ -5,8 +5,8 @@ from sklearn.cluster import KMeans
 from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.decomposition_ik import affine_models, branches, two_links, wrong_cells
-from course_lib.checks.decomposition_ik.distances import distances as approximation_error
-from course_lib.checks.decomposition_ik.predictions import predictions as predict
+from course_lib.checks.decomposition_ik.approximation_error import distances as approximation_error
+from course_lib.checks.decomposition_ik.predict import predictions as predict
 from course_lib.checks.decomposition_ik.two_links import place as fk_2r
 
 __all__ = [

@@ -36,12 +36,4 @@ def same_with_gaps(value, predicted):
 def like(words, *answers):
     """One mistake, name and hint in `words`, that may be made in more than one way, in answers with nan in them."""
     name, hint = words
-
-    def seen(answer):
-        def looks(value, *case):
-            predicted = answer(*case)
-            return predicted is not None and same_with_gaps(value, predicted)
-
-        return looks
-
-    return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
+    return (Mistake(name, hint, *answers, alike=lambda value, predicted, *case: same_with_gaps(value, predicted)),)

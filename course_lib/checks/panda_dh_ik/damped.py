@@ -259,7 +259,7 @@ IK_STEP_DLS = Exercise(
         "Solve (J J^T + eps I) x = e: x = np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e).",
         "The step is J.T @ x. Add it to q: a new array, so that q stays as it is.",
     ),
-    forbidden=("course_lib.ik.damped_path", "course_lib.ik._step"),
+    forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step"),
     errors=(
         ("LinAlgError", "Singular", _SINGULAR),
         ("LinAlgError", "square", _NOT_SQUARE),

@@ -3,9 +3,9 @@
 import numpy as np
 
 from course_lib.arms import panda
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
 from course_lib.checks.subproblems_damped_ik.damped_step import off
 
@@ -169,74 +169,73 @@ IK_STEP_TRANSPOSE = Exercise(
     ),
     mistakes=(
         few_digits(step_of),
-        *either(
-            (
-                "the step goes the other way, away from the target",
-                "e is what is left to do, target minus place. So the step is added.",
-            ),
+        Mistake(
+            "the step goes the other way, away from the target",
+            "e is what is left to do, target minus place. So the step is added.",
             lambda q, J, e, step: q - step * J.T @ e,
         ),
-        *either(
-            ("only the step is returned", "The angles after the step: q and the step together."),
+        Mistake(
+            "only the step is returned",
+            "The angles after the step: q and the step together.",
             lambda q, J, e, step: step * J.T @ e,
             lambda q, J, e, step: -step * J.T @ e,
             lambda q, J, e, step: J.T @ e,
         ),
-        *either(("q itself is returned: nothing moves", "Add step J^T e to it."), lambda q, *rest: q),
-        *either(("step is not used", "J^T e is multiplied by step."), _by(lambda J, e, step: J.T @ e)),
-        *either(("step is squared", "J^T e is multiplied by step once."), _by(lambda J, e, step: step**2 * J.T @ e)),
-        *either(
-            ("J^T e is divided by step", "J^T e is multiplied by step."),
-            _by(lambda J, e, step: J.T @ e / step),
-        ),
-        *either(
-            ("step multiplies q as well", "Only J^T e is multiplied by step: q + step * (J.T @ e)."),
+        Mistake("q itself is returned: nothing moves", "Add step J^T e to it.", lambda q, *rest: q),
+        Mistake("step is not used", "J^T e is multiplied by step.", _by(lambda J, e, step: J.T @ e)),
+        Mistake("step is squared", "J^T e is multiplied by step once.", _by(lambda J, e, step: step**2 * J.T @ e)),
+        Mistake("J^T e is divided by step", "J^T e is multiplied by step.", _by(lambda J, e, step: J.T @ e / step)),
+        Mistake(
+            "step multiplies q as well",
+            "Only J^T e is multiplied by step: q + step * (J.T @ e).",
             lambda q, J, e, step: step * (q + J.T @ e),
             lambda q, J, e, step: (1 - step) * q + step * J.T @ e,
             lambda q, J, e, step: step * q + J.T @ e,
         ),
-        *either(
-            (
-                "the step is the pseudoinverse's, not the transpose's",
-                "J.T @ e, and no equations to solve: that is what makes this step cheap.",
-            ),
+        Mistake(
+            "the step is the pseudoinverse's, not the transpose's",
+            "J.T @ e, and no equations to solve: that is what makes this step cheap.",
             _by(lambda J, e, step: step * np.linalg.pinv(J) @ e),
             _by(lambda J, e, step: np.linalg.pinv(J) @ e),
         ),
-        *either(
-            ("the step is the damped one", "That is ik_step_dls. Here it is J.T @ e, times step."),
+        Mistake(
+            "the step is the damped one",
+            "That is ik_step_dls. Here it is J.T @ e, times step.",
             _by(lambda J, e, step: J.T @ np.linalg.solve(J @ J.T + step * np.eye(len(J)), e)),
         ),
-        *either(
-            (
-                "the step is scaled to the length `step`",
-                "J^T e gets small near the target by itself. It is not divided by its length.",
-            ),
+        Mistake(
+            "the step is scaled to the length `step`",
+            "J^T e gets small near the target by itself. It is not divided by its length.",
             _by(lambda J, e, step: step * unit_or_zero(J.T @ e)),
             _by(lambda J, e, step: unit_or_zero(J.T @ e)),
         ),
-        *either(
-            ("the error is divided by its length", "The step is made of e itself: near the target it gets small."),
+        Mistake(
+            "the error is divided by its length",
+            "The step is made of e itself: near the target it gets small.",
             _by(lambda J, e, step: step * J.T @ unit_or_zero(e)),
         ),
-        *either(
-            ("J stands for its transpose where both have the right shape", "J.T @ e, or e @ J."),
+        Mistake(
+            "J stands for its transpose where both have the right shape",
+            "J.T @ e, or e @ J.",
             *(
                 lambda q, J, e, step, sign=sign: q + sign * step * J @ e if len(q) == len(e) else step_of(q, J, e, step)
                 for sign in (1, -1)
             ),
         ),
-        *either(
-            ("the step is twice as long as asked for, or half", "It is the gradient of half the squared error."),
+        Mistake(
+            "the step is twice as long as asked for, or half",
+            "It is the gradient of half the squared error.",
             _by(lambda J, e, step: 2 * step * J.T @ e),
             _by(lambda J, e, step: step / 2 * J.T @ e),
         ),
-        *either(
-            ("the halves of e are exchanged", "e and the rows of J stand in the same order already: J.T @ e."),
+        Mistake(
+            "the halves of e are exchanged",
+            "e and the rows of J stand in the same order already: J.T @ e.",
             _by(lambda J, e, step: step * J.T @ halves_exchanged(e)),
         ),
-        *either(
-            ("each entry of J^T e loses its sign, or keeps nothing else", "J.T @ e as it is: no abs, no sign."),
+        Mistake(
+            "each entry of J^T e loses its sign, or keeps nothing else",
+            "J.T @ e as it is: no abs, no sign.",
             _by(lambda J, e, step: step * np.abs(J.T @ e)),
             _by(lambda J, e, step: step * np.sign(J.T @ e)),
         ),

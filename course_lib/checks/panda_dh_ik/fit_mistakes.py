@@ -8,7 +8,6 @@ from course_lib.checks.panda_dh_ik.point_sets import flat, laid, vanishing
 from course_lib.checks.panda_dh_ik.wrong_fits import fit, placed
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import inverse
 from course_lib.rotations import nearest_so
 
@@ -38,121 +37,113 @@ def _transposed(H):
 
 MISTAKES = (
     few_digits(laid),
-    *either(
-        ("T is the identity whatever the points are", "T needs its block, T[:3, :3] = R, and its column."),
+    Mistake(
+        "T is the identity whatever the points are",
+        "T needs its block, T[:3, :3] = R, and its column.",
         lambda *case: np.eye(4),
     ),
-    *either(
-        (
-            "the weights are not used",
-            "A point of weight 3 counts as three points: in both middles, and in the sum of the b_i a_i^T.",
-        ),
+    Mistake(
+        "the weights are not used",
+        "A point of weight 3 counts as three points: in both middles, and in the sum of the b_i a_i^T.",
         fit(wrong.alike, wrong.alike),
     ),
-    *either(
-        ("the middles are taken without the weights", _BOTH),
+    Mistake(
+        "the middles are taken without the weights",
+        _BOTH,
         fit(wrong.alike),
         fit(wrong.alike, column=wrong.share),
         fit(column=wrong.alike),
     ),
-    *either(("the weights are missing in the sum of the b_i a_i^T", _BOTH), fit(pull=wrong.alike)),
-    *either(
-        ("the weights come in twice, as their squares", _ONCE),
+    Mistake("the weights are missing in the sum of the b_i a_i^T", _BOTH, fit(pull=wrong.alike)),
+    Mistake(
+        "the weights come in twice, as their squares",
+        _ONCE,
         fit(pull=wrong.squared),
         fit(wrong.squared, wrong.squared),
         fit(wrong.squared),
         fit(wrong.alike, wrong.squared),
     ),
-    *either(
-        (
-            "the square roots of the weights stand for the weights",
-            "w_i multiplies the square of a distance. Roots belong to a and b only where both of them have one.",
-        ),
+    Mistake(
+        "the square roots of the weights stand for the weights",
+        "w_i multiplies the square of a distance. Roots belong to a and b only where both of them have one.",
         fit(pull=wrong.root),
         fit(wrong.root, wrong.root),
         fit(wrong.root),
     ),
-    *either(
-        (
-            "the weighted sum is not divided by the sum of the weights",
-            "The middle is sum(w_i src_i) / sum(w_i): n points of weight 1 divide it by n, other weights do not.",
-        ),
+    Mistake(
+        "the weighted sum is not divided by the sum of the weights",
+        "The middle is sum(w_i src_i) / sum(w_i): n points of weight 1 divide it by n, other weights do not.",
         fit(wrong.undivided),
         fit(wrong.by_count),
         fit(column=wrong.undivided),
         fit(column=wrong.by_count),
     ),
-    *either(
-        (
-            "the weights multiply the points before the middle is taken off",
-            "Take the middle off first, then weigh what is left: w_i (dst_i - c_dst).",
-        ),
+    Mistake(
+        "the weights multiply the points before the middle is taken off",
+        "Take the middle off first, then weigh what is left: w_i (dst_i - c_dst).",
         *wrong.weighed_first(),
     ),
-    *either(
-        (
-            "the middles are not taken off before R is computed",
-            "Far from the origin a turn and a shift look alike: a_i = src_i - c_src, b_i = dst_i - c_dst.",
-        ),
+    Mistake(
+        "the middles are not taken off before R is computed",
+        "Far from the origin a turn and a shift look alike: a_i = src_i - c_src, b_i = dst_i - c_dst.",
         fit(centred=False),
         fit(wrong.alike, wrong.alike, centred=False),
         fit(wrong.alike, wrong.share, centred=False),
         fit(centred=False, place=lambda R, c, d: 0 * d),
     ),
-    *either(
-        ("one number stands for the middle: axis=0 is missing", "np.average(src, axis=0, weights=weights)"),
+    Mistake(
+        "one number stands for the middle: axis=0 is missing",
+        "np.average(src, axis=0, weights=weights)",
         *wrong.one_number(),
     ),
-    *either(
-        ("T takes dst to src, not src to dst", "T src_i is to lie on dst_i: which of the two is moved?"),
+    Mistake(
+        "T takes dst to src, not src to dst",
+        "T src_i is to lie on dst_i: which of the two is moved?",
         lambda *case: inverse(laid(*case)),
     ),
-    *either(
-        ("R^T stands where R belongs: the sum of the b_i a_i^T is transposed", _WAY),
+    Mistake(
+        "R^T stands where R belongs: the sum of the b_i a_i^T is transposed",
+        _WAY,
         fit(rotation=_transposed),
         lambda *case: pose(laid(*case)[:3, :3].T, laid(*case)[:3, 3]),
     ),
-    *either(
-        ("p is the difference of the middles, without R", _COLUMN),
-        placed(lambda R, c, d: d - c),
-    ),
-    *either(("p has its sign turned", _COLUMN), placed(lambda R, c, d: R @ c - d)),
-    *either(("p has its plus and minus mixed up", _COLUMN), placed(lambda R, c, d: R @ c + d)),
-    *either(("p is made with R^T in place of R", _COLUMN), placed(lambda R, c, d: d - R.T @ c)),
-    *either(
-        ("p is made with src and dst swapped", _COLUMN),
+    Mistake("p is the difference of the middles, without R", _COLUMN, placed(lambda R, c, d: d - c)),
+    Mistake("p has its sign turned", _COLUMN, placed(lambda R, c, d: R @ c - d)),
+    Mistake("p has its plus and minus mixed up", _COLUMN, placed(lambda R, c, d: R @ c + d)),
+    Mistake("p is made with R^T in place of R", _COLUMN, placed(lambda R, c, d: d - R.T @ c)),
+    Mistake(
+        "p is made with src and dst swapped",
+        _COLUMN,
         placed(lambda R, c, d: c - R @ d),
         placed(lambda R, c, d: c - R.T @ d),
         placed(lambda R, c, d: R @ d - c),
     ),
-    *either(("p is R times the difference of the middles", _COLUMN), placed(lambda R, c, d: R @ (d - c))),
-    *either(("p is the middle of dst alone", _COLUMN), placed(lambda R, c, d: d)),
-    *either(("the column p is left empty", _COLUMN), placed(lambda R, c, d: 0 * d)),
-    *either(
-        ("R c is taken entry by entry", "In numpy the matrix product is @."), placed(lambda R, c, d: d - (R * c).sum(0))
+    Mistake("p is R times the difference of the middles", _COLUMN, placed(lambda R, c, d: R @ (d - c))),
+    Mistake("p is the middle of dst alone", _COLUMN, placed(lambda R, c, d: d)),
+    Mistake("the column p is left empty", _COLUMN, placed(lambda R, c, d: 0 * d)),
+    Mistake(
+        "R c is taken entry by entry", "In numpy the matrix product is @.", placed(lambda R, c, d: d - (R * c).sum(0))
     ),
-    *either(
-        ("the turn is left out", "The middles fit, but the points around them have to fit as well: T[:3, :3] = R."),
+    Mistake(
+        "the turn is left out",
+        "The middles fit, but the points around them have to fit as well: T[:3, :3] = R.",
         fit(rotation=lambda H: np.eye(3)),
         lambda *case: pose(np.eye(3), laid(*case)[:3, 3]),
     ),
-    *either(
-        (
-            "a scale is fitted too",
-            "A rigid body keeps its size: R alone, without a factor and without the singular values.",
-        ),
+    Mistake(
+        "a scale is fitted too",
+        "A rigid body keeps its size: R alone, without a factor and without the singular values.",
         *wrong.scaled(),
     ),
-    *either(
-        (
-            "the sum of the b_i a_i^T itself stands for R",
-            "It is no rotation: R is the rotation nearest to it, U diag(1, 1, d) V^T.",
-        ),
+    Mistake(
+        "the sum of the b_i a_i^T itself stands for R",
+        "It is no rotation: R is the rotation nearest to it, U diag(1, 1, d) V^T.",
         fit(rotation=np.copy),
         fit(pull=wrong.undivided, rotation=np.copy),
     ),
-    *either(
-        ("only three of the points are used", "All points that have weight count."),
+    Mistake(
+        "only three of the points are used",
+        "All points that have weight count.",
         wrong.by_three,
         wrong.of_the_first_three,
     ),
@@ -192,24 +183,20 @@ MISTAKES = (
         "np.linalg.svd returns U, S and V^T. With B = sum of w_i b_i a_i^T it is R = U @ diag(1, 1, d) @ Vt.",
         seen=wrong.transposed_once_more,
     ),
-    *either(
-        (
-            "any linear map is allowed, not rotations only",
-            "np.linalg.lstsq stretches and shears the points. Look for a rotation: singular value decomposition.",
-        ),
+    Mistake(
+        "any linear map is allowed, not rotations only",
+        "np.linalg.lstsq stretches and shears the points. Look for a rotation: singular value decomposition.",
         wrong.of_linear(np.copy),
         wrong.of_linear(np.copy, weighted=False),
         wrong.in_four_columns,
     ),
-    *either(
-        (
-            "the best linear map is turned into a rotation afterwards",
-            "The rotation nearest to that map is not the one with the least sum: take the one nearest to the sum of "
-            "the w_i b_i a_i^T.",
-        ),
+    Mistake(
+        "the best linear map is turned into a rotation afterwards",
+        "The rotation nearest to that map is not the one with the least sum: take the one nearest to the sum of "
+        "the w_i b_i a_i^T.",
         wrong.of_linear(nearest_so),
         wrong.of_linear(nearest_so, weighted=False),
     ),
-    *either(("digits after the point are cut off", _CUT), fit(dtype=int)),
+    Mistake("digits after the point are cut off", _CUT, fit(dtype=int)),
     Mistake("digits after the point are cut off", _CUT, seen=_whole),
 )

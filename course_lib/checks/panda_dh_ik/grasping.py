@@ -3,14 +3,13 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.point_sets import TRIANGLE, exactly, laid, middle, moved, noisy, reflecting
 from course_lib.checks.panda_dh_ik.registering import IS_A_POSE, close, compared, read_pose
 from course_lib.checks.panda_dh_ik.wrong_fits import fit, in_four_columns, mirrored, of_linear, with_block
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, few_digits, remembered, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import nearest_so, rot_x, rot_z
 
@@ -65,8 +64,8 @@ def _distance(T, template, scene, T_grasp):
     yours, wanted = _distances(T, scene), _distances(T_grasp, template)
     i = int(np.argmax(np.abs(yours - wanted)))
     return (
-        f"From the gripper at {in_words(T_grasp[:3, 3])} to template[{i}] it is {wanted[i]:.4g}; "
-        f"from yours at {in_words(T[:3, 3])} to scene[{i}] it is {yours[i]:.4g}."
+        f"From the gripper at {format_tuple(T_grasp[:3, 3])} to template[{i}] it is {wanted[i]:.4g}; "
+        f"from yours at {format_tuple(T[:3, 3])} to scene[{i}] it is {yours[i]:.4g}."
     )
 
 
@@ -145,123 +144,125 @@ GRASP_POSE = Exercise(
     ),
     mistakes=(
         few_digits(_right),
-        *either(
-            ("only the pose of the mug is returned", "The gripper is not at the mug's origin: T_world_mug @ T_grasp."),
+        Mistake(
+            "only the pose of the mug is returned",
+            "The gripper is not at the mug's origin: T_world_mug @ T_grasp.",
             lambda template, scene, T_grasp: mug(template, scene),
         ),
-        *either(
-            ("T_grasp is returned as it is", "It is the gripper seen from the mug, and the mug has moved."),
+        Mistake(
+            "T_grasp is returned as it is",
+            "It is the gripper seen from the mug, and the mug has moved.",
             lambda template, scene, T_grasp: T_grasp,
         ),
-        *either(
-            ("the product is in the wrong order", _ORDER),
-            lambda template, scene, T_grasp: T_grasp @ mug(template, scene),
+        Mistake(
+            "the product is in the wrong order", _ORDER, lambda template, scene, T_grasp: T_grasp @ mug(template, scene)
         ),
-        *either(
-            (
-                "the scene is laid on the template, not the template on the scene",
-                "T_world_mug takes points of the mug's frame to the world: template first, scene second.",
-            ),
+        Mistake(
+            "the scene is laid on the template, not the template on the scene",
+            "T_world_mug takes points of the mug's frame to the world: template first, scene second.",
             _by(lambda template, scene: mug(scene, template)),
             lambda template, scene, T_grasp: T_grasp @ mug(scene, template),
         ),
-        *either(
-            ("T_grasp is inverted", "T_grasp already is the gripper's pose in the mug's frame: no inverse is needed."),
+        Mistake(
+            "T_grasp is inverted",
+            "T_grasp already is the gripper's pose in the mug's frame: no inverse is needed.",
             lambda template, scene, T_grasp: mug(template, scene) @ inverse(T_grasp),
             lambda template, scene, T_grasp: inverse(T_grasp) @ mug(template, scene),
         ),
-        *either(
-            ("the inverse of the answer is returned", "The gripper seen from the world is asked for: " + _ORDER),
+        Mistake(
+            "the inverse of the answer is returned",
+            "The gripper seen from the world is asked for: " + _ORDER,
             lambda *case: inverse(_right(*case)),
         ),
-        *either(
-            ("the gripper is moved with the mug, but not turned", _WHOLE),
+        Mistake(
+            "the gripper is moved with the mug, but not turned",
+            _WHOLE,
             _of(lambda R, p, R_g, p_g: pose(R_g, R @ p_g + p)),
             _of(lambda R, p, R_g, p_g: pose(R_g, p)),
             _of(lambda R, p, R_g, p_g: pose(R_g, p + p_g)),
         ),
-        *either(
-            (
-                "the gripper is turned, but its place is only added to the mug's",
-                "p_g is known along the mug's axes, which have turned: R p_g + p.",
-            ),
+        Mistake(
+            "the gripper is turned, but its place is only added to the mug's",
+            "p_g is known along the mug's axes, which have turned: R p_g + p.",
             _of(lambda R, p, R_g, p_g: pose(R @ R_g, p + p_g)),
             _of(lambda R, p, R_g, p_g: pose(R_g @ R, p + p_g)),
         ),
-        *either(
-            ("the gripper is turned as the mug, but sits at the mug's origin", _WHOLE),
+        Mistake(
+            "the gripper is turned as the mug, but sits at the mug's origin",
+            _WHOLE,
             _of(lambda R, p, R_g, p_g: pose(R @ R_g, p)),
         ),
-        *either(
-            ("the gripper is turned as the mug, but its place stays that of T_grasp", _WHOLE),
+        Mistake(
+            "the gripper is turned as the mug, but its place stays that of T_grasp",
+            _WHOLE,
             _of(lambda R, p, R_g, p_g: pose(R @ R_g, p_g)),
         ),
-        *either(
-            ("the gripper's place is turned but not shifted", "R p_g + p: the mug's own place p is missing."),
+        Mistake(
+            "the gripper's place is turned but not shifted",
+            "R p_g + p: the mug's own place p is missing.",
             _of(lambda R, p, R_g, p_g: pose(R @ R_g, R @ p_g)),
         ),
-        *either(
-            (
-                "the gripper has the mug's turn, and its own in T_grasp is lost",
-                _WHOLE,
-            ),
+        Mistake(
+            "the gripper has the mug's turn, and its own in T_grasp is lost",
+            _WHOLE,
             _of(lambda R, p, R_g, p_g: pose(R, R @ p_g + p)),
             _of(lambda R, p, R_g, p_g: pose(R, p + p_g)),
         ),
-        *either(
-            ("the two rotations are multiplied in the wrong order", _ORDER),
+        Mistake(
+            "the two rotations are multiplied in the wrong order",
+            _ORDER,
             _of(lambda R, p, R_g, p_g: pose(R_g @ R, R @ p_g + p)),
         ),
-        *either(
-            (
-                "the mug is only shifted, from middle to middle, and its turn is left out",
-                "The mug may be turned in the scene: the whole registration is needed, R and p.",
-            ),
+        Mistake(
+            "the mug is only shifted, from middle to middle, and its turn is left out",
+            "The mug may be turned in the scene: the whole registration is needed, R and p.",
             lambda template, scene, T_grasp: pose(T_grasp[:3, :3], T_grasp[:3, 3] + _shift(template, scene)),
             lambda template, scene, T_grasp: pose(T_grasp[:3, :3], T_grasp[:3, 3] + scene[0] - template[0]),
         ),
-        *either(
-            (
-                "the middle of the scene's points stands for the mug's place",
-                "The mug's frame need not sit in the middle of its points: p = c_scene - R c_template.",
-            ),
+        Mistake(
+            "the middle of the scene's points stands for the mug's place",
+            "The mug's frame need not sit in the middle of its points: p = c_scene - R c_template.",
             _fitted(place=lambda R, c, d: d),
             lambda template, scene, T_grasp: pose(T_grasp[:3, :3], scene.mean(0) + T_grasp[:3, 3]),
         ),
-        *either(
-            ("the mug's place is the difference of the middles, without R", "p = c_scene - R c_template."),
+        Mistake(
+            "the mug's place is the difference of the middles, without R",
+            "p = c_scene - R c_template.",
             _fitted(place=lambda R, c, d: d - c),
         ),
-        *either(
-            ("the middles are not taken off before R is computed", "Your register_points does it: use it here."),
+        Mistake(
+            "the middles are not taken off before R is computed",
+            "Your register_points does it: use it here.",
             _fitted(centred=False),
         ),
-        *either(
-            ("the mug's rotation is transposed", "R takes the template's directions to those of the scene."),
+        Mistake(
+            "the mug's rotation is transposed",
+            "R takes the template's directions to those of the scene.",
             _fitted(rotation=lambda H: nearest_so(H).T),
             _of(lambda R, p, R_g, p_g: pose(R.T @ R_g, R.T @ p_g + p)),
         ),
-        *either(
-            ("the product is entry by entry", "In numpy the matrix product is @."),
+        Mistake(
+            "the product is entry by entry",
+            "In numpy the matrix product is @.",
             lambda template, scene, T_grasp: mug(template, scene) * T_grasp,
         ),
-        *either(
-            ("the two poses are added up", "One pose after another is a product: @."),
+        Mistake(
+            "the two poses are added up",
+            "One pose after another is a product: @.",
             lambda template, scene, T_grasp: mug(template, scene) + T_grasp,
         ),
-        *either(
-            ("the answer is transposed", "T = [[R, p], [0, 1]]: p is the last column."), lambda *case: _right(*case).T
+        Mistake(
+            "the answer is transposed", "T = [[R, p], [0, 1]]: p is the last column.", lambda *case: _right(*case).T
         ),
-        *either(
-            (
-                "the mug may be stretched: any linear map is allowed, not rotations only",
-                "np.linalg.lstsq stretches and shears the points. Your register_points looks for a rotation.",
-            ),
+        Mistake(
+            "the mug may be stretched: any linear map is allowed, not rotations only",
+            "np.linalg.lstsq stretches and shears the points. Your register_points looks for a rotation.",
             _fitted_by(of_linear(np.copy)),
             _fitted_by(in_four_columns),
         ),
-        *either(
-            ("only three of the points are used", "The more points, the less their noise counts: take all of them."),
+        Mistake(
+            "only three of the points are used",
+            "The more points, the less their noise counts: take all of them.",
             _by(lambda template, scene: mug(template[:3], scene[:3])),
         ),
         Mistake(

@@ -3,13 +3,13 @@
 import numpy as np
 
 from course_lib.arms import panda
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.hand_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.tables import FLANGE, STAND, TABLE, frames, steps
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
 
 _ALL = "All eight are asked for: frames 1 to 7, then the flange. Append each T to a list; at last np.array(list)."
 _SHAPES = {
@@ -64,9 +64,11 @@ def _in_the_one_before(T):
 def _column_off(ours, yours):
     """The place where it is wrong, else the axis that is, in words."""
     if not near(yours[:3, 3], ours[:3, 3]):
-        return f"is at {in_words(ours[:3, 3])}; yours at {in_words(yours[:3, 3])}."
+        return f"is at {format_tuple(ours[:3, 3])}; yours at {format_tuple(yours[:3, 3])}."
     i = int(np.argmax(np.abs(ours - yours).max(0)))
-    return f"has its {'xyz'[i]} axis along {in_words(ours[:3, i])}; yours has it along {in_words(yours[:3, i])}."
+    return (
+        f"has its {'xyz'[i]} axis along {format_tuple(ours[:3, i])}; yours has it along {format_tuple(yours[:3, i])}."
+    )
 
 
 def _first_off(T, right):
@@ -103,7 +105,7 @@ PANDA_FK = Exercise(
         Property(
             "the last row of each pose is (0, 0, 0, 1)",
             lambda T, q: near(T[:, 3], np.tile([0, 0, 0, 1], (8, 1))),
-            seen=lambda T, q: f"Yours are {in_words(T[0, 3])} in the first, {in_words(T[-1, 3])} in the last.",
+            seen=lambda T, q: f"Yours are {format_tuple(T[0, 3])} in the first, {format_tuple(T[-1, 3])} in the last.",
         ),
         Property(
             "with all angles 0 the frames stand where the table puts them, the flange at (-0.112, 0.13, 1.526)",

@@ -3,13 +3,13 @@
 import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik import tables
 from course_lib.checks.panda_dh_ik.jacobian_mistakes import MISTAKES, jacobian
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE, away_from_zero, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
@@ -92,8 +92,8 @@ def _off(J, frames, rows):
     right, first = jacobian(frames), 3 * (rows is BELOW)
     i = next((k for k in range(_joints(frames)) if not near(J[rows, k], right[rows, k])), 0)
     return (
-        f"For joint {i + 1}, column {i}, that is {in_words(right[rows, i])}; "
-        f"J[{first}:{first + 3}, {i}] of yours is {in_words(J[rows, i])}."
+        f"For joint {i + 1}, column {i}, that is {format_tuple(right[rows, i])}; "
+        f"J[{first}:{first + 3}, {i}] of yours is {format_tuple(J[rows, i])}."
     )
 
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.step_mistakes import mistakes
 from course_lib.checks.panda_dh_ik.steps import modified, standard
 from course_lib.checks.poe_kuka_iiwa.matrices import near
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import in_words
 
 _PRODUCT = "One step after the other is a matrix product: @."
 _FORBIDDEN = ("course_lib.arms.SerialArm", "course_lib.arms._dh_frames")
@@ -42,7 +42,7 @@ def _column(k, text, wanted):
     return Property(
         text,
         lambda T, *row: near(T[:3, k], wanted(*row)),
-        seen=lambda T, *row: f"Here that is {in_words(wanted(*row))}. Yours is {in_words(T[:3, k])}.",
+        seen=lambda T, *row: f"Here that is {format_tuple(wanted(*row))}. Yours is {format_tuple(T[:3, k])}.",
     )
 
 
@@ -59,13 +59,13 @@ def _exercise(name, convention, properties, hints):
             Property(
                 "the last row is (0, 0, 0, 1)",
                 lambda T, *row: near(T[3], [0, 0, 0, 1]),
-                seen=lambda T, *row: f"Yours is {in_words(T[3])}.",
+                seen=lambda T, *row: f"Yours is {format_tuple(T[3])}.",
                 mistake=Mistake("the last row is not that of a pose", _LAST_ROW),
             ),
             Property(
                 "with both angles 0 the frame is unturned, and its origin is at (a, 0, d)",
                 lambda T, a, alpha, d, theta: near(T, convention(a, alpha, d, theta)),
-                seen=lambda T, a, *rest: f"Yours is at {in_words(T[:3, 3])}.",
+                seen=lambda T, a, *rest: f"Yours is at {format_tuple(T[:3, 3])}.",
                 where=lambda a, alpha, d, theta: alpha == theta == 0,
             ),
             x_axis,
@@ -74,7 +74,7 @@ def _exercise(name, convention, properties, hints):
                 "the y axis, the second column, is at right angles to the others: z x x",
                 lambda T, *row: near(T[:3, 1], convention(*row)[:3, 1]),
                 seen=lambda T, *row: (
-                    f"Here that is {in_words(convention(*row)[:3, 1])}. Yours is {in_words(T[:3, 1])}."
+                    f"Here that is {format_tuple(convention(*row)[:3, 1])}. Yours is {format_tuple(T[:3, 1])}."
                 ),
             ),
             origin,

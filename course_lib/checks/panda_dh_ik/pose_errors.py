@@ -2,14 +2,14 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.error_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.error_parts import half_turn, left, place_left, turn_left
 from course_lib.checks.poe_kuka_iiwa.chains import away_from_zero, turned_hand
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.words import in_words
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, length
 
@@ -103,8 +103,8 @@ def _fine(T, T_target):
 def _off_turn(e, T, T_target):
     ours = left(T, T_target)[3:]
     return (
-        f"{np.rad2deg(length(ours)):.4g} degrees are left, phi = {in_words(ours)}; yours are "
-        f"{np.rad2deg(length(e[3:])):.4g}, phi = {in_words(e[3:])}."
+        f"{np.rad2deg(length(ours)):.4g} degrees are left, phi = {format_tuple(ours)}; yours are "
+        f"{np.rad2deg(length(e[3:])):.4g}, phi = {format_tuple(e[3:])}."
     )
 
 
@@ -131,12 +131,14 @@ POSE_ERROR = Exercise(
         Property(
             "the first three numbers are p_target - p, along the world's axes",
             lambda e, T, T_target: near(e[:3], place_left(T, T_target)),
-            seen=lambda e, T, T_target: f"That is {in_words(place_left(T, T_target))}; yours are {in_words(e[:3])}.",
+            seen=lambda e, T, T_target: (
+                f"That is {format_tuple(place_left(T, T_target))}; yours are {format_tuple(e[:3])}."
+            ),
         ),
         Property(
             "where both are turned alike, the last three numbers are 0",
             lambda e, T, T_target: np.abs(e[3:]).max() < FINE,
-            seen=lambda e, T, T_target: f"Yours are {in_words(e[3:])}.",
+            seen=lambda e, T, T_target: f"Yours are {format_tuple(e[3:])}.",
             where=_same_turn,
         ),
         Property(

@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.tables import STAND, frames
 from course_lib.checks.panda_dh_ik.targets import HIGH, LOW, PANDA, cases, flange
-from course_lib.checks.reading import NOT_A_NUMBER, numbers
-from course_lib.checks.words import in_words
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import length, log_so3
 
@@ -82,7 +82,7 @@ def _outside(q, T, q0):
 def _place_off(q, T, q0):
     p = flange(q)[:3, 3]
     metres = length(p - T[:3, 3])
-    return f"It should be at {in_words(T[:3, 3])}; yours is at {in_words(p)}, {metres:.3g} m away."
+    return f"It should be at {format_tuple(T[:3, 3])}; yours is at {format_tuple(p)}, {metres:.3g} m away."
 
 
 def _turn_off(q, T, q0):
@@ -282,5 +282,10 @@ PANDA_IK = Exercise(
         "Around it a second loop: when 40 steps did not suffice, q = random.uniform(low, high), with "
         "random = np.random.default_rng(0). After 30 starts return np.full(7, np.nan).",
     ),
-    forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path", "course_lib.ik._search", "course_lib.ik._step"),
+    forbidden=(
+        "course_lib.ik.solve",
+        "course_lib.ik.damped_path",
+        "course_lib.ik._Search",
+        "course_lib.ik._damped_step",
+    ),
 )

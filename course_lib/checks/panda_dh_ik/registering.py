@@ -4,14 +4,14 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.fit_mistakes import MISTAKES
 from course_lib.checks.panda_dh_ik.point_sets import exact, fits, laid, middle, moved, rest, size
 from course_lib.checks.poe_kuka_iiwa.chains import SAME_TWICE
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.reading import OTHER_FORM, numbers
 from course_lib.checks.rotations.predicates import orthogonality_error
-from course_lib.checks.words import in_words
 
 _SEARCHED = 1e-7
 _ROTATION_ONLY = Mistake("only the rotation R is returned", "T = np.eye(4), then T[:3, :3] = R and T[:3, 3] = p.")
@@ -45,7 +45,7 @@ IS_A_POSE = (
     Property(
         "the last row of T is (0, 0, 0, 1)",
         lambda T, *case: near(T[3], [0, 0, 0, 1]),
-        seen=lambda T, *case: f"Yours is {in_words(T[3])}.",
+        seen=lambda T, *case: f"Yours is {format_tuple(T[3])}.",
         mistake=Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in block and column."),
     ),
     Property(
@@ -65,7 +65,7 @@ IS_A_POSE = (
 def _farthest(T, src, dst, weights):
     off = np.linalg.norm(moved(T, src) - dst, axis=1)
     i = int(np.argmax(off > 0.5 * off.max()))
-    return f"T takes src[{i}] = {in_words(src[i])} to {in_words(moved(T, src)[i])}; dst[{i}] is {in_words(dst[i])}."
+    return f"T takes src[{i}] = {format_tuple(src[i])} to {format_tuple(moved(T, src)[i])}; dst[{i}] is {format_tuple(dst[i])}."
 
 
 def _no_larger(T, src, dst, weights):
@@ -87,7 +87,7 @@ def compared(what, yours, right):
     """Tell two vectors apart, also where they agree in the digits shown."""
     if np.abs(yours - right).max() < 1e-3 * size(right):
         return f"{what} is off by {np.abs(yours - right).max():.2g}."
-    return f"{what} should be {in_words(right)}; yours is {in_words(yours)}."
+    return f"{what} should be {format_tuple(right)}; yours is {format_tuple(yours)}."
 
 
 def close(T, right):

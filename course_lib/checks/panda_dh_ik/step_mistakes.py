@@ -20,7 +20,6 @@ from course_lib.checks.panda_dh_ik.steps import (
     with_sines_for_cosines,
 )
 from course_lib.checks.poe_kuka_iiwa.chains import few_digits
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import inverse
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -43,49 +42,47 @@ def _own(convention):
     formula = FORMULAS[convention]
     if convention is modified:
         return (
-            *either(
-                (
-                    "d goes along the old z",
-                    "Trans_z(d) is the last step, so it goes along the new z: (0, -sin alpha, cos alpha).",
-                ),
+            Mistake(
+                "d goes along the old z",
+                "Trans_z(d) is the last step, so it goes along the new z: (0, -sin alpha, cos alpha).",
                 placed(modified, lambda a, alpha, d, theta: [a, 0, d]),
             ),
-            *either(
-                ("the minus of -d sin(alpha) is missing", "The new z is (0, -sin alpha, cos alpha): d goes along it."),
+            Mistake(
+                "the minus of -d sin(alpha) is missing",
+                "The new z is (0, -sin alpha, cos alpha): d goes along it.",
                 with_other_sign(modified, 1, 3),
                 placed(modified, lambda a, alpha, d, theta: [a, d * np.sin(alpha), d * np.cos(alpha)]),
             ),
-            *either(
-                ("a is turned by theta", f"Trans_x(a) stands before Rot_z(theta): T = {formula}."),
+            Mistake(
+                "a is turned by theta",
+                f"Trans_x(a) stands before Rot_z(theta): T = {formula}.",
                 joined("XZad"),
                 joined("XdZa"),
             ),
-            *either(
-                ("Rot_z(theta) stands before Rot_x(alpha)", f"First about x, then about z: T = {formula}."),
+            Mistake(
+                "Rot_z(theta) stands before Rot_x(alpha)",
+                f"First about x, then about z: T = {formula}.",
                 joined("ZXad"),
                 joined("aZXd"),
                 with_another_turn(modified, lambda alpha, theta: rot_z(theta) @ rot_x(alpha)),
             ),
         )
     return (
-        *either(
-            (
-                "a is not turned by theta",
-                f"Trans_x(a) stands after Rot_z(theta), so it goes along the new x: (cos theta, sin theta, 0). "
-                f"T = {formula}.",
-            ),
+        Mistake(
+            "a is not turned by theta",
+            f"Trans_x(a) stands after Rot_z(theta), so it goes along the new x: (cos theta, sin theta, 0). "
+            f"T = {formula}.",
             placed(standard, lambda a, alpha, d, theta: [a, 0, d]),
         ),
-        *either(
-            ("a sine of the place has its sign turned", "a goes along the new x: (cos theta, sin theta, 0)."),
+        Mistake(
+            "a sine of the place has its sign turned",
+            "a goes along the new x: (cos theta, sin theta, 0).",
             placed(standard, lambda a, alpha, d, theta: [a * np.cos(theta), -a * np.sin(theta), d]),
         ),
-        *either(
-            ("d is turned by alpha", f"Trans_z(d) stands before Rot_x(alpha): T = {formula}."),
-            joined("ZaXd"),
-        ),
-        *either(
-            ("Rot_x(alpha) stands before Rot_z(theta)", f"First about z, then about x: T = {formula}."),
+        Mistake("d is turned by alpha", f"Trans_z(d) stands before Rot_x(alpha): T = {formula}.", joined("ZaXd")),
+        Mistake(
+            "Rot_x(alpha) stands before Rot_z(theta)",
+            f"First about z, then about x: T = {formula}.",
             joined("dXZa"),
             with_another_turn(standard, lambda alpha, theta: rot_x(alpha) @ rot_z(theta)),
         ),
@@ -100,38 +97,37 @@ def mistakes(convention):
     order = "The order of the arguments is a, alpha, d, theta: a and alpha belong to x, d and theta to z."
     return (
         few_digits(convention),
-        *either((f"the {whose} convention is taken", f"Asked for is {formula}."), other),
+        Mistake(f"the {whose} convention is taken", f"Asked for is {formula}.", other),
         *_own(convention),
-        *either(("alpha and theta are swapped", order), _in_order(convention, (0, 3, 2, 1))),
-        *either(("a and d are swapped", order), _in_order(convention, (2, 1, 0, 3))),
-        *either(
-            ("the arguments are taken in another order", order),
-            *(_in_order(convention, order) for order in _OTHERS),
+        Mistake("alpha and theta are swapped", order, _in_order(convention, (0, 3, 2, 1))),
+        Mistake("a and d are swapped", order, _in_order(convention, (2, 1, 0, 3))),
+        Mistake(
+            "the arguments are taken in another order", order, *(_in_order(convention, order) for order in _OTHERS)
         ),
-        *either(("T is transposed", "The origin stands in the last column."), lambda *row: convention(*row).T),
-        *either(("the rotation is transposed", _SIGNS), lambda *row: _turned_back(convention(*row))),
-        *either(
-            (
-                "the inverse is returned",
-                "T holds the new frame as the one before sees it: its axes in columns, and its origin.",
-            ),
+        Mistake("T is transposed", "The origin stands in the last column.", lambda *row: convention(*row).T),
+        Mistake("the rotation is transposed", _SIGNS, lambda *row: _turned_back(convention(*row))),
+        Mistake(
+            "the inverse is returned",
+            "T holds the new frame as the one before sees it: its axes in columns, and its origin.",
             lambda *row: inverse(convention(*row)),
             lambda *row: inverse(other(*row)),
         ),
-        *either(
-            ("the turn by theta goes the other way round", _SIGNS),
+        Mistake(
+            "the turn by theta goes the other way round",
+            _SIGNS,
             lambda a, alpha, d, theta: convention(a, alpha, d, -theta),
         ),
-        *either(
-            ("the turn by alpha goes the other way round", _SIGNS),
+        Mistake(
+            "the turn by alpha goes the other way round",
+            _SIGNS,
             lambda a, alpha, d, theta: convention(a, -alpha, d, theta),
         ),
-        *either(
-            ("both turns go the other way round", _SIGNS),
-            lambda a, alpha, d, theta: convention(a, -alpha, d, -theta),
+        Mistake(
+            "both turns go the other way round", _SIGNS, lambda a, alpha, d, theta: convention(a, -alpha, d, -theta)
         ),
-        *either(
-            ("the angles are taken for degrees", _RADIANS),
+        Mistake(
+            "the angles are taken for degrees",
+            _RADIANS,
             *(
                 lambda a, alpha, d, theta, to=to: convention(a, to(alpha), d, to(theta))
                 for to in (np.deg2rad, np.rad2deg)
@@ -139,44 +135,48 @@ def mistakes(convention):
             lambda a, alpha, d, theta: convention(a, np.deg2rad(alpha), d, theta),
             lambda a, alpha, d, theta: convention(a, alpha, d, np.deg2rad(theta)),
         ),
-        *either(("the matrices are added up", product), *_added(convention)),
-        *either(("matrices are multiplied entry by entry", product), *_entry_by_entry(convention)),
-        *either(("a is left out", f"T = {formula}."), lambda a, *rest: convention(0, *rest)),
-        *either(("d is left out", f"T = {formula}."), lambda a, alpha, d, theta: convention(a, alpha, 0, theta)),
-        *either(("alpha is left out", f"T = {formula}."), lambda a, alpha, d, theta: convention(a, 0, d, theta)),
-        *either(("theta is left out", f"T = {formula}."), lambda a, alpha, d, theta: convention(a, alpha, d, 0)),
-        *either(
-            ("the origin is left out", f"T = {formula}."),
-            lambda a, alpha, d, theta: convention(0, alpha, 0, theta),
-        ),
-        *either(
-            ("the turn is left out", f"T = {formula}."),
+        Mistake("the matrices are added up", product, *_added(convention)),
+        Mistake("matrices are multiplied entry by entry", product, *_entry_by_entry(convention)),
+        Mistake("a is left out", f"T = {formula}.", lambda a, *rest: convention(0, *rest)),
+        Mistake("d is left out", f"T = {formula}.", lambda a, alpha, d, theta: convention(a, alpha, 0, theta)),
+        Mistake("alpha is left out", f"T = {formula}.", lambda a, alpha, d, theta: convention(a, 0, d, theta)),
+        Mistake("theta is left out", f"T = {formula}.", lambda a, alpha, d, theta: convention(a, alpha, d, 0)),
+        Mistake("the origin is left out", f"T = {formula}.", lambda a, alpha, d, theta: convention(0, alpha, 0, theta)),
+        Mistake(
+            "the turn is left out",
+            f"T = {formula}.",
             lambda *row: along_x(row[0]) @ along_z(row[2]),
             lambda *row: _unturned(convention(*row)),
         ),
-        *either(("a has its sign turned", f"T = {formula}, with a as it is."), lambda a, *rest: convention(-a, *rest)),
-        *either(
-            ("d has its sign turned", f"T = {formula}, with d as it is."),
+        Mistake("a has its sign turned", f"T = {formula}, with a as it is.", lambda a, *rest: convention(-a, *rest)),
+        Mistake(
+            "d has its sign turned",
+            f"T = {formula}, with d as it is.",
             lambda a, alpha, d, theta: convention(a, alpha, -d, theta),
         ),
-        *either(
-            ("alpha turns about y", "Rot_x(alpha) leaves the x axis where it is."),
+        Mistake(
+            "alpha turns about y",
+            "Rot_x(alpha) leaves the x axis where it is.",
             lambda a, alpha, d, theta: _about_y(convention, a, alpha, d, theta),
         ),
-        *either(
-            ("sine and cosine are swapped", "At the angle 0 the cosine is 1: it stands on the diagonal."),
+        Mistake(
+            "sine and cosine are swapped",
+            "At the angle 0 the cosine is 1: it stands on the diagonal.",
             with_sines_for_cosines(convention),
         ),
-        *either(
-            ("the four steps are multiplied in another order", f"T = {formula}, in this order."),
+        Mistake(
+            "the four steps are multiplied in another order",
+            f"T = {formula}, in this order.",
             *_wrong(convention, map(joined, itertools.permutations("XaZd"))),
         ),
-        *either(
-            ("one entry has its sign wrong", "Multiply the two halves out again, or let @ do it."),
+        Mistake(
+            "one entry has its sign wrong",
+            "Multiply the two halves out again, or let @ do it.",
             *_wrong(convention, (with_other_sign(convention, i, j) for i, j in itertools.product(range(3), range(4)))),
         ),
-        *either(
-            ("the last row is not 0, 0, 0, 1", "Start from np.eye(4) and fill in the block and the column."),
+        Mistake(
+            "the last row is not 0, 0, 0, 1",
+            "Start from np.eye(4) and fill in the block and the column.",
             lambda *row: np.diag([1.0, 1, 1, 0]) @ convention(*row),
         ),
         Mistake(

@@ -6,7 +6,6 @@ import numpy as np
 
 from course_lib.checks.panda_dh_ik.steps import along_z, modified, standard
 from course_lib.checks.panda_dh_ik.tables import FLANGE, STAND, TABLE, chain, edited
-from course_lib.checks.rotations.predicates import either
 
 _SHEET = "The data sheet's table stands in the notebook as modified_table."
 
@@ -30,76 +29,71 @@ def _signs():
 
 
 TABLE_MISTAKES = (
-    *either(
-        (
-            "0.136 stands for 0.316, as in the report",
-            "d_3 = 0.316: in the report two digits have changed places. " + _SHEET,
-        ),
+    Mistake(
+        "0.136 stands for 0.316, as in the report",
+        "d_3 = 0.316: in the report two digits have changed places. " + _SHEET,
         chain(edited((2, 2, 0.136))),
         chain(edited((2, 2, 0.136)), flange=along_z(0.109)),
     ),
-    *either(
-        (
-            "the standard convention is taken with the modified table",
-            "modified_table belongs to dh_modified: first along and about x, then along and about z.",
-        ),
+    Mistake(
+        "the standard convention is taken with the modified table",
+        "modified_table belongs to dh_modified: first along and about x, then along and about z.",
         chain(convention=standard),
     ),
-    *either(
-        (
-            "the standard table is taken with the modified convention",
-            "dh_modified needs modified_table: there the columns a and alpha stand one row further down.",
-        ),
+    Mistake(
+        "the standard table is taken with the modified convention",
+        "dh_modified needs modified_table: there the columns a and alpha stand one row further down.",
         chain(STANDARD_TABLE),
         chain(_LONGER),
         chain(_LONGER, flange=np.eye(4)),
     ),
-    *either(
-        (
-            "these are the frames of the standard convention",
-            "They sit one axis further on. Asked for are those of the modified one: modified_table and dh_modified.",
-        ),
+    Mistake(
+        "these are the frames of the standard convention",
+        "They sit one axis further on. Asked for are those of the modified one: modified_table and dh_modified.",
         chain(STANDARD_TABLE, standard),
         chain(_LONGER, standard),
         chain(_LONGER, standard, flange=np.eye(4)),
         _standard_frames(STANDARD_TABLE),
         _standard_frames(_LONGER),
     ),
-    *either(
-        (
-            "the report's printed table is taken",
-            "It is misprinted, counts joints 4 and 6 the other way, and is in the standard convention. " + _SHEET,
-        ),
+    Mistake(
+        "the report's printed table is taken",
+        "It is misprinted, counts joints 4 and 6 the other way, and is in the standard convention. " + _SHEET,
         chain(_PRINTED, standard, flange=np.eye(4)),
         chain(_PRINTED, standard),
         _standard_frames(_PRINTED),
         chain(_PRINTED),
         chain(_PRINTED, flange=np.eye(4)),
     ),
-    *either(
-        ("the signs of a in rows 4 and 5 are mixed up", "a is 0.0825 in row 4 and -0.0825 in row 5. " + _SHEET),
+    Mistake(
+        "the signs of a in rows 4 and 5 are mixed up",
+        "a is 0.0825 in row 4 and -0.0825 in row 5. " + _SHEET,
         chain(edited((3, 0, -0.0825), (4, 0, 0.0825))),
         chain(edited((4, 0, 0.0825))),
         chain(edited((3, 0, -0.0825))),
     ),
-    *either(
-        ("alpha has a sign wrong in some row", "In degrees: 0, -90, 90, 90, -90, 90, 90. " + _SHEET),
+    Mistake(
+        "alpha has a sign wrong in some row",
+        "In degrees: 0, -90, 90, 90, -90, 90, 90. " + _SHEET,
         *map(chain, _signs()),
     ),
-    *either(
-        ("an entry of the table is left out", _SHEET),
+    Mistake(
+        "an entry of the table is left out",
+        _SHEET,
         *(chain(edited((row, column, 0.0))) for row, column in np.argwhere(TABLE)),
         chain(TABLE * [0, 1, 1]),
         chain(TABLE * [1, 0, 1]),
         chain(TABLE * [1, 1, 0]),
     ),
-    *either(
-        ("the columns of the table are mixed up", "A row is a, alpha, d, and the angle is theta."),
+    Mistake(
+        "the columns of the table are mixed up",
+        "A row is a, alpha, d, and the angle is theta.",
         *(chain(TABLE[:, list(order)]) for order in itertools.permutations(range(3)) if order != (0, 1, 2)),
         chain(convention=lambda a, alpha, d, theta: modified(a, theta, d, alpha)),
     ),
-    *either(
-        ("the rows of the table are shifted against each other", _SHEET),
+    Mistake(
+        "the rows of the table are shifted against each other",
+        _SHEET,
         *(chain(np.roll(TABLE, shift, axis=0)) for shift in (-1, 1)),
         *(chain(np.column_stack([np.roll(TABLE[:, :2], shift, axis=0), TABLE[:, 2]])) for shift in (-1, 1)),
         *(chain(np.column_stack([TABLE[:, :2], np.roll(TABLE[:, 2], shift)])) for shift in (-1, 1)),

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     KUKA_OMEGA,
     KUKA_POINTS,
@@ -15,9 +17,6 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     whole_numbers,
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 
 _APART = Mistake(
     "omega and v do not stand side by side", "Each row is one axis, (omega, v): np.hstack([omega, v]) does that."
@@ -66,12 +65,12 @@ def _at_rest(S, points):
 def _moving_point(S, omega, points):
     velocity = _at_rest(S, points)
     i = int(np.argmax(np.abs(velocity).max(1) > FINE))
-    return f"For row {i}, with p = {in_words(points[i])}, it is {in_words(velocity[i])}."
+    return f"For row {i}, with p = {format_tuple(points[i])}, it is {format_tuple(velocity[i])}."
 
 
 def _other_direction(S, omega, points):
     i = int(np.argmax(np.abs(S[:, :3] - omega).max(1) > FINE))
-    return f"In row {i} it is {in_words(S[i, :3])}; omega[{i}] is {in_words(omega[i])}."
+    return f"In row {i} it is {format_tuple(S[i, :3])}; omega[{i}] is {format_tuple(omega[i])}."
 
 
 def _with(v_of, omega_of=lambda omega, points: omega):
@@ -120,87 +119,87 @@ SCREW_AXES = Exercise(
     mistakes=(
         few_digits(axes),
         *whole_numbers(axes),
-        *either(
-            (
-                "v has its sign turned: it is omega x p",
-                "omega x p + v must be 0 for a point p on the axis. So v = -omega x p, or p x omega.",
-            ),
+        Mistake(
+            "v has its sign turned: it is omega x p",
+            "omega x p + v must be 0 for a point p on the axis. So v = -omega x p, or p x omega.",
             _with(lambda omega, points: np.cross(omega, points)),
         ),
-        *either(
-            ("v stands before omega", "The order in this course is (omega, v)."),
+        Mistake(
+            "v stands before omega",
+            "The order in this course is (omega, v).",
             lambda omega, points: np.hstack([_right_v(omega, points), omega]),
             lambda omega, points: np.hstack([np.cross(omega, points), omega]),
         ),
-        *either(
-            (
-                "the point is taken for v",
-                "v is a velocity: that of the point at the origin when the joint turns with 1 rad/s. v = -omega x p.",
-            ),
+        Mistake(
+            "the point is taken for v",
+            "v is a velocity: that of the point at the origin when the joint turns with 1 rad/s. v = -omega x p.",
             _with(lambda omega, points: points),
             _with(lambda omega, points: -points),
             lambda omega, points: np.hstack([points, omega]),
         ),
-        *either(
-            ("omega * p, entry by entry, stands for the cross product", "In numpy the cross product is np.cross."),
+        Mistake(
+            "omega * p, entry by entry, stands for the cross product",
+            "In numpy the cross product is np.cross.",
             _with(lambda omega, points: points * omega),
             _with(lambda omega, points: -points * omega),
         ),
-        *either(
-            ("v is 0 for every axis", "Only an axis through the origin has v = 0: v = -omega x p."),
+        Mistake(
+            "v is 0 for every axis",
+            "Only an axis through the origin has v = 0: v = -omega x p.",
             _with(lambda omega, points: 0 * points),
         ),
-        *either(
-            (
-                "every axis is taken for one along z",
-                "Each joint has its own direction: omega[i].",
-            ),
+        Mistake(
+            "every axis is taken for one along z",
+            "Each joint has its own direction: omega[i].",
             _with(lambda omega, points: np.cross(points, Z)),
             _with(lambda omega, points: np.cross(points, Z), lambda omega, points: 0 * omega + Z),
             _with(_right_v, lambda omega, points: 0 * omega + Z),
         ),
-        *either(
-            ("every row has the direction of one joint", "Each joint has its own direction: omega[i]."),
+        Mistake(
+            "every row has the direction of one joint",
+            "Each joint has its own direction: omega[i].",
             *(_with(lambda omega, points, i=i: np.cross(points, omega[i])) for i in (0, -1)),
             *(lambda omega, points, i=i: axes(0 * omega + omega[i], points) for i in (0, -1)),
         ),
-        *either(
-            ("every row has the point of one joint", "Each axis goes through its own point: points[i]."),
+        Mistake(
+            "every row has the point of one joint",
+            "Each axis goes through its own point: points[i].",
             *(lambda omega, points, i=i: axes(omega, 0 * points + points[i]) for i in (0, -1)),
         ),
-        *either(
-            ("every row is the same joint's", "Fill row i in the loop, with omega[i] and points[i]."),
+        Mistake(
+            "every row is the same joint's",
+            "Fill row i in the loop, with omega[i] and points[i].",
             *(lambda omega, points, i=i: axes(omega, points)[[i] * len(omega)] for i in (0, -1)),
         ),
-        *either(
-            (
-                "the points are counted from the joint before",
-                "All points are given in the space frame already: use points[i] as it is.",
-            ),
+        Mistake(
+            "the points are counted from the joint before",
+            "All points are given in the space frame already: use points[i] as it is.",
             lambda omega, points: axes(omega, _steps(points)),
         ),
-        *either(
-            (
-                "the points are added up",
-                "All points are given in the space frame already: use points[i] as it is.",
-            ),
+        Mistake(
+            "the points are added up",
+            "All points are given in the space frame already: use points[i] as it is.",
             lambda omega, points: axes(omega, np.cumsum(points, 0)),
         ),
-        *either(
-            ("v is scaled to length one", "Only omega has length one. The length of v is how far the axis is away."),
+        Mistake(
+            "v is scaled to length one",
+            "Only omega has length one. The length of v is how far the axis is away.",
             _with(lambda omega, points: _scaled(_right_v(omega, points))),
         ),
-        *either(
-            ("the point stands where omega belongs", "A row is (omega, v). The point only serves to find v."),
+        Mistake(
+            "the point stands where omega belongs",
+            "A row is (omega, v). The point only serves to find v.",
             _with(_right_v, lambda omega, points: points),
         ),
-        *either(
-            ("the cross product is taken twice", "v = -omega x p: once is enough."),
+        Mistake(
+            "the cross product is taken twice",
+            "v = -omega x p: once is enough.",
             _with(lambda omega, points: np.cross(omega, np.cross(points, omega))),
             _with(lambda omega, points: np.cross(np.cross(points, omega), omega)),
         ),
-        *either(
-            ("omega has its sign turned", "The first three numbers are omega as it is given."),
+        Mistake(
+            "omega has its sign turned",
+            "The first three numbers are omega as it is given.",
             _with(_right_v, lambda omega, points: -omega),
         ),
     ),

@@ -2,12 +2,11 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.exponential import unit
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 
 
@@ -36,9 +35,7 @@ def _formula(sine=np.sin, versine=_versine, first=hat, second=None):
 
 def _tell_turn(R, omega, theta):
     p = np.eye(3)[np.argmin(np.abs(omega))]
-    return (
-        f"p = {in_words(p)} should come to {in_words(_right(omega, theta) @ p)}; your R takes it to {in_words(R @ p)}."
-    )
+    return f"p = {format_tuple(p)} should come to {format_tuple(_right(omega, theta) @ p)}; your R takes it to {format_tuple(R @ p)}."
 
 
 def _scaled_axis(omega, theta):
@@ -81,7 +78,7 @@ RODRIGUES = Exercise(
         Property(
             "the axis stays where it is: R omega = omega",
             lambda R, omega, theta: np.abs(R @ omega - omega).max() < FINE,
-            seen=lambda R, omega, theta: f"Yours takes it to {in_words(R @ omega)}.",
+            seen=lambda R, omega, theta: f"Yours takes it to {format_tuple(R @ omega)}.",
         ),
         Property(
             "for theta = 0 the rotation is the identity",
@@ -107,101 +104,101 @@ RODRIGUES = Exercise(
             "The formula needs no branch: no angle is too small for it.",
             seen=lambda R, omega, theta: np.array_equal(R, np.eye(3)) and 0 < abs(theta) < 0.1,
         ),
-        *either(
-            (
-                "R^T is returned: the rotation goes the other way round",
-                "Look at the signs in [omega]: [omega] p must be omega x p.",
-            ),
+        Mistake(
+            "R^T is returned: the rotation goes the other way round",
+            "Look at the signs in [omega]: [omega] p must be omega x p.",
             lambda omega, theta: _right(-omega, theta),
         ),
-        *either(
-            ("theta is taken for degrees", "Angles are radians everywhere; np.deg2rad is not needed."),
+        Mistake(
+            "theta is taken for degrees",
+            "Angles are radians everywhere; np.deg2rad is not needed.",
             lambda omega, theta: _right(omega, np.deg2rad(theta)),
             lambda omega, theta: _right(omega, np.rad2deg(theta)),
         ),
-        *either(
-            ("theta has lost its sign", "A negative angle turns the other way round."),
+        Mistake(
+            "theta has lost its sign",
+            "A negative angle turns the other way round.",
             lambda omega, theta: _right(omega, abs(theta)),
         ),
-        *either(
-            ("[omega] is multiplied by theta as well", "In this formula theta stands in sin and cos alone."),
+        Mistake(
+            "[omega] is multiplied by theta as well",
+            "In this formula theta stands in sin and cos alone.",
             _scaled_axis,
             lambda omega, theta: _formula(first=lambda w: theta * hat(w))(omega, theta),
         ),
-        *either(
-            ("theta is doubled", "sin(theta) and cos(theta), as they are."),
-            lambda omega, theta: _right(omega, 2 * theta),
+        Mistake(
+            "theta is doubled", "sin(theta) and cos(theta), as they are.", lambda omega, theta: _right(omega, 2 * theta)
         ),
-        *either(("theta is not used", "omega is the axis alone: its length is one."), lambda w, a: _right(w, 1.0)),
-        *either(("theta is halved", "Only a quaternion holds the half angle."), lambda w, a: _right(w, a / 2)),
-        *either(
-            (
-                "the term with [omega]^2 is left out",
-                "sin gives the part across; 1 - cos brings p back onto the circle.",
-            ),
+        Mistake("theta is not used", "omega is the axis alone: its length is one.", lambda w, a: _right(w, 1.0)),
+        Mistake("theta is halved", "Only a quaternion holds the half angle.", lambda w, a: _right(w, a / 2)),
+        Mistake(
+            "the term with [omega]^2 is left out",
+            "sin gives the part across; 1 - cos brings p back onto the circle.",
             _formula(versine=lambda a: 0.0),
         ),
-        *either(
-            ("the term with sin(theta) is left out", "1 - cos brings p towards the axis; sin gives the part across."),
+        Mistake(
+            "the term with sin(theta) is left out",
+            "1 - cos brings p towards the axis; sin gives the part across.",
             _formula(sine=lambda a: 0.0),
         ),
-        *either(
-            ("the identity is left out", "R = I + ...: for theta = 0, R is I."),
+        Mistake(
+            "the identity is left out",
+            "R = I + ...: for theta = 0, R is I.",
             lambda omega, theta: _right(omega, theta) - np.eye(3),
         ),
-        *either(
-            ("cos stands where 1 - cos belongs", "At theta = 0 the last term must vanish."),
-            _formula(versine=np.cos),
+        Mistake(
+            "cos stands where 1 - cos belongs", "At theta = 0 the last term must vanish.", _formula(versine=np.cos)
         ),
-        *either(
-            (
-                "1 - cos has its sign changed",
-                "The last term is + (1 - cos(theta)) [omega] [omega], with nothing transposed.",
-            ),
+        Mistake(
+            "1 - cos has its sign changed",
+            "The last term is + (1 - cos(theta)) [omega] [omega], with nothing transposed.",
             _formula(versine=lambda a: np.cos(a) - 1),
         ),
-        *either(
-            ("1 - sin stands where 1 - cos belongs", "At theta = 0 both terms must vanish: sin and 1 - cos do."),
+        Mistake(
+            "1 - sin stands where 1 - cos belongs",
+            "At theta = 0 both terms must vanish: sin and 1 - cos do.",
             _formula(versine=lambda a: 1 - np.sin(a)),
         ),
-        *either(
-            ("sine and cosine are swapped", "At theta = 0 both terms must vanish: sin and 1 - cos do."),
+        Mistake(
+            "sine and cosine are swapped",
+            "At theta = 0 both terms must vanish: sin and 1 - cos do.",
             _formula(np.cos, lambda a: 1 - np.sin(a)),
             _formula(_versine, np.sin),
         ),
-        *either(
-            ("theta stands where sin(theta) belongs", "theta [omega] alone is right for small angles only."),
+        Mistake(
+            "theta stands where sin(theta) belongs",
+            "theta [omega] alone is right for small angles only.",
             _formula(sine=lambda a: a),
         ),
-        *either(
-            ("[omega] * [omega], entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+        Mistake(
+            "[omega] * [omega], entry by entry, stands for the matrix product",
+            "In numpy the matrix product is @.",
             _formula(second=lambda omega: hat(omega) ** 2),
         ),
-        *either(
-            ("[omega] is not squared in the last term", "The last term is (1 - cos(theta)) [omega] @ [omega]."),
+        Mistake(
+            "[omega] is not squared in the last term",
+            "The last term is (1 - cos(theta)) [omega] @ [omega].",
             _formula(second=hat),
         ),
-        *either(
-            (
-                "two forms of the formula are mixed",
-                "Either I + sin [omega] + (1 - cos) [omega]^2, or cos I + sin [omega] + (1 - cos) omega omega^T.",
-            ),
+        Mistake(
+            "two forms of the formula are mixed",
+            "Either I + sin [omega] + (1 - cos) [omega]^2, or cos I + sin [omega] + (1 - cos) omega omega^T.",
             _formula(second=lambda omega: np.outer(omega, omega)),
             lambda omega, theta: _formula()(omega, theta) - _versine(theta) * np.eye(3),
         ),
-        *either(
-            ("np.exp takes each entry by itself", "The exponential of a matrix is another thing: Rodrigues' formula."),
+        Mistake(
+            "np.exp takes each entry by itself",
+            "The exponential of a matrix is another thing: Rodrigues' formula.",
             lambda omega, theta: np.exp(theta * hat(omega)),
         ),
-        *either(
-            ("the series is cut after its first terms", "Sine and 1 - cos are what the whole series adds up to."),
+        Mistake(
+            "the series is cut after its first terms",
+            "Sine and 1 - cos are what the whole series adds up to.",
             *map(_partial_sum, (2, 3, 4, 5)),
         ),
-        *either(
-            (
-                "the turns about x, y and z are made one turn after the other",
-                "Here is one turn only, about the axis omega itself.",
-            ),
+        Mistake(
+            "the turns about x, y and z are made one turn after the other",
+            "Here is one turn only, about the axis omega itself.",
             lambda omega, theta: rot_z(omega[2] * theta) @ rot_y(omega[1] * theta) @ rot_x(omega[0] * theta),
             lambda omega, theta: rot_x(omega[0] * theta) @ rot_y(omega[1] * theta) @ rot_z(omega[2] * theta),
         ),

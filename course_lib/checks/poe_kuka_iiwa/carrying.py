@@ -2,13 +2,12 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, in_part, near, told
 from course_lib.checks.poe_kuka_iiwa.poses import poses
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat
 
@@ -62,8 +61,8 @@ def _carries(A, T):
 def _tell_carried(A, T):
     off = [np.abs(A @ twist - _carried(T, twist)).max() for twist in np.eye(6)]
     twist = np.eye(6)[np.argmax(off)]
-    right, yours = in_words(_carried(T, twist)), in_words(A @ twist)
-    return f"For V = {in_words(twist)} that is the twist {right}; your Ad V is {yours}."
+    right, yours = format_tuple(_carried(T, twist)), format_tuple(A @ twist)
+    return f"For V = {format_tuple(twist)} that is the twist {right}; your Ad V is {yours}."
 
 
 def _in_lower_left(words, *products):
@@ -102,32 +101,31 @@ ADJOINT = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            ("the matrix is transposed", "R stands on the diagonal, not R^T, and [p] R in the lower left."),
+        Mistake(
+            "the matrix is transposed",
+            "R stands on the diagonal, not R^T, and [p] R in the lower left.",
             lambda T: adjoint(T).T,
         ),
-        *either(
-            (
-                "the adjoint of T^-1 is returned: it carries twists from frame a to frame b",
-                "T = T_ab carries what is known in frame b to frame a: [[R, 0], [[p] R, R]].",
-            ),
+        Mistake(
+            "the adjoint of T^-1 is returned: it carries twists from frame a to frame b",
+            "T = T_ab carries what is known in frame b to frame a: [[R, 0], [[p] R, R]].",
             lambda T: adjoint(inverse(T)),
         ),
-        *either(
-            (
-                "[p] R stands in the upper right: that is the adjoint of twists (v, omega)",
-                "Here omega comes first. v takes something from omega: [p] R belongs in the lower left.",
-            ),
+        Mistake(
+            "[p] R stands in the upper right: that is the adjoint of twists (v, omega)",
+            "Here omega comes first. v takes something from omega: [p] R belongs in the lower left.",
             _of_blocks(lambda R, P, zero: (R, P @ R, zero, R)),
         ),
-        *either(
-            ("[p] stands in the upper right", "v takes something from omega: [p] R belongs in the lower left."),
+        Mistake(
+            "[p] stands in the upper right",
+            "v takes something from omega: [p] R belongs in the lower left.",
             _of_blocks(lambda R, P, zero: (R, P, zero, R)),
             _of_blocks(lambda R, P, zero: (R, R @ P, zero, R)),
             _of_blocks(lambda R, P, zero: (R, -P @ R, zero, R)),
         ),
-        *either(
-            ("both blocks R are transposed", "T = T_ab carries twists from b to a: by R, as it carries vectors."),
+        Mistake(
+            "both blocks R are transposed",
+            "T = T_ab carries twists from b to a: by R, as it carries vectors.",
             _of_blocks(lambda R, P, zero: (R.T, zero, P @ R, R.T)),
             _of_blocks(lambda R, P, zero: (R.T, zero, P @ R.T, R.T)),
             _of_blocks(lambda R, P, zero: (R.T, zero, -P @ R.T, R.T)),

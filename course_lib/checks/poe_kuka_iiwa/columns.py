@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
@@ -15,9 +17,7 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 
@@ -73,7 +73,7 @@ def off_column(J, right, first=0, last=6):
     """Which column is off first in these rows, in words."""
     i = int(np.argmax([not near(J[first:last, k], right[first:last, k]) for k in range(right.shape[1])]))
     ours, yours = right[first:last, i], J[first:last, i]
-    return f"J[{first}:{last}, {i}] should be {in_words(ours)}; yours is {in_words(yours)}."
+    return f"J[{first}:{last}, {i}] should be {format_tuple(ours)}; yours is {format_tuple(yours)}."
 
 
 SPACE_JACOBIAN = Exercise(
@@ -87,7 +87,7 @@ SPACE_JACOBIAN = Exercise(
         Property(
             "the first column is the first screw axis: no joint stands before it",
             lambda J, screws, theta: near(J[:, 0], screws[0]),
-            seen=lambda J, screws, theta: f"That is {in_words(screws[0])}; yours is {in_words(J[:, 0])}.",
+            seen=lambda J, screws, theta: f"That is {format_tuple(screws[0])}; yours is {format_tuple(J[:, 0])}.",
         ),
         Property(
             "with all angles 0 the columns are the screw axes as they are",
@@ -110,61 +110,52 @@ SPACE_JACOBIAN = Exercise(
     mistakes=(
         few_digits(jacobian),
         *whole_numbers(jacobian),
-        *either(
-            (
-                "the screw axes are left as they are at home",
-                "An axis is carried by the joints before it (its own leaves it where it is): Ad(exp([S1] theta1)) S2.",
-            ),
+        Mistake(
+            "the screw axes are left as they are at home",
+            "An axis is carried by the joints before it (its own leaves it where it is): Ad(exp([S1] theta1)) S2.",
             lambda screws, theta: screws.T,
         ),
         *(mistake for words, wrong in ADJOINTS.items() for mistake in either(words, *map(with_adjoint, wrong))),
-        *either(
-            (
-                "each column leaves out the joint just before it",
-                "Column i is carried by all the joints before it, joint i - 1 included.",
-            ),
+        Mistake(
+            "each column leaves out the joint just before it",
+            "Column i is carried by all the joints before it, joint i - 1 included.",
             _moved_by(lambda turn: [np.eye(4), *products(turn)[:-2]]),
         ),
-        *either(
-            (
-                "each column is carried by the joint just before it only",
-                "Column i is carried by all the joints before it: multiply their exponentials up.",
-            ),
+        Mistake(
+            "each column is carried by the joint just before it only",
+            "Column i is carried by all the joints before it: multiply their exponentials up.",
             _moved_by(lambda turn: [np.eye(4), *turn[:-1]]),
         ),
-        *either(
-            (
-                "the exponentials are multiplied in the reverse order",
-                "T = T @ exp_se3(...): the exponential of joint 1 stays on the left.",
-            ),
+        Mistake(
+            "the exponentials are multiplied in the reverse order",
+            "T = T @ exp_se3(...): the exponential of joint 1 stays on the left.",
             _moved_by(lambda turn: [products(turn[:i][::-1])[-1] for i in range(len(turn))]),
             _moved_by(lambda turn: [products(turn[: i + 1][::-1])[-1] for i in range(len(turn))]),
         ),
-        *either(
-            ("every column is carried by all the joints", "Column i is carried by the joints before it only."),
+        Mistake(
+            "every column is carried by all the joints",
+            "Column i is carried by the joints before it only.",
             _moved_by(lambda turn: [products(turn)[-1]] * len(turn)),
         ),
-        *either(
-            (
-                "each column is carried by the joints behind it",
-                "Joint 1 carries joint 2, not the other way round: column i has the exponentials of joints 1 to i - 1.",
-            ),
+        Mistake(
+            "each column is carried by the joints behind it",
+            "Joint 1 carries joint 2, not the other way round: column i has the exponentials of joints 1 to i - 1.",
             _moved_by(lambda turn: [products(turn[i + 1 :])[-1] for i in range(len(turn))]),
             _moved_by(lambda turn: [products(turn[i:])[-1] for i in range(len(turn))]),
         ),
-        *either(
-            (
-                "the body Jacobian is returned",
-                "That is seen from the hand. The space Jacobian is seen from the space frame: no inverse is needed.",
-            ),
+        Mistake(
+            "the body Jacobian is returned",
+            "That is seen from the hand. The space Jacobian is seen from the space frame: no inverse is needed.",
             lambda screws, theta: adjoint(inverse(products(turns(screws, theta))[-1])) @ jacobian(screws, theta),
         ),
-        *either(
-            ("the adjoint is that of the inverse", "Ad(T) with T = exp([S1] theta1) ... as it is, not its inverse."),
+        Mistake(
+            "the adjoint is that of the inverse",
+            "Ad(T) with T = exp([S1] theta1) ... as it is, not its inverse.",
             _moved_by(lambda turn: [inverse(T) for T in products(turn)[:-1]]),
         ),
-        *either(
-            ("the exponentials are added up", "One motion after another is a product: @."),
+        Mistake(
+            "the exponentials are added up",
+            "One motion after another is a product: @.",
             lambda screws, theta: columns(
                 [
                     np.block([[T[:3, :3], np.zeros((3, 3))], [hat(T[:3, 3]) @ T[:3, :3], T[:3, :3]]])
@@ -173,33 +164,36 @@ SPACE_JACOBIAN = Exercise(
                 screws,
             ),
         ),
-        *either(
-            ("v stands above omega", "Twists are (omega, v): the first three rows are omega."),
+        Mistake(
+            "v stands above omega",
+            "Twists are (omega, v): the first three rows are omega.",
             lambda screws, theta: np.roll(jacobian(screws, theta), 3, axis=0),
             lambda screws, theta: jacobian(np.roll(screws, 3, axis=1), theta),
         ),
-        *either(
-            (
-                "the columns are multiplied by the angles",
-                "The Jacobian is multiplied by the speeds theta' later: the angles only say where the axes are.",
-            ),
+        Mistake(
+            "the columns are multiplied by the angles",
+            "The Jacobian is multiplied by the speeds theta' later: the angles only say where the axes are.",
             lambda screws, theta: jacobian(screws, theta) * theta,
         ),
-        *either(
-            ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
             lambda screws, theta: jacobian(screws, np.deg2rad(theta)),
             lambda screws, theta: jacobian(screws, np.rad2deg(theta)),
         ),
-        *either(
-            ("the joints turn the other way round", "exp([S] theta), without a minus: counter-clockwise about omega."),
+        Mistake(
+            "the joints turn the other way round",
+            "exp([S] theta), without a minus: counter-clockwise about omega.",
             lambda screws, theta: jacobian(screws, -theta),
         ),
-        *either(
-            ("the exponentials are taken without the angles", "exp([S] theta): theta times all six numbers of S."),
+        Mistake(
+            "the exponentials are taken without the angles",
+            "exp([S] theta): theta times all six numbers of S.",
             lambda screws, theta: jacobian(screws, 0 * theta + 1),
         ),
-        *either(
-            ("the numbers are in the right order, but broken into rows wrongly", "Transpose with .T, not by reshape."),
+        Mistake(
+            "the numbers are in the right order, but broken into rows wrongly",
+            "Transpose with .T, not by reshape.",
             lambda screws, theta: jacobian(screws, theta).T.reshape(6, -1),
         ),
     ),

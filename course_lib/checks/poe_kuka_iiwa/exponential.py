@@ -2,14 +2,13 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable, same
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, told
 from course_lib.checks.poe_kuka_iiwa.ways import degrees_inside, formed, partial_sum, turn, way, whole_length
-from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, length
 
@@ -78,7 +77,7 @@ def _goes_right(T, twist):
 def _tell_way(T, twist):
     right, p = _right_way(twist), T[COLUMN]
     off = np.abs(p - right).max()
-    return f"|omega| is {_angle(twist):.4g}. p should be {in_words(right)}; yours is {in_words(p)}, off by {off:.2g}."
+    return f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is {format_tuple(p)}, off by {off:.2g}."
 
 
 _in_block, _in_column = in_part(BLOCK, _right_block), in_part(COLUMN, _right_way)
@@ -93,7 +92,7 @@ EXP_SE3 = Exercise(
         Property(
             "the last row is (0, 0, 0, 1)",
             lambda T, twist: np.abs(T[3] - np.eye(4)[3]).max() < FINE,
-            seen=lambda T, twist: f"Yours is {in_words(T[3])}.",
+            seen=lambda T, twist: f"Yours is {format_tuple(T[3])}.",
             mistake=Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in R and p."),
         ),
         Property(
@@ -105,7 +104,7 @@ EXP_SE3 = Exercise(
         Property(
             "for v = 0 the origin stays where it is: p = 0",
             lambda T, twist: np.abs(T[COLUMN]).max() < FINE,
-            seen=lambda T, twist: f"Your p is {in_words(T[COLUMN])}.",
+            seen=lambda T, twist: f"Your p is {format_tuple(T[COLUMN])}.",
             where=lambda twist: not twist[3:].any(),
             mistake=_NO_FACTOR_V,
         ),
@@ -124,45 +123,45 @@ EXP_SE3 = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "small angles are cut off: the turn is taken for none",
-                "Only |omega| = 0 needs a branch of its own; 1e-7 is no zero, and the formula takes it.",
-            ),
+        Mistake(
+            "small angles are cut off: the turn is taken for none",
+            "Only |omega| = 0 needs a branch of its own; 1e-7 is no zero, and the formula takes it.",
             lambda twist: pose(_right_block(twist), twist[3:]) if 0 < _angle(twist) < 1e-3 else None,
             lambda twist: pose(np.eye(3), twist[3:]) if 0 < _angle(twist) < 1e-3 else None,
         ),
-        *either(
-            ("v and omega are swapped", "A twist is (omega, v): the first three entries are omega."),
+        Mistake(
+            "v and omega are swapped",
+            "A twist is (omega, v): the first three entries are omega.",
             lambda twist: exp_se3(np.roll(twist, 3)),
         ),
-        *either(
-            ("the motion goes backwards: this is the inverse pose", "Look at the signs in [n], and in v."),
+        Mistake(
+            "the motion goes backwards: this is the inverse pose",
+            "Look at the signs in [n], and in v.",
             lambda twist: exp_se3(-twist),
         ),
-        *either(
-            ("angles are taken for degrees", "Angles are radians everywhere; np.deg2rad is not needed."),
+        Mistake(
+            "angles are taken for degrees",
+            "Angles are radians everywhere; np.deg2rad is not needed.",
             lambda twist: exp_se3(np.append(np.deg2rad(twist[:3]), twist[3:])),
             lambda twist: exp_se3(np.append(np.rad2deg(twist[:3]), twist[3:])),
             degrees_inside,
         ),
-        *either(
-            ("np.exp takes each entry by itself", "The exponential of a matrix is another thing: scipy.linalg.expm."),
+        Mistake(
+            "np.exp takes each entry by itself",
+            "The exponential of a matrix is another thing: scipy.linalg.expm.",
             lambda twist: np.exp(hat_se3(twist)),
         ),
-        *either(
-            ("the series is cut after its first terms", "The closed formula adds up all of them."),
+        Mistake(
+            "the series is cut after its first terms",
+            "The closed formula adds up all of them.",
             *map(partial_sum, (2, 3, 4, 5, 8)),
         ),
-        *either(
-            ("a is the length of the whole twist", "a is the angle: the length of omega = twist[:3] alone."),
-            whole_length,
+        Mistake(
+            "a is the length of the whole twist", "a is the angle: the length of omega = twist[:3] alone.", whole_length
         ),
-        *either(
-            (
-                "omega is not divided by its length before [n] is formed",
-                "n is a unit axis in these formulas: n = omega / a.",
-            ),
+        Mistake(
+            "omega is not divided by its length before [n] is formed",
+            "n is a unit axis in these formulas: n = omega / a.",
             formed(turn(unit_axis=False), way(unit_axis=False)),
             formed(turn(), way(unit_axis=False)),
             formed(turn(unit_axis=False), way()),

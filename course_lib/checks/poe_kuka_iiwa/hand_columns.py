@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     arms,
@@ -18,7 +19,6 @@ from course_lib.checks.poe_kuka_iiwa.hands import hand
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_adjoints import ADJOINTS
 from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse
 from course_lib.rotations import hat
 
@@ -88,7 +88,7 @@ BODY_JACOBIAN = Exercise(
             "the last column is Ad(M^-1) Sn at all angles: the last joint does not move in the hand's frame",
             lambda J, screws, M, theta: near(J[:, -1], adjoint(inverse(M)) @ screws[-1]),
             seen=lambda J, screws, M, theta: (
-                f"That is {in_words(adjoint(inverse(M)) @ screws[-1])}; yours is {in_words(J[:, -1])}."
+                f"That is {format_tuple(adjoint(inverse(M)) @ screws[-1])}; yours is {format_tuple(J[:, -1])}."
             ),
         ),
         Property(
@@ -106,65 +106,57 @@ BODY_JACOBIAN = Exercise(
     mistakes=(
         few_digits(seen_from_the_hand),
         *whole_numbers(seen_from_the_hand),
-        *either(
-            ("the space Jacobian is returned", "That is seen from the space frame. Ad(T^-1) takes it to the hand's."),
+        Mistake(
+            "the space Jacobian is returned",
+            "That is seen from the space frame. Ad(T^-1) takes it to the hand's.",
             lambda screws, M, theta: jacobian(screws, theta),
         ),
-        *either(
-            (
-                "Ad(T) stands where Ad(T^-1) belongs",
-                "T takes coordinates in the hand to those in space. Here it goes the other way: Ad(T^-1).",
-            ),
+        Mistake(
+            "Ad(T) stands where Ad(T^-1) belongs",
+            "T takes coordinates in the hand to those in space. Here it goes the other way: Ad(T^-1).",
             lambda screws, M, theta: adjoint(hand(screws, M, theta)) @ jacobian(screws, theta),
         ),
-        *either(
-            ("M is missing in T", "T = exp([S1] theta1) ... exp([Sn] thetan) M, with M last."),
+        Mistake(
+            "M is missing in T",
+            "T = exp([S1] theta1) ... exp([Sn] thetan) M, with M last.",
             _seen_from(lambda screws, M, theta: products(turns(screws, theta))[-1]),
         ),
-        *either(
-            ("M stands on the left in T", "T = exp([S1] theta1) ... exp([Sn] thetan) M, with M last."),
+        Mistake(
+            "M stands on the left in T",
+            "T = exp([S1] theta1) ... exp([Sn] thetan) M, with M last.",
             _seen_from(lambda screws, M, theta: M @ products(turns(screws, theta))[-1]),
         ),
-        *either(
-            (
-                "the exponentials in T are multiplied in the reverse order",
-                "Joint 1 carries all the others: its exponential stands first, on the left.",
-            ),
+        Mistake(
+            "the exponentials in T are multiplied in the reverse order",
+            "Joint 1 carries all the others: its exponential stands first, on the left.",
             _seen_from(lambda screws, M, theta: products(turns(screws, theta)[::-1])[-1] @ M),
         ),
-        *either(
-            (
-                "the hand is taken where it is at home",
-                "T = exp([S1] theta1) ... exp([Sn] thetan) M: M alone is the hand's pose at theta = 0.",
-            ),
+        Mistake(
+            "the hand is taken where it is at home",
+            "T = exp([S1] theta1) ... exp([Sn] thetan) M: M alone is the hand's pose at theta = 0.",
             _seen_from(lambda screws, M, theta: M),
         ),
-        *either(
-            ("the Jacobian is the one at home", _HOME),
-            lambda screws, M, theta: adjoint(inverse(M)) @ screws.T,
-        ),
-        *either(
-            ("the screw axes are left as they are at home", _HOME),
+        Mistake("the Jacobian is the one at home", _HOME, lambda screws, M, theta: adjoint(inverse(M)) @ screws.T),
+        Mistake(
+            "the screw axes are left as they are at home",
+            _HOME,
             lambda screws, M, theta: adjoint(inverse(hand(screws, M, theta))) @ screws.T,
             lambda screws, M, theta: screws.T,
         ),
-        *either(
-            (
-                "the columns are only rotated, not moved to the hand's origin",
-                "The matrix is Ad(T^-1), all of it: its block on the lower left brings v to the hand's origin.",
-            ),
+        Mistake(
+            "the columns are only rotated, not moved to the hand's origin",
+            "The matrix is Ad(T^-1), all of it: its block on the lower left brings v to the hand's origin.",
             _changed_by(lambda R, p: np.kron(np.eye(2), R.T)),
             _changed_by(lambda R, p: np.kron(np.eye(2), R)),
         ),
-        *either(
-            (
-                "the columns are only moved to the hand's origin, not turned into its frame",
-                "The body Jacobian has the hand's own directions: R^T is left to do. Ad(T^-1) does both.",
-            ),
+        Mistake(
+            "the columns are only moved to the hand's origin, not turned into its frame",
+            "The body Jacobian has the hand's own directions: R^T is left to do. Ad(T^-1) does both.",
             _changed_by(lambda R, p: np.block([[np.eye(3), 0 * R], [-hat(p), np.eye(3)]])),
         ),
-        *either(
-            ("Ad(T) is transposed where it is to be inverted", "For rotations R^T is R^-1; for Ad(T) it is not so."),
+        Mistake(
+            "Ad(T) is transposed where it is to be inverted",
+            "For rotations R^T is R^-1; for Ad(T) it is not so.",
             lambda screws, M, theta: adjoint(hand(screws, M, theta)).T @ jacobian(screws, theta),
             lambda screws, M, theta: adjoint(inverse(hand(screws, M, theta))).T @ jacobian(screws, theta),
         ),
@@ -174,46 +166,44 @@ BODY_JACOBIAN = Exercise(
             for one in wrong
             for mistake in either(words, *_with_adjoint(one))
         ),
-        *either(
-            ("v stands above omega", "Twists are (omega, v): the first three rows are omega."),
+        Mistake(
+            "v stands above omega",
+            "Twists are (omega, v): the first three rows are omega.",
             lambda screws, M, theta: np.roll(seen_from_the_hand(screws, M, theta), 3, axis=0),
             lambda screws, M, theta: seen_from_the_hand(np.roll(screws, 3, axis=1), M, theta),
         ),
-        *either(
-            (
-                "the exponentials of the hand's axes lack their minus",
-                "Begun at the hand, column i is Ad(exp(-[Bn] thetan) ... exp(-[B_{i+1}] theta_{i+1})) B_i.",
-            ),
+        Mistake(
+            "the exponentials of the hand's axes lack their minus",
+            "Begun at the hand, column i is Ad(exp(-[Bn] thetan) ... exp(-[B_{i+1}] theta_{i+1})) B_i.",
             _from_the_end(lambda turn, i: turn[i + 1 :][::-1], 1),
         ),
-        *either(
-            (
-                "the exponentials of the hand's axes are in the wrong order",
-                "Begun at the hand, column i is Ad(exp(-[Bn] thetan) ... exp(-[B_{i+1}] theta_{i+1})) B_i.",
-            ),
+        Mistake(
+            "the exponentials of the hand's axes are in the wrong order",
+            "Begun at the hand, column i is Ad(exp(-[Bn] thetan) ... exp(-[B_{i+1}] theta_{i+1})) B_i.",
             _from_the_end(lambda turn, i: turn[i + 1 :]),
             _from_the_end(lambda turn, i: turn[:i]),
             _from_the_end(lambda turn, i: turn[:i], 1),
             _from_the_end(lambda turn, i: turn[i + 1 :], 1),
         ),
-        *either(
-            ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
             lambda screws, M, theta: seen_from_the_hand(screws, M, np.deg2rad(theta)),
             lambda screws, M, theta: seen_from_the_hand(screws, M, np.rad2deg(theta)),
         ),
-        *either(
-            ("the joints turn the other way round", "exp([S] theta), without a minus: counter-clockwise about omega."),
+        Mistake(
+            "the joints turn the other way round",
+            "exp([S] theta), without a minus: counter-clockwise about omega.",
             lambda screws, M, theta: seen_from_the_hand(screws, M, -theta),
         ),
-        *either(
-            (
-                "the columns are multiplied by the angles",
-                "The Jacobian is multiplied by the speeds theta' later: the angles only say where the axes are.",
-            ),
+        Mistake(
+            "the columns are multiplied by the angles",
+            "The Jacobian is multiplied by the speeds theta' later: the angles only say where the axes are.",
             lambda screws, M, theta: seen_from_the_hand(screws, M, theta) * theta,
         ),
-        *either(
-            ("the numbers are in the right order, but broken into rows wrongly", "Transpose with .T, not by reshape."),
+        Mistake(
+            "the numbers are in the right order, but broken into rows wrongly",
+            "Transpose with .T, not by reshape.",
             lambda screws, M, theta: seen_from_the_hand(screws, M, theta).T.reshape(6, -1),
         ),
     ),

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     SAME_TWICE,
     WHOLE,
@@ -16,9 +18,7 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
     whole_numbers,
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE, near
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either, orthogonality_error
-from course_lib.checks.words import in_words
+from course_lib.checks.rotations.predicates import orthogonality_error
 from course_lib.rigid import exp_se3
 
 _ONLY_PART = Mistake(
@@ -46,11 +46,11 @@ def hand(screws, M, theta):
 def _off_the_hand(T, screws, M, theta):
     right = hand(screws, M, theta)
     if not near(T[:3, 3], right[:3, 3]):
-        return f"The hand is at {in_words(right[:3, 3])}; the last column of yours says {in_words(T[:3, 3])}."
+        return f"The hand is at {format_tuple(right[:3, 3])}; the last column of yours says {format_tuple(T[:3, 3])}."
     i = int(np.argmax(np.abs(T[:3, :3] - right[:3, :3]).max(0)))
     return (
         f"Your hand is where it should be, but is not turned as it should: its {'xyz'[i]} axis, column {i}, is "
-        f"{in_words(right[:3, i])}; yours is {in_words(T[:3, i])}."
+        f"{format_tuple(right[:3, i])}; yours is {format_tuple(T[:3, i])}."
     )
 
 
@@ -110,7 +110,7 @@ FORWARD_KINEMATICS = Exercise(
         Property(
             "the last row of T is (0, 0, 0, 1)",
             lambda T, screws, M, theta: near(T[3], [0, 0, 0, 1]),
-            seen=lambda T, screws, M, theta: f"Yours is {in_words(T[3])}.",
+            seen=lambda T, screws, M, theta: f"Yours is {format_tuple(T[3])}.",
         ),
         Property(
             "the block R of T is a rotation: R^T R = I and det R = 1",
@@ -132,124 +132,116 @@ FORWARD_KINEMATICS = Exercise(
     mistakes=(
         few_digits(hand),
         *whole_numbers(hand),
-        *either(
-            (
-                "M is missing, as in the formula that the report prints",
-                "The exponentials only move the hand away from home. Its pose at home is M: ... exp([Sn] thetan) M.",
-            ),
+        Mistake(
+            "M is missing, as in the formula that the report prints",
+            "The exponentials only move the hand away from home. Its pose at home is M: ... exp([Sn] thetan) M.",
             lambda screws, M, theta: products(turns(screws, theta))[-1],
         ),
-        *either(
-            (
-                "M stands on the left of the exponentials",
-                "The screw axes are seen from the space frame, so they act on M from the left: M comes last.",
-            ),
+        Mistake(
+            "M stands on the left of the exponentials",
+            "The screw axes are seen from the space frame, so they act on M from the left: M comes last.",
             lambda screws, M, theta: M @ products(turns(screws, theta))[-1],
         ),
-        *either(
-            (
-                "the exponentials are multiplied in the reverse order",
-                "Joint 1 carries all the others: its exponential stands first, on the left.",
-            ),
+        Mistake(
+            "the exponentials are multiplied in the reverse order",
+            "Joint 1 carries all the others: its exponential stands first, on the left.",
             lambda screws, M, theta: products(turns(screws, theta)[::-1])[-1] @ M,
             lambda screws, M, theta: M @ products(turns(screws, theta)[::-1])[-1],
             lambda screws, M, theta: products(turns(screws, theta)[::-1])[-1],
         ),
-        *either(
-            ("the exponentials are added up", "One motion after another is a product: @."),
+        Mistake(
+            "the exponentials are added up",
+            "One motion after another is a product: @.",
             lambda screws, M, theta: turns(screws, theta).sum(0) @ M,
             lambda screws, M, theta: (np.eye(4) + turns(screws, theta).sum(0)) @ M,
         ),
-        *either(
-            (
-                "the twists are added up, and one exponential is taken of the sum",
-                "For matrices exp(A) exp(B) is not exp(A + B): one exponential for each joint, then the product.",
-            ),
+        Mistake(
+            "the twists are added up, and one exponential is taken of the sum",
+            "For matrices exp(A) exp(B) is not exp(A + B): one exponential for each joint, then the product.",
             lambda screws, M, theta: exp_se3(theta @ screws) @ M,
         ),
-        *either(
-            ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
             lambda screws, M, theta: hand(screws, M, np.deg2rad(theta)),
             lambda screws, M, theta: hand(screws, M, np.rad2deg(theta)),
         ),
-        *either(
-            ("the joints turn the other way round", "exp([S] theta), without a minus: counter-clockwise about omega."),
+        Mistake(
+            "the joints turn the other way round",
+            "exp([S] theta), without a minus: counter-clockwise about omega.",
             lambda screws, M, theta: hand(screws, M, -theta),
         ),
-        *either(
-            ("the last joint is left out", "range(n) goes from 0 to n - 1: do not take 1 off once more."),
+        Mistake(
+            "the last joint is left out",
+            "range(n) goes from 0 to n - 1: do not take 1 off once more.",
             _some(slice(-1)),
         ),
-        *either(("the first joint is left out", "In Python counting begins at 0: screws[0]."), _some(slice(1, None))),
-        *either(
-            ("only one joint turns the hand", "T = T @ exp(...) in the loop, so that each joint adds its turn."),
+        Mistake("the first joint is left out", "In Python counting begins at 0: screws[0].", _some(slice(1, None))),
+        Mistake(
+            "only one joint turns the hand",
+            "T = T @ exp(...) in the loop, so that each joint adds its turn.",
             _some(slice(-1, None)),
             _some(slice(1)),
         ),
-        *either(
-            (
-                "theta multiplies only one half of the screw axis",
-                "exp([S] theta): theta times all six numbers of S.",
-            ),
+        Mistake(
+            "theta multiplies only one half of the screw axis",
+            "exp([S] theta): theta times all six numbers of S.",
             _scaled(True, False),
             _scaled(False, True),
         ),
-        *either(
-            ("the angles are not used", "exp([S] theta): theta times all six numbers of S."), _scaled(False, False)
-        ),
-        *either(
-            (
-                "the halves of the screw axes are swapped",
-                "The order in this course is (omega, v): S[:3] is omega, S[3:] is v.",
-            ),
+        Mistake("the angles are not used", "exp([S] theta): theta times all six numbers of S.", _scaled(False, False)),
+        Mistake(
+            "the halves of the screw axes are swapped",
+            "The order in this course is (omega, v): S[:3] is omega, S[3:] is v.",
             lambda screws, M, theta: hand(_swapped(screws), M, theta),
         ),
-        *either(
-            ("the product is entry by entry", "In numpy the matrix product is @."),
+        Mistake(
+            "the product is entry by entry",
+            "In numpy the matrix product is @.",
             lambda screws, M, theta: products(turns(screws, theta))[-1] * M,
             lambda screws, M, theta: _entry_by_entry(screws, M, theta) * M,
             lambda screws, M, theta: _entry_by_entry(screws, M, theta) @ M,
             lambda screws, M, theta: np.prod(turns(screws, theta), axis=0) @ M,
             lambda screws, M, theta: np.prod(turns(screws, theta), axis=0) * M,
         ),
-        *either(
-            (
-                "the inverse of T is returned",
-                "T takes coordinates in the hand to those in space: no inverse is needed.",
-            ),
+        Mistake(
+            "the inverse of T is returned",
+            "T takes coordinates in the hand to those in space: no inverse is needed.",
             lambda screws, M, theta: np.linalg.inv(hand(screws, M, theta)),
         ),
-        *either(
-            ("M is inverted", "M is the hand's pose at home, as it is."),
+        Mistake(
+            "M is inverted",
+            "M is the hand's pose at home, as it is.",
             lambda screws, M, theta: hand(screws, np.linalg.inv(M), theta),
         ),
-        *either(
-            ("T is transposed", "T = [[R, p], [0, 1]]: p is the last column."),
+        Mistake(
+            "T is transposed",
+            "T = [[R, p], [0, 1]]: p is the last column.",
             lambda screws, M, theta: hand(screws, M, theta).T,
         ),
-        *either(
-            ("M comes in once for each joint", "M comes in once, after the last exponential."),
+        Mistake(
+            "M comes in once for each joint",
+            "M comes in once, after the last exponential.",
             _with_M_each_time,
             lambda screws, M, theta: _with_M_each_time(screws, M, theta) @ M,
         ),
-        *either(
-            ("M is multiplied on both sides", "M comes in once, after the last exponential."),
+        Mistake(
+            "M is multiplied on both sides",
+            "M comes in once, after the last exponential.",
             lambda screws, M, theta: M @ hand(screws, M, theta),
             lambda screws, M, theta: np.linalg.inv(M) @ hand(screws, M, theta),
         ),
-        *either(
-            ("the angles go with the wrong joints", "screws[i] goes with theta[i]."),
+        Mistake(
+            "the angles go with the wrong joints",
+            "screws[i] goes with theta[i].",
             lambda screws, M, theta: hand(screws, M, theta[::-1]),
         ),
-        *either(
-            ("the hand stays at home", "T = M for theta = 0 only. Does the loop change T?"),
-            lambda screws, M, theta: M,
+        Mistake(
+            "the hand stays at home", "T = M for theta = 0 only. Does the loop change T?", lambda screws, M, theta: M
         ),
-        *either(
-            (
-                "the place is right and the turn is left out",
-                "The product of the exponentials and M gives R and p at once.",
-            ),
+        Mistake(
+            "the place is right and the turn is left out",
+            "The product of the exponentials and M gives R and p at once.",
             lambda screws, M, theta: np.column_stack([np.eye(4)[:, :3], hand(screws, M, theta)[:, 3]]),
             lambda screws, M, theta: np.column_stack([M[:, :3], hand(screws, M, theta)[:, 3]]),
         ),

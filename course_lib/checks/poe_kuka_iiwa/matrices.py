@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, same
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 FINE = 1e-9  # what a right answer may be off by, relative to its size
 
@@ -22,7 +22,7 @@ def told(columns, right):
         part, wanted = columns(answer), right(*case)
         k = np.abs(part - wanted).max(axis=0).argmax()
         which = ("first", "second", "third")[k]
-        return f"Its {which} column should be {in_words(wanted[:, k])}. Yours is {in_words(part[:, k])}."
+        return f"Its {which} column should be {format_tuple(wanted[:, k])}. Yours is {format_tuple(part[:, k])}."
 
     return seen
 

@@ -2,12 +2,11 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rotations import random_rotations, rot_x, rot_y, rot_z
 
 _NO_ROW = Mistake("the last row is missing", "Start from np.eye(4) and fill in the block and the column.")
@@ -51,7 +50,7 @@ INVERSE = Exercise(
         Property(
             "the last row is (0, 0, 0, 1)",
             lambda X, T: np.abs(X[3] - np.eye(4)[3]).max() < FINE,
-            seen=lambda X, T: f"Yours is {in_words(X[3])}.",
+            seen=lambda X, T: f"Yours is {format_tuple(X[3])}.",
             mistake=Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in block and column."),
         ),
         Property(
@@ -63,19 +62,19 @@ INVERSE = Exercise(
             "the inverse takes the point p to the origin, as T takes the origin to p",
             lambda X, T: near(X[COLUMN], _right_column(T)),
             seen=lambda X, T: (
-                f"p is {in_words(T[COLUMN])}; your pose takes it to {in_words(X[BLOCK] @ T[COLUMN] + X[COLUMN])}."
+                f"p is {format_tuple(T[COLUMN])}; your pose takes it to {format_tuple(X[BLOCK] @ T[COLUMN] + X[COLUMN])}."
             ),
         ),
     ),
     mistakes=(
-        *either(("T itself is returned", "The inverse turns back and goes back."), lambda T: T),
-        *either(
-            ("the whole of T is transposed", "Only the block R is: p is turned back and changes its sign."),
-            lambda T: T.T,
+        Mistake("T itself is returned", "The inverse turns back and goes back.", lambda T: T),
+        Mistake(
+            "the whole of T is transposed", "Only the block R is: p is turned back and changes its sign.", lambda T: T.T
         ),
-        *either(("T changes its sign", "-T undoes no motion: turn back by R^T, then go back."), lambda T: -T),
-        *either(
-            ("every entry is inverted by itself", "1 / T or T ** -1 takes each entry by itself; a pose wants R^T."),
+        Mistake("T changes its sign", "-T undoes no motion: turn back by R^T, then go back.", lambda T: -T),
+        Mistake(
+            "every entry is inverted by itself",
+            "1 / T or T ** -1 takes each entry by itself; a pose wants R^T.",
             lambda T: 1 / T if T.all() else None,
         ),
         Mistake(

@@ -4,11 +4,10 @@ from itertools import permutations
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import FINE
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rotations import exp_so3, hat
 
 _A_VECTOR = Mistake(
@@ -35,8 +34,8 @@ def _wrong_columns(W, w):
 
 def _tell_column(W, w):
     k = _wrong_columns(W, w)[0]
-    right, e = in_words(hat(w)[:, k]), in_words(np.eye(3)[k])
-    return f"For p = {e}, w x p is {right}; your [w] p is {in_words(W[:, k])}."
+    right, e = format_tuple(hat(w)[:, k]), format_tuple(np.eye(3)[k])
+    return f"For p = {e}, w x p is {right}; your [w] p is {format_tuple(W[:, k])}."
 
 
 def _mirrored(half):
@@ -71,24 +70,21 @@ HAT = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            (
-                "the matrix is transposed: it makes p x w of p",
-                "The first column is w x e for the x axis e: (0, w3, -w2).",
-            ),
+        Mistake(
+            "the matrix is transposed: it makes p x w of p",
+            "The first column is w x e for the x axis e: (0, w3, -w2).",
             lambda w: hat(-w),
         ),
-        *either(
-            (
-                "the matrix is symmetric: the signs on both sides of the diagonal are the same",
-                "Below the diagonal stand w3, -w2, w1; above it the same with the other sign.",
-            ),
+        Mistake(
+            "the matrix is symmetric: the signs on both sides of the diagonal are the same",
+            "Below the diagonal stand w3, -w2, w1; above it the same with the other sign.",
             lambda w: hat(w) * hat([1.0, 1, 1]),
             _mirrored(np.tril),
             _mirrored(np.triu),
         ),
-        *either(
-            ("one half of the matrix is empty", "[w]^T = -[w]: each entry of w stands in it twice, once with a minus."),
+        Mistake(
+            "one half of the matrix is empty",
+            "[w]^T = -[w]: each entry of w stands in it twice, once with a minus.",
             lambda w: np.tril(hat(w)),
             lambda w: np.triu(hat(w)),
         ),
@@ -97,20 +93,23 @@ HAT = Exercise(
             "The x component of w x p holds p2 and p3, never p1: the diagonal is zero.",
             seen=_on_the_diagonal,
         ),
-        *either(
-            ("w is divided by its length", "[w] grows with w. Only Rodrigues' formula wants a unit axis."),
+        Mistake(
+            "w is divided by its length",
+            "[w] grows with w. Only Rodrigues' formula wants a unit axis.",
             lambda w: hat(w / np.linalg.norm(w)) if w.any() else None,
         ),
-        *either(
-            ("the rotation matrix of w is returned", "[w] is what the exponential is taken of: it is linear in w."),
+        Mistake(
+            "the rotation matrix of w is returned",
+            "[w] is what the exponential is taken of: it is linear in w.",
             exp_so3,
         ),
-        *either(("[w] is squared", "One factor [w] is one cross product."), lambda w: hat(w) @ hat(w)),
-        *either(
-            ("the outer product w w^T is returned", "np.outer multiplies each entry with each other; w x p subtracts."),
+        Mistake("[w] is squared", "One factor [w] is one cross product.", lambda w: hat(w) @ hat(w)),
+        Mistake(
+            "the outer product w w^T is returned",
+            "np.outer multiplies each entry with each other; w x p subtracts.",
             lambda w: np.outer(w, w),
         ),
-        *either(("w stands on the diagonal", "diag(w) p multiplies entry by entry: no cross product."), np.diag),
+        Mistake("w stands on the diagonal", "diag(w) p multiplies entry by entry: no cross product.", np.diag),
         Mistake(
             "some signs in it are wrong",
             "w x p = (w2 p3 - w3 p2, w3 p1 - w1 p3, w1 p2 - w2 p1): the signs can be read off.",

@@ -2,11 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.matrices import BLOCK, COLUMN, FINE, in_part, near, told
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import hat
 
@@ -55,42 +54,44 @@ HAT_SE3 = Exercise(
         Property(
             "the last column begins with v = twist[3:]",
             lambda V, twist: _fits(V[COLUMN], _column(twist)),
-            seen=lambda V, twist: f"v is {in_words(twist[3:])}; your column begins with {in_words(V[COLUMN])}.",
+            seen=lambda V, twist: f"v is {format_tuple(twist[3:])}; your column begins with {format_tuple(V[COLUMN])}.",
         ),
         Property(
             "the last row is (0, 0, 0, 0)",
             lambda V, twist: not V[3].any(),
-            seen=lambda V, twist: f"Yours is {in_words(V[3])}.",
+            seen=lambda V, twist: f"Yours is {format_tuple(V[3])}.",
             mistake=Mistake("the last row is not zero", "A twist is a velocity: nothing of a point's last 1 changes."),
         ),
     ),
     mistakes=(
-        *either(
-            ("v and omega are swapped", "A twist is (omega, v): the first three entries are omega."),
+        Mistake(
+            "v and omega are swapped",
+            "A twist is (omega, v): the first three entries are omega.",
             lambda twist: hat_se3(np.roll(twist, 3)),
         ),
-        *either(
-            ("the whole matrix is transposed: v stands in the last row", "v is a column, above the last row's 0."),
+        Mistake(
+            "the whole matrix is transposed: v stands in the last row",
+            "v is a column, above the last row's 0.",
             lambda twist: hat_se3(twist).T,
         ),
-        *either(
-            ("v stands in the last row, not in the last column", "V[:3, 3] = v fills the column."),
+        Mistake(
+            "v stands in the last row, not in the last column",
+            "V[:3, 3] = v fills the column.",
             lambda twist: _made(hat(twist[:3]), np.zeros(3), np.append(twist[3:], 0)),
             lambda twist: _made(hat(twist[:3]), np.zeros(3), np.append(-twist[3:], 0)),
         ),
-        *either(
-            (
-                "the matrix is made skew-symmetric: v stands in the last row as well",
-                "For all its name, this hat is not skew-symmetric: its last row is zero.",
-            ),
+        Mistake(
+            "the matrix is made skew-symmetric: v stands in the last row as well",
+            "For all its name, this hat is not skew-symmetric: its last row is zero.",
             lambda twist: _made(hat(twist[:3]), twist[3:], np.append(-twist[3:], 0)),
             lambda twist: _made(hat(twist[:3]), twist[3:], np.append(twist[3:], 0)),
         ),
-        *either(
-            ("the identity is added", "That is a pose for a small twist, I + [V]; asked for is [V] itself."),
+        Mistake(
+            "the identity is added",
+            "That is a pose for a small twist, I + [V]; asked for is [V] itself.",
             lambda twist: np.eye(4) + hat_se3(twist),
         ),
-        *either(("the exponential is returned", "[V] is what the exponential is taken of."), exp_se3),
+        Mistake("the exponential is returned", "[V] is what the exponential is taken of.", exp_se3),
         Mistake(
             "the last row is that of a pose, (0, 0, 0, 1)",
             "A pose maps points to points, which end in 1; this one gives velocities, which end in 0.",

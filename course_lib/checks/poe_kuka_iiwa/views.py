@@ -4,7 +4,9 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.poe_kuka_iiwa.chains import (
     X,
     Y,
@@ -17,9 +19,6 @@ from course_lib.checks.poe_kuka_iiwa.chains import (
 )
 from course_lib.checks.poe_kuka_iiwa.matrices import near
 from course_lib.checks.poe_kuka_iiwa.wrong_views import MISTAKES
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
-from course_lib.checks.words import in_words
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
@@ -79,7 +78,7 @@ def _of_the_third(V_s, T):
 
 
 def _is(rows, k, half, right):
-    return f"That is {in_words(right[k, half])}; yours is {in_words(rows[k, half])}."
+    return f"That is {format_tuple(right[k, half])}; yours is {format_tuple(rows[k, half])}."
 
 
 _OMEGA, _V = slice(3), slice(3, 6)
@@ -103,7 +102,7 @@ TWIST_IN_FRAMES = Exercise(
         Property(
             "row 0 is the twist as the space frame sees it: V_s itself",
             lambda rows, V_s, T: near(rows[0], V_s),
-            seen=lambda rows, V_s, T: f"Yours is {in_words(rows[0])}.",
+            seen=lambda rows, V_s, T: f"Yours is {format_tuple(rows[0])}.",
         ),
         _property("row 2, omega: the third frame is turned as the space frame is, so omega is the same", 2, _OMEGA),
         _property("row 2, v: the velocity of the hand's origin p, which is p' = v + omega x p", 2, _V),
@@ -115,21 +114,24 @@ TWIST_IN_FRAMES = Exercise(
     mistakes=(
         few_digits(three_views),
         *whole_numbers(three_views)[:2],
-        *either(
-            ("the rows are in another order", "Row 0 is the space frame, row 1 the hand's, row 2 the third."),
+        Mistake(
+            "the rows are in another order",
+            "Row 0 is the space frame, row 1 the hand's, row 2 the third.",
             *(
                 lambda V_s, T, order=order: three_views(V_s, T)[list(order)]
                 for order in itertools.permutations(range(3))
                 if order != (0, 1, 2)
             ),
         ),
-        *either(
-            ("v stands before omega", "Twists are (omega, v) in this course: V_s[:3] is omega."),
+        Mistake(
+            "v stands before omega",
+            "Twists are (omega, v) in this course: V_s[:3] is omega.",
             lambda V_s, T: np.roll(three_views(V_s, T), 3, axis=1),
             lambda V_s, T: np.roll(three_views(np.roll(V_s, 3), T), 3, axis=1),
         ),
-        *either(
-            ("the three rows are all V_s", "The space frame sees V_s; the other two see other numbers."),
+        Mistake(
+            "the three rows are all V_s",
+            "The space frame sees V_s; the other two see other numbers.",
             lambda V_s, T: np.array([V_s] * 3),
         ),
         *MISTAKES,

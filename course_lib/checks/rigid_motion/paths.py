@@ -7,9 +7,9 @@ from itertools import product
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.words import as_array
+from course_lib.checks.format_numbers import format_array
 from course_lib.planar import quintic_time_scaling, wrap_angle
 
 TURN = 2 * np.pi
@@ -78,7 +78,7 @@ def ends(angles, item):
         Property(
             f"the {word} {item} is {name}",
             lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], angles, start, goal),
-            seen=lambda rows, start, goal, n, k=k: f"Yours is {as_array(rows[k])}.",
+            seen=lambda rows, start, goal, n, k=k: f"Yours is {format_array(rows[k])}.",
         )
         for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
     )

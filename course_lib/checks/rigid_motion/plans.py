@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.words import in_words
+from course_lib.checks.format_numbers import format_tuple
 
 FINE = 1e-9
 TURN = 2 * np.pi
@@ -57,11 +57,7 @@ def near(rows, others, turning, tolerance=1e-6):
 def like(turning, words, *answers):
     """One mistake, name and hint in `words`, that may be made in more than one way: each an answer, as for Mistake."""
     name, hint = words
-
-    def seen(answer):
-        return lambda rows, *case: near(rows, answer(*case), turning)
-
-    return tuple(Mistake(name, hint, answer, seen(answer)) for answer in answers)
+    return (Mistake(name, hint, *answers, alike=lambda rows, predicted, *case: near(rows, predicted, turning)),)
 
 
 def _ends(plan, dt):
@@ -79,7 +75,7 @@ def form(turning):
         Property(
             "the first row is start",
             lambda rows, start, plan, dt: near(rows[:1], [start], turning, FINE),
-            seen=lambda rows, *case: f"Yours is {in_words(rows[0])}." if len(rows) else "Yours has no row.",
+            seen=lambda rows, *case: f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row.",
         ),
         Property(
             "after start there is one row for each step",
@@ -106,8 +102,8 @@ STEP_LENGTHS = Property(
     "each step is dt long, and the last one of a pair is shorter where it must be to end on time",
     lambda rows, start, plan, dt: np.abs(_lengths_gone(rows, plan, dt) - steps(plan, dt)[1]).max() < FINE,
     seen=lambda rows, start, plan, dt: (
-        f"By the way you go, yours are {in_words(_lengths_gone(rows, plan, dt))} s long; "
-        f"they should be {in_words(steps(plan, dt)[1])}."
+        f"By the way you go, yours are {format_tuple(_lengths_gone(rows, plan, dt))} s long; "
+        f"they should be {format_tuple(steps(plan, dt)[1])}."
     ),
     where=straight,
 )

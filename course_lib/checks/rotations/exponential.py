@@ -2,9 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 
 
@@ -83,77 +82,79 @@ EXP_SO3 = Exercise(
             "Only |w| = 0 needs a branch of its own; a small angle is no zero.",
             seen=lambda R, w: np.array_equal(R, np.eye(3)) and 0 < np.linalg.norm(w) < 0.1,
         ),
-        *either(
-            (
-                "R^T is returned: the rotation goes the other way round",
-                "Look at the signs in [w]: [w] p must be w x p.",
-            ),
+        Mistake(
+            "R^T is returned: the rotation goes the other way round",
+            "Look at the signs in [w]: [w] p must be w x p.",
             lambda w: exp_so3(-w),
         ),
-        *either(
-            (
-                "w is not divided by its length before [w] is formed",
-                "Rodrigues' formula has a unit axis in it: n = w / |w|.",
-            ),
+        Mistake(
+            "w is not divided by its length before [w] is formed",
+            "Rodrigues' formula has a unit axis in it: n = w / |w|.",
             lambda w: _formula(w, hat(w), hat(w)),
             lambda w: _formula(w, hat(w), _axis_matrix(w)),
             lambda w: _formula(w, _axis_matrix(w), hat(w)),
         ),
-        *either(
-            ("the angle is taken for degrees", "Angles are radians everywhere; np.deg2rad is not needed."),
+        Mistake(
+            "the angle is taken for degrees",
+            "Angles are radians everywhere; np.deg2rad is not needed.",
             lambda w: exp_so3(np.deg2rad(w)),
         ),
-        *either(
-            ("the angle is doubled", "A quaternion holds the half angle: cos(a/2) and sin(a/2) n."),
+        Mistake(
+            "the angle is doubled",
+            "A quaternion holds the half angle: cos(a/2) and sin(a/2) n.",
             lambda w: exp_so3(2 * w),
         ),
-        *either(("the angle is halved", "Only a quaternion holds the half angle."), lambda w: exp_so3(w / 2)),
-        *either(
-            (
-                "the term with [n]^2 is left out",
-                "sin gives the part across; 1 - cos brings p back onto the circle.",
-            ),
+        Mistake("the angle is halved", "Only a quaternion holds the half angle.", lambda w: exp_so3(w / 2)),
+        Mistake(
+            "the term with [n]^2 is left out",
+            "sin gives the part across; 1 - cos brings p back onto the circle.",
             lambda w: _rodrigues(w, np.sin, lambda a: 0.0),
         ),
-        *either(
-            ("the term with sin(a) is left out", "1 - cos brings p towards the axis; sin gives the part across."),
+        Mistake(
+            "the term with sin(a) is left out",
+            "1 - cos brings p towards the axis; sin gives the part across.",
             lambda w: _rodrigues(w, lambda a: 0.0, _versine),
         ),
-        *either(
-            ("the identity is left out", "R = I + ...: a small turn leaves p nearly where it is."),
+        Mistake(
+            "the identity is left out",
+            "R = I + ...: a small turn leaves p nearly where it is.",
             lambda w: exp_so3(w) - np.eye(3) if w.any() else None,
         ),
-        *either(
-            ("cos stands where 1 - cos belongs", "At angle 0 the last term must vanish."),
+        Mistake(
+            "cos stands where 1 - cos belongs",
+            "At angle 0 the last term must vanish.",
             lambda w: _rodrigues(w, np.sin, np.cos),
         ),
-        *either(
-            ("1 - cos has its sign changed", "[n]^2 points from p to the axis: with 1 - cos, not cos - 1."),
+        Mistake(
+            "1 - cos has its sign changed",
+            "[n]^2 points from p to the axis: with 1 - cos, not cos - 1.",
             lambda w: _rodrigues(w, np.sin, lambda a: np.cos(a) - 1),
         ),
-        *either(
-            ("sine and cosine are swapped", "At angle 0 both terms must vanish: sin(a) and 1 - cos(a) do."),
+        Mistake(
+            "sine and cosine are swapped",
+            "At angle 0 both terms must vanish: sin(a) and 1 - cos(a) do.",
             lambda w: _rodrigues(w, np.cos, lambda a: 1 - np.sin(a)),
         ),
-        *either(
-            ("[n] * [n], entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+        Mistake(
+            "[n] * [n], entry by entry, stands for the matrix product",
+            "In numpy the matrix product is @.",
             lambda w: _formula(w, _axis_matrix(w), _axis_matrix(w), np.multiply),
         ),
-        *either(
-            ("np.exp takes each entry by itself", "The exponential of a matrix is another thing: Rodrigues' formula."),
+        Mistake(
+            "np.exp takes each entry by itself",
+            "The exponential of a matrix is another thing: Rodrigues' formula.",
             lambda w: np.exp(hat(w)),
         ),
-        *either(
-            ("the series is cut after its first terms", "I + [w] + [w]^2/2 is right for small w only."),
+        Mistake(
+            "the series is cut after its first terms",
+            "I + [w] + [w]^2/2 is right for small w only.",
             lambda w: np.eye(3) + hat(w),
             lambda w: np.eye(3) + hat(w) + hat(w) @ hat(w) / 2,
             lambda w: np.eye(3) + hat(w) + hat(w) @ hat(w) / 2 + hat(w) @ hat(w) @ hat(w) / 6,
         ),
-        *either(
-            (
-                "the turns about x, y and z are made one turn after the other",
-                "exp_so3 makes one turn, about the axis w itself.",
-            ),
+        Mistake(
+            "the turns about x, y and z are made one turn after the other",
+            "exp_so3 makes one turn, about the axis w itself.",
             lambda w: rot_z(w[2]) @ rot_y(w[1]) @ rot_x(w[0]),
             lambda w: rot_x(w[0]) @ rot_y(w[1]) @ rot_z(w[2]),
         ),

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable, same
-from course_lib.checks.reading import NOT_A_NUMBER, numbers
 from course_lib.checks.rotations.exponential import unit
 from course_lib.rotations import exp_so3, hat, log_so3
 

@@ -2,9 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -116,87 +115,68 @@ NEAREST_SO = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            ("M comes back as it is", "U S V^T is M again: leave S out."),
-            np.copy,
-        ),
-        *either(
-            (
-                "U V^T is returned as it is, a reflection where det M < 0",
-                "Put the sign inside: U diag(1, ..., det(U V^T)) V^T.",
-            ),
+        Mistake("M comes back as it is", "U S V^T is M again: leave S out.", np.copy),
+        Mistake(
+            "U V^T is returned as it is, a reflection where det M < 0",
+            "Put the sign inside: U diag(1, ..., det(U V^T)) V^T.",
             polar,
         ),
-        *either(
-            (
-                "the last column of U V^T is negated, as in the published report",
-                "That is a rotation, but not the nearest. The smallest singular value is the cheapest to turn: "
-                "its sign belongs between U and V^T.",
-            ),
+        Mistake(
+            "the last column of U V^T is negated, as in the published report",
+            "That is a rotation, but not the nearest. The smallest singular value is the cheapest to turn: "
+            "its sign belongs between U and V^T.",
             last_column_negated,
         ),
-        *either(
-            (
-                "the last row of U V^T is negated",
-                "That is a rotation, but not the nearest: negate the last row of V^T, before the product.",
-            ),
+        Mistake(
+            "the last row of U V^T is negated",
+            "That is a rotation, but not the nearest: negate the last row of V^T, before the product.",
             lambda M: np.diag([*_ones(M), _sign(M)]) @ polar(M),
         ),
-        *either(
-            (
-                "the sign is put at the largest singular value",
-                "The smallest one costs least: numpy sorts them downwards, so it is the last.",
-            ),
+        Mistake(
+            "the sign is put at the largest singular value",
+            "The smallest one costs least: numpy sorts them downwards, so it is the last.",
             lambda M: polar(M, _sign(M), *_ones(M)),
         ),
-        *either(
-            (
-                "all of U V^T is negated",
-                "For n = 2 that leaves the determinant as it is; for n = 3 it makes it +1, but turns all three axes "
-                "round. One sign is enough.",
-            ),
+        Mistake(
+            "all of U V^T is negated",
+            "For n = 2 that leaves the determinant as it is; for n = 3 it makes it +1, but turns all three axes "
+            "round. One sign is enough.",
             lambda M: _sign(M) * polar(M),
         ),
-        *either(
-            ("the sign is turned always", "Only where det(U V^T) = -1."),
-            lambda M: polar(M, *_ones(M), -1.0),
-        ),
-        *either(
-            (
-                "det M is asked for the sign",
-                "A singular M has det M = 0, and a nearest rotation all the same. Ask det(U V^T): it is +1 or -1.",
-            ),
+        Mistake("the sign is turned always", "Only where det(U V^T) = -1.", lambda M: polar(M, *_ones(M), -1.0)),
+        Mistake(
+            "det M is asked for the sign",
+            "A singular M has det M = 0, and a nearest rotation all the same. Ask det(U V^T): it is +1 or -1.",
             lambda M: polar(M, *_ones(M), np.sign(np.linalg.det(M))),
             lambda M: polar(M, *_ones(M), 1.0 if np.linalg.det(M) >= 0 else -1.0),
             lambda M: polar(M, *_ones(M), 1.0 if np.linalg.det(M) > 0 else -1.0),
         ),
-        *either(
-            (
-                "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
-                "That favours the first column. The nearest rotation treats all alike: singular value decomposition.",
-            ),
+        Mistake(
+            "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
+            "That favours the first column. The nearest rotation treats all alike: singular value decomposition.",
             gram_schmidt,
             lambda M: _right_handed(gram_schmidt(M)),
             lambda M: np.linalg.qr(M)[0],
             lambda M: _right_handed(np.linalg.qr(M)[0]),
         ),
-        *either(
-            ("the columns are only scaled to length one", "They must be at right angles to each other too."),
+        Mistake(
+            "the columns are only scaled to length one",
+            "They must be at right angles to each other too.",
             lambda M: M / np.linalg.norm(M, axis=0),
         ),
-        *either(
-            ("the transpose is returned", "numpy.linalg.svd returns U, S and V^T (not V): the product is U @ Vt."),
+        Mistake(
+            "the transpose is returned",
+            "numpy.linalg.svd returns U, S and V^T (not V): the product is U @ Vt.",
             lambda M: nearest_so(M).T,
         ),
-        *either(
-            (
-                "numpy's third result is taken for V",
-                "numpy.linalg.svd returns U, S and V^T: do not transpose it again.",
-            ),
+        Mistake(
+            "numpy's third result is taken for V",
+            "numpy.linalg.svd returns U, S and V^T: do not transpose it again.",
             _v_transposed_twice,
         ),
-        *either(
-            ("U * Vt, entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+        Mistake(
+            "U * Vt, entry by entry, stands for the matrix product",
+            "In numpy the matrix product is @.",
             lambda M: np.multiply(*np.linalg.svd(M)[::2]),
         ),
     ),

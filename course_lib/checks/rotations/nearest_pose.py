@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.nearest import (
     damaged_rotations,
     distances,
@@ -13,7 +13,6 @@ from course_lib.checks.rotations.nearest import (
     polar,
 )
 from course_lib.checks.rotations.poses import pose
-from course_lib.checks.rotations.predicates import either
 from course_lib.rigid import nearest_se
 from course_lib.rotations import nearest_so, random_rotations
 
@@ -68,62 +67,68 @@ NEAREST_SE = Exercise(
         ),
     ),
     mistakes=(
-        *either(
-            ("the last row stays as it came", "Write it anew: T[-1] = (0, ..., 0, 1)."),
+        Mistake(
+            "the last row stays as it came",
+            "Write it anew: T[-1] = (0, ..., 0, 1).",
             lambda T: _mended(T, row=lambda row: row),
         ),
-        *either(
-            ("of the last row only the 1 is written", "The others are 0 in a pose."),
+        Mistake(
+            "of the last row only the 1 is written",
+            "The others are 0 in a pose.",
             lambda T: _mended(T, row=lambda row: [*row[:-1], 1.0]),
         ),
-        *either(
-            ("T is divided by its last entry", "That scales the translation. Only the block and the row are mended."),
+        Mistake(
+            "T is divided by its last entry",
+            "That scales the translation. Only the block and the row are mended.",
             lambda T: _mended(T / T[-1, -1]),
             lambda T: _mended(T / T[-1, -1], row=lambda row: row),
         ),
-        *either(
-            ("the translation is lost", "The last column stays as it is."),
+        Mistake(
+            "the translation is lost",
+            "The last column stays as it is.",
             lambda T: _mended(T, translation=lambda R, p: 0 * p),
         ),
-        *either(
-            ("the translation is turned with the block", "The last column stays as it is."),
+        Mistake(
+            "the translation is turned with the block",
+            "The last column stays as it is.",
             lambda T: _mended(T, translation=lambda R, p: R @ p),
             lambda T: _mended(T, translation=lambda R, p: R.T @ p),
         ),
-        *either(
-            ("the inverse pose is returned", "Keep the block and the translation: no transpose, no minus."),
+        Mistake(
+            "the inverse pose is returned",
+            "Keep the block and the translation: no transpose, no minus.",
             lambda T: _mended(T, lambda M: nearest_so(M).T, lambda R, p: -R @ p),
         ),
-        *either(
-            ("the whole of T is taken for a matrix to be made a rotation", "Take the block T[:-1, :-1] only."),
+        Mistake(
+            "the whole of T is taken for a matrix to be made a rotation",
+            "Take the block T[:-1, :-1] only.",
             lambda T: polar(T, *[1.0] * (len(T) - 1), np.linalg.det(polar(T))),
             polar,
         ),
-        *either(
-            ("the block comes back as it is", "Your nearest_so turns T[:-1, :-1] into a rotation."),
+        Mistake(
+            "the block comes back as it is",
+            "Your nearest_so turns T[:-1, :-1] into a rotation.",
             lambda T: _mended(T, np.copy),
             np.copy,
         ),
-        *either(
-            (
-                "the last column of U V^T is negated, as in the published report",
-                "The sign belongs between U and V^T; your nearest_so does it.",
-            ),
+        Mistake(
+            "the last column of U V^T is negated, as in the published report",
+            "The sign belongs between U and V^T; your nearest_so does it.",
             lambda T: _mended(T, last_column_negated),
         ),
-        *either(
-            ("the block is left a reflection where det < 0", "Use your nearest_so, which turns the sign."),
+        Mistake(
+            "the block is left a reflection where det < 0",
+            "Use your nearest_so, which turns the sign.",
             lambda T: _mended(T, polar),
         ),
-        *either(
-            ("the block is transposed", "numpy.linalg.svd returns U, S, V^T: the product is U @ Vt."),
+        Mistake(
+            "the block is transposed",
+            "numpy.linalg.svd returns U, S, V^T: the product is U @ Vt.",
             lambda T: _mended(T, lambda M: nearest_so(M).T),
         ),
-        *either(
-            (
-                "the block is made orthogonal column after column",
-                "Gram-Schmidt favours the first column: use your nearest_so.",
-            ),
+        Mistake(
+            "the block is made orthogonal column after column",
+            "Gram-Schmidt favours the first column: use your nearest_so.",
             lambda T: _mended(T, gram_schmidt),
         ),
     ),

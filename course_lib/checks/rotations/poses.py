@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import truth
 from course_lib.checks.rotations.predicates import (
     ALWAYS_THE_SAME,
     FIXED_TOLERANCES,
@@ -13,7 +13,6 @@ from course_lib.checks.rotations.predicates import (
     NO_TOL,
     RELATIVE,
     TIGHT,
-    either,
     is_rotation,
     orthogonality_error,
     plane_rotation,
@@ -91,7 +90,7 @@ IS_SE = Exercise(
     points=1,
     arguments=("T", "tol"),
     cases=_is_se_cases,
-    returns=truth,
+    returns=boolean,
     properties=(
         Property("a pose is accepted", lambda ok, T, tol: ok, where=lambda T, tol: _is_se(T, min(tol, TIGHT))),
         Property(
@@ -113,64 +112,66 @@ IS_SE = Exercise(
     ),
     mistakes=(
         *ALWAYS_THE_SAME,
-        *either(
-            ("the last row is not looked at", "T has to map points to points: T[-1] is (0, ..., 0, 1)."),
+        Mistake(
+            "the last row is not looked at",
+            "T has to map points to points: T[-1] is (0, ..., 0, 1).",
             lambda T, tol: is_rotation(T[:-1, :-1], tol),
             _and_block(lambda T, tol: True),
         ),
-        *either(
-            ("of the last row only the last entry is looked at", "The others must be 0."),
+        Mistake(
+            "of the last row only the last entry is looked at",
+            "The others must be 0.",
             _and_block(lambda T, tol: abs(T[-1, -1] - 1) <= tol),
         ),
-        *either(
-            ("of the last row only the zeros are looked at", "Its last entry must be 1."),
+        Mistake(
+            "of the last row only the zeros are looked at",
+            "Its last entry must be 1.",
             _and_block(lambda T, tol: np.abs(T[-1, :-1]).max() <= tol),
         ),
-        *either(
-            ("the entries of the last row are added up", "(0.3, -0.3, 0, 1) adds up to 1 too: compare each entry."),
+        Mistake(
+            "the entries of the last row are added up",
+            "(0.3, -0.3, 0, 1) adds up to 1 too: compare each entry.",
             _and_block(lambda T, tol: abs(T[-1].sum() - 1) <= tol),
             _and_block(lambda T, tol: abs(_row_error(T).sum()) <= tol),
         ),
-        *either(NO_ABSOLUTE_VALUE, _and_block(lambda T, tol: _row_error(T).max() <= tol)),
-        *either(RELATIVE, _and_block(lambda T, tol: np.allclose(T[-1], np.eye(len(T))[-1], rtol=1e-5, atol=tol))),
-        *either(
-            (
-                "the last column is compared in place of the last row",
-                "T[-1] is the last row, T[:, -1] the last column.",
-            ),
+        Mistake(*NO_ABSOLUTE_VALUE, _and_block(lambda T, tol: _row_error(T).max() <= tol)),
+        Mistake(*RELATIVE, _and_block(lambda T, tol: np.allclose(T[-1], np.eye(len(T))[-1], rtol=1e-5, atol=tol))),
+        Mistake(
+            "the last column is compared in place of the last row",
+            "T[-1] is the last row, T[:, -1] the last column.",
             _and_block(lambda T, tol: np.abs(_row_error(T.T)).max() <= tol),
         ),
-        *either(
-            ("the last row is not compared with tol", "np.abs(T[-1] - last_row).max() <= tol"),
+        Mistake(
+            "the last row is not compared with tol",
+            "np.abs(T[-1] - last_row).max() <= tol",
             *(_and_block(lambda T, tol, fixed=fixed: _row_fits(T, fixed)) for fixed in (0.0, *FIXED_TOLERANCES)),
         ),
-        *either(
-            (
-                "the whole of T is taken for a rotation",
-                "The translation column may hold anything. Take the block T[:-1, :-1].",
-            ),
+        Mistake(
+            "the whole of T is taken for a rotation",
+            "The translation column may hold anything. Take the block T[:-1, :-1].",
             lambda T, tol: _square(T) and orthogonality_error(T) <= tol,
         ),
-        *either(("the block is not looked at", "T[:-1, :-1] is for is_so."), _and_row(lambda R, tol: True)),
-        *either(
-            ("a reflection passes for a rotation", "The block needs det = +1 too."),
+        Mistake("the block is not looked at", "T[:-1, :-1] is for is_so.", _and_row(lambda R, tol: True)),
+        Mistake(
+            "a reflection passes for a rotation",
+            "The block needs det = +1 too.",
             _and_row(lambda R, tol: orthogonality_error(R) <= tol),
         ),
-        *either(
-            (
-                "of the block only the determinant is looked at",
-                "diag(2, 0.5, 1) has det = 1. Your is_so asks for more.",
-            ),
+        Mistake(
+            "of the block only the determinant is looked at",
+            "diag(2, 0.5, 1) has det = 1. Your is_so asks for more.",
             _and_row(lambda R, tol: abs(np.linalg.det(R) - 1) <= tol),
             _and_row(lambda R, tol: np.linalg.det(R) > 0),
         ),
-        *either(NO_TOL, *(lambda T, tol, fixed=fixed: _is_se(T, fixed) for fixed in FIXED_TOLERANCES)),
-        *either(
-            ("tol is not passed on to the block", "Your is_so takes tol too."),
+        Mistake(*NO_TOL, *(lambda T, tol, fixed=fixed: _is_se(T, fixed) for fixed in FIXED_TOLERANCES)),
+        Mistake(
+            "tol is not passed on to the block",
+            "Your is_so takes tol too.",
             *(_and_row(lambda R, tol, fixed=fixed: is_rotation(R, fixed)) for fixed in FIXED_TOLERANCES),
         ),
-        *either(
-            ("one size alone is accepted", "T may be 3x3 or 4x4: len(T) tells."),
+        Mistake(
+            "one size alone is accepted",
+            "T may be 3x3 or 4x4: len(T) tells.",
             *(lambda T, tol, n=n: T.shape == (n, n) and _is_se(T, tol) for n in (3, 4)),
         ),
     ),

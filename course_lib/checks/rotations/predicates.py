@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import truth
 from course_lib.rotations import exp_so3, random_rotations
 
 TIGHT, LOOSE = 1e-9, 0.01
@@ -24,9 +24,8 @@ NO_ABSOLUTE_VALUE = (
 
 
 def either(words, *answers):
-    """One mistake, name and hint in `words`, that may be made in more than one way."""
-    name, hint = words
-    return tuple(Mistake(name, hint, answer) for answer in answers)
+    """To be replaced by Mistake(name, hint, *answers)."""
+    return (Mistake(*words, *answers),)
 
 
 ALWAYS_THE_SAME = (
@@ -129,7 +128,7 @@ IS_SO = Exercise(
     points=1,
     arguments=("R", "tol"),
     cases=_so_cases,
-    returns=truth,
+    returns=boolean,
     properties=(
         Property("a rotation is accepted", lambda ok, R, tol: ok, where=lambda R, tol: is_rotation(R, min(tol, TIGHT))),
         Property(
@@ -156,47 +155,45 @@ IS_SO = Exercise(
     ),
     mistakes=(
         *ALWAYS_THE_SAME,
-        *either(
-            ("only R^T R = I is looked at", "A mirror has R^T R = I too. What tells it from a rotation?"),
+        Mistake(
+            "only R^T R = I is looked at",
+            "A mirror has R^T R = I too. What tells it from a rotation?",
             lambda R, tol: square(R) and orthogonality_error(R) <= tol,
             lambda R, tol: orthogonality_error(R) <= tol,
         ),
-        *either(
-            (
-                "only det R = 1 is looked at",
-                "diag(2, 0.5, 1) keeps volumes and bends everything else. What must columns of a rotation be?",
-            ),
+        Mistake(
+            "only det R = 1 is looked at",
+            "diag(2, 0.5, 1) keeps volumes and bends everything else. What must columns of a rotation be?",
             *_and_determinant(lambda R, tol: True)[:2],
         ),
-        *either(
-            ("R * R.T, entry by entry, stands for the matrix product", "In numpy the matrix product is @."),
+        Mistake(
+            "R * R.T, entry by entry, stands for the matrix product",
+            "In numpy the matrix product is @.",
             *_and_determinant(lambda R, tol: np.abs(R * R.T - np.eye(len(R))).max() <= tol),
         ),
-        *either(NO_TOL, *(lambda R, tol, fixed=fixed: is_rotation(R, fixed) for fixed in FIXED_TOLERANCES)),
-        *either(
-            RELATIVE, *_and_determinant(lambda R, tol: np.allclose(R.T @ R, np.eye(len(R)), rtol=1e-5, atol=tol))[:2]
+        Mistake(*NO_TOL, *(lambda R, tol, fixed=fixed: is_rotation(R, fixed) for fixed in FIXED_TOLERANCES)),
+        Mistake(
+            *RELATIVE, *_and_determinant(lambda R, tol: np.allclose(R.T @ R, np.eye(len(R)), rtol=1e-5, atol=tol))[:2]
         ),
-        *either(NO_ABSOLUTE_VALUE, *_and_determinant(lambda R, tol: (R.T @ R - np.eye(len(R))).max() <= tol)),
-        *either(
-            (
-                "the entries' errors are added up (a norm) instead of looked at one by one",
-                "Take the largest: np.abs(...).max().",
-            ),
+        Mistake(*NO_ABSOLUTE_VALUE, *_and_determinant(lambda R, tol: (R.T @ R - np.eye(len(R))).max() <= tol)),
+        Mistake(
+            "the entries' errors are added up (a norm) instead of looked at one by one",
+            "Take the largest: np.abs(...).max().",
             *_and_determinant(lambda R, tol: np.linalg.norm(R.T @ R - np.eye(len(R))) <= tol)[:2],
         ),
-        *either(
-            (
-                "only the lengths of the columns are looked at, not the angles between them",
-                "R^T R holds every product of two columns: off its diagonal too.",
-            ),
+        Mistake(
+            "only the lengths of the columns are looked at, not the angles between them",
+            "R^T R holds every product of two columns: off its diagonal too.",
             *_and_determinant(lambda R, tol: np.abs(np.diag(R.T @ R) - 1).max() <= tol),
         ),
-        *either(
-            ("only the identity is accepted", "R^T R, not R, is near I."),
+        Mistake(
+            "only the identity is accepted",
+            "R^T R, not R, is near I.",
             lambda R, tol: square(R) and np.abs(R - np.eye(len(R))).max() <= tol,
         ),
-        *either(
-            ("one size alone is accepted", "n may be 2 or 3: R.shape[0] tells."),
+        Mistake(
+            "one size alone is accepted",
+            "n may be 2 or 3: R.shape[0] tells.",
             *(lambda R, tol, n=n: R.shape == (n, n) and is_rotation(R, tol) for n in (2, 3)),
         ),
     ),

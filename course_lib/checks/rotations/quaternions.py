@@ -4,9 +4,8 @@ from itertools import permutations
 
 import numpy as np
 
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.reading import NOT_A_NUMBER, numbers
-from course_lib.checks.rotations.predicates import either
 from course_lib.rotations import exp_so3, hat, matrix_to_quaternion, quaternion_to_matrix, random_quaternions
 
 
@@ -90,8 +89,9 @@ QUATERNION_TO_MATRIX = Exercise(
             "R[0, 0] = 1 - 2 (y^2 + z^2): the two squares that are not x^2.",
             lambda q: _off_diagonal(quaternion_to_matrix(q)) + np.diag(1 - 2 * q[1:] ** 2),
         ),
-        *either(
-            ("the factor 2 stands at one term only", "R = I + 2 w [v] + 2 [v]^2."),
+        Mistake(
+            "the factor 2 stands at one term only",
+            "R = I + 2 w [v] + 2 [v]^2.",
             lambda q: np.eye(3) + 2 * q[0] * hat(q[1:]) + hat(q[1:]) @ hat(q[1:]),
             lambda q: np.eye(3) + q[0] * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:]),
         ),

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.plain import Seed
+from course_lib.checks.wire import Seed
 
 LEVEL = 1e-6  # each test refuses a right sampler once in a million seeds
 MANY = 20_000

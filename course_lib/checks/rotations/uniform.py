@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers
 from course_lib.checks.rotations.sampling import (
     DRAWS,
     LEVEL,

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.reading import numbers, truth
 from course_lib.checks.rotations.predicates import (
     ALWAYS_THE_SAME,
     FIXED_TOLERANCES,
@@ -12,7 +12,6 @@ from course_lib.checks.rotations.predicates import (
     NO_TOL,
     RELATIVE,
     TIGHT,
-    either,
 )
 
 
@@ -53,7 +52,7 @@ IS_QUATERNION = Exercise(
     points=1,
     arguments=("q", "tol"),
     cases=_is_cases,
-    returns=truth,
+    returns=boolean,
     properties=(
         Property(
             "a unit quaternion is accepted, as (4,) and as (4, 1)",
@@ -74,38 +73,44 @@ IS_QUATERNION = Exercise(
     ),
     mistakes=(
         *ALWAYS_THE_SAME,
-        *either(
-            ("(4, 1) is refused", "A column is a quaternion too; np.ravel(q) makes it flat."),
+        Mistake(
+            "(4, 1) is refused",
+            "A column is a quaternion too; np.ravel(q) makes it flat.",
             lambda q, tol: q.shape == (4,) and _is_quaternion(q, tol),
         ),
-        *either(
-            ("(4,) is refused", "A flat q is a quaternion too; np.ravel(q) makes a column flat."),
+        Mistake(
+            "(4,) is refused",
+            "A flat q is a quaternion too; np.ravel(q) makes a column flat.",
             lambda q, tol: q.shape == (4, 1) and _is_quaternion(q, tol),
         ),
-        *either(
-            ("the length is not looked at", "np.linalg.norm(q) is the second question."),
+        Mistake(
+            "the length is not looked at",
+            "np.linalg.norm(q) is the second question.",
             lambda q, tol: q.shape in ((4,), (4, 1)),
         ),
-        *either(
-            ("|q|^2 is compared with 1", "Within a tolerance the square is not the same: take the root."),
+        Mistake(
+            "|q|^2 is compared with 1",
+            "Within a tolerance the square is not the same: take the root.",
             *_of_shape(lambda q, tol: abs(np.sum(q**2) - 1) <= tol),
         ),
-        *either(
-            NO_TOL,
+        Mistake(
+            *NO_TOL,
             *(
                 answer
                 for fixed in FIXED_TOLERANCES
                 for answer in _of_shape(lambda q, tol, fixed=fixed: abs(np.linalg.norm(q) - 1) <= fixed)
             ),
         ),
-        *either(RELATIVE, *_of_shape(lambda q, tol: np.isclose(np.linalg.norm(q), 1, rtol=1e-5, atol=tol))),
-        *either(
-            ("the entries are added up without squares", "|q| is the root of the sum of squares."),
+        Mistake(*RELATIVE, *_of_shape(lambda q, tol: np.isclose(np.linalg.norm(q), 1, rtol=1e-5, atol=tol))),
+        Mistake(
+            "the entries are added up without squares",
+            "|q| is the root of the sum of squares.",
             *_of_shape(lambda q, tol: abs(np.sum(q) - 1) <= tol),
             *_of_shape(lambda q, tol: abs(np.sum(np.abs(q)) - 1) <= tol),
         ),
-        *either(
-            ("a length below 1 always passes", "|q| - 1 is negative for a short q: take its absolute value."),
+        Mistake(
+            "a length below 1 always passes",
+            "|q| - 1 is negative for a short q: take its absolute value.",
             *_of_shape(lambda q, tol: np.linalg.norm(q) - 1 <= tol),
         ),
     ),

@@ -8,14 +8,15 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find
 from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all, write_whole
-from course_lib.pack.grade.marks import MarksUnreadable, marked, marks_text, read_marks
+from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
+from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
 from course_lib.pack.grade.sandbox import notice
 from course_lib.pack.grade.submission import grade
-from course_lib.pack.grade.tables import counted, grades_text, handed, totals_text
+from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals_text
 
 
 def main(arguments=None, grade=grade):
@@ -54,7 +55,7 @@ def _grade(chosen, grade):
         seed = _seed(output / "seed", given)
         print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
-        _write(output, handed(outcomes))
+        _write(output, graded_files(outcomes))
 
 
 def _submissions(chosen):
@@ -94,7 +95,7 @@ def _alone(path):
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError as error:
                 raise GradingStopped(f"Another run is writing to {path.parent}.") from error
-        for part in path.parent.rglob(".*.part"):  # of a run that was killed
+        for part in path.parent.rglob(f".*{PART}"):  # of a run that was killed
             part.unlink()
         yield
 
@@ -106,7 +107,7 @@ def _seed(path, given):
             raise GradingStopped("The seed is a whole number, 0 or more.")
         return given
     if not path.exists():
-        write_whole(path, f"{secrets.randbits(62)}\n")
+        write_atomically(path, f"{secrets.randbits(62)}\n")
     try:
         return int(path.read_text())
     except ValueError as error:
@@ -122,18 +123,18 @@ def _write(output, everything):
     @functools.cache
     def marks_of(place):
         each = by_place[place]
-        return [marked(question, each.student, each.notebook, rows) for question in each.result["questions"]]
+        return [mark_answer(question, each.student, each.notebook, rows) for question in each.result["questions"]]
 
     def its_marks(each):
-        return [] if each.instead else marks_of(each.submission.place)
+        return [] if each.superseded_by else marks_of(each.submission.place)
 
     by_place = {each.submission.place: each for each in everything}
     listed = [(each.student, each.notebook, answer) for each in everything for answer in its_marks(each)]
-    write_whole(output / "questions.csv", marks_text(listed, rows))
-    write_whole(output / "grades.csv", grades_text(everything, its_marks))
-    write_whole(output / "totals.csv", totals_text(everything, its_marks))
+    write_atomically(output / "questions.csv", marks_text(listed, rows))
+    write_atomically(output / "grades.csv", grades_text(everything, its_marks))
+    write_atomically(output / "totals.csv", totals_text(everything, its_marks))
     write_feedback(output / "feedback", everything, its_marks)
-    write_whole(output / "class.html", class_page(everything, its_marks))
+    write_atomically(output / "class.html", class_page(everything, its_marks))
     print(_summary(output, everything, listed))
 
 
@@ -143,9 +144,9 @@ def _summary(output, everything, listed):
     lines = [f"{output / 'grades.csv'}: {said}."]
     lines += [f"{each.submission.place}: {each.result['problems'][0]}" for each in everything if each.unreadable]
     if left := sum(answer.points is None for _, _, answer in listed):
-        lines.append(f"{counted(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
+        lines.append(f"{count_noun(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
     if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
-        lines.append(f"{counted(wrong, 'mark')} there cannot be taken: the column `state` says why.")
+        lines.append(f"{count_noun(wrong, 'mark')} there cannot be taken: the column `state` says why.")
     if "not graded" in states:
         lines.append("What could not be graded has its reason in the table; the same command tries it again.")
     return "\n".join(lines)

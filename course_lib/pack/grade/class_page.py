@@ -8,7 +8,7 @@ from collections import Counter
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.grade.feedback import escaped, page, wide_table
-from course_lib.pack.grade.tables import clean, counted, totals
+from course_lib.pack.grade.tables import clean, count_noun, totals
 
 MOST = 15  # bars of a picture
 INK = "#010203"  # becomes the page's own colour of text, light or dark
@@ -19,12 +19,12 @@ COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: 
 def class_page(everything, marks_of):
     """Return the page, from what tables.handed gives."""
     of, students, waiting = totals(everything, marks_of)
-    graded = [each for each in everything if each.graded and not each.instead and each.student]
-    said = f"{counted(len(students), 'student')}, {counted(len(graded), 'notebook')} graded"
+    graded = [each for each in everything if each.graded and not each.superseded_by and each.student]
+    said = f"{count_noun(len(students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
     if unreadable := sum(each.unreadable for each in graded):
         said += f", {unreadable} of them unreadable and without points"
     left = sum(waiting.values())
-    said += f", {counted(left, 'written answer')} still to be read, for no points yet." if left else "."
+    said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
     parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(of, students)]
     parts += [_distribution(of, students), _hardest(graded), _mistakes(graded)]
     return page("The class", "\n".join(part for part in parts if part))
@@ -112,7 +112,8 @@ def _mistakes(graded):
     _label_bars(axes, [textwrap.fill(name, 55) for name in shown])
     axes.set_xlabel("students")
     axes.xaxis.get_major_locator().set_params(integer=True)
-    alt = f"Bars: how many made each mistake, most frequent first. {counted(counts[order[0]], 'student')}: {order[0]}."
+    most = count_noun(counts[order[0]], "student")
+    alt = f"Bars: how many made each mistake, most frequent first. {most}: {order[0]}."
     rows = [(name, counts[name]) for name in order]
     return _section("Most frequent mistakes", figure, alt, _table(("mistake", "students"), rows))
 

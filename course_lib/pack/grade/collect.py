@@ -1,25 +1,39 @@
-"""Find what was handed in: whose it is, which notebook, and why not where it cannot be taken."""
+"""Find the submissions in a folder: whose each is, of which notebook, and why it is refused if it is.
 
+Nothing that one student's files are (nested, linked, unreadable, vanishing) may stop the others: whatever looking
+at them raises becomes that student's line.
+"""
+
+import collections
 import hashlib
 import os
 import re
 import stat
 import unicodedata
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-MOST_BYTES = 100_000_000  # of one file; a notebook with all its moving pictures has about ten million
+from course_lib.pack.grade.platforms import exported_name
+
+MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
+MAX_DEPTH = 20  # folders in folders, of one student
+MAX_ENTRIES = 20_000  # files and folders of one student that are looked at
+MAX_LISTED = 50  # notebooks and links of one student that get a line of their own
+MAX_COPIES = 3  # of one student's notebook that are graded: the newest ones
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"  # "01_rotations (1)", "01_rotations-Copy2"
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
+CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode", "__macosx", "__pycache__"}
 
 
 @dataclass(frozen=True)
 class Submission:
     """A file that was handed in.
 
-    student: whose it is; "" where the file's name does not say. notebook: the course's name for it where the file's
-    name holds one, else the file's own. place: the path below the folder of submissions, for messages and hashes.
-    refused: why it is not graded; "" where it is.
+    student: whose it is, or "" if the file's name does not say. notebook: the course's name for it if the file's
+    name contains one, else the file's own. place: the path below the folder of submissions, unique, for messages
+    and hashes. refused: why it is not graded, or "". modified: seconds since 1970 at which the file was written
+    last, or None. platform_id: the learning platform's number of the student, from the file's name, or "".
+    late: whether the platform marked the file as late.
     """
 
     student: str
@@ -27,6 +41,9 @@ class Submission:
     place: str
     path: Path
     refused: str = ""
+    modified: float | None = None
+    platform_id: str = ""
+    late: bool = False
 
 
 class Refused(Exception):
@@ -37,29 +54,56 @@ class Refused(Exception):
 
 
 def find(folder, notebooks):
-    """Return the Submissions in `folder`, in the order of their places.
+    """Return the Submissions in a folder, in the order of their places.
 
-    Both <student>/<notebook>.ipynb and <student>_<notebook>.ipynb are read. notebooks: the names of the course's.
+    Parameters
+    ----------
+    folder : Path
+        Holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export.
+    notebooks : list of str
+        The names of the course's notebooks.
     """
     found = []
     for path in sorted(folder.iterdir()):
-        if _left_behind(path.name):
+        if _is_clutter(path.name):
             continue
-        if path.is_dir() and not path.is_symlink():
-            found += _in_folder(path, folder, notebooks)
-        else:
-            found.append(_flat(path, folder, notebooks))
-    return sorted(found, key=lambda submission: submission.place)
+        try:
+            if path.is_dir() and not path.is_symlink():
+                found += _in_folder(path, folder, notebooks)
+            else:
+                found.append(_flat(path, folder, notebooks))
+        except Exception as problem:  # whatever it is, it must not cost the others anything
+            found.append(_broken(path, problem))
+    found = [replace(each, modified=_modified(each.path)) for each in found]
+    return sorted(_newest_copies(_unique_places(_one_name_each(found))), key=lambda submission: submission.place)
 
 
-def _left_behind(name):
-    """Whether it is no work of a student's but what JupyterLab or a system leaves beside it."""
-    return name.startswith(("._", "__MACOSX")) or (name.startswith(".") and not name.lower().endswith(".ipynb"))
+def _broken(path, problem):
+    student, _, number, late = exported_name(printable(path.stem))
+    reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
+    return Submission(student, "", printable(path.name), path, f"It cannot be read: {reason}.", None, number, late)
+
+
+def _is_clutter(name):
+    """Whether it is no work of a student's but what JupyterLab, git or a system leaves beside it."""
+    return name.startswith("._") or name.lower() in CLUTTER
+
+
+def _modified(path):
+    try:
+        return os.lstat(path).st_mtime
+    except (OSError, ValueError):
+        return None
 
 
 def _flat(path, folder, notebooks):
     """A file beside the others; its name says whose it is."""
-    student, notebook = split(shown(path.stem), notebooks)
+    stem = printable(path.stem)
+    student, notebook = split(stem, notebooks)
+    exported, rest, number, late = exported_name(stem if not notebook else student + "_")
+    if number:
+        student = exported
+        notebook = notebook or split(rest, notebooks)[1] or rest
     refused = ""
     if path.is_symlink():
         refused = "It is a link to another file, and links are not followed."
@@ -68,34 +112,117 @@ def _flat(path, folder, notebooks):
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
     if path.is_symlink() and not path.suffix and not notebook:  # what was to be a student's folder
-        student = shown(path.name)
+        student = printable(path.name)
     if not notebook and not refused:  # some other name: its exercises will tell which notebook it is
-        student = notebook = shown(path.stem)
-    return Submission(student, notebook, shown(path.relative_to(folder)), path, refused)
+        student = notebook = stem
+    return Submission(student, notebook, printable(path.relative_to(folder)), path, refused, None, number, late)
 
 
 def _in_folder(top, folder, notebooks):
-    """What one student's folder holds, at any depth: an unpacked zip has folders of its own."""
-    student, found, others = shown(top.name), [], []
-    for where, folders, files in os.walk(top):
-        folders[:] = sorted(name for name in folders if not _left_behind(name))
-        for name in sorted([*folders, *files]):
-            path = Path(where, name)
-            notebook = path.suffix.lower() == ".ipynb" and not _left_behind(name)
-            if notebook or (name in folders and path.is_symlink()):
-                named = (split(shown(path.stem), notebooks)[1] or shown(path.stem)) if notebook else ""
-                reason = "It is a link to another file, and links are not followed." if path.is_symlink() else ""
-                found.append(Submission(student, named, shown(path.relative_to(folder)), path, reason))
-            elif name in files:
-                others.append(shown(name))
-    if not found:
+    """The files in a student's folder; the folder's name says whose they are."""
+    name = printable(top.name)
+    exported, _, number, late = exported_name(name)
+    whole = Submission(exported or name, "", name, top, "", None, number, late)
+    files, others, problems = _walk(top)
+    found = []
+    for path, is_link in files[:MAX_LISTED]:
+        stem = printable(path.stem)
+        named = (split(stem, notebooks)[1] or stem) if path.suffix.lower() == ".ipynb" else ""
+        reason = "It is a link to another file, and links are not followed." if is_link else ""
+        found.append(
+            replace(whole, notebook=named, place=printable(path.relative_to(folder)), path=path, refused=reason)
+        )
+    if len(files) > MAX_LISTED:
+        problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
+    if not found and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
-        found.append(Submission(student, "", shown(top.name), top, f"There is no notebook in the folder: {holds}."))
+        problems.append(f"There is no notebook in the folder: {holds}.")
+    if problems:
+        found.append(replace(whole, refused=" ".join(problems)))
     return found
 
 
+def _walk(top):
+    """Look through a student's folder, without recursion and within bounds.
+
+    Returns the notebooks and links as [(path, whether it is a link)] in the order of their paths, the names of the
+    other files, and what could not be looked at, in sentences.
+    """
+    files, others, problems = [], [], []
+    left, seen = [(top, 1)], 0
+    while left:
+        place, depth = left.pop()
+        try:
+            with os.scandir(place) as entries:
+                for entry in entries:
+                    seen += 1
+                    if seen > MAX_ENTRIES:
+                        problems.append(f"It holds more than {MAX_ENTRIES} files: the others were not looked at.")
+                        return sorted(files), others, problems
+                    if _is_clutter(entry.name):
+                        continue
+                    path, notebook = Path(entry.path), entry.name.lower().endswith(".ipynb")
+                    if entry.is_symlink():
+                        if notebook or entry.is_dir():
+                            files.append((path, True))
+                    elif entry.is_dir(follow_symlinks=False):
+                        left.append((path, depth + 1))
+                    elif notebook:
+                        files.append((path, False))
+                    else:
+                        others.append(printable(entry.name))
+        except (OSError, ValueError) as problem:
+            reason = getattr(problem, "strerror", None) or str(problem)
+            problems.append(f"A folder in it cannot be read: {reason}.")
+        if depth >= MAX_DEPTH and any(level > MAX_DEPTH for _, level in left):
+            left = [(path, level) for path, level in left if level <= MAX_DEPTH]
+            sentence = f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
+            problems += [] if sentence in problems else [sentence]
+    return sorted(files), others, problems[:5]
+
+
+def _one_name_each(found):
+    """Two students of one name, told apart by the platform's numbers, keep the number in their name."""
+    numbers = collections.defaultdict(set)
+    for each in found:
+        if each.platform_id:
+            numbers[each.student, each.notebook].add(each.platform_id)
+    double = {student for (student, _), several in numbers.items() if len(several) > 1}
+    return [
+        replace(each, student=f"{each.student} {each.platform_id}")
+        if each.student in double and each.platform_id
+        else each
+        for each in found
+    ]
+
+
+def _unique_places(found):
+    """Two paths that print alike get a mark of their own."""
+    counts = collections.Counter(each.place for each in found)
+    return [
+        replace(each, place=f"{each.place} [{_digest(os.fsdecode(each.path) + each.refused)}]")
+        if counts[each.place] > 1
+        else each
+        for each in found
+    ]
+
+
+def _newest_copies(found):
+    """Refuse all but the newest copies of one student's notebook, so that nobody's work is graded without end."""
+    groups = collections.defaultdict(list)
+    for each in found:
+        if each.student and each.notebook and not each.refused:
+            groups[each.student, each.notebook].append(each)
+    older = {}
+    for group in groups.values():
+        group.sort(key=lambda each: (-(each.modified or 0), each.place))
+        reason = f"Only the {MAX_COPIES} newest of {len(group)} copies are graded."
+        older |= dict.fromkeys(group[MAX_COPIES:], reason)
+    return [replace(each, refused=older[each]) if each in older else each for each in found]
+
+
 def split(stem, notebooks):
-    """Return (student, notebook) from a file's name without its ending; notebook is "" where it names none.
+    """Return (student, notebook) from a file's name without its ending; notebook is "" if it names none.
 
     The notebook stands at the end, with or without its number, and a mark of a second copy may follow.
     """
@@ -111,40 +238,44 @@ def split(stem, notebooks):
 
 
 def read(path):
-    """Return the bytes of a file; raises Refused for what is none, too large or not to be read."""
+    """Return the bytes of a file. Raises Refused if it is no file, too large or cannot be read."""
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)  # a pipe must not stop the run
     try:
         handle = os.open(path, flags)
         with os.fdopen(handle, "rb") as file:
             if not stat.S_ISREG(os.fstat(handle).st_mode):
                 raise Refused("It is no file but something else of that name.")
-            content = file.read(MOST_BYTES + 1)
+            content = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise Refused(f"It cannot be read: {error.strerror}.") from error
-    if len(content) > MOST_BYTES:
-        raise Refused(f"It is larger than {MOST_BYTES // 1_000_000} MB. Clear its outputs and hand it in again.")
+    except (ValueError, MemoryError) as error:
+        raise Refused(f"It cannot be read: {type(error).__name__}.") from error
+    if len(content) > MAX_BYTES:
+        raise Refused(f"It is larger than {MAX_BYTES // 1_000_000} MB. Clear its outputs and hand it in again.")
     return content
 
 
 # ---- names ----
 
 
-def shown(name):
-    """Return a name from the file system as text that can be shown: one spelling, nothing that breaks a line."""
+def printable(name):
+    """Return a name from the file system as text that can be printed: one spelling, nothing that breaks a line."""
     text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 
 def file_names(names):
-    """Return {name: a name for a file}, all different, also where upper and lower case are the same."""
+    """Return {name: a name for a file}, all different, also on disks that ignore upper and lower case."""
     plain = {name: _plain(name) for name in names}
-    taken = [text.casefold() for text in plain.values()]
-    return {name: text if taken.count(text.casefold()) == 1 and text == name else f"{text}-{_digest(name)}"
-            for name, text in plain.items()}  # fmt: skip
+    taken = collections.Counter(text.casefold() for text in plain.values())
+    return {
+        name: text if taken[text.casefold()] == 1 and text == name else f"{text}-{_digest(name)}"
+        for name, text in plain.items()
+    }
 
 
 def _plain(name):
-    """The name with nothing in it that means something in a path: letters, digits and a few signs, not too long."""
+    """The name without anything that means something in a path: letters, digits and a few signs, not too long."""
     text = "".join(c if c.isalnum() or unicodedata.combining(c) or c in " _-.@+,()'" else "_" for c in name[:60])
     text = text.encode()[:180].decode("utf-8", "ignore").strip(" .")
     reserved = re.fullmatch(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text, re.IGNORECASE)

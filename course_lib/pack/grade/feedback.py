@@ -3,9 +3,9 @@
 import html
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import file_names
-from course_lib.pack.grade.jobs import write_whole
-from course_lib.pack.grade.tables import clean, counted
+from course_lib.pack.grade.tables import clean, count_noun
 
 LONGEST = 100_000  # characters of one message or answer
 MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
@@ -65,12 +65,12 @@ def wide_table(head, rows):
 
 
 def feedback_page(each, answers):
-    """Return the page of one submission. each: a Handed; answers: the Marked of its written answers."""
+    """Return the page of one submission. each: a GradedFile; answers: the MarkedAnswer of its written answers."""
     read = sum(answer.points or 0 for answer in answers)
     waiting = sum(answer.points is None for answer in answers)
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
     if each.graded:
-        later = f", {counted(waiting, 'written answer')} still to be read" if waiting else ""
+        later = f", {count_noun(waiting, 'written answer')} still to be read" if waiting else ""
         body.append(f"<p><strong>{each.points + read:g} of {each.of} points</strong>{later}</p>")
     body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
     body.append(_overview(each.result["exercises"], answers))
@@ -119,7 +119,7 @@ def _answer(answer):
 
 def write_feedback(folder, everything, marks_of):
     """Write <student>/<notebook>.html for what counts, and delete the pages of students who are not in this run."""
-    counting = [each for each in everything if not each.instead and each.student]
+    counting = [each for each in everything if not each.superseded_by and each.student]
     students = file_names({each.student for each in counting})
     pages = {}
     for each in counting:
@@ -129,7 +129,7 @@ def write_feedback(folder, everything, marks_of):
         names = file_names(set(its))
         for notebook, each in its.items():
             path = folder / students[student] / f"{names[notebook]}.html"
-            write_whole(path, feedback_page(each, marks_of(each)))
+            write_atomically(path, feedback_page(each, marks_of(each)))
             written.add(path)
     for path in folder.glob("*/*.html"):
         if path not in written:

@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import platform
-import tempfile
 import threading
 import time
 import warnings
@@ -15,6 +14,7 @@ from pathlib import Path
 from joblib import Parallel, delayed, parallel_config
 from tqdm import tqdm
 
+from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import Refused, read
 
 LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
@@ -55,19 +55,6 @@ def result_name(submission, content, seed):
 # ---- files of results ----
 
 
-def write_whole(path, text):
-    """Write a file so that whoever is killed meanwhile leaves the old one or the new one, never half."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, part = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=".part")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
-        os.replace(part, path)
-    except BaseException:
-        os.unlink(part)
-        raise
-
-
 def stored(path):
     """Return the result that a file holds, or None where there is no whole one."""
     try:
@@ -80,7 +67,7 @@ def stored(path):
 EMPTY = {"notebook": "", "release": "", "problems": [], "exercises": [], "questions": []}
 
 
-def without_grade(submission, reason, state):
+def ungraded_result(submission, reason, state):
     """Return what stands for the result where there is none. state: "refused", or "not graded" (not kept)."""
     return EMPTY | {"notebook": submission.notebook, "problems": [reason], "state": state}
 
@@ -99,7 +86,11 @@ def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
         try:
             path = results / result_name(submission, _content(submission), seed)
         except Refused as reason:
-            done[submission] = without_grade(submission, str(reason), "refused")
+            done[submission] = ungraded_result(submission, str(reason), "refused")
+            continue
+        except Exception as problem:  # nothing about one file may stop the others
+            reason = f"It cannot be read: {type(problem).__name__}."
+            done[submission] = ungraded_result(submission, reason, "refused")
             continue
         kept = stored(path)
         if kept is None:
@@ -156,7 +147,7 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
         for submission in [s for s in handed_out if s not in done]:
             reason = attempt([submission], max(2, jobs)) or "The file went away"
             if submission not in done:
-                done[submission] = without_grade(submission, f"It could not be graded. {reason}.", "not graded")
+                done[submission] = ungraded_result(submission, f"It could not be graded. {reason}.", "not graded")
                 bar.update()
         rest = [submission for submission in rest if submission not in done]
 
@@ -195,11 +186,11 @@ def _kept(submission, digest, outcome, path):
     if "stop" in outcome:
         raise GradingStopped(outcome["stop"])
     if "failed" in outcome:
-        return without_grade(submission, f"The grader failed: {outcome['failed']}", "not graded")
+        return ungraded_result(submission, f"The grader failed: {outcome['failed']}", "not graded")
     if digest != path.name.split("-")[1]:
-        return without_grade(submission, "The file changed while it was graded. Run again.", "not graded")
+        return ungraded_result(submission, "The file changed while it was graded. Run again.", "not graded")
     try:
-        write_whole(path, json.dumps(outcome["result"], sort_keys=True, indent=1))
+        write_atomically(path, json.dumps(outcome["result"], sort_keys=True, indent=1))
     except OSError as error:
         raise GradingStopped(f"A result could not be written: {error}.") from error
     return outcome["result"]

@@ -20,7 +20,7 @@ class MarksUnreadable(Exception):
 
 
 @dataclass(frozen=True)
-class Marked:
+class MarkedAnswer:
     """A written answer and what the reader gave for it; points is None until then.
 
     wrong: why a mark that was typed is none; only the reader sees that.
@@ -75,21 +75,21 @@ def read_marks(path):
     return {row["key"]: row for row in rows}
 
 
-def marked(question, student, notebook, rows):
-    """Return the Marked for one of a result's questions. rows: what read_marks gives."""
+def mark_answer(question, student, notebook, rows):
+    """Return the MarkedAnswer for one of a result's questions. rows: what read_marks gives."""
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
     if text.strip() in ("", PROMPT):
-        return Marked(question["question"], of, text, its_key, question.get("state", NOT_ATTEMPTED), 0)
+        return MarkedAnswer(question["question"], of, text, its_key, question.get("state", NOT_ATTEMPTED), 0)
     row = rows.get(its_key, {})
     typed, comment = cell_text(row.get("mark", "")).strip(), cell_text(row.get("comment", ""))
     if not typed:
-        return Marked(question["question"], of, text, its_key, TO_BE_READ, comment=comment)
+        return MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, comment=comment)
     points = _number(typed)
     if points is None or not 0 <= points <= of:
         wrong = f"the mark {typed[:20]} is no number from 0 to {of}"
-        return Marked(question["question"], of, text, its_key, TO_BE_READ, comment=comment, wrong=wrong)
-    return Marked(question["question"], of, text, its_key, READ, points, comment)
+        return MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, comment=comment, wrong=wrong)
+    return MarkedAnswer(question["question"], of, text, its_key, READ, points, comment)
 
 
 def _number(typed):
@@ -103,9 +103,9 @@ def _number(typed):
 
 
 def marks_text(listed, rows):
-    """Return the table anew: [(student, notebook, Marked)] in their order, and after them marks that fit none of these.
+    """Return questions.csv: a row for each answer, then the earlier marks that fit none of these answers.
 
-    What the reader typed stays as it was typed.
+    listed: [(student, notebook, MarkedAnswer)]. What the reader typed stays as it was typed.
     """
     written, table = set(), []
     for student, notebook, each in listed:

@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from course_lib.pack.grade.course_copy import PACKAGE
+from course_lib.pack.grade.student_view import PACKAGE
 from course_lib.pack.release.stubs import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"

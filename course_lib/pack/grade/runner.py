@@ -7,6 +7,7 @@ from a child of its own, so that what one answer does to its process costs no ot
 
 import ast
 import contextlib
+import functools
 import json
 import linecache
 import os
@@ -30,19 +31,25 @@ def main():
     shutil.copytree(f"{course}/data", "data", dirs_exist_ok=True)
 
     def say(**message):
-        data = json.dumps(message).encode() + b"\n"
-        while data:
-            data = data[os.write(replies, data) :]
+        write(replies, json.dumps(message).encode() + b"\n")
 
-    from course_lib.checks import ask
+    from course_lib.checks import call_student
+
+    def tell(name, text):
+        """Ask the grader, on behalf of a student's test, what a candidate answers; None if it has heard enough."""
+        say(exercise=name, call=text)
+        return json.loads(requests.readline())["told"]
 
     order = json.loads(requests.readline())
     run = run_whole if order["whole"] else run_needed
     space, defined = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
     say(defined=[name for name in order["names"] if name in defined])
-    for line in requests:
+    while line := requests.readline():
         asked = json.loads(line)
-        say(exercise=asked["ask"], **in_a_child(asked, lambda a: ask.reply(space.get(a["ask"]), a["questions"])))
+        name = asked["ask"]
+
+        answer = functools.partial(call_student.reply, space.get(name), asked["questions"])
+        say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
 
 
 # ---- cells ----
@@ -106,38 +113,75 @@ def words(error):
 # ---- answers ----
 
 
-def in_a_child(asked, answer):
-    """Return {"reply": text} from a child process, or {"ended": why}."""
-    seconds = asked["seconds"]
+def in_a_child(asked, answer, tell):
+    """Return {"reply": text} from a child process, or {"ended": why}. Calls of candidates are passed on to `tell`."""
     there, here = os.pipe()
+    told_there, told_here = os.pipe()
     try:
         child = os.fork()
     except OSError as error:
         return {"none": str(error)}
     if child == 0:
-        speak(here, asked, answer)
+        speak(here, told_there, asked, answer)
     os.close(here)
-    parts, deadline, over = [], time.monotonic() + seconds, False
-    while not over:
-        ready, _, _ = select.select([there], [], [], max(deadline - time.monotonic(), 0))
-        data = os.read(there, 1 << 20) if ready else b""
-        parts.append(data)
-        over = not data or data.endswith(b"\n") or sum(map(len, parts)) > asked["reply"]
+    os.close(told_there)
+    os.set_blocking(told_here, False)
+    text, late, reason = listen(child, there, told_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
         os.kill(child, signal.SIGKILL)
     os.close(there)
-    _, status = os.waitpid(child, 0)
-    text = b"".join(parts).decode(errors="replace")
+    os.close(told_here)
+    _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
-    if sum(map(len, parts)) > asked["reply"]:
-        return {"ended": "its answer is too long to be read"}
-    return {"ended": "", "late": not ready, "status": os.waitstatus_to_exitcode(status)}
+    return {"ended": reason, "late": late, "status": os.waitstatus_to_exitcode(status),
+            "computed": usage.ru_utime + usage.ru_stime}  # fmt: skip
 
 
-def speak(pipe, asked, answer):
+def listen(child, there, told_here, asked, tell):
+    """Read lines from the child: calls, which begin with ?, and at last its reply. Return it, and why it is cut off."""
+    buffer, length = b"", 0
+    while True:
+        ready = wait_for(child, there, asked)
+        data = os.read(there, 1 << 20) if ready else b""
+        buffer, length = buffer + data, length + len(data)
+        while buffer.startswith(b"?") and b"\n" in buffer:
+            call, _, buffer = buffer.partition(b"\n")
+            told = tell(call[1:].decode(errors="replace"))
+            if told is None:
+                return "", False, "it calls the functions that it tests too often"
+            try:
+                os.write(told_here, told.encode() + b"\n")
+            except OSError:
+                return "", False, "it does not read what the functions that it tests answer"
+        if not data or buffer.endswith(b"\n") or length > asked["reply"]:
+            reason = "its answer is too long to be read" if length > asked["reply"] else ""
+            return buffer.decode(errors="replace"), not ready, reason
+
+
+def wait_for(child, pipe, asked):
+    """Wait until something comes out of the pipe; False if the child computes nothing for too long."""
+    begin = since = time.monotonic()
+    computed = None
+    while not select.select([pipe], [], [], 0.25)[0]:
+        now, before, computed = time.monotonic(), computed, computing_time(child)
+        since = since if computed == before else now
+        if now - since > asked["idle"] or now - begin > asked["seconds"]:
+            return False
+    return True
+
+
+def computing_time(process):
+    """The seconds of processor time of a process; None where the system has no such clock."""
+    try:
+        return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
+    except OSError:
+        return None
+
+
+def speak(pipe, told, asked, answer):
     """In the child: answer, and end whatever happens."""
     try:
         os.setpgid(0, 0)
@@ -146,11 +190,20 @@ def speak(pipe, asked, answer):
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
         random.seed(0)
         sys.modules["numpy"].random.seed(0)  # the same grade for the same file, whatever it draws
-        data = answer(asked).encode() + b"\n"
-        while data:
-            data = data[os.write(pipe, data) :]
+        hear = os.fdopen(told, "rb")
+
+        def consult(text):
+            write(pipe, b"?" + text.encode() + b"\n")
+            return hear.readline().decode()
+
+        write(pipe, answer(consult).encode() + b"\n")
     finally:
         os._exit(0)
+
+
+def write(pipe, data):
+    while data:
+        data = data[os.write(pipe, data) :]
 
 
 if __name__ == "__main__":

@@ -15,39 +15,40 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-ENTER = Path(__file__).with_name("enter.py")
-SHOWN = (
-    "/usr",
-    "/bin",
-    "/sbin",
-    "/lib",
-    "/lib32",
-    "/lib64",
-    "/etc/ld.so.cache",
-    "/etc/ld.so.conf",
-    "/etc/alternatives",
-)
+from course_lib.pack.grade import control_group, isolate, seccomp
+from course_lib.pack.grade.control_group import ControlGroup
+from course_lib.pack.grade.isolate import below
+from course_lib.pack.grade.visible import visible_paths
+
 FIRST_UID = 200_000  # with root: one user for each sandbox, whom nothing on the machine belongs to
-APART, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
+NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
 NOTICES = {
-    APART: "",
+    NAMESPACES: "",
     BUBBLEWRAP: "",
     ANOTHER_USER: "namespaces are not allowed here: submissions run as another user with limits, and can read files "
     "that all users can, and use the network",
     LIMITS: "neither namespaces nor another user are possible here: only limits of memory and time hold submissions",
 }
 
+WATCHERS = {NAMESPACES: 2, BUBBLEWRAP: 3, ANOTHER_USER: 1, LIMITS: 1}  # processes of ours around the student's
+
 
 @dataclass(frozen=True)
 class Limits:
-    """What one submission may take. seconds are of the clock unless they say CPU; sizes are bytes."""
+    """What one submission may take; sizes are bytes.
+
+    What ends a computation is processor time, so that a busy machine changes no verdict. Seconds without "cpu" are of
+    the clock: idle_seconds end what computes nothing at all, the others lie far later than any computation.
+    """
 
     cpu_seconds: int = 20  # for all answers of one exercise
-    answer_seconds: int = 90  # the same by the clock
-    cell_seconds: int = 120
-    start_seconds: int = 60
-    notebook_seconds: int = 600  # for all cells of one run
-    submission_seconds: int = 1200  # for everything together; what is left then is not asked any more
+    cell_cpu_seconds: int = 120
+    notebook_cpu_seconds: int = 400  # for all cells of one run
+    submission_cpu_seconds: int = 1200  # for everything together; what is left then is not asked any more
+    idle_seconds: int = 60  # in which nothing is computed
+    answer_seconds: int = 1800  # for all answers of one exercise
+    notebook_seconds: int = 3600  # for all cells of one run
+    submission_seconds: int = 7200
     memory: int = 4 * 10**9  # of one process; numpy reserves much and uses little
     everything: int = 5 * 10**9  # of all processes together
     processes: int = 40
@@ -64,23 +65,27 @@ class Ended(Exception):
 class Sandbox:
     """A running sandbox, as a context manager; whatever ran in it is gone when it is left.
 
-    contents: {path: bytes} of files that are shown at /course, runner.py among them.
+    contents: {path: bytes} of files that are shown at /course, runner.py among them. hidden: folders that must not be
+    seen, wherever they lie.
     """
 
-    def __init__(self, contents, limits=None):
-        self._contents, self._limits = contents, limits or Limits()
+    def __init__(self, contents, limits=None, hidden=()):
+        self._contents, self._limits, self._hidden = contents, limits or Limits(), hidden
+        self._group = ControlGroup(self._limits.everything, self._limits.processes)
 
     def __enter__(self):
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
         try:
-            _lay_out(self._folder, self._contents)
-            command = _command(kind(), self._folder, self._limits, "runner.py")
-            pipe = subprocess.PIPE
+            _write_files(self._folder, self._contents)
+            command = _command(kind(), self._folder, self._limits, "runner.py", self._hidden)
+            pipe = {name: subprocess.PIPE for name in ("stdin", "stdout", "stderr")}
+            self._group.__enter__()
             self._process = subprocess.Popen(
-                command, stdin=pipe, stdout=pipe, stderr=pipe, start_new_session=True, cwd="/", env={}
+                command, **pipe, start_new_session=True, cwd="/", env={}, preexec_fn=self._group.join
             )
         except BaseException:
-            shutil.rmtree(self._folder, ignore_errors=True)
+            self._group.__exit__()
+            remove_tree(self._folder)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
         self._left, self._over = bytearray(), ""
@@ -92,7 +97,8 @@ class Sandbox:
         _end(self._process)
         self._process.stdout.close()
         self._process.stderr.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._group.__exit__()
+        remove_tree(self._folder)
 
     def send(self, message, seconds=30):
         """Send a message, anything that JSON can hold."""
@@ -110,23 +116,35 @@ class Sandbox:
             except OSError:
                 raise Ended(self._why()) from None
 
-    def receive(self, seconds):
-        """Return the next message, a dict; what is none is passed over. Raises Ended, and after that always."""
+    def receive(self, clock, cpu=None):
+        """Return the next message, a dict; anything else is ignored. Raises Ended, and after that always.
+
+        clock: seconds to wait at most. cpu: seconds of computing that all processes of the sandbox together may use
+        meanwhile. Whatever they are, it ends when nothing at all is computed for a while.
+        """
         try:
-            return self._next(seconds)
+            return self._next(Watch(self._computed, clock, cpu, self._limits.idle_seconds + 2))
         except Ended as end:
             self._over = str(end)
             raise
 
-    def _next(self, seconds):
-        deadline, looked_at = time.monotonic() + seconds, 0
+    def _computed(self):
+        """Return the seconds of computing of everything in the sandbox; None where the system does not tell."""
+        if sys.platform != "linux":
+            return None
+        watchers, ticks = WATCHERS[kind()], 0
+        for usage in below(self._process.pid).values():  # the process itself, of depth 0, is the first watcher
+            ticks += usage.ticks_of_ended + (usage.ticks if usage.depth >= watchers else 0)
+        return ticks / os.sysconf("SC_CLK_TCK")
+
+    def _next(self, watch):
+        looked_at = 0
         while True:
             end = self._left.find(b"\n", looked_at)
             if end >= 0:
                 line, looked_at = bytes(self._left[:end]), 0
                 del self._left[: end + 1]
-                if time.monotonic() > deadline:
-                    raise Ended("it talks and does not come to an end")
+                watch.look()
                 with contextlib.suppress(ValueError, RecursionError):
                     message = json.loads(line)
                     if isinstance(message, dict):
@@ -135,13 +153,13 @@ class Sandbox:
             looked_at = len(self._left)
             if looked_at > self._limits.reply + 10_000:
                 raise Ended("it said too much")
-            self._left += self._more(deadline)
+            self._left += self._more(watch)
 
-    def _more(self, deadline):
+    def _more(self, watch):
         with selectors.DefaultSelector() as ready:
             ready.register(self._process.stdout, selectors.EVENT_READ)
-            if not ready.select(max(deadline - time.monotonic(), 0)):
-                raise Ended("it took too long")
+            while not ready.select(0.25):
+                watch.look(idle=True)
         data = os.read(self._process.stdout.fileno(), 1 << 20)
         if not data:
             raise Ended(self._why())
@@ -156,15 +174,84 @@ class Sandbox:
         return told.splitlines()[-1] if told else "its process ended"
 
 
+class Watch:
+    """Ends the waiting for a sandbox: by its computing, by its idleness, and far later by the clock."""
+
+    def __init__(self, computed, clock, cpu, idle):
+        self._computed, self._cpu, self._idle = computed, cpu, idle
+        self._clock, self._end = clock, time.monotonic() + clock
+        self._first = self._last = None
+        self._since, self._looked = time.monotonic(), time.monotonic()
+
+    def look(self, idle=False):
+        """Raise Ended if a bound is passed. idle: whether nothing came from the sandbox meanwhile."""
+        now = time.monotonic()
+        if now > self._end:
+            raise Ended(f"it was not done after {self._clock:.0f} seconds")
+        if not idle and now - self._looked < 0.25:
+            return
+        self._looked, computed = now, self._computed()
+        if computed is None:
+            return
+        if self._first is None:
+            self._first = computed
+        if computed != self._last or not idle:
+            self._last, self._since = computed, now
+        if self._cpu is not None and computed - self._first > self._cpu:
+            raise Ended(f"it took more than {self._cpu} seconds of computing")
+        if now - self._since > self._idle:
+            raise Ended(f"it computed nothing for {self._idle} seconds")
+
+
 def notice():
     """Return in words what of the isolation this system does not offer, or ""."""
-    return NOTICES[kind()]
+    lacking = [NOTICES[kind()]] if NOTICES[kind()] else []
+    if not control_group.available():
+        lacking.append("no control group can be made here: memory in pipes and sockets is not counted")
+    if not call_filter():
+        lacking.append("system calls cannot be filtered here: memory in anonymous files is not counted")
+    return f"{'; '.join(lacking)}." if lacking else ""
+
+
+@functools.cache
+def call_filter():
+    """Return the filter of system calls for this machine; b"" if it takes none."""
+    code = seccomp.program()
+    if not code:
+        return b""
+    child = os.fork()
+    if child == 0:
+        try:
+            isolate.control(isolate.NO_NEW_PRIVILEGES, 1)
+            isolate.filter_calls(code)
+            os._exit(0)
+        finally:
+            os._exit(1)
+    return code if os.waitpid(child, 0)[1] == 0 else b""
+
+
+def remove_tree(folder):
+    """Remove a folder, however deep a submission nested what is in it: shutil.rmtree recurses."""
+    subprocess.run(["rm", "-rf", "--", str(folder)], stderr=subprocess.DEVNULL)
+
+
+def remove_old_folders():
+    """Remove the folders of sandboxes whose grader was killed."""
+    for folder in Path(tempfile.gettempdir()).glob("grade-*-*"):
+        number = folder.name.split("-")[1]
+        try:
+            if number.isdigit():
+                os.kill(int(number), 0)
+        except ProcessLookupError:
+            remove_tree(folder)
+        except OSError:  # somebody else's
+            pass
 
 
 @functools.cache
 def kind():
     """Return the best of the ways to keep submissions apart that works here."""
-    for each in (APART, BUBBLEWRAP, ANOTHER_USER, LIMITS):
+    for each in (NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS):
         if works(each):
             return each
     raise RuntimeError("no process can be started for submissions")
@@ -173,7 +260,7 @@ def kind():
 def works(each):
     """Return whether a process with numpy, a child and a scratch folder can be had in this way."""
     possible = {
-        APART: sys.platform == "linux",
+        NAMESPACES: sys.platform == "linux",
         BUBBLEWRAP: sys.platform == "linux" and shutil.which("bwrap") is not None,
         ANOTHER_USER: os.getuid() == 0,
         LIMITS: True,
@@ -181,22 +268,22 @@ def works(each):
     if not possible[each]:
         return False
     trial = b"import numpy, os; open('trial', 'w').close(); os.waitpid(os.fork() or os._exit(0), 0); print('fine')"
-    folder = Path(tempfile.mkdtemp(prefix="grade-"))
+    folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
     try:
-        _lay_out(folder, {"trial.py": trial})
-        command = _command(each, folder, Limits(), "trial.py")
+        _write_files(folder, {"trial.py": trial})
+        command = _command(each, folder, Limits(), "trial.py", ())
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env={})
         return done.stdout == b"fine\n"
     except (OSError, subprocess.SubprocessError):
         return False
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        remove_tree(folder)
 
 
 # ---- how it is started ----
 
 
-def _lay_out(folder, contents):
+def _write_files(folder, contents):
     """Write the files for a sandbox, readable for every user, and its folders."""
     folder.chmod(0o711)
     for name in ("course", "root", "scratch"):
@@ -210,50 +297,50 @@ def _lay_out(folder, contents):
         path.chmod(0o755 if path.is_dir() else 0o644)
 
 
-def _command(each, folder, limits, script):
-    view = each in (APART, BUBBLEWRAP)
+def _command(each, folder, limits, script, hidden):
+    view = each in (NAMESPACES, BUBBLEWRAP)
     uid = FIRST_UID + os.getpid() % 50_000 + 50_000 * (int(time.monotonic() * 1000) % 1000) if os.getuid() == 0 else 0
-    uid = uid if each in (APART, ANOTHER_USER) else 0
+    uid = uid if each in (NAMESPACES, ANOTHER_USER) else 0
     course, scratch = ("/course", "/scratch") if view else (str(folder / "course"), str(folder / "scratch"))
     if each == ANOTHER_USER:
         os.chown(scratch, uid, uid)
     wanted = {
-        "apart": each == APART,
+        "apart": each == NAMESPACES,
         "root": str(folder / "root"),
-        "shown": _shown(),
+        "visible": visible_paths(hidden) if each == NAMESPACES else [],
         "course": str(folder / "course"),
         "scratch": scratch,
         "uid": uid,
         "limits": _numbers(limits, uid),
+        "filter": call_filter().hex(),
         "command": [sys.executable, "-I", f"{course}/{script}", course],
     }
-    enter = [sys.executable, "-I", "-S"]
+    start = [sys.executable, "-I", "-S"]
     if each == BUBBLEWRAP:
-        wanted = wanted | {"shown": []}
-        return [*_bubblewrap(folder), *enter, "/enter.py", json.dumps(wanted)]
-    return [*enter, str(ENTER), json.dumps(wanted)]
+        return [*_bubblewrap(folder, limits, hidden), *start, "/isolate.py", json.dumps(wanted)]
+    return [*start, isolate.__file__, json.dumps(wanted)]
 
 
 def _numbers(limits, uid):
-    """The limits as enter.py takes them. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
+    """The limits as isolate.py takes them. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
     release = [int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]]
     counted = uid or (sys.platform == "linux" and release >= [5, 14])
     names = ("memory", "everything", "processes", "files", "file", "scratch")
     return {name: getattr(limits, name) for name in names} | {"count_processes": bool(counted)}
 
 
-def _shown():
-    """What of the system a Python of this environment needs."""
-    own = [path for path in (sys.prefix, sys.base_prefix) if not path.startswith("/usr")]
-    return [path for path in SHOWN if os.path.lexists(path)] + sorted({os.path.realpath(path) for path in own} | {*own})
-
-
-def _bubblewrap(folder):
-    shown = [part for path in _shown() for part in ("--ro-bind", path, path)]
+def _bubblewrap(folder, limits, hidden):
+    view, last = [], []
+    for path, is_shown in visible_paths(hidden):
+        view += ["--ro-bind", path, path] if is_shown else ["--size", "65536", "--tmpfs", path]
+        last += [] if is_shown else ["--remount-ro", path]
+    rooms = {"/scratch": limits.scratch, "/tmp": limits.scratch // 4, "/dev/shm": 65536}
     return [
-        *(shutil.which("bwrap"), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", *shown),
-        *("--ro-bind", str(folder / "course"), "/course", "--ro-bind", str(ENTER), "/enter.py"),
-        *("--proc", "/proc", "--dev", "/dev", "--tmpfs", "/scratch", "--tmpfs", "/tmp"),
+        *(shutil.which("bwrap"), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL"),
+        *("--proc", "/proc", "--dev", "/dev"),
+        *(part for path, size in rooms.items() for part in ("--size", str(size), "--tmpfs", path)),
+        *(*view, *last),
+        *("--ro-bind", str(folder / "course"), "/course", "--ro-bind", isolate.__file__, "/isolate.py"),
     ]
 
 

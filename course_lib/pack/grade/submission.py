@@ -7,19 +7,22 @@ the whole notebook run.
 
 import json
 import re
+import resource
 import time
 from dataclasses import dataclass, field, replace
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, Verdict, judge
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge, with_blame
 from course_lib.checks.notebook import describe
-from course_lib.checks.plain import read, write
 from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import no_python
-from course_lib.pack.grade.course_copy import contents
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
 from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox
+from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
+JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
+MOST_CALLS = 5000  # of candidates, by one student's test
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
@@ -31,6 +34,12 @@ class Outcome:
     again: frozenset = frozenset()
 
 
+def _computed():
+    """Return the seconds of computing of this process and of those that it started and that have ended."""
+    usages = [resource.getrusage(whose) for whose in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
 @dataclass
 class Run:
     """A submission while it is graded. left_out: {number of a cell that ended or stopped it: how}."""
@@ -40,17 +49,22 @@ class Run:
     seed: int
     package: str
     exercises: tuple
+    hidden: tuple = ()
     left_out: dict = field(default_factory=dict)
     begin: float = field(default_factory=time.monotonic)
+    computed: float = field(default_factory=_computed)
 
-    def seconds_left(self):
-        return self.begin + self.limits.submission_seconds - time.monotonic()
+    def over(self):
+        """Return whether all that this submission may take is used up."""
+        late = time.monotonic() - self.begin > self.limits.submission_seconds
+        return late or _computed() - self.computed > self.limits.submission_cpu_seconds
 
 
-def grade(text, notebook, seed, limits=None):
+def grade(text, notebook, seed, limits=None, hidden=()):
     """Return what a submission earns, as plain data; never raises for anything that the submission holds.
 
     text: the file's bytes. notebook: the name it was handed in as. seed: of the cases, a secret of the grader's.
+    hidden: folders that the submission must not see, wherever they lie.
     """
     try:
         cells, release = notebook_file.read(text)
@@ -61,11 +75,12 @@ def grade(text, notebook, seed, limits=None):
     if course is None:
         problem = "It is none of the course's notebooks: neither its name nor its functions say which."
         return _result(notebook, release, None, [problem], {}, cells)
-    run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises)
+    run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises, tuple(hidden))
     outcomes = ask_all(run)
     for exercise in course.exercises:
         if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
             outcomes[exercise.name] = Outcome(Verdict(exercise, ERROR, why))
+    _blame_helpers(outcomes)
     return _result(notebook, release, course, _problems(run), outcomes, cells)
 
 
@@ -74,26 +89,35 @@ def ask_all(run):
     everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
     outcomes = attempt(run, run.exercises, everything, whole=False)
     for exercise in run.exercises:
-        if ALONE in outcomes[exercise.name].again and run.seconds_left() > 0:
+        if ALONE in outcomes[exercise.name].again and not run.over():
             outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=False)
     left = [exercise for exercise in run.exercises if WHOLE in outcomes[exercise.name].again]
-    if left and run.seconds_left() > 0:
+    if left and not run.over():
         outcomes |= attempt(run, left, everything, whole=True)
     for exercise in left:
-        if ALONE in outcomes[exercise.name].again and run.seconds_left() > 0:
+        if ALONE in outcomes[exercise.name].again and not run.over():
             outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)
     return outcomes
 
 
+def _blame_helpers(outcomes):
+    """Let a wrong answer name the other exercise that it calls, if that is wrong too."""
+    for outcome in outcomes.values():
+        verdict = outcome.verdict
+        if verdict.state in (WRONG, ERROR):
+            called = [o.verdict for name, o in outcomes.items() if name in verdict.calls and o is not outcome]
+            outcome.verdict = with_blame(verdict, called)
+
+
 def attempt(run, exercises, forbidden, whole):
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
-    checks = {course.package: [e.name for e in course.exercises] for course in courses().values()}
+    checks = {course.package: course.exercises for course in courses().values()}
     files, without, how = contents(checks, forbidden), [], ""
     for _ in range(MOST_RESTARTS):
-        if run.seconds_left() < 0:
+        if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
         order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
-        with Sandbox(files, run.limits) as sandbox:
+        with Sandbox(files, run.limits, run.hidden) as sandbox:
             guilty, end, defined = run_cells(sandbox, order, run)
             if not end:
                 return {e.name: ask(sandbox, run, e, whole or e.name in defined, how) for e in exercises}
@@ -109,17 +133,16 @@ def attempt(run, exercises, forbidden, whole):
 def run_cells(sandbox, order, run):
     """Let the cells run. Returns what ran last, how it ended the sandbox or "", and which names the cells define."""
     limits = run.limits
-    current, wait = None, limits.start_seconds
-    deadline = time.monotonic() + min(limits.start_seconds + limits.notebook_seconds, max(run.seconds_left(), 1))
+    current, begin, cpu = None, time.monotonic(), limits.cell_cpu_seconds
     try:
         sandbox.send(order)
         while True:
-            message = sandbox.receive(min(wait, deadline - time.monotonic()))
+            message = sandbox.receive(limits.notebook_seconds + begin - time.monotonic(), cpu)
             if isinstance(message.get("defined"), list):
                 return current, "", message["defined"]
             place = message.get("running")
             if isinstance(place, list) and len(place) == 2 and all(isinstance(number, int) for number in place):
-                current, wait = place, limits.cell_seconds
+                current = place
     except Ended as end:
         return current, str(end), []
 
@@ -129,15 +152,20 @@ def ask(sandbox, run, exercise, final, left_out):
 
     final: whether a function that is not there is nowhere. left_out: why something was left out of this run, or "".
     """
-    if run.seconds_left() < 0:
+    if run.over():
         return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
     student = Student(sandbox, run, exercise.name)
     try:
-        verdict = judge(exercise, student, run.seed)
+        with cpu_deadline(JUDGING_SECONDS):
+            verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
+            _message(verdict)  # to show an answer of any size may take as long, or fail
+    except CpuDeadline as deadline:
+        return Outcome(Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}."))
     except Exception as error:
         verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
     if student.ended:
-        return Outcome(Verdict(exercise, ERROR, student.ended), frozenset({ALONE}))
+        again = frozenset() if student.too_slow else frozenset({ALONE})
+        return Outcome(Verdict(exercise, ERROR, student.ended), again)
     if verdict.state == RIGHT:
         return Outcome(verdict)
     if left_out and (verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and final)):
@@ -154,19 +182,21 @@ class Student:
 
     def __init__(self, sandbox, run, name):
         self._sandbox, self._run, self._name = sandbox, run, name
-        self.ended, self.missing = "", ""
+        self.ended, self.missing, self.too_slow = "", "", False
 
-    def reply(self, questions):
+    def reply(self, questions, consult=None):
         limits = self._run.limits
-        asked = read(questions) | {"seconds": limits.cpu_seconds}
-        request = {"ask": self._name, "questions": write(asked), "seconds": limits.answer_seconds}
-        request |= {"cpu": limits.cpu_seconds + 2, "reply": limits.reply}
+        request = {"ask": self._name, "questions": questions, "seconds": limits.answer_seconds}
+        request |= {"cpu": limits.cpu_seconds + 2, "idle": limits.idle_seconds, "reply": limits.reply}
         deadline = time.monotonic() + limits.answer_seconds + 3
         try:
             self._sandbox.send(request)
-            message = {}
-            while message.get("exercise") != self._name:
-                message = self._sandbox.receive(deadline - time.monotonic())
+            message = self._receive(deadline)
+            calls = 0
+            while consult and isinstance(message.get("call"), str):
+                calls += 1
+                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
+                message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."
             return ""
@@ -174,33 +204,45 @@ class Student:
         if isinstance(text, str):
             self.missing = _missing_name(text)
             return text
-        self.ended = _how_it_ended(message, limits)
+        self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
+
+    def _receive(self, deadline):
+        message = {}
+        while message.get("exercise") != self._name:
+            message = self._sandbox.receive(deadline - time.monotonic(), self._run.limits.cpu_seconds + 10)
+        return message
 
 
 def _missing_name(reply):
     """The name that was not there when the function was called, or ""."""
     try:
-        messages = (a["error"]["message"] for a in read(reply) if "error" in a and a["error"]["type"] == "NameError")
+        errors = (answer["error"] for answer in json.loads(reply)["answers"] if "error" in answer)
+        messages = (error["message"] for error in errors if error["type"] == "NameError")
         found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
         return found[1] if found else ""
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return ""
 
 
 def _time_is_up(limits):
-    return f"It was not asked: all that came before took {limits.submission_seconds} seconds."
+    seconds = f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of the clock"
+    return f"It was not asked: all that came before took {seconds}."
 
 
 def _how_it_ended(message, limits):
+    """Return why there is no reply, and whether that was for want of time. message: what the runner claims of it."""
     if message.get("late") is True:
-        return f"Your function was not done after {limits.answer_seconds} seconds. Does a loop never end?"
+        return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
-        return f"What came back cannot be read: {str(message['ended'])[:200]}."
-    status = message.get("status")
-    if status in (-9, -24):
-        return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?"
-    return "Your function ended the process that it runs in."
+        return f"What came back cannot be read: {str(message['ended'])[:200]}.", False
+    status, computed = message.get("status"), message.get("computed")
+    used_up = isinstance(computed, int | float) and computed >= limits.cpu_seconds
+    if status == -24 or (status == -9 and used_up):
+        return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?", True
+    if status == -9:
+        return "The process that your function runs in was killed: it took too much memory, or ended itself.", False
+    return "Your function ended the process that it runs in.", False
 
 
 # ---- the result ----
@@ -226,8 +268,12 @@ def _row(exercise, outcome):
     if outcome is None:
         return row | {"state": UNREADABLE, "message": "The file cannot be read."}
     verdict = outcome.verdict
-    mistake = verdict.mistake.name if verdict.mistake else ""
-    return row | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
+    mistake = verdict.mistake.name if verdict.mistake and not verdict.blames else ""
+    return (
+        row
+        | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
+        | ({"blames": verdict.blames} if verdict.blames else {})
+    )
 
 
 def _message(verdict):

@@ -17,12 +17,12 @@ FORMULA = (
 
 
 @dataclass(frozen=True)
-class Handed:
-    """A submission with its result. instead: the place of the file that counts in its stead, or ""."""
+class GradedFile:
+    """A submission with its result. superseded_by: the place of the file that counts in its stead, or ""."""
 
     submission: Submission
     result: dict
-    instead: str = ""
+    superseded_by: str = ""
 
     @property
     def student(self):
@@ -50,9 +50,9 @@ class Handed:
         return sum(each["of"] for each in [*self.result["exercises"], *self.result["questions"]])
 
 
-def handed(outcomes):
-    """Return the Handed, by student and notebook. Of several files for one notebook the one with most points counts."""
-    all_of_them = sorted((Handed(*outcome) for outcome in outcomes), key=_order)
+def graded_files(outcomes):
+    """Return the GradedFiles by student and notebook; of several for one notebook the one with most points counts."""
+    all_of_them = sorted((GradedFile(*outcome) for outcome in outcomes), key=_order)
     best = {}
     for each in all_of_them:
         best.setdefault((each.student, each.notebook), []).append(each)
@@ -60,7 +60,7 @@ def handed(outcomes):
         best[group] = max(several, key=lambda each: (each.graded, each.points))  # the first of equals
     return [
         each if (winner := best[each.student, each.notebook]) is each or not each.student or not each.graded
-        else Handed(each.submission, each.result, winner.submission.place)
+        else GradedFile(each.submission, each.result, winner.submission.place)
         for each in all_of_them
     ]  # fmt: skip
 
@@ -73,7 +73,7 @@ def _order(each):
 
 
 def grades_text(everything, marks_of):
-    """Return grades.csv. marks_of(handed): the Marked of its written answers."""
+    """Return grades.csv. marks_of(handed): the MarkedAnswer of its written answers."""
     rows = []
     for each in everything:
         rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each, marks_of)]
@@ -82,8 +82,8 @@ def grades_text(everything, marks_of):
 
 def _lines(each, marks_of):
     """Yield exercise, points, of, state and message for what one file holds."""
-    if each.instead:
-        yield "", "", "", "not counted", f"Another file of this notebook counts: {each.instead}."
+    if each.superseded_by:
+        yield "", "", "", "not count_noun", f"Another file of this notebook counts: {each.superseded_by}."
         return
     for problem in each.result["problems"]:
         if each.graded:
@@ -101,7 +101,7 @@ def totals(everything, marks_of):
     """Return {notebook: points there are}, {student: {notebook: points}} and {student: answers to be read}."""
     of, students, waiting = {}, {}, {}
     for each in everything:
-        if each.instead or not each.student:
+        if each.superseded_by or not each.student:
             continue
         answers = marks_of(each)
         line = students.setdefault(each.student, {})
@@ -135,7 +135,7 @@ def table_text(columns, rows):
     return file.getvalue()
 
 
-def counted(number, name):
+def count_noun(number, name):
     """Return "1 mark", "2 marks"."""
     return f"{number} {name}" if number == 1 else f"{number} {name}s"
 

@@ -2,7 +2,7 @@
 
 import hashlib
 import importlib.metadata
-import os
+import io
 import re
 import tomllib
 import zipfile
@@ -11,6 +11,7 @@ from pathlib import Path
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from course_lib.pack.files import write_atomically
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import students_copy
 
@@ -134,11 +135,10 @@ def named(files):
 
 def write_zip(path, files):
     """Write a zip that is the same bytes for the same files: no clock, no user, no order of a file system."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f"{path.name}.part")  # so that an interruption leaves no half of a zip
-    with zipfile.ZipFile(part, "w") as archive:  # stored: how far it can be pressed differs between zlibs
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:  # stored: how far it can be pressed differs between zlibs
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=(2000, 1, 1, 0, 0, 0))
             entry.create_system, entry.external_attr = 3, 0o100644 << 16  # as if from Unix, also on Windows
             archive.writestr(entry, files[name])
-    os.replace(part, path)
+    write_atomically(path, content.getvalue(), mode=0o644)

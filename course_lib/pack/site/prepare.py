@@ -12,10 +12,10 @@ from pathlib import Path
 import nbformat
 from PIL import Image
 
+from course_lib.figures.display import PLOTLY
 from course_lib.pack.site.answers import fold, leave_out
 from course_lib.pack.site.errors import SiteError
 
-PLOTLY = "application/vnd.plotly.v1+json"
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 

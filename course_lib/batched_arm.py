@@ -1,0 +1,149 @@
+"""Many configurations of one arm at once, laid out as in course_lib.batching. SerialArm and ik.solve use it.
+
+The configurations lie along the last axis: q is (n, N), a vector is (3, N), a rotation matrix is its three columns,
+each (3, N). Products with the constants 0 and 1, of which an arm is full, are left out.
+
+The caller has looked at the arrays. Source: Lynch and Park, Modern Robotics (2017), called MR below.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+CHUNK = 2048  # configurations at a time
+_ROUNDING = 1e-15
+
+
+@dataclass(frozen=True)
+class BatchedArm:
+    """An arm of n revolute joints as constants, all at joint angles zero. Make one by BatchedArm.of.
+
+    On each axis sits a frame with z along the axis (or against it: then the joint's sign is -1), so that the joint
+    rotates two of its columns and keeps the third. Rotations and translations lead from the base to the first of these
+    frames, from each to the next, and from the last to the end-effector; frame_offsets from each to the frame that
+    SerialArm.frames shows. They are kept as lists of nonzero factors: of three columns for a translation, three such
+    lists for a rotation.
+    """
+
+    signs: np.ndarray
+    start: np.ndarray
+    rotations: list
+    translations: list
+    frame_offsets: list
+
+    @classmethod
+    def of(cls, screw_axes, home):
+        """Return the BatchedArm of an arm's screw axes (n, 6) and of the poses home (n + 1, 4, 4) of its frames."""
+        axes, moments, origins = screw_axes[:, :3], screw_axes[:, 3:], home[:, :3, 3]
+        # On each axis the point nearest to the origin of the joint's own frame: MR section 3.3.2.2.
+        points = np.cross(axes, moments) + (axes * origins[:-1]).sum(-1, keepdims=True) * axes
+        points = np.concatenate([points, origins[-1:]])
+        main = np.abs(axes).argmax(-1)
+        signs = np.sign(np.take_along_axis(axes, main[:, None], -1))
+        z = axes * signs
+        x = np.cross(np.eye(3)[main - 1], z)  # along a coordinate axis of the base if z is
+        x /= np.linalg.norm(x, axis=-1, keepdims=True)
+        frames = np.stack([x, np.cross(z, x), z], -1)
+        before = np.swapaxes(np.concatenate([np.eye(3)[None], frames]), -1, -2)
+        size = np.abs(points).max() + np.abs(origins).max()
+        steps = np.diff(points, axis=0)[..., None], (origins - points)[:-1, :, None]
+        translations, offsets = ((before[1:] @ step)[..., 0] for step in steps)
+        offset_rotations = before[1:] @ home[:-1, :3, :3]
+        return cls(
+            signs,
+            points[0][:, None],
+            [_rotation_factors(R) for R in before @ np.concatenate([frames, home[-1:, :3, :3]])],
+            [_nonzero_factors(p, size) for p in translations],
+            [(_rotation_factors(R), _nonzero_factors(p, size)) for R, p in zip(offset_rotations, offsets, strict=True)],
+        )
+
+    def joint_frames(self, q):
+        """Yield for each joint the columns and the origin (3, N) of the frame on its axis, for joint angles q (n, N).
+
+        What is the same for all configurations may come as (3, 1).
+        """
+        tangent = np.tan(self.signs * q / 2)  # sine and cosine from one function, which numpy has in vector code
+        cosine_and_1 = 2 / (1 + tangent**2)
+        sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
+        columns, origin = np.eye(3)[:, :, None], self.start
+        for rotation, translation, s, c in zip(self.rotations[:-1], self.translations, sines, cosines, strict=True):
+            x, y, z = (_combination(columns, factors) for factors in rotation)
+            columns = c * x, c * y, z
+            np.add(columns[0], s * y, out=columns[0])
+            np.subtract(columns[1], s * x, out=columns[1])
+            yield columns, origin
+            origin = origin + _combination(columns, translation) if translation else origin
+
+    def end_effector(self, q):
+        """Return the end-effector's orientation, three columns (3, N), and its position (3, N), for q (n, N)."""
+        *_, (columns, origin) = self.joint_frames(q)
+        return self._end_effector(columns, origin)
+
+    def end_effector_and_axes(self, q):
+        """Return what `end_effector` does, and each axis's direction and a point on it, both (n, 3, N)."""
+        directions, points = np.empty((2, *q.shape[:1], 3, *q.shape[1:]))
+        for i, (columns, origin) in enumerate(self.joint_frames(q)):
+            directions[i], points[i] = self.signs[i] * columns[2], origin
+        return *self._end_effector(columns, origin), directions, points
+
+    def fill_end_effector(self, q, T):
+        """Write the end-effector's poses to T (4, 4, N)."""
+        _fill_pose(T, *self.end_effector(q))
+
+    def fill_frames(self, q, T):
+        """Write the poses of the frames that the joints move to T (n + 1, 4, 4, N), the end-effector's last."""
+        for i, (columns, origin) in enumerate(self.joint_frames(q)):
+            rotation, translation = self.frame_offsets[i]
+            offset = _combination(columns, translation)
+            _fill_pose(T[i], [_combination(columns, factors) for factors in rotation], origin + offset)
+        _fill_pose(T[-1], *self._end_effector(columns, origin))
+
+    def fill_space_jacobian(self, q, J):
+        """Write the space Jacobians to J (6, n, N): omega, and v = p x omega for a point p on the axis."""
+        *_, directions, points = self.end_effector_and_axes(q)
+        J[:3] = np.swapaxes(directions, 0, 1)
+        _fill_cross(J[3:], points, directions)
+
+    def fill_geometric_jacobian(self, q, J):
+        """Write the geometric Jacobians to J (6, n, N), and return what `end_effector` does."""
+        columns, position, directions, points = self.end_effector_and_axes(q)
+        J[:3] = np.swapaxes(directions, 0, 1)
+        _fill_cross(J[3:], directions, position - points)
+        return columns, position
+
+    def _end_effector(self, columns, origin):
+        position = origin + _combination(columns, self.translations[-1])
+        return [_combination(columns, factors) for factors in self.rotations[-1]], position
+
+
+def _fill_pose(T, columns, position):
+    for k, column in enumerate(columns):
+        T[:3, k] = column
+    T[:3, 3] = position
+    T[3] = [[0], [0], [0], [1]]
+
+
+def _fill_cross(result, a, b):
+    """Write the cross products (3, n, N) of the vectors a and b (n, 3, N)."""
+    for i in range(3):
+        result[i] = a[:, i - 2] * b[:, i - 1] - a[:, i - 1] * b[:, i - 2]
+
+
+def _rotation_factors(R):
+    """Return the nonzero factors of each column. They are products of rotations: what is near 0, 1 or -1 means that."""
+    near = np.round(R)
+    return [_nonzero_factors(column, 1.0) for column in np.where(np.abs(R - near) <= _ROUNDING, near, R).T]
+
+
+def _nonzero_factors(vector, size):
+    """Return (row, factor) for the entries that are more than rounding beside `size`."""
+    return [(row, float(factor)) for row, factor in enumerate(vector) if abs(factor) > _ROUNDING * size]
+
+
+def _combination(columns, factors):
+    """Return the sum of columns times factors."""
+    total = None
+    for row, factor in factors:
+        product = columns[row] if factor == 1 else columns[row] * factor
+        total = product if total is None else total + product
+    return 0.0 if total is None else total

@@ -1,0 +1,94 @@
+"""Read an answer as the kind of thing that an exercise asks for, in any of the forms that are as good."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Mistake, Unreadable
+
+OTHER_FORM = Mistake("the answer has another form than asked for", "Print your answer and its np.shape.")
+NOT_A_NUMBER = Mistake(
+    "something is divided by zero, or a function is asked outside its domain",
+    "Print each intermediate value for this input: where does the first nan or inf appear?",
+)
+
+
+def boolean(value, *case):
+    """Return True or False for a bool, a numpy bool or a single 0 or 1."""
+    array = _array(value, "True or False")
+    if array.size != 1 or array.item() not in (0, 1):
+        raise Unreadable(f"the answer is True or False. Yours is {_form(array)}.", OTHER_FORM)
+    return bool(array.item())
+
+
+def numbers(shape_of, known=None, gaps=False):
+    """Return a reader of arrays: shape_of(*arguments) is the shape wanted; (4, 1) and (1, 4) pass for (4,).
+
+    known: the mistakes that show in an array of another shape: {shape: Mistake}, or known(array, *arguments), which
+    returns a Mistake or None. gaps: whether nan may stand in the array.
+    """
+
+    def reader(value, *case):
+        shape = tuple(shape_of(*case))
+        array = _array(value, f"an array of shape {shape}")
+        vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
+        if array.shape != shape and not vectors:
+            reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
+            raise Unreadable(reason, _named(known, array, case))
+        return _finite(array, gaps).reshape(shape)
+
+    return reader
+
+
+def rows(width, expected, most=16, known=None):
+    """Return a reader of lists of any length, none included, of items of `width` numbers each: an array (n, width).
+
+    With a width of 1 it is an array (n,). One item may stand without the list around it. expected: the list in words.
+    known: as for numbers.
+    """
+
+    def reader(value, *case):
+        array = _array(value, expected)
+        one_item = array.ndim <= 1 and array.size == width
+        column = width == 1 and array.size == max(array.shape, default=1)
+        if array.size and not (one_item or column or array.shape[1:] in ((width,), (width, 1))):
+            raise Unreadable(f"the answer is {expected}. Yours is {_form(array)}.", _named(known, array, case))
+        if array.size > most * width:
+            raise Unreadable(f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM)
+        items = _finite(array).reshape(array.size // width, width)
+        return items[:, 0] if width == 1 else items
+
+    return reader
+
+
+def _named(known, array, case):
+    """The mistake of an array of another shape than asked for; a complex one goes by its real part."""
+    found = known(array.real, *case) if callable(known) else (known or {}).get(array.shape)
+    return found or OTHER_FORM
+
+
+def _finite(array, gaps=False):
+    """The entries as floats, refused where they are complex or no numbers. gaps: whether nan may stand there."""
+    if array.dtype.kind == "c":
+        if np.abs(array.imag).max(initial=0) > 0:
+            raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
+        array = array.real
+    array = array.astype(float)
+    if gaps and np.isinf(array).any():
+        raise Unreadable("every entry of the answer is a number or nan. Yours holds inf.", NOT_A_NUMBER)
+    if not gaps and not np.isfinite(array).all():
+        raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
+    return array
+
+
+def _array(value, expected):
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        kind = f"a {type(value).__name__} whose parts differ in shape"
+        raise Unreadable(f"the answer is {expected}. Yours is {kind}.", OTHER_FORM) from None
+    if array.dtype.kind not in "biufc":
+        raise Unreadable(f"the answer is {expected}. Yours is of type {type(value).__name__}.", OTHER_FORM)
+    return array
+
+
+def _form(array):
+    return str(array.item()) if array.shape == () else f"an array of shape {array.shape}"

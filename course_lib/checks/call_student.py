@@ -1,0 +1,269 @@
+"""Call a student's function, in the process where that function lives, and write down what came back.
+
+This module knows nothing of right and wrong. In grading it runs in the student's own process, and all it says is taken
+as a claim, to be judged elsewhere.
+"""
+
+import contextlib
+import importlib
+import io
+import json
+import linecache
+import signal
+import sys
+import threading
+import types
+import warnings
+
+import numpy as np
+
+from course_lib.checks.adapters import ADAPTERS
+from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
+
+CPU_SECONDS = 20
+_MOST_CALLS = 500  # of candidates, by one answer
+_MOST_WARNING = 300  # letters of a warning or an error's message
+
+
+def reply(function, questions, consult=None):
+    """Return the answers to some questions, as JSON text.
+
+    Parameters
+    ----------
+    function : callable or None
+        The student's; None if there is none.
+    questions : str
+        JSON text of {"cases": [arguments, ...], "forbidden": [dotted names], "seconds": CPU time for all cases,
+        "through": a key of ADAPTERS, "names": [names of the arguments]}, written by wire.write.
+    consult : callable, optional
+        Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed only for exercises in
+        which the student writes a test.
+
+    Returns
+    -------
+    str
+        JSON text of {"answers": a list with a dict for each case, "calls": [names of functions of the notebook that
+        the function uses]}. The keys of an answer are among "value" (what came back, see wire.py), "changed"
+        (positions of the arguments changed in place), "warning" (the text of the first one), and "error"
+        ({"type", "message", "line", "source", "cell"}; the line is one of the student's own code, "cell" names the
+        function in whose cell it stands, if not in this function's).
+    """
+    asked = read(questions)
+    cases = asked["cases"]
+    if function is None:
+        return json.dumps({"answers": [_error("NotImplementedError", "")] * len(cases), "calls": []})
+    through, names = ADAPTERS[asked["through"]], asked["names"]
+    answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
+    with contextlib.suppress(TimeUp), _quiet(), _put_back(), _taken_away(asked["forbidden"], function) as refused:
+        with _clock(asked["seconds"]):
+            for case in cases:
+                answers.append(refused or _answer(function, case, through, names, consult))
+                if answers[-1].get("error", {}).get("type") in ("TimeUp", "NotAllowed", "KeyboardInterrupt"):
+                    last = answers[-1]
+                    break
+    answers += [last] * (len(cases) - len(answers))  # the other cases would end alike
+    return json.dumps({"answers": answers, "calls": functions_used(function)})
+
+
+def _answer(function, case, through, names, consult):
+    before = [write(argument) for argument in case]
+    arguments = [_made_real(argument, consult) for argument in map(read, before)]
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("default")
+            value = through(function, names, arguments)
+        answer = {"value": to_json(value), "changed": _changed(before, arguments)}
+        return answer | ({"warning": str(caught[0].message)[:_MOST_WARNING]} if caught else {})
+    except NotPlain as kind:
+        return _error("NotPlain", str(kind))
+    except BaseException as raised:  # GeneratorExit and what students derive from BaseException too
+        return _error(type(raised).__name__, _text(raised), *_students_line(raised, function))
+
+
+def _error(kind, message, line=None, source="", cell=""):
+    return {"error": {"type": kind, "message": message, "line": line, "source": source, "cell": cell}}
+
+
+def _text(raised):
+    """The text of an exception, which is the student's to make and may fail or be anything."""
+    try:
+        return str(raised)[:_MOST_WARNING]
+    except BaseException:
+        return "its text cannot be shown"
+
+
+def _made_real(argument, consult):
+    if isinstance(argument, Seed):
+        return np.random.default_rng(argument.number)
+    return _StandIn(argument.number, consult) if isinstance(argument, Candidate) else argument
+
+
+def _changed(before, arguments):
+    """The positions of the arguments that no longer are what they were; a generator is meant to move on."""
+    changed = []
+    for position, (text, argument) in enumerate(zip(before, arguments, strict=True)):
+        if isinstance(argument, np.random.Generator | _StandIn):
+            continue
+        try:
+            same = write(argument) == text
+        except NotPlain:
+            same = False
+        if not same:
+            changed.append(position)
+    return changed
+
+
+class _StandIn:
+    """Stands for a candidate: passes its arguments to the process that judges, and returns what comes back.
+
+    All candidates look alike from here. What tells them apart is what they answer.
+    """
+
+    __slots__ = ("_calls", "_consult", "_number")
+
+    def __init__(self, number, consult):
+        self._number, self._consult, self._calls = number, consult, 0
+
+    def __call__(self, *arguments):
+        self._calls += 1
+        if self._calls > _MOST_CALLS:
+            raise ValueError(f"a test may call the function {_MOST_CALLS} times")
+        request = json.dumps({"candidate": int(self._number), "arguments": [to_json(a) for a in arguments]})
+        answer = json.loads(self._consult(request))
+        if "error" in answer:
+            raise ValueError(str(answer["error"]))
+        return from_json(answer["value"])
+
+
+def functions_used(function):
+    """Return the names of the functions of its own notebook that a function calls, and those that they call."""
+    own, found, waiting = getattr(function, "__globals__", None), [], [getattr(function, "__code__", None)]
+    while waiting:
+        code = waiting.pop()
+        if not isinstance(code, types.CodeType):
+            continue
+        waiting += [constant for constant in code.co_consts if isinstance(constant, types.CodeType)]
+        for name in code.co_names:
+            used = own.get(name)
+            if isinstance(used, types.FunctionType) and used.__globals__ is own and name not in found:
+                found.append(name)
+                waiting.append(used.__code__)
+    return found[:100]
+
+
+def _students_line(raised, function):
+    """The number and text of the last line that ran in the student's notebook: whose globals are the function's.
+
+    The third part is the name of the function in whose cell that line stands, if it is another cell.
+    """
+    own = getattr(function, "__globals__", None)
+    number, source, cell, step = None, "", "", raised.__traceback__
+    while step is not None:
+        code = step.tb_frame.f_code
+        if step.tb_frame.f_globals is own:
+            number, source = step.tb_lineno, linecache.getline(code.co_filename, step.tb_lineno).strip()[:200]
+            elsewhere = code.co_filename != function.__code__.co_filename
+            cell = (cell if code.co_name.startswith("<") else code.co_name) if elsewhere else ""
+        step = step.tb_next
+    return number, source, cell
+
+
+class TimeUp(BaseException):
+    """The CPU time for all cases is used up. Not an Exception, so that `except Exception` does not swallow it."""
+
+
+class NotAllowed(BaseException):
+    """The answer called what its exercise asks the student to write."""
+
+
+def _too_long(seconds):
+    return f"more than {seconds} seconds of computing"
+
+
+@contextlib.contextmanager
+def _clock(seconds):
+    """Raise TimeUp in the main thread after so many CPU seconds, and each second from then on."""
+
+    def ring(signum, frame):
+        raise TimeUp(_too_long(seconds))
+
+    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield  # no such clock here (Windows): the student's stop button remains
+        return
+    earlier = signal.signal(signal.SIGPROF, ring)
+    try:
+        signal.setitimer(signal.ITIMER_PROF, seconds, 1)
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, earlier)
+
+
+@contextlib.contextmanager
+def _quiet():
+    """Drop what the function prints, displays and plots: a hundred cases would bury the one message that counts."""
+
+    class Nowhere(io.TextIOBase):
+        def write(self, text):
+            return len(text)
+
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    open_before = set(pyplot.get_fignums()) if pyplot else set()
+    with contextlib.ExitStack() as stack:
+        if "IPython" in sys.modules:
+            from IPython.utils.capture import capture_output
+
+            stack.enter_context(capture_output())
+        stack.enter_context(contextlib.redirect_stdout(Nowhere()))
+        stack.enter_context(contextlib.redirect_stderr(Nowhere()))
+        yield
+    if pyplot := sys.modules.get("matplotlib.pyplot"):
+        for number in set(pyplot.get_fignums()) - open_before:
+            pyplot.close(number)
+
+
+@contextlib.contextmanager
+def _put_back():
+    """Put back numpy's settings for errors and printing, should the function change them."""
+    errors, printing = np.geterr(), np.get_printoptions()
+    try:
+        yield
+    finally:
+        np.seterr(**errors)
+        np.set_printoptions(**printing)
+
+
+@contextlib.contextmanager
+def _taken_away(names, function):
+    """Replace what the dotted names mean, wherever the library or the student's notebook holds it.
+
+    Yields the answer to every question if the function itself is one of them, else None. This deters; a pasted copy
+    of the library's code is not found.
+    """
+    put_back, refused = [], None
+    for name in names:
+        module, attribute = name.rsplit(".", 1)
+        thing = getattr(importlib.import_module(module), attribute)
+        if function is thing:
+            refused = _error("NotAllowed", name)
+        spaces = [vars(loaded) for key, loaded in list(sys.modules.items()) if key.startswith(("course_lib", module))]
+        for space in [*spaces, getattr(function, "__globals__", {})]:
+            for key in [key for key, value in list(space.items()) if value is thing]:
+                put_back.append((space, key, thing))
+                space[key] = _Taken(name)
+    try:
+        yield refused
+    finally:
+        for space, key, thing in put_back:
+            space[key] = thing
+
+
+class _Taken:
+    def __init__(self, name):
+        object.__setattr__(self, "_name", name)
+
+    def __call__(self, *arguments, **named):
+        raise NotAllowed(self._name)
+
+    def __getattr__(self, attribute):
+        raise NotAllowed(object.__getattribute__(self, "_name"))

@@ -1,0 +1,130 @@
+"""fit_cells: in each cell and for each branch an affine model of the joint angles."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.affine_models import clusters, models, with_one
+from course_lib.checks.decomposition_ik.cell_samples import cases
+from course_lib.checks.decomposition_ik.model_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
+from course_lib.checks.decomposition_ik.two_links import same_with_gaps
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+
+_FINE = 1e-7  # radians
+_SHAPES = {
+    (2, 2, 2): Mistake("the intercepts are missing", "Row j is [coef_[j, 0], coef_[j, 1], intercept_[j]]: 3 numbers."),
+    (2, 3, 2): Mistake(
+        "the models are transposed", "Row j belongs to theta j: np.column_stack([coef_, intercept_]) is (2, 3)."
+    ),
+}
+_COUNT = Mistake(
+    "count is not used for the number of cells", "Cells may be empty, the last one too: np.full((count, 2, 2, 3), nan)."
+)
+_FIRST_AXIS = Mistake("the clusters stand on the first axis", "First the cell, then the cluster: models[c, k].")
+
+
+def _known_form(array, *case):
+    """The mistake of an answer that has another shape, or None."""
+    count = case[-1]
+    if array.shape == (count, 2, 3):
+        one = same_with_gaps(array, one_for_both(*case)[:, 0])
+        return Mistake(*(ONE_FOR_BOTH if one else THETA1_ONLY))
+    if array.shape[1:] == (2, 2, 3) and array.shape[0] < count:
+        return _COUNT
+    if count != 2 and array.shape == (2, count, 2, 3):
+        return _FIRST_AXIS
+    return _SHAPES.get(array.shape[1:]) if array.shape[:1] == (count,) else None
+
+
+def _around(samples):
+    """Places in the cell of these samples (m, 2)."""
+    return samples.mean(axis=0) + 0.1 * np.array([[0, 0], [1, 1], [-1, 1], [-1, -1], [1, -1]])
+
+
+def _errors(value, xy, theta, cell, count):
+    """How far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
+    right, errors = models(xy, theta, cell, count), {}
+    for place, samples in clusters(theta, cell, count).items():
+        if len(samples) > 2:
+            off = with_one(_around(xy[samples])) @ (value[place] - right[place]).T
+            errors[place] = np.where(np.isnan(off), np.inf, np.abs(off)).max(axis=0)
+    return errors
+
+
+def _fits(value, *case):
+    return all(errors.max() < _FINE for errors in _errors(value, *case).values())
+
+
+def _tell_fit(value, *case):
+    errors = _errors(value, *case)
+    (c, k), j = next((place, j) for place, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
+    wanted, samples = models(*case)[c, k, j], clusters(*case[1:])[c, k]
+    return (
+        f"In cell {c}, cluster {k} has {len(samples)} samples, and for theta{j + 1} the row {format_tuple(wanted)} fits "
+        f"them best. Yours is {format_tuple(value[c, k, j])}."
+    )
+
+
+def _size(place, *case):
+    n = len(clusters(*case[1:])[place])
+    return "1 sample" if n == 1 else f"{n} samples"
+
+
+def _too_many(value, *case):
+    """The clusters with a model that are to have none."""
+    missing = np.isnan(models(*case))
+    return [place for place in np.ndindex(value.shape[:2]) if not np.isnan(value[place][missing[place]]).all()]
+
+
+def _too_few(value, *case):
+    """The clusters without a model that are to have one."""
+    wanted = ~np.isnan(models(*case))
+    return [place for place in np.ndindex(value.shape[:2]) if np.isnan(value[place][wanted[place]]).any()]
+
+
+def _tell_too_many(value, *case):
+    c, k = place = _too_many(value, *case)[0]
+    return (
+        f"In cell {c}, cluster {k} has {_size(place, *case)}, and the first row of your model there is "
+        f"{format_tuple(value[place][0])}."
+    )
+
+
+def _tell_too_few(value, *case):
+    c, k = place = _too_few(value, *case)[0]
+    return f"In cell {c}, cluster {k} has {_size(place, *case)}, and nan stands in your model there."
+
+
+EXERCISE = Exercise(
+    name="fit_cells",
+    points=3,
+    arguments=("xy", "theta", "cell", "count"),
+    cases=cases,
+    returns=numbers(lambda xy, theta, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
+    properties=(
+        Property(
+            "a cluster with fewer than 3 samples has no model: nan stands there, in all 6 places",
+            lambda value, *case: not _too_many(value, *case),
+            _tell_too_many,
+        ),
+        Property(
+            "a cluster with 3 samples or more has a model",
+            lambda value, *case: not _too_few(value, *case),
+            _tell_too_few,
+        ),
+        Property(
+            "theta_j = A[j, 0] x + A[j, 1] y + A[j, 2] fits the samples of its cluster with the least squares",
+            _fits,
+            _tell_fit,
+        ),
+    ),
+    mistakes=MISTAKES,
+    hints=(
+        "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",
+        "own = cell == c gives the samples of the cell; labels = split_branches(theta[own]) their clusters.",
+        "For k in (0, 1): in_k = labels == k. With fewer than 3 samples, continue: the nan stays.",
+        "fit = LinearRegression().fit(xy[own][in_k], theta[own][in_k]).",
+        "models[c, k, :, :2] = fit.coef_ and models[c, k, :, 2] = fit.intercept_.",
+    ),
+    forbidden=("course_lib.grid_ik.GridIK", "course_lib.checks.decomposition_ik.stand_ins.fit_cells"),
+)

@@ -1,0 +1,271 @@
+"""ik_2r: both pairs of joint angles that bring the end of a planar arm with two links of one metre to a place."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.bends import (
+    by_arctan,
+    corrected,
+    correction,
+    cosine_is,
+    in_order,
+    inside,
+    mended,
+    off,
+    on_rim,
+    outside,
+    right_bend,
+    same_theta1,
+    supplement,
+    theta1_is,
+    towards,
+    with_theta1,
+    with_theta2,
+    wrapped,
+)
+from course_lib.checks.decomposition_ik.two_links import place
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
+
+_FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the rim, where a rounding of r moves theta2 by its root
+
+_ONLY_ONE = Mistake(
+    "only one solution is returned",
+    "The elbow can be on either side: theta2 = arccos(...) and theta2 = -arccos(...), each with its own theta1.",
+)
+_NO_ROWS = Mistake(
+    "a place out of reach is given another form",
+    "Return two rows of NaN there, np.full((2, 2), np.nan), so that every answer has the shape (2, 2).",
+)
+_DIVIDED = Mistake(
+    "y is divided by x, which may be 0",
+    "np.arctan2(y, x) needs no quotient, and looks at both signs.",
+)
+_NO_COSINE = Mistake(
+    "arccos is asked outside [-1, 1]: out of reach, or by rounding on the rim",
+    "Ask first whether r > 2 + 1e-9, and return NaN there; else clip the number to [-1, 1].",
+)
+
+_pairs = numbers(lambda xy: (2, 2), dict.fromkeys(((2,), (1, 2), (2, 1)), _ONLY_ONE), gaps=True)
+
+
+def _read(value, xy):
+    """Return the answer as an array (2, 2), with NaN in it where the answer says so."""
+    try:
+        return _pairs(value, xy)
+    except Unreadable as wrong:
+        if outside(xy):
+            raise Unreadable(str(wrong), _NO_ROWS) from None
+        raise
+
+
+def _cases(rng):
+    named = [[1.0, 1.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.2], [1.6, 0.0]]
+    angles = np.array([0.3, 1.2, 2.0, 2.8, 3.5, 4.4, 5.0, 6.0]) + rng.uniform(-0.2, 0.2, 8)
+    sizes = np.concatenate([rng.uniform(0.2, 1.3, 4), rng.uniform(1.5, 1.95, 4)])[[0, 4, 1, 5, 6, 2, 7, 3]]
+    within = [np.round(r * _direction(a), 3) for r, a in zip(sizes, angles, strict=True)]
+    beyond = np.nextafter(2, 3)
+    rim = [[2.0, 0], [0, -2.0], [beyond, 0], [0, beyond], [-beyond, 0], [1.9999, 0.0]]
+    rim += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
+    far = [[3.0, 0], [0, -2.5], [1.6, 1.6], [-2.001, 0]]
+    far += [r * _direction(a) for r, a in rng.uniform(2.1, 6, (3, 2))]
+    return [(np.array(xy),) for xy in [*named, *within, [0.0, 0.0], [0.01, -0.02], *rim, *far]]
+
+
+def _direction(angle):
+    return np.array([np.cos(angle), np.sin(angle)])
+
+
+def _reaches(within):
+    return lambda theta, xy: (off(theta, xy) < within).all()
+
+
+def _tell_end(theta, xy):
+    if np.isnan(theta).any():
+        return f"This place is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
+    row = int(np.argmax(off(theta, xy)))
+    return f"With your {('first', 'second')[row]} row the end is at {format_tuple(np.round(place(theta[row]), 6))}."
+
+
+def _tell_bend(theta, xy):
+    first, second = wrapped(theta[:, 1])
+    return f"Your theta2 are {first:.4g} and {second:.4g}, less whole turns."
+
+
+EXERCISE = Exercise(
+    name="ik_2r",
+    points=2,
+    arguments=("xy",),
+    cases=_cases,
+    returns=_read,
+    properties=(
+        Property(
+            "each row brings the end to xy: cos theta1 + cos(theta1 + theta2) = x, sin theta1 + sin(theta1 + theta2) "
+            "= y",
+            _reaches(_FINE),
+            _tell_end,
+            where=inside,
+        ),
+        Property(
+            "the first row has theta2 >= 0, the second theta2 <= 0",
+            in_order,
+            _tell_bend,
+            where=inside,
+        ),
+        Property(
+            "the end comes to xy on the rim of the workspace too, stretched, where both rows are the same",
+            lambda theta, xy: _reaches(_ROUGH)(theta, xy) and in_order(theta, xy),
+            _tell_end,
+            where=on_rim,
+        ),
+        Property(
+            "a place out of reach, farther than 2 m from the base, has two rows of NaN",
+            lambda theta, xy: np.isnan(theta).all(),
+            lambda theta, xy: f"This place is {np.linalg.norm(xy):.6g} m from the base.",
+            where=outside,
+            mistake=Mistake(
+                "a place out of reach is answered all the same: clipping hides that there is no solution",
+                "Ask for the distance first: where it is beyond 2 by more than rounding, return two rows of NaN.",
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "places on the rim are taken for out of reach: rounding takes r a hair beyond 2",
+            "Let only r > 2 + 1e-9 be out of reach, and np.clip the number to [-1, 1] before arccos.",
+            seen=lambda theta, xy: on_rim(xy) and np.isnan(theta).any(),
+        ),
+        Mistake(
+            "only one solution is returned, twice",
+            _ONLY_ONE.hint,
+            seen=lambda theta, xy: (
+                inside(xy) and (off(theta, xy) < 1e-6).all() and (np.abs(wrapped(theta[0] - theta[1])) < 1e-9).all()
+            ),
+        ),
+        *mended(
+            "the two rows are in the other order: theta2 >= 0 is asked for first",
+            "Return the row with theta2 = +arccos(...) before that with theta2 = -arccos(...).",
+            lambda theta, xy: theta[::-1],
+        ),
+        *mended(
+            "the angles are given in degrees",
+            "Angles are radians everywhere: no np.rad2deg.",
+            lambda theta, xy: np.deg2rad(theta),
+            lambda theta, xy: np.deg2rad(theta[::-1]),
+        ),
+        *mended(
+            "theta1 and theta2 have changed places in the rows",
+            "Each row is (theta1, theta2).",
+            lambda theta, xy: theta[:, ::-1],
+        ),
+        *mended(
+            "the answer is transposed: its rows are both theta1 and both theta2",
+            "Each row is one solution, (theta1, theta2).",
+            lambda theta, xy: theta.T,
+        ),
+        *mended(
+            "theta2 is counted from the x axis",
+            "theta2 is counted from the first link's direction: take theta1 off.",
+            with_theta2(lambda t1, t2, xy: t2 - t1),
+        ),
+        Mistake(
+            "theta1 is the direction of the place alone, without the correction for the elbow",
+            "theta1 = atan2(y, x) - atan2(sin theta2, 1 + cos theta2): the first link points beside the place.",
+            seen=theta1_is(lambda xy, t2: towards(xy)),
+        ),
+        Mistake(
+            "theta1 is the same for both solutions",
+            "The correction for the elbow has theta2 in it: compute theta1 anew for each theta2.",
+            seen=same_theta1,
+        ),
+        *mended(
+            "the elbow correction of theta1 has its sign wrong",
+            "theta2 > 0 bends to the left, so the first link points to the right of the place: "
+            "theta1 = atan2(y, x) - atan2(sin theta2, 1 + cos theta2).",
+            with_theta1(lambda t1, t2, xy: 2 * towards(xy) - t1),
+        ),
+        Mistake(
+            "the place at the base is given NaN",
+            "There y / x is 0 / 0. Any theta1 is right, so np.arctan2(0, 0) = 0 will do.",
+            seen=lambda theta, xy: not xy.any() and np.isnan(theta).any(),
+        ),
+        *(
+            Mistake(
+                "theta1 is wrong by half a turn where x < 0: atan of y / x looks at one quotient only",
+                "np.arctan2(y, x) looks at both signs.",
+                seen=by_arctan(side),
+            )
+            for side in (1, -1)
+        ),
+        Mistake(
+            "x and y are swapped in atan2",
+            "np.arctan2(y, x), in this order.",
+            seen=theta1_is(lambda xy, t2: np.arctan2(xy[0], xy[1]) - correction(t2)),
+        ),
+        Mistake(
+            "the two arguments of atan2 are swapped in the elbow correction",
+            "atan2(sin theta2, 1 + cos theta2): the sine is the height, so it comes first.",
+            seen=theta1_is(lambda xy, t2: towards(xy) - np.arctan2(1 + np.cos(t2), np.sin(t2))),
+        ),
+        Mistake(
+            "the elbow correction is theta2, not half of it",
+            "With links of the same length, atan2(sin theta2, 1 + cos theta2) is theta2 / 2.",
+            seen=theta1_is(lambda xy, t2: towards(xy) - t2),
+        ),
+        *mended(
+            "the angle inside the elbow is taken for theta2: the law of cosines has its sign wrong",
+            "theta2 is what the second link bends from the first one's direction: r^2 = 2 + 2 cos theta2.",
+            lambda theta, xy: corrected(supplement(theta), xy),
+            lambda theta, xy: corrected(supplement(theta[::-1]), xy),
+        ),
+        *(
+            Mistake(
+                "the cosine of theta2 is not (r^2 - 2) / 2",
+                "From r^2 = 1 + 1 + 2 cos theta2: cos theta2 = (x^2 + y^2 - 2) / 2.",
+                seen=cosine_is(formula),
+            )
+            for formula in (
+                lambda r: r**2 - 2,
+                lambda r: (r - 2) / 2,
+                lambda r: (r**2 - 1) / 2,
+                lambda r: (r**2 - 2) / 4,
+                lambda r: r**2 / 2,
+                lambda r: r / 2,
+                lambda r: (r**2 + 2) / 2,
+            )
+        ),
+        Mistake(
+            "theta2 is right, and theta1 is not",
+            "theta1 = atan2(y, x) - atan2(sin theta2, 1 + cos theta2).",
+            seen=right_bend,
+        ),
+        Mistake(
+            "only some of the numbers are NaN out of reach",
+            "Return two rows of NaN there, np.full((2, 2), np.nan): theta1 has no value either.",
+            seen=lambda theta, xy: outside(xy) and np.isnan(theta).any(),
+        ),
+        Mistake(
+            "NaN is returned for a place within reach",
+            "Print the number you give to arccos or to the root: it has to lie in its range up to r = 2.",
+            seen=lambda theta, xy: np.isnan(theta).any(),
+        ),
+    ),
+    hints=(
+        "r^2 = x^2 + y^2 = 2 + 2 cos theta2 gives cos theta2, and arccos gives theta2 >= 0; -theta2 is the other one.",
+        "The place lies in the direction atan2(y, x), the second link bends away from it: "
+        "theta1 = atan2(y, x) - atan2(sin theta2, 1 + cos theta2), for each theta2.",
+        "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, a place on the rim may have r = 2 + 4e-16 "
+        "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
+    ),
+    forbidden=(
+        "course_lib.arms.SerialArm",
+        "course_lib.arms.planar_arm",
+        "course_lib.ik.solve",
+        "course_lib.checks.decomposition_ik.stand_ins.ik_2r",
+    ),
+    errors=(
+        ("ZeroDivisionError", "", _DIVIDED),
+        ("ValueError", "math domain error", _NO_COSINE),
+        ("ValueError", "expected a number in range", _NO_COSINE),
+    ),
+)

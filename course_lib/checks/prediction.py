@@ -1,0 +1,28 @@
+"""Predictions: a question about what the next cell will show, answered before that cell runs. No points."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """A question with two to four choices, each with an answer of its own.
+
+    The question and the choices stand in the notebook; which one is right stands only here.
+
+    Parameters
+    ----------
+    name : str
+        As in check.<name>.predict("b").
+    right : str
+        The letter of the right choice.
+    replies : dict of str to str
+        Letter: what to say to whoever chose it. To a wrong choice: what it overlooks.
+    """
+
+    name: str
+    right: str
+    replies: dict[str, str]
+
+    def __post_init__(self):
+        if self.right not in self.replies or not 2 <= len(self.replies) <= 4:
+            raise ValueError(f"{self.name}: two to four choices, the right one among them; {list(self.replies)} came")

@@ -1,0 +1,264 @@
+"""solve_lm: the way of the planar arm's joints towards a point, step by step."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_array
+from course_lib.checks.subproblems_damped_ik.lm_step import WRONG_STEPS, allowed, off, step
+from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
+
+_TIPS = Mistake(
+    "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
+)
+_TRANSPOSED = Mistake("the transpose is returned", "One row for each step, one column for each joint: np.array(...).T.")
+_NUMBERS = Mistake("one number is kept for each step", "Keep q itself, all four angles, after each step.")
+
+
+def _cases(rng):
+    bent = np.array([0, 0, 0, np.pi / 2])
+    named = [(bent, [2, 1], 1.0, 1.0, 1), (bent, [2, 1], 1.0, 1.0, 2), (bent, [2.2, 1.8], 0.2, 2.0, 6)]
+    named += [
+        (bent, [3, 1], 0.2, 2.0, 4),
+        (np.zeros(4), [3, 4], 0.2, 2, 5),
+        (np.array([1, -1, 1, 0]), [1, 2], 0.5, 1, 4),
+    ]
+    drawn = [
+        (rng.uniform(0.3, 1.2, 4) * rng.choice([-1, 1], 4), rng.uniform(-2, 2, 2), alpha, eps, steps)
+        for alpha, eps, steps in ((0.5, 1.0, 2), (0.2, 0.5, 10), (0.8, 5.0, 7), (1.0, 0.1, 20), (0.4, 20.0, 12))
+    ]
+    reached = rng.uniform(0.3, 1.2, 4)
+    ends = [(reached, tip(reached), 0.2, 2.0, 5), (drawn[0][0], drawn[0][1], 0.3, 1.0, 0)]
+    return [(q0, np.array(target, float), alpha, eps, steps) for q0, target, alpha, eps, steps in named + drawn + ends]
+
+
+def _read(value, q0, target, alpha, eps, steps):
+    def known(array):
+        if array.shape == (4, steps + 1):
+            return _TRANSPOSED
+        if array.shape in ((steps,), (steps + 1,)):
+            return _NUMBERS
+        return _TIPS if array.shape[-1:] == (2,) else None
+
+    return rows(4, f"an array of shape ({steps + 1}, 4)", most=2 * steps + 8, known=known)(value)
+
+
+def _from(q0, count, *rest):
+    """The right way, of so many steps."""
+    way = [np.array(q0, float)]
+    for _ in range(count):
+        way.append(step(way[-1], *rest))
+    return np.array(way)
+
+
+def _way(q0, target, alpha, eps, steps):
+    return _from(q0, steps, target, alpha, eps)
+
+
+def _steps_that_fit(way, *rest):
+    """Whether each row comes of the row before it by a step."""
+    return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(way)]
+
+
+def _begins(way, q0, target, alpha, eps, steps):
+    return off(way[0], q0) < 1e-9 if len(way) else steps == 0
+
+
+def _first_row(way, q0, *rest):
+    return f"Yours is {format_array(way[0], 5)}." if len(way) else "Your answer is empty."
+
+
+def _goes_on(way, q0, target, alpha, eps, steps):
+    return all(_steps_that_fit(way, target, alpha, eps))
+
+
+def _wrong_row(way, q0, target, alpha, eps, steps):
+    k = _steps_that_fit(way, target, alpha, eps).index(False)
+    wanted = step(way[k], target, alpha, eps)
+    yours = f"Your row {k + 1} is {format_array(way[k + 1], 5)}."
+    return f"From row {k}, {format_array(way[k], 5)}, a step leads to {format_array(wanted, 5)}. {yours}"
+
+
+def _like(words, *formulas):
+    """One mistake, name and hint in `words`, made in more than one way: each formula(q0, ..., steps) the rows."""
+    name, hint = words
+
+    def seen(formula):
+        def matches(way, *case):
+            predicted = np.asarray(formula(*case))
+            return way.shape == predicted.shape and (way.size == 0 or off(way, predicted) < 1e-6)
+
+        return matches
+
+    return tuple(Mistake(name, hint, seen=seen(formula)) for formula in formulas)
+
+
+def _row_by_row(words, next_of):
+    """The mistake of those whose next row is next_of(q0, q, target, alpha, eps), q being the row before it."""
+    name, hint = words
+
+    def seen(way, q0, target, alpha, eps, steps):
+        after = [next_of(q0, q, target, alpha, eps) for q in way[:-1]]
+        return len(after) > 0 and off(way[1:], after) < 1e-6 * (1 + np.abs(after).max())
+
+    return Mistake(name, hint, seen=seen)
+
+
+def _rows_of(change):
+    """The rows that change(way, steps) makes of the right way, of two steps more than are asked for."""
+    return lambda q0, target, alpha, eps, steps: change(_from(q0, steps + 2, target, alpha, eps), steps)
+
+
+def _kept(J_of, e_of):
+    """The next row of somebody who takes J and e at J_of(q0, q) and e_of(q0, q)."""
+
+    def next_of(q0, q, target, alpha, eps):
+        J, e = jacobian(J_of(q0, q)), tip(e_of(q0, q)) - target
+        return q - alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
+
+    return next_of
+
+
+def _changing(q0, target, alpha, eps, steps, change):
+    """The way with change(alpha, k) in step k, k from 1 on."""
+    way = [np.array(q0, float)]
+    for k in range(1, steps + 1):
+        way.append(step(way[-1], target, change(alpha, k), eps))
+    return np.array(way)
+
+
+def _part_of_the_way(way, *case):
+    right = _way(*case)
+    return 0 < len(way) < len(right) and off(way, right[: len(way)]) < 1e-6
+
+
+def _of_a_wrong_step(mistake):
+    """The mistake of those who repeat a wrong step."""
+    words = (f"each step is wrong: {mistake.name}", mistake.hint)
+    return tuple(_row_by_row(words, lambda q0, *case, wrong=wrong: wrong(*case)) for wrong in mistake.answers)
+
+
+def _first(q0, q):
+    return q0
+
+
+def _latest(q0, q):
+    return q
+
+
+EXERCISE = Exercise(
+    name="solve_lm",
+    points=2,
+    arguments=("q0", "target", "alpha", "eps", "steps"),
+    cases=_cases,
+    returns=_read,
+    properties=(
+        Property("the first row is q0", _begins, _first_row),
+        Property(
+            "each row comes of the row before it by one damped step",
+            _goes_on,
+            _wrong_row,
+        ),
+        Property(
+            "there are steps + 1 rows: q0, and one after each step",
+            lambda way, q0, target, alpha, eps, steps: len(way) == steps + 1,
+            lambda way, q0, target, alpha, eps, steps: (
+                f"With steps = {steps} that is {steps + 1}. Yours has {len(way)}."
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "digits after the point are cut off",
+            "An array made like q0, or np.array([1, -1, 1, 0]), holds whole numbers only: np.array(q0, float).",
+            seen=lambda way, q0, *rest: q0.dtype.kind == "i" and len(way) > 1 and np.array_equal(way, np.trunc(way)),
+        ),
+        *_like(
+            ("q0 is missing: the first row is that after the first step", "Keep q0 before the loop begins."),
+            _rows_of(lambda way, steps: way[1 : steps + 1]),
+            _rows_of(lambda way, steps: way[1 : steps + 2]),
+            _rows_of(lambda way, steps: way[1:steps]),
+        ),
+        *_like(
+            ("only the last angles are returned", "Keep q after each step: the whole way is asked for."),
+            _rows_of(lambda way, steps: way[steps : steps + 1]),
+        ),
+        *_like(
+            (
+                "every row is the same array, changed in place: all show the last angles",
+                "Appending q does not copy it. Make a new array in each step, or append q.copy().",
+            ),
+            _rows_of(lambda way, steps: np.tile(way[steps], (steps + 1, 1))),
+            _rows_of(lambda way, steps: np.tile(way[steps], (steps, 1))),
+        ),
+        *_like(
+            ("the rows stand in reverse order", "q0 is the first row, the last angles are the last."),
+            _rows_of(lambda way, steps: way[steps::-1]),
+        ),
+        *_like(
+            ("one step too few is made", "range(steps) counts steps of them, from 0 to steps - 1."),
+            _rows_of(lambda way, steps: way[:steps]),
+        ),
+        *_like(
+            ("one step too many is made", "range(steps) counts steps of them; with q0 that makes steps + 1 rows."),
+            _rows_of(lambda way, steps: way[: steps + 2]),
+        ),
+        *_like(
+            ("q0 stands there twice", "q0 once, and then the angles after each step."),
+            _rows_of(lambda way, steps: np.vstack([way[:1], way[: steps + 1]])),
+            _rows_of(lambda way, steps: np.vstack([way[:1], way[:steps]])),
+        ),
+        *_like(
+            ("all steps start from q0", "Each step starts where the last one ended: q = lm_step(q, ...)."),
+            lambda q0, target, alpha, eps, steps: np.array([q0] + [step(q0, target, alpha, eps)] * steps),
+        ),
+        *_like(
+            ("q stays at q0: no step is kept", "q = lm_step(q, ...): the result needs a name."),
+            lambda q0, target, alpha, eps, steps: np.tile(q0, (steps + 1, 1)),
+        ),
+        *_like(
+            ("the last row is never filled", "With steps + 1 rows there are steps steps to fill in: rows 1 to steps."),
+            _rows_of(lambda way, steps: np.vstack([way[:steps], np.zeros((1, 4))])),
+        ),
+        _row_by_row(
+            ("J and the error are not made anew in each step", "Both change with q: make them in the loop."),
+            _kept(_first, _first),
+        ),
+        _row_by_row(
+            ("J is not made anew in each step", "J changes with q: make it in the loop."), _kept(_first, _latest)
+        ),
+        _row_by_row(
+            ("the error is not made anew in each step", "e = tip(q) - target, with the q of now."),
+            _kept(_latest, _first),
+        ),
+        *_like(
+            (
+                "the steps are kept rather than the angles",
+                "Keep q after each step, not what is taken off it.",
+            ),
+            lambda q0, *rest: np.vstack([q0, np.diff(_way(q0, *rest), axis=0)]),
+        ),
+        *_like(
+            ("alpha changes from step to step", "alpha is the same in all steps."),
+            *(
+                lambda q0, target, alpha, eps, steps, change=change: _changing(q0, target, alpha, eps, steps, change)
+                for change in (lambda a, k: a**k, lambda a, k: a / k)
+            ),
+        ),
+        Mistake(
+            "it stops before all steps are made",
+            "All steps are asked for, also when the tip is there already: the array has steps + 1 rows.",
+            seen=_part_of_the_way,
+        ),
+        *(mistake for wrong in WRONG_STEPS for mistake in _of_a_wrong_step(wrong)),
+    ),
+    library=_way,
+    hints=(
+        "A list with a copy of q0 in it, and a loop over range(steps) that appends lm_step of the last entry.",
+        "way = [np.array(q0, float)], then way.append(lm_step(way[-1], target, alpha, eps)), then np.array(way).",
+        "lm_step must not change its q in place: the rows kept before would change with it.",
+    ),
+    forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
+)

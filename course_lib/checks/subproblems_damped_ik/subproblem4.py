@@ -1,0 +1,211 @@
+"""subproblem4: the turns about an axis that bring a point to a given height along a direction."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.subproblems_damped_ik.shared import (
+    across,
+    all_of_them,
+    angle_about,
+    mended,
+    predicted,
+    too_few,
+    turned,
+    unless_empty,
+    where_two,
+    wrong_middles,
+)
+from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
+from course_lib.checks.subproblems_damped_ik.subproblem3 import either_side
+from course_lib.checks.vocabulary import unit
+from course_lib.subproblems import subproblem4
+
+
+def _reachable(rng, aside, middle, size):
+    """A direction h, a point p, and the height at which p has turned `aside` beyond h."""
+    k = unit(rng)
+    h, p = size * off_axis(k, rng), off_axis(k, rng)
+    h = turned(k, angle_about(k, h, p) + middle, h)
+    return k, h, p, float(h @ turned(k, angle_about(k, p, h) + aside, p))
+
+
+def _cases(rng):
+    named = [
+        (Z, X, X, 0.5),
+        (Z, X, Y, 0.0),
+        (Z, Y, 2 * X, -1.0),
+        (Z, X, np.array([2.0, 0, 1]), 1.0),
+        (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2),
+        (Z, 2 * X, X, 1.0),
+    ]
+    generic = [
+        _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
+        _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
+    ]
+    k, h, p, _ = generic[0]
+    low, high = _range(k, h, p)
+    none = [
+        (Z, X, X, 1.5),
+        (Z, X, X, -1.5),
+        (Z, X, X + 2 * Z, 1.5),
+        (k, h, p, high + 0.1 * (high - low)),
+        (k, h, p, low - 0.1 * (high - low)),
+    ]
+    return named + generic + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+
+
+def _range(k, h, p):
+    """The lowest and the highest that p comes."""
+    middle = angle_about(k, p, h)
+    return [h @ turned(k, middle + aside, p) for aside in (np.pi, 0.0)]
+
+
+def _count(*case):
+    right = subproblem4(*case)
+    return int(right.count) if right.exact else 0
+
+
+def _misses(theta, k, h, p, d):
+    return abs(h @ turned(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
+
+
+def _tell(theta, k, h, p, d):
+    return f"With {theta:.6g} it is {round(h @ turned(k, theta, p), 9):.6g}; d is {d:.6g}."
+
+
+def _nothing_there(found, k, h, p, d):
+    low, high = _range(k, h, p)
+    return f"h . R(k, theta) p goes from {low:.4g} to {high:.4g}; d is {d:.4g}."
+
+
+def _by_cosine(offset, swing=None, middle=None):
+    """The angles of somebody who takes offset / swing for the cosine of the angle beside `middle`.
+
+    offset(d, k . h, k . p); swing(h', p', h, p), both vectors across the axis first; middle(k, p, h).
+    """
+
+    def angles(k, h, p, d):
+        a, b = across(k, h), across(k, p)
+        length = swing(a, b, h, p) if swing else np.linalg.norm(a) * np.linalg.norm(b)
+        return either_side((middle or angle_about)(k, p, h), offset(d, k @ h, k @ p) / length)
+
+    return angles
+
+
+def _right_offset(d, kh, kp):
+    return d - kh * kp
+
+
+def _by_sine(k, h, p, d):
+    """The angles of somebody who takes the cosine for a sine."""
+    sine = np.clip((d - (k @ h) * (k @ p)) / np.linalg.norm(across(k, h)) / np.linalg.norm(across(k, p)), -1, 1)
+    middle = angle_about(k, p, h)
+    return [middle + np.arcsin(sine), middle + np.pi - np.arcsin(sine)]
+
+
+def _both_sides_by_arcsine(k, h, p, d):
+    first = _by_sine(k, h, p, d)[0]
+    return [first, 2 * angle_about(k, p, h) - first]
+
+
+_ONE = "angle"
+
+
+def _solutions(k, h, p, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem4(k, h, p, d)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
+EXERCISE = Exercise(
+    name="subproblem4",
+    points=2,
+    arguments=("k", "h", "p", "d"),
+    cases=_cases,
+    returns=unless_empty(rows(1, "a list of angles, empty where there is none"), _count),
+    properties=all_of_them(
+        "each theta brings p to the height d along h: h . R(k, theta) p = d",
+        _ONE,
+        _misses,
+        _tell,
+        _count,
+        none=(
+            Property(
+                "the list is empty where d is higher or lower than p comes",
+                lambda found, *case: len(found) == 0,
+                _nothing_there,
+                where=lambda *case: _count(*case) == 0,
+                mistake=Mistake(
+                    "an angle is returned where there is none",
+                    "Where the cosine leaves [-1, 1], no turn does it. Clipping hides that.",
+                ),
+            ),
+        ),
+    ),
+    mistakes=where_two(
+        _count,
+        _misses,
+        *too_few(_ONE, _misses),
+        *mended(("the angles are in degrees", "Radians, please."), _misses, np.deg2rad),
+        *predicted(
+            (
+                "the height along the axis is forgotten",
+                "(k . h)(k . p) of the height never changes. Take it off d before you divide.",
+            ),
+            _by_cosine(lambda d, kh, kp: d),
+            _by_cosine(lambda d, kh, kp: d, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
+        ),
+        *predicted(
+            (
+                "the height along the axis is taken off wrongly",
+                "h . R p = (k . h)(k . p) + |h'| |p'| cos(angle), with the parts h' and p' across the axis.",
+            ),
+            _by_cosine(lambda d, kh, kp: d + kh * kp),
+            _by_cosine(lambda d, kh, kp: d - kh),
+            _by_cosine(lambda d, kh, kp: d - kp),
+        ),
+        *predicted(
+            (
+                "lengths are divided out that are not those of the parts across the axis",
+                "The height swings by |h'| |p'|, with h' = h - (k . h) k and p' = p - (k . p) k.",
+            ),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(b)),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(p)),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(b)),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a)),
+            _by_cosine(_right_offset, lambda a, b, h, p: 1.0),
+            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(b) / np.linalg.norm(h)),
+            _by_cosine(_right_offset, lambda a, b, h, p: (np.linalg.norm(a) * np.linalg.norm(b)) ** 2),
+        ),
+        *predicted(
+            ("h is divided by its length, and d is not", "h need not have length one: leave it as it is."),
+            lambda k, h, p, d: _by_cosine(_right_offset)(k, h / np.linalg.norm(h), p, d),
+        ),
+        *wrong_middles("h", lambda middle: _by_cosine(_right_offset, middle=middle), _misses),
+        *predicted(
+            (
+                "sine and cosine are swapped",
+                "At theta = subproblem1(k, p, h) the height is greatest: cos(0) = 1 belongs to it.",
+            ),
+            _by_sine,
+            _both_sides_by_arcsine,
+        ),
+        *predicted(
+            ("the height is taken to be -d", "Where R p points along h, d is positive."),
+            _by_cosine(lambda d, kh, kp: kh * kp - d),
+            _by_cosine(lambda d, kh, kp: -d - kh * kp),
+        ),
+    ),
+    library=_solutions,
+    hints=(
+        "Split h and p into parts along k and across it: h . R p = (k . h)(k . p) + h' . R p'.",
+        "h' . R p' = |h'| |p'| cos(angle between R p' and h'): that gives the cosine. Out of [-1, 1]: an empty list.",
+        "theta = subproblem1(k, p, h) +- arccos(cosine): one solution to each side of h.",
+        "Or by components: h' . R p' = A cos(theta) + B sin(theta), with A = h' . p' and B = h . (k x p).",
+    ),
+    forbidden=("course_lib.subproblems.subproblem4",),
+)

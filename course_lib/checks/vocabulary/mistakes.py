@@ -1,0 +1,147 @@
+"""Mistakes that an answer of a given kind can have, made from the right function.
+
+Each takes `right(*arguments)`, the right answer, and returns a Mistake; `name` and `hint` can be said better by the
+exercise. A mistake says nothing of a case in which it changes nothing.
+"""
+
+import itertools
+
+import numpy as np
+
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.vocabulary.comparisons import near
+
+
+def _changed(right, change):
+    """The answer of somebody who changes the right one by `change`; None where that makes no difference."""
+
+    def answer(*case):
+        exact = np.asarray(right(*case), float)
+        other = change(exact)
+        return None if other.shape == exact.shape and np.allclose(other, exact, rtol=1e-9, atol=1e-12) else other
+
+    return answer
+
+
+def transposed(right, name="the transpose is returned", hint="Rows and columns have changed places."):
+    return Mistake(name, hint, _changed(right, np.transpose))
+
+
+def inverted(right, name="the inverse is returned", hint="Which frame do you start from, and in which do you end?"):
+    return Mistake(name, hint, _changed(right, np.linalg.inv))
+
+
+def negated(right, name="the sign is changed", hint="Compare the sign with an example that you can do by hand."):
+    return Mistake(name, hint, _changed(right, np.negative))
+
+
+def doubled(right, name="the answer is twice what it should be", hint="Look for a factor 2."):
+    return Mistake(name, hint, _changed(right, lambda x: 2 * x))
+
+
+def halved(right, name="the answer is half of what it should be", hint="Look for a factor 1/2."):
+    return Mistake(name, hint, _changed(right, lambda x: x / 2))
+
+
+def in_degrees(right, name="the answer is in degrees", hint="Angles are in radians throughout."):
+    return Mistake(name, hint, _changed(right, np.rad2deg))
+
+
+def argument_degrees(
+    right, position=0, name="the angle is taken for degrees", hint="Angles are in radians throughout."
+):
+    """An argument is converted as if it were in degrees."""
+
+    def answer(*case):
+        return right(*(np.deg2rad(a) if i == position else a for i, a in enumerate(case)))
+
+    return Mistake(name, hint, answer)
+
+
+def argument_returned(position=0, name="the argument is returned as it came", hint="Return the result."):
+    return Mistake(name, hint, lambda *case: case[position])
+
+
+def arguments_swapped(
+    right, i=0, j=1, name="two arguments have changed places", hint="Compare the order with the task."
+):
+    def answer(*case):
+        swapped = list(case)
+        swapped[i], swapped[j] = case[j], case[i]
+        return right(*swapped)
+
+    return Mistake(name, hint, answer)
+
+
+def halves_swapped(
+    right, name="the two halves have changed places", hint="Twists are (omega, v): the rotation comes first.", axis=0
+):
+    """The first and the second half of a twist, or of a matrix of twists along `axis`, are swapped."""
+    return Mistake(name, hint, _changed(right, lambda x: np.roll(x, x.shape[axis] // 2, axis)))
+
+
+def entry_by_entry(
+    wrong, name="* or ** works entry by entry", hint="In numpy the product of matrices is @; M ** 2 squares each entry."
+):
+    """wrong(*arguments): the answer with entrywise products in place of matrix products."""
+    return Mistake(name, hint, wrong)
+
+
+def few_digits(right):
+    """The mistake of an answer that is nearly right; to be tried first."""
+
+    def seen(value, *case):
+        exact = right(*case)
+        return np.abs(value - exact).max() <= 3e-3 * max(1, np.abs(exact).max())
+
+    return Mistake(
+        "the answer is right to its first digits only",
+        "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is np.pi.",
+        seen=seen,
+    )
+
+
+def whole_numbers(right):
+    """The mistake of filling an array that holds whole numbers only."""
+
+    def whole(*case):
+        return any(np.asarray(argument).dtype.kind == "i" for argument in case)
+
+    def like(i):
+        return lambda *case: np.trunc(right(*case)) if np.asarray(case[i]).dtype.kind == "i" else None
+
+    return Mistake(
+        "digits after the point are cut off",
+        "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has room for digits.",
+        like(0),
+        like(1),
+        seen=lambda value, *case: whole(*case) and np.array_equal(value, np.trunc(value)),
+    )
+
+
+ALWAYS_THE_SAME = (
+    Mistake("the answer is always True", "Return what the comparison gives.", lambda *case: True),
+    Mistake(
+        "the answer is always False", "Print each comparison for the case above: which is False?", lambda *case: False
+    ),
+)
+
+
+def _first_otherwise(values, cases):
+    """The position of the first case that was asked before and answered otherwise."""
+    for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
+        if all(np.array_equal(a, b) for a, b in zip(earlier, later, strict=True)) and not near(values[j], values[i]):
+            return j
+    return None
+
+
+SAME_TWICE = Property(
+    "called a second time with the same arguments, the function gives the same result",
+    _first_otherwise,
+    across=True,
+    mistake=Mistake(
+        "something is kept from one call to the next",
+        "A list outside the function, or a default like products=[], is made once only and grows or shrinks with "
+        "each call. Make it inside the function.",
+    ),
+)

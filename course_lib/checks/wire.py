@@ -1,0 +1,131 @@
+"""Plain data on the wire: what exercises take and give, written as JSON and read back without trusting the writer.
+
+Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of a random generator,
+and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else (an object
+that claims to equal everything, say) can be read.
+"""
+
+import base64
+import json
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+_DEPTH = 12  # how deep lists may stand in lists; a list that holds itself ends here
+_MOST_ENTRIES = 2_000_000  # of an array
+
+
+class NotPlain(ValueError):
+    """A value that is not plain data; the message says of what type it is."""
+
+
+@dataclass(frozen=True)
+class Seed:
+    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator."""
+
+    number: int
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """Stands for a function that a student's test is given: its answers come from the process that judges."""
+
+    number: int
+
+
+def write(value):
+    """Return plain data as a JSON text.
+
+    Raises
+    ------
+    NotPlain
+        If the value is, or holds, anything else.
+    """
+    return json.dumps(to_json(value))
+
+
+def read(text):
+    """Return the plain data of a JSON text that `write` made, Seed and Candidate included.
+
+    Raises
+    ------
+    NotPlain
+        If it is any other text.
+    """
+    try:
+        return from_json(json.loads(text))
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as problem:
+        raise NotPlain(f"not plain data: {problem}") from None
+
+
+def to_json(value, depth=0):
+    """Return plain data as what JSON can write: dicts with text keys, lists, numbers, texts."""
+    if depth > _DEPTH:
+        raise NotPlain("lists nested too deeply")
+    if isinstance(value, np.ndarray | np.generic):
+        return _array_to_json(value)
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    if isinstance(value, Seed):
+        return {"seed": value.number}
+    if isinstance(value, Candidate):
+        return {"candidate": value.number}
+    if isinstance(value, complex):
+        return _array_to_json(np.complex128(value))
+    if isinstance(value, list | tuple):
+        kind = "list" if isinstance(value, list) else "tuple"
+        return {kind: [to_json(item, depth + 1) for item in value]}
+    if isinstance(value, dict):
+        return {"dict": [[to_json(k, depth + 1), to_json(v, depth + 1)] for k, v in value.items()]}
+    if type(value).__module__.partition(".")[0] == "sympy":
+        raise NotPlain("a SymPy expression: float(...) makes a number of it")
+    raise NotPlain(f"a {type(value).__name__}")
+
+
+def _array_to_json(value):
+    array = np.array(value, copy=True, order="C", subok=False)
+    if array.size > _MOST_ENTRIES:
+        raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
+    if array.dtype.kind not in "biufc":
+        if array.dtype.kind == "U":
+            return to_json(array.tolist())
+        raise NotPlain(f"an array of type {array.dtype}")
+    widest = {"f": "<f8", "c": "<c16"}.get(array.dtype.kind)
+    if widest and array.dtype.itemsize > np.dtype(widest).itemsize:  # long doubles differ between machines
+        array = array.astype(widest)
+    array = array.astype(array.dtype.newbyteorder("<"))
+    return {
+        "array": array.dtype.str,
+        "shape": list(array.shape),
+        "bytes": base64.b64encode(array.tobytes()).decode("ascii"),
+    }
+
+
+def from_json(node, depth=0):
+    """Return the plain data that `to_json` wrote; raises ValueError, TypeError or LookupError for anything else."""
+    if depth > _DEPTH:
+        raise NotPlain("lists nested too deeply")
+    if node is None or isinstance(node, bool | int | float | str):
+        return node
+    if "array" in node:
+        return _array_from_json(node)
+    if "seed" in node:
+        return Seed(int(node["seed"]))
+    if "candidate" in node:
+        return Candidate(int(node["candidate"]))
+    if "list" in node:
+        return [from_json(item, depth + 1) for item in node["list"]]
+    if "tuple" in node:
+        return tuple(from_json(item, depth + 1) for item in node["tuple"])
+    return {from_json(k, depth + 1): from_json(v, depth + 1) for k, v in node["dict"]}
+
+
+def _array_from_json(node):
+    dtype = np.dtype(str(node["array"]))
+    shape = [int(n) for n in node["shape"]]
+    data = base64.b64decode(node["bytes"], validate=True)
+    if dtype.kind not in "biufc" or min(shape, default=0) < 0 or len(data) != dtype.itemsize * math.prod(shape):
+        raise NotPlain("an array whose bytes do not fit its shape")
+    array = np.frombuffer(data, dtype).reshape(shape).copy()
+    return array if shape else array[()]

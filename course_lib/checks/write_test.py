@@ -1,0 +1,145 @@
+"""Exercises in which the student writes a test: a function that takes a candidate and returns whether it is right.
+
+The candidates are the library's function in several guises, and wrong versions of it. The student's process holds none
+of them. What it calls is a stand-in, which sends the arguments to the process that judges and returns that process's
+answer; so a test can tell candidates apart by nothing but their answers. Their order is drawn from the seed.
+"""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from course_lib.checks.answer_types import boolean
+from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Exercise, Mistake, Unreadable, Verdict, no_answer
+from course_lib.checks.wire import Candidate, from_json, to_json
+
+_MOST_LETTERS = 20_000  # of one call's arguments, as JSON
+_ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
+
+ALWAYS_TRUE = Mistake(
+    "your test accepts everything",
+    "Call the function that it is given, and compare the answer with something that must hold for every right version.",
+)
+ALWAYS_FALSE = Mistake(
+    "your test refuses everything",
+    "A right version passes too. Answers differ by rounding: compare with a tolerance, such as np.allclose does.",
+)
+
+
+@dataclass(frozen=True)
+class Version:
+    """A candidate that a student's test judges.
+
+    Parameters
+    ----------
+    kind : str
+        What is special about it, to follow "one": "that is wrong only near half a turn", "that returns lists".
+    function : callable
+        Called with arrays; it may raise ValueError.
+    right : bool
+    """
+
+    kind: str
+    function: Callable
+    right: bool
+
+
+@dataclass(frozen=True)
+class WriteTest(Exercise):
+    """An exercise whose answer is a test of other functions.
+
+    Parameters
+    ----------
+    versions : tuple of Version
+        At least three right and six wrong ones.
+    shapes : tuple of tuple of int
+        The shape of each argument that a candidate takes, which is an array of real numbers.
+    """
+
+    versions: tuple[Version, ...] = ()
+    shapes: tuple[tuple[int, ...], ...] = ()
+
+    def questions(self, rng):
+        """Return a case for each version, in an order drawn from rng, and what answers the calls of candidates."""
+        order = [self.versions[i] for i in rng.permutation(len(self.versions))]
+        return [(_Case(number, version),) for number, version in enumerate(order)], self._consultant(order)
+
+    def verdict(self, cases, answers):
+        """Return the Verdict on the student's judgements; an exception counts as refusing, as in pytest."""
+        judged = []
+        for (case,), answer in zip(cases, answers, strict=True):
+            error = answer.get("error")
+            if error and error["type"] in _ENDS_HERE:
+                return replace(no_answer(self, None, **error), case=None)
+            if error and case.version.right:
+                verdict = no_answer(self, None, **error)
+                reason = f"{verdict.reason}\nThis came of a version that is right: one {case.version.kind}."
+                return replace(verdict, state=ERROR, reason=reason, case=None)
+            try:
+                judged.append((case.version, False if error else boolean(answer["value"])))
+            except Unreadable as wrong_kind:
+                return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake)
+        return self._scored(judged)
+
+    def _scored(self, judged):
+        refused = [version for version, accepted in judged if version.right and not accepted]
+        missed = [version for version, accepted in judged if not version.right and accepted]
+        n_right = sum(version.right for version, _ in judged)
+        n_wrong = len(judged) - n_right
+        if not refused and not missed:
+            return Verdict(self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused")
+        # The chance to accept a right version, less the chance to accept a wrong one: 0 for a test that always says
+        # the same, and on average for one that guesses.
+        share = max(1 - len(refused) / n_right - len(missed) / n_wrong, 0)
+        said = "your test accepts every right version and refuses every wrong one."
+        said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"
+        said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
+        always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
+        always = ALWAYS_FALSE if len(refused) == n_right and not missed else always
+        credit = min(int(share * self.points), self.points - 1)
+        return Verdict(self, WRONG, said, always, credit=credit)
+
+    def _consultant(self, order):
+        """Return a function that answers a call of a candidate; what it is sent is the student's to make."""
+
+        def consult(text):
+            try:
+                if len(text) > _MOST_LETTERS:
+                    raise ValueError("the arguments are too large")
+                asked = json.loads(text)
+                number = asked["candidate"]
+                if not isinstance(number, int) or not 0 <= number < len(order):
+                    raise ValueError("there is no such function")
+                arguments = self._arguments([from_json(node) for node in asked["arguments"]])
+                with np.errstate(all="ignore"):
+                    return json.dumps({"value": to_json(order[number].function(*arguments))})
+            except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError) as problem:
+                return json.dumps({"error": str(problem)[:200]})
+
+        return consult
+
+    def _arguments(self, given):
+        if len(given) != len(self.shapes):
+            raise ValueError(f"the function takes {len(self.shapes)} arguments; {len(given)} came")
+        arrays = [np.asarray(value) for value in given]
+        for array, shape in zip(arrays, self.shapes, strict=True):
+            if array.dtype.kind not in "biuf" or array.shape != shape or not np.isfinite(array).all():
+                raise ValueError(f"an argument is an array of finite numbers of shape {shape}; {array.shape} came")
+        return [array.astype(float) for array in arrays]
+
+
+@dataclass(frozen=True)
+class _Case(Candidate):
+    """A candidate's number, which the student's process is told, and its version, which it is not."""
+
+    version: Version
+
+
+def _kinds(versions):
+    """The kinds of the first versions in brackets; no names, and no more than three."""
+    kinds = list(dict.fromkeys(version.kind for version in versions))
+    if not kinds:
+        return ""
+    return f" (one {'; one '.join(kinds[:3])}{'; and others' if len(kinds) > 3 else ''})"

@@ -1,0 +1,40 @@
+"""Write files so that an interruption leaves the old content or the new one, never half of it."""
+
+import os
+import tempfile
+from pathlib import Path
+
+PART = ".part"  # ending of a file that is not whole yet; its name begins with a dot
+
+
+def write_atomically(path, content, mode=0o600):
+    """Replace a file by new content in one step, and create its folder if there is none.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file to write.
+    content : str or bytes
+        Text is written as UTF-8, its newlines as they are.
+    mode : int
+        Permissions of a new file; a file that exists keeps its own.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> path = Path(tempfile.mkdtemp(), "grades.csv")
+    >>> write_atomically(path, "student,total")
+    >>> path.read_text()
+    'student,total'
+    """
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, part = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=PART)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+        os.chmod(part, path.stat().st_mode & 0o777 if path.exists() else mode)
+        os.replace(part, path)
+    except BaseException:
+        os.unlink(part)
+        raise

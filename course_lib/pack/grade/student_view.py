@@ -1,0 +1,146 @@
+"""What of the course a student's process gets: the mathematics without what is asked for, and quiet stand-ins.
+
+Nothing there knows a right answer: of the checks there is only what asks, the figures draw nothing, and a function that
+an exercise forbids is replaced by one that says so, in the source, before any student's code runs.
+"""
+
+import ast
+import functools
+import importlib.resources
+from pathlib import Path
+
+PACKAGE = Path(str(importlib.resources.files("course_lib")))
+DATA = PACKAGE.parent / "notebooks" / "data"
+ASKING = ("call_student.py", "wire.py", "adapters.py")
+SCRIPTS = ("runner.py", "cells.py")
+
+TAKEN = '''
+def {name}(*arguments, **named):
+    """Not in this process: an exercise asks for it."""
+    from course_lib.checks.call_student import NotAllowed
+
+    raise NotAllowed("{dotted}")
+
+
+{name}.taken_away = True
+'''
+
+FIGURES = '''"""In the place of the figures: nothing is drawn."""
+
+
+class Quiet:
+    def __call__(self, *arguments, **named):
+        return self
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self
+
+
+def __getattr__(name):
+    if name.startswith("_"):
+        raise AttributeError(name)
+    return Quiet()
+'''
+
+CHECKS = '''"""In the place of the checks: nothing is judged here."""
+
+import importlib
+
+
+class Quiet:
+    def __init__(self, library=""):
+        self.library = library
+
+    def __call__(self, *arguments):
+        pass
+
+    def hint(self):
+        pass
+
+    def predict(self, *choice):
+        pass
+
+    def use(self, students):
+        """The library's function where this process has it, so that a wrong answer spoils no other exercise."""
+        module, _, name = self.library.rpartition(".")
+        found = getattr(importlib.import_module(module), name) if module else students
+        return students if getattr(found, "taken_away", False) else found
+
+
+LIBRARY = {library!r}
+globals().update({{name: Quiet(dotted) for name, dotted in LIBRARY.items()}})
+
+
+def __getattr__(name):
+    if name.startswith("_"):
+        raise AttributeError(name)
+    return Quiet()
+'''
+
+
+def dotted_name(function):
+    """Return the name under which the library has a function; "" for one of the checks' own."""
+    module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
+    own = module.startswith("course_lib.checks") or not module.startswith("course_lib.") or "." in name
+    return "" if own or name.startswith("<") else f"{module}.{name}"
+
+
+def contents(checks, forbidden):
+    """Return {path: bytes} for a sandbox.
+
+    checks: {name of a package of checks: its exercises}. forbidden: dotted names that are taken away.
+    """
+    own = Path(__file__).parent
+    files = {name: (own / name).read_bytes() for name in SCRIPTS}
+    files |= {f"data/{path.name}": path.read_bytes() for path in DATA.glob("*") if path.suffix in (".csv", ".json")}
+    files["course_lib/checks/__init__.py"] = b""
+    files |= {f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING}
+    for path in PACKAGE.glob("*.py"):
+        dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))
+        files[f"course_lib/{path.name}"] = without(path, dotted)
+    for path in (PACKAGE / "figures").glob("*.py"):
+        files[f"course_lib/figures/{path.name}"] = FIGURES.encode()
+    for package, exercises in checks.items():
+        library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
+        files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(library=library).encode()
+    return files
+
+
+@functools.cache
+def without(path, dotted):
+    """Return the source of a module in which the dotted names raise, and what only they used is gone."""
+    source = path.read_text(encoding="utf-8")
+    if not dotted:
+        return source.encode()
+    tree, names = ast.parse(source), {name.rpartition(".")[2] for name in dotted}
+    taken = {name: ast.parse(TAKEN.format(name=name, dotted=f"course_lib.{path.stem}.{name}")).body for name in names}
+    used = _still_used(tree, names)
+    body = []
+    for statement in tree.body:
+        name = _defined(statement)
+        if name in names:
+            body += taken[name]
+        elif name is None or name in used:
+            body.append(statement)
+    return ast.unparse(ast.Module(body, [])).encode()
+
+
+def _still_used(tree, names):
+    """The functions and classes of a module that are public, or still called, without those of `names`."""
+    reads = {}
+    for statement in tree.body:
+        defined = _defined(statement)
+        reads.setdefault(defined, set()).update(node.id for node in ast.walk(statement) if isinstance(node, ast.Name))
+    used = {name for name in reads if name and not name.startswith("_")} - names
+    left = [*used, None]
+    while left:
+        fresh = {name for name in reads.get(left.pop(), ()) if name in reads} - used - names
+        used |= fresh
+        left += fresh
+    return used
+
+
+def _defined(statement):
+    return statement.name if isinstance(statement, ast.FunctionDef | ast.ClassDef) else None

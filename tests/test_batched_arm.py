@@ -1,0 +1,83 @@
+"""Many postures at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
+
+import tracemalloc
+
+import numpy as np
+import pytest
+from helpers import pose_samples
+from numpy.testing import assert_allclose
+
+from course_lib import arms
+from course_lib.arms import DHRow, SerialArm, iiwa14, panda, planar_arm, ur5e
+from course_lib.batched_arm import CHUNK
+
+RNG = np.random.default_rng(0)
+SKEW = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
+STANDARD = SerialArm.from_dh(
+    [DHRow(0.3, 0.4, 0.2, 1.0), DHRow(-0.1, -2.0, 0.5), DHRow(0, 0, 0.1, -3.0)], "standard", pose_samples(3)(RNG, ())
+)
+ALL = {"panda": panda(), "iiwa14": iiwa14(), "planar": planar_arm([1, 0.5, 2]), "skew": SKEW, "standard": STANDARD}
+ALL["ur5e"] = ur5e()
+ALL["one joint"] = SerialArm.from_screws([[0, -1, 0]], [[1, 2, 3]], np.eye(4))
+METHODS = ["frames", "fk", "space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian"]
+
+
+def postures(arm, *batch):
+    return np.random.default_rng(1).uniform(-4, 4, (*batch, arm.n))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", ALL)
+def test_many_are_what_each_is_alone(name, method):
+    of = getattr(ALL[name], method)
+    q = postures(ALL[name], 400)
+    assert len(q) > arms._SMALL_BATCH
+    alone = np.array([of(one) for one in q])
+    assert_allclose(of(q), alone, rtol=0, atol=1e-14)
+    assert_allclose(of(np.zeros_like(q)), np.broadcast_to(of(0 * q[0]), alone.shape), rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "batch", [(0,), (1,), (0, 7), (3, 1, 2), (arms._SMALL_BATCH,), (arms._SMALL_BATCH + 1,), (20, 1, 5), (CHUNK + 1,)]
+)
+def test_batches_of_any_shape(batch, method):
+    q = postures(SKEW, *batch)
+    q.flags.writeable = False
+    of = getattr(SKEW, method)
+    got, one_by_one = of(q), [of(one) for one in q.reshape(-1, 6)]
+    assert got.shape == batch + of(np.zeros(6)).shape
+    assert_allclose(
+        got.reshape(len(one_by_one), *got.shape[len(batch) :]),
+        np.array(one_by_one).reshape(-1, *got.shape[len(batch) :]),
+        rtol=0,
+        atol=2e-14,
+    )
+
+
+@pytest.mark.parametrize("scale", [1e-100, 1e-6, 1e6, 1e99])
+def test_arms_of_any_size(scale):
+    """What is left out as rounding is small beside the arm, not beside a metre."""
+    small = SerialArm.from_screws(SKEW.screw_axes[:, :3], RNG.normal(size=(6, 3)) * scale, np.eye(4))
+    q = postures(small, 2 * arms._SMALL_BATCH)
+    assert_allclose(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], rtol=0, atol=2e-14)
+
+
+def test_a_small_length_beside_long_ones_counts():
+    arm = planar_arm([1, 1e-9, 1])
+    q = postures(arm, 2 * arms._SMALL_BATCH)
+    sums = np.cumsum(q, -1)
+    expected = (np.exp(1j * sums) * [1, 1e-9, 1]).sum(-1)
+    assert_allclose(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_memory_is_at_most_three_times_the_result(method):
+    arm, q = panda(), postures(panda(), 100_000)
+    tracemalloc.start()
+    try:
+        result = getattr(arm, method)(q)
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most <= 3 * (result.base.nbytes if method == "position_jacobian" else result.nbytes)

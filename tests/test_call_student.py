@@ -1,0 +1,393 @@
+"""Questions put to a student's function, and the answers that come back."""
+
+import contextlib
+import functools
+import json
+import linecache
+import signal
+import sys
+import threading
+import warnings
+
+import numpy as np
+import pytest
+from toy_exercises import NEAREST_SO, right
+
+from course_lib import rotations
+from course_lib.checks import call_student, wire
+from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
+from course_lib.checks.notebook import describe
+from course_lib.checks.wire import Seed
+
+has_clock = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no clock of CPU time on this system")
+
+
+def put(function, *cases, forbidden=(), seconds=5):
+    """Put the cases to the function; return the answers, with the values read."""
+    asked = {"cases": [list(case) for case in cases], "forbidden": list(forbidden), "seconds": seconds}
+    asked |= {"through": "", "names": ["x", "y"]}
+    answers = json.loads(call_student.reply(function, wire.write(asked)))["answers"]
+    assert len(answers) == len(cases)
+    return [answer | ({"value": wire.from_json(answer["value"])} if "value" in answer else {}) for answer in answers]
+
+
+def the_error(function, *arguments, **options):
+    return put(function, arguments, **options)[0]["error"]
+
+
+def test_what_a_function_prints_is_dropped(capfd):
+    def chatty(x):
+        print("to stdout")
+        print("to stderr", file=sys.stderr)
+        return x
+
+    assert put(chatty, [1])[0]["value"] == 1
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_warning_is_noted_and_stops_nothing():
+    def warns(x):
+        warnings.warn("first", stacklevel=1)
+        warnings.warn("second", stacklevel=1)
+        return np.arccos(x)
+
+    answer = put(warns, [2.0])[0]
+    assert answer["warning"] == "first"
+    assert np.isnan(answer["value"])
+
+
+def test_a_right_answer_that_warns_is_right_with_a_note():
+    def warns(M):
+        np.float64(0) / np.float64(0)
+        return right(M)
+
+    verdict = judge(NEAREST_SO, Here(warns))
+    assert verdict.state == RIGHT
+    assert "numpy warned: invalid value" in describe(verdict)
+
+
+@pytest.mark.parametrize("raised", [SystemExit("bye"), ValueError("bye"), RecursionError("bye"), MemoryError("bye")])
+def test_whatever_is_raised_is_reported(raised):
+    def raises(x):
+        raise raised
+
+    error = the_error(raises, 1)
+    assert (error["type"], error["message"], error["source"]) == (type(raised).__name__, "bye", "raise raised")
+
+
+def test_every_case_is_asked_although_one_fails():
+    answers = put(lambda x: 1 / x, [1.0], [0], [2.0])
+    assert [answer.get("value") for answer in answers] == [1.0, None, 0.5]
+
+
+@has_clock
+@pytest.mark.parametrize("stubborn", [False, True])
+def test_an_endless_loop_ends_after_its_cpu_time(stubborn):
+    def endless(x):
+        for _ in range(3):  # a stubborn one that got this far would come to an end, and the test would fail
+            with contextlib.suppress(Exception) if stubborn else contextlib.nullcontext():
+                while True:
+                    x = -x
+
+    before = signal.getsignal(signal.SIGPROF)
+    answers = put(endless, [1], [2], seconds=1)
+    assert [answer["error"]["type"] for answer in answers] == ["TimeUp", "TimeUp"]
+    assert signal.getsignal(signal.SIGPROF) == before
+    assert signal.getitimer(signal.ITIMER_PROF) == (0.0, 0.0)
+
+
+@has_clock
+def test_time_is_counted_over_all_cases():
+    def slow(x):
+        limit = sys.maxsize if x else 1
+        for _ in range(limit):
+            pass
+        return x
+
+    answers = put(slow, [0], [1], [0], seconds=0.2)
+    assert [answer.get("value") for answer in answers] == [0, None, None]
+
+
+def test_off_the_main_thread_there_is_no_clock_and_an_answer_all_the_same():
+    answers = []
+    thread = threading.Thread(target=lambda: answers.extend(put(lambda x: x, [1])))
+    thread.start()
+    thread.join()
+    assert answers[0]["value"] == 1
+
+
+def test_arguments_are_fresh_at_each_call():
+    def spoils(numbers, array, rng):
+        numbers.append(1)
+        array[:] = 7
+        return rng.random()
+
+    arguments = [[1, 2], np.zeros(2), Seed(3)]
+    first, second = put(spoils, arguments, arguments)
+    assert first == second
+    assert first["changed"] == [0, 1]
+    assert first["value"] == np.random.default_rng(3).random()
+    assert arguments[0] == [1, 2]
+    assert not arguments[1].any()
+
+
+def test_an_argument_made_into_something_else_is_seen_as_changed():
+    def spoils(numbers, table):
+        numbers[0] = object()
+        table["a"][0] = 2
+
+    assert put(spoils, [[1], {"a": [1]}])[0]["changed"] == [0, 1]
+
+
+def test_a_view_of_the_argument_is_no_change():
+    answer = put(lambda M: M.T, [np.arange(4.0).reshape(2, 2)])[0]
+    assert answer["changed"] == []
+    assert np.array_equal(answer["value"], [[0, 2], [1, 3]])
+
+
+def test_no_function_is_not_attempted():
+    assert the_error(None, 1)["type"] == "NotImplementedError"
+
+
+# Names that an answer may not call
+
+exp_by_another_name = rotations.exp_so3
+FORBIDDEN = ["course_lib.rotations.exp_so3", "scipy.spatial.transform.Rotation"]
+
+
+def _library(w):
+    return rotations.exp_so3(w)
+
+
+def _imported_inside(w):
+    from course_lib.rotations import exp_so3
+
+    return exp_so3(w)
+
+
+def _by_another_name(w):
+    return exp_by_another_name(w)
+
+
+def _through_another_library_function(w):
+    from course_lib import rigid
+
+    return rigid.exp_se3([*w, 0, 0, 0])[:3, :3]
+
+
+def _class_method(w):
+    from scipy.spatial import transform
+
+    return transform.Rotation.from_rotvec(w).as_matrix()
+
+
+def _swallowing_exceptions(w):
+    try:
+        return rotations.exp_so3(w)
+    except Exception:
+        return np.eye(3)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        _library,
+        _imported_inside,
+        _by_another_name,
+        _through_another_library_function,
+        _class_method,
+        _swallowing_exceptions,
+        rotations.exp_so3,
+    ],
+)
+def test_a_forbidden_name_is_refused_and_put_back(function):
+    from scipy.spatial import transform
+
+    library, scipys = rotations.exp_so3, transform.Rotation
+    error = the_error(function, np.array([0.1, 0.2, 0.3]), forbidden=FORBIDDEN)
+    assert error["type"] == "NotAllowed"
+    assert error["message"] in FORBIDDEN
+    assert rotations.exp_so3 is library is exp_by_another_name
+    assert transform.Rotation is scipys
+
+
+def test_a_forbidden_name_is_put_back_although_the_function_raises():
+    library = rotations.exp_so3
+
+    def raises(w):
+        assert rotations.exp_so3 is not library
+        raise KeyError("x")
+
+    assert the_error(raises, np.zeros(3), forbidden=FORBIDDEN)["type"] == "KeyError"
+    assert rotations.exp_so3 is library is exp_by_another_name
+
+
+def test_a_forbidden_name_is_put_back_although_the_student_presses_stop():
+    def stopped(w):
+        raise KeyboardInterrupt
+
+    library = rotations.exp_so3
+    assert the_error(stopped, np.zeros(3), forbidden=FORBIDDEN)["type"] == "KeyboardInterrupt"
+    assert rotations.exp_so3 is library is exp_by_another_name
+
+
+@has_clock
+def test_a_forbidden_name_is_put_back_although_the_time_is_up():
+    def endless(w):
+        while True:
+            pass
+
+    library = rotations.exp_so3
+    assert the_error(endless, np.zeros(3), forbidden=FORBIDDEN, seconds=0.1)["type"] == "TimeUp"
+    assert rotations.exp_so3 is library is exp_by_another_name
+
+
+def test_what_is_not_forbidden_can_be_called():
+    answer = put(lambda w: rotations.hat(w), [np.ones(3)], forbidden=FORBIDDEN)[0]
+    assert np.array_equal(answer["value"], rotations.hat(np.ones(3)))
+
+
+# Errors in the student's code
+
+
+def _inverse(M):
+    return np.linalg.inv(M)
+
+
+def _through_helpers(M):
+    columns = [_inverse(M) for _ in range(2)]
+    return columns[0]
+
+
+def test_the_line_shown_is_the_last_one_of_the_students_own():
+    error = the_error(_through_helpers, np.zeros((2, 2)))
+    assert error["type"] == "LinAlgError"
+    assert error["source"] == "return np.linalg.inv(M)"
+    assert error["line"] == _inverse.__code__.co_firstlineno + 1
+
+
+def test_a_function_with_another_number_of_parameters():
+    verdict = judge(NEAREST_SO, Here(lambda M, tol: M))
+    assert verdict.state == ERROR
+    assert "Calling nearest_so(M) raises TypeError" in describe(verdict)
+    assert "'tol'" in describe(verdict)
+
+
+class Solver:
+    def __call__(self, M):
+        return right(M)
+
+
+@pytest.mark.parametrize(
+    "function", [functools.partial(right), Solver(), Solver().__call__, np.vectorize(right, signature="(n,n)->(n,n)")]
+)
+def test_anything_that_can_be_called_is_judged(function):
+    assert judge(NEAREST_SO, Here(function)).state == RIGHT
+
+
+@pytest.mark.parametrize("function", [np.linalg.inv, functools.partial(np.linalg.solve, np.zeros((2, 2))), len])
+def test_what_has_no_lines_of_its_own_is_judged_too(function):
+    verdict = judge(NEAREST_SO, Here(function))
+    assert verdict.state in (WRONG, ERROR)
+    assert "Line None" not in describe(verdict)
+
+
+@pytest.mark.parametrize("function", [3, "right", np.eye(3)])
+def test_what_cannot_be_called_is_an_error(function):
+    verdict = judge(NEAREST_SO, Here(function))
+    assert verdict.state == ERROR
+    assert "not callable" in describe(verdict)
+
+
+@has_clock
+def test_an_endless_loop_in_words():
+    def endless(M):
+        while True:
+            pass
+
+    verdict = judge(NEAREST_SO, Here(endless), seconds=1)
+    assert verdict.state == ERROR
+    assert "nearest_so(M) took more than 1 seconds of computing. Does a loop never end?" in describe(verdict)
+
+
+class Hostile(Exception):
+    def __str__(self):
+        raise ValueError("no text")
+
+
+class Own(BaseException):
+    pass
+
+
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (Hostile(), "raises Hostile: its text cannot be shown"),
+        (ValueError(), "raises ValueError\n"),
+        (Own("mine"), "raises Own: mine"),
+        (GeneratorExit(), "raises GeneratorExit\n"),
+        (SystemExit(3), "raises SystemExit: 3"),
+        (KeyboardInterrupt(), "nearest_so(M) was interrupted."),
+        (ValueError("x" * 10**6), "raises ValueError: xxx"),
+    ],
+    ids=repr,
+)
+def test_whatever_is_raised_is_one_calm_message(error, said):
+    def raises(M):
+        raise error
+
+    text = describe(judge(NEAREST_SO, Here(raises)))
+    assert said in text
+    assert len(text) < 1200
+
+
+def test_settings_of_numpy_are_put_back():
+    before = np.geterr(), np.get_printoptions()
+
+    def changes(M):
+        np.seterr(all="raise")
+        np.set_printoptions(precision=1)
+        return right(M)
+
+    assert judge(NEAREST_SO, Here(changes)).state == RIGHT
+    assert (np.geterr(), np.get_printoptions()) == before
+
+
+def test_pictures_of_the_function_are_closed():
+    import matplotlib.pyplot as plt
+
+    kept = plt.figure()
+
+    def plots(M):
+        plt.figure()
+        return right(M)
+
+    assert judge(NEAREST_SO, Here(plots)).state == RIGHT
+    assert plt.get_fignums() == [kept.number]
+    plt.close(kept)
+
+
+def test_a_matrix_of_numpy_s_old_kind_is_read_as_an_array():
+    assert judge(NEAREST_SO, Here(lambda M: np.matrix(right(M)))).state == RIGHT
+
+
+def test_numbers_of_sympy_are_explained():
+    import sympy
+
+    text = describe(judge(NEAREST_SO, Here(lambda M: sympy.Float(0.5))))
+    assert "Yours is a SymPy expression: float(...) makes a number of it." in text
+
+
+def test_a_huge_answer_is_refused_and_not_sent():
+    text = describe(judge(NEAREST_SO, Here(lambda M: np.zeros((3000, 3000)))))
+    assert "an array of shape (3000, 3000), which is too large to be an answer" in text
+
+
+def test_a_line_of_another_cell_is_said_to_be_there():
+    cells = {"one": "def helper(M):\n    return M.nothing\n", "two": "def nearest_so(M):\n    return helper(M)\n"}
+    space = {}
+    for name, source in cells.items():
+        exec(compile(source, f"<{name}>", "exec"), space)
+        linecache.cache[f"<{name}>"] = (len(source), None, source.splitlines(True), f"<{name}>")
+    text = describe(judge(NEAREST_SO, Here(space["nearest_so"])))
+    assert "Line 2 of the cell of helper, `return M.nothing`, raises AttributeError" in text

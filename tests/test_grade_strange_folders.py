@@ -1,0 +1,183 @@
+"""Folders that students hand in may hold anything: each student has a line, and nobody's files cost another's."""
+
+import os
+import random
+import shutil
+import socket
+import string
+import subprocess
+import tempfile
+from pathlib import Path
+
+import pytest
+from grade_stand_in import grade, hand_in
+
+from course_lib.pack.grade import collect
+from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.collect import MAX_COPIES, MAX_DEPTH, MAX_LISTED, find
+from course_lib.pack.grade.jobs import grade_all
+
+NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
+
+
+def nested(folder, depth):
+    """Make folders in folders, deeper than a path may be long; return the number made."""
+    here = os.getcwd()
+    os.makedirs(folder)
+    os.chdir(folder)
+    try:
+        for _ in range(depth):
+            os.mkdir("d")
+            os.chdir("d")
+        with open("01_rotations.ipynb", "w") as file:
+            file.write("{}")
+    finally:
+        os.chdir(here)
+
+
+def lines(folder):
+    """{student: what came of the student's files} as a whole run has it."""
+    found = find(folder, NOTEBOOKS)
+    outcomes = grade_all(found, folder.parent / "results", 1, grade, jobs=1)
+    lines = {}
+    for submission, result in outcomes:
+        lines.setdefault(submission.student, []).append(result.get("state") or "graded")
+    return lines
+
+
+@pytest.fixture
+def handed_in():
+    root = Path(tempfile.mkdtemp(prefix="strange-"))  # and no folder of pytest's, whose cleaning up recurses
+    folder = root / "in"
+    hand_in(folder, "innocent/01_rotations.ipynb", points=[2])
+    yield folder
+    subprocess.run(["rm", "-rf", str(root)], check=True)
+
+
+@pytest.mark.parametrize("depth", [MAX_DEPTH, 1500, 3000])
+def test_folders_in_folders_cost_only_the_one(handed_in, depth):
+    nested(handed_in / "mallory", depth)
+    assert lines(handed_in) == {"innocent": ["graded"], "mallory": ["refused"]}
+    (said,) = (each.refused for each in find(handed_in, NOTEBOOKS) if each.student == "mallory")
+    assert said == f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
+
+
+def test_a_folder_of_endless_files_is_looked_at_in_part(handed_in, monkeypatch):
+    monkeypatch.setattr(collect, "MAX_ENTRIES", 200)
+    for i in range(300):
+        hand_in(handed_in / "mallory", f"{i}.txt")
+    for i in range(100):
+        hand_in(handed_in / "eve", f"{i}/01_rotations.ipynb")
+    said = {each.student: each.refused for each in find(handed_in, NOTEBOOKS)}
+    assert said["mallory"] == "It holds more than 200 files: the others were not looked at."
+    assert len([each for each in find(handed_in, NOTEBOOKS) if each.student == "eve"]) <= MAX_LISTED + 1
+
+
+def test_only_the_newest_copies_of_a_notebook_are_graded(handed_in):
+    for i in range(6):
+        path = hand_in(handed_in / "eve", f"01_rotations ({i}).ipynb", points=[2])
+        os.utime(path, (1000 * i, 1000 * i))
+    its = {each.path.stem: each.refused for each in find(handed_in, NOTEBOOKS) if each.student == "eve"}
+    assert sorted(stem for stem, refused in its.items() if not refused) == [f"01_rotations ({i})" for i in (3, 4, 5)]
+    assert its["01_rotations (0)"] == f"Only the {MAX_COPIES} newest of 6 copies are graded."
+
+
+def test_a_folder_whose_name_begins_with_a_dot_has_a_line(handed_in):
+    hand_in(handed_in, ".hidden/01_rotations.ipynb")
+    hand_in(handed_in, ".more/report.pdf")
+    hand_in(handed_in, "eve/.work/01_rotations.ipynb")
+    hand_in(handed_in, "eve/.ipynb_checkpoints/01_rotations-checkpoint.ipynb")
+    assert lines(handed_in) == {
+        "innocent": ["graded"], ".hidden": ["graded"], ".more": ["refused"], "eve": ["graded"]
+    }  # fmt: skip
+
+
+def test_names_that_print_alike_stay_two_submissions(handed_in):
+    for name in ("a\nb", "a\\x0ab"):
+        hand_in(handed_in, f"{name}/01_rotations.ipynb")
+    places = [each.place for each in find(handed_in, NOTEBOOKS)]
+    assert len(set(places)) == len(places) == 3
+
+
+def test_what_cannot_be_read_is_told_in_the_students_line(handed_in, monkeypatch):
+    for name in ("locked/inner/01_rotations.ipynb", "gone/01_rotations.ipynb", "odd/01_rotations.ipynb"):
+        hand_in(handed_in, name)
+    hand_in(handed_in, "odd2_01_rotations.ipynb")
+    scandir, flat = os.scandir, collect._flat
+
+    def refuse(path):
+        if "inner" in str(path):
+            raise PermissionError(13, "Permission denied")
+        if "gone" in str(path):
+            shutil.rmtree(path)
+        if "odd" in str(path):
+            raise RuntimeError("something nobody thought of")
+        return scandir(path)
+
+    def refuse_flat(path, *rest):
+        if "odd2" in str(path):
+            raise RuntimeError("something nobody thought of")
+        return flat(path, *rest)
+
+    monkeypatch.setattr(os, "scandir", refuse)
+    monkeypatch.setattr(collect, "_flat", refuse_flat)
+    said = {each.student or each.place: each.refused for each in find(handed_in, NOTEBOOKS)}
+    assert said["locked"] == "A folder in it cannot be read: Permission denied."
+    assert said["gone"] == "A folder in it cannot be read: No such file or directory."
+    assert said["odd"] == "It cannot be read: RuntimeError: something nobody thought of."
+    assert "nobody thought of" in said["odd2_01_rotations.ipynb"]
+    assert said["innocent"] == ""
+
+
+def anything(folder, rng):
+    """Put something random into a folder that its student owns."""
+    signs = string.ascii_letters + " ._-'\"\\\n\t=;,\u202e\u0301é李" + "\udcff"
+    name = "".join(rng.choice(signs) for _ in range(rng.randint(1, 60))).strip("\0/") or "x"
+    name = rng.choice([name, name + ".ipynb", "01_rotations.ipynb", "02_rigid_motion (1).ipynb", ".hidden", "~"])
+    path = os.path.join(os.fsencode(folder), os.fsencode(name)[:240])
+    kind = rng.choice(["file", "file", "folder", "deep", "link", "dangling", "loop", "pipe", "socket", "empty"])
+    try:
+        if kind in ("file", "empty"):
+            with open(path, "xb") as file:  # a pipe of that name would wait for a reader
+                file.write(b"" if kind == "empty" else rng.choice([b"{}", b"\xff\xfe", b"[" * 5000, b'{"cells": []}']))
+        elif kind == "folder":
+            os.mkdir(path)
+            for _ in range(rng.randint(0, 3)):
+                anything(os.fsdecode(path), rng)
+        elif kind == "deep":
+            nested(os.fsdecode(path), rng.choice([3, 30, 1200]))
+        elif kind in ("link", "dangling", "loop"):
+            os.symlink({"link": "/etc", "dangling": "/nowhere", "loop": "."}[kind], path)
+        elif kind == "pipe":
+            os.mkfifo(path)
+        else:
+            with socket.socket(socket.AF_UNIX) as one:
+                one.bind(path)
+    except OSError:  # the name was taken, or is too long for a socket
+        pass
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_folders_cost_nobody_else_anything(handed_in, seed, capsys):
+    rng = random.Random(seed)
+    for i in range(25):
+        top = handed_in / f"student{i}"
+        top.mkdir()
+        for _ in range(rng.randint(0, 5)):
+            anything(str(top), rng)
+    for _ in range(10):
+        anything(str(handed_in), rng)
+    out = handed_in.parent / "out"
+    assert main([str(handed_in), "--output", str(out), "--jobs", "1"], grade=tolerant) == 0
+    totals = (out / "totals.csv").read_text(encoding="utf-8")
+    assert "\ninnocent,2," in totals
+    for i in range(25):
+        assert f"\nstudent{i}," in totals
+    assert (out / "feedback/innocent/01_rotations.html").is_file()
+
+
+def tolerant(content, notebook, seed):
+    try:
+        return grade(content, notebook, seed)
+    except (ValueError, AttributeError, RecursionError) as error:
+        raise RuntimeError("not what this test is about") from error
