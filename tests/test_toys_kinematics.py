@@ -23,7 +23,7 @@ NODE = Path(compute_driver_executable()[0])  # the one that playwright brings
 def js(name, cases):
     """What one function of the scripts answers to each case (a tuple of its arguments)."""
     asked = [[name, [np.asarray(x).tolist() if isinstance(x, np.ndarray) else x for x in case]] for case in cases]
-    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "kinematics.js"]
+    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js", SCRIPTS / "kinematics.js"]
     done = subprocess.run(command, input=json.dumps(asked), capture_output=True, text=True, check=True)
     answers = json.loads(done.stdout)
     assert len(answers) == len(cases)
@@ -60,7 +60,8 @@ def some_arm(rng):
 
 def test_a_rotation_is_that_of_its_axis_and_angle(rng):
     axes, turns = unit_axes(rng), angles(rng)
-    assert_allclose(js("rotation", list(zip(axes, turns, strict=True))), rotations.exp_so3(turns[:, None] * axes), **CLOSE)
+    found = js("rotation", list(zip(axes, turns, strict=True)))
+    assert_allclose(found, rotations.exp_so3(turns[:, None] * axes), **CLOSE)
 
 
 def test_a_quaternion_is_that_of_its_axis_and_angle_and_changes_sign_after_a_full_turn(rng):
@@ -155,7 +156,8 @@ def test_circles_meet_where_subproblem_2_says_or_not_at_all(rng):
 
 @pytest.mark.parametrize("which", ["iiwa", "panda", "random", "planar"])
 def test_frames_and_jacobian_of_an_arm(which, rng):
-    arm = {"iiwa": iiwa14, "panda": panda, "random": lambda: some_arm(rng), "planar": lambda: planar_arm([1, 0.5])}[which]()
+    arms = {"iiwa": iiwa14(), "panda": panda(), "random": some_arm(rng), "planar": planar_arm([1, 0.5])}
+    arm = arms[which]
     q = rng.uniform(-np.pi, np.pi, (N, arm.n))
     q[0] = 0
     cases = [(a_model(arm), angles) for angles in q]
@@ -176,7 +178,8 @@ def test_the_two_link_arm_reaches_what_it_can(rng):
     lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
     found = js("twoLink", list(zip(lengths, points, strict=True)))
     r = np.linalg.norm(points, axis=-1)
-    assert [theta is not None for theta in found] == ((np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))).tolist()
+    within = (np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))
+    assert [theta is not None for theta in found] == within.tolist()
     for row, point, theta in zip(lengths, points, found, strict=True):
         if theta is not None:
             assert theta[1] >= 0
