@@ -28,10 +28,12 @@ environment:
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told. It warns of plain-text connections to kernels, and of its
-# own default for an interval, unless these two are set.
+# own default for an interval, unless these two are set. The next two keep it from asking about news and updates.
 lab: environment ## open the notebooks in JupyterLab
 	@$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
-		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 notebooks/
+		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 \
+		--LabApp.news_url=None --LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate \
+		notebooks/01_rotations.ipynb
 
 # One pytest run, whose summary ends the output. With ONLY, one process: what has that in its name takes seconds. Matplotlib builds its font list beforehand, for it
 # tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one

@@ -83,7 +83,7 @@ class SerialArm:
         home : array_like (4, 4)
             The end-effector's pose at q = 0.
         limits : array_like (n, 2), optional
-            Lowest and highest angle of each joint, in radians. None for joints without limits.
+            Lowest and highest angle of each joint, in radians; infinite for joints without limits, as with None.
 
         Returns
         -------
@@ -120,7 +120,8 @@ class SerialArm:
         points = _refuse_huge(_of_shape(points, "points", (n, 3)), "points")
         home = _refuse_huge(_of_shape(home, "home", (4, 4)), "home")
         home = checked_pose(home, "home", (4, 4))
-        limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else _of_shape(limits, "limits", (n, 2))
+        limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else limits
+        limits = _of_shape(limits, "limits", (n, 2), infinite=True)
         refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
         screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)
         return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
@@ -162,9 +163,13 @@ class SerialArm:
         """
         if not isinstance(convention, str) or convention not in ("modified", "standard"):
             raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r:.80}')
-        frames, axes = _dh_frames(_dh_table(rows), convention)
+        with np.errstate(all="ignore"):
+            frames, axes = _dh_frames(_dh_table(rows), convention)
+        if not np.abs(frames).max() <= _FARTHEST:
+            raise ValueError(f"rows must lead at most {_FARTHEST:g} m away; they lead farther")
         end = np.eye(4) if end is None else checked_pose(_of_shape(end, "end", (4, 4)), "end", (4, 4))
-        arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
+        home = _refuse_huge(frames[-1] @ end, "end")
+        arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], home, limits)
         return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
 
     @property
@@ -539,7 +544,7 @@ def ur5e():
     Returns
     -------
     SerialArm
-        With the limits of the data sheet, a full turn to either side for each joint.
+        With the limits of the data sheet, a full revolution to either side for each joint.
 
     References
     ----------
@@ -563,10 +568,10 @@ def ur5e():
 
 
 def _dh_table(rows):
-    """Look at rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
+    """Check rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
     try:
         table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
-    except (TypeError, AttributeError) as no_rows:
+    except Exception as no_rows:  # whatever a foreign object raises
         raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
     if not table:
         raise ValueError("rows must hold one DHRow a joint; it is empty")
@@ -574,7 +579,7 @@ def _dh_table(rows):
 
 
 def _dh_frames(table, convention):
-    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints turn, both (n, 4, 4)."""
+    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints rotate, both (n, 4, 4)."""
     frames, axes, before = [], [], np.eye(4)
     for a, alpha, d, theta in table:
         along_x = transform(rot_x(alpha), [a, 0, 0])
@@ -586,8 +591,8 @@ def _dh_frames(table, convention):
     return np.array(frames), np.array(axes)
 
 
-def _of_shape(value, name, shape):
-    array = real_array(value, name, shape)
+def _of_shape(value, name, shape, infinite=False):
+    array = real_array(value, name, shape, infinite=infinite)
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}; its shape is {array.shape}")
     return array

@@ -1,13 +1,17 @@
 """Inverse kinematics of an arm with two joints, learnt from samples: a grid of small models, a scikit-learn estimator.
 
-The box around the sampled places is cut into cells, and in each cell each branch, theta2 >= 0 and theta2 < 0, has one
-model of its own, so that none has to average over two postures. An affine model (x, y) -> (theta1, theta2) fails where
-the arm is stretched: the branches meet there in a fold, and theta2 goes as the root of the distance to the edge. The
-square of theta2 has no such root, so that is what is fitted, by a polynomial of degree two in (x, y), and theta1 by
-another one plus a multiple of |theta2|: at a fold every smooth map looks like that. Where the forward kinematics is
-given as well, Newton's method, which works in the square too and so is as fast on the fold as elsewhere, makes the
-answer exact; an answer that does not lead back to its query, or leaves the range of the samples, is not given. This
-costs 13 numbers a cell and branch, and two or three evaluations of the forward kinematics a query and branch.
+The box around the sampled positions is divided into cells. In each cell each branch, theta2 >= 0 and theta2 < 0, has
+its own model, so that no model averages over two solutions.
+
+An affine model (x, y) -> (theta1, theta2) fails near the stretched arm: the branches meet there in a fold, and theta2
+varies as the square root of the distance to the edge. The square of theta2 has no such root. So a polynomial of degree
+two in (x, y) is fitted to the square of theta2, and another one plus a multiple of |theta2| to theta1: near a fold
+every smooth map has this form.
+
+If the forward kinematics is given, Newton's method makes the answer exact; it works in the square too, so it converges
+as fast on the fold as elsewhere. An answer that does not lead back to its query, or leaves the range of the samples, is
+not given. This takes 13 numbers for each cell and branch, and two or three evaluations of the forward kinematics for
+each query and branch.
 
 Source: Golubitsky and Guillemin, Stable Mappings and Their Singularities (1973), for folds.
 """
@@ -20,18 +24,40 @@ from course_lib.arguments import count, real_array, refuse_first, tolerance
 
 _SIGNS = np.array([[1.0], [-1.0]])  # of theta2 on the two branches
 _TERMS = 7  # of a model: 1, u, v, u^2, u v, v^2, which the square of theta2 has, and |theta2|, which theta1 has too
-_RIDGE = 1e-10  # holds every term but the first, so that a single sample is enough to solve for a model
-_ENOUGH = 9  # samples in a cell for a model whose answers nothing verifies
+_RIDGE = 1e-10  # on every term but the first, so that a single sample determines a model
+_ENOUGH = 9  # samples in a cell for a model whose answers are not verified
 _LEAST_SQUARE = 1e-14  # of theta2, so that a step on the fold itself divides by no zero
 _WIDEST = 1000.0  # radians, or degrees: far above it the ridge would be lost in the rounding
 _CHUNK = 4096  # queries at a time: few enough that all their numbers stay in the processor's cache
 
 
 def planar_forward(theta, lengths=(1.0, 1.0)):
-    """Return the end (x, y) of a planar arm with two links, and its Jacobian ((dx/dtheta1, dx/dtheta2), (dy/..., ...)).
+    """Return the end (x, y) of a planar arm with two links, and its Jacobian.
 
-    theta: (2, m), in radians; each entry of the answer is an array (m,). For other lengths GridIK takes
-    functools.partial(planar_forward, lengths=(...)). It looks at nothing, for it runs often.
+    For other lengths, give GridIK functools.partial(planar_forward, lengths=(...)). It does not check its arguments,
+    because it runs often.
+
+    Parameters
+    ----------
+    theta : array (2, m)
+        Joint angles in radians.
+    lengths : pair of float, default (1, 1)
+        Lengths of the links in metres.
+
+    Returns
+    -------
+    tuple
+        (x, y), and ((dx/dtheta1, dx/dtheta2), (dy/dtheta1, dy/dtheta2)); each entry is an array (m,).
+
+    References
+    ----------
+    Lynch and Park, Modern Robotics (2017), eq. 5.1.
+
+    Examples
+    --------
+    >>> (x, y), J = planar_forward(np.array([[0.0], [np.pi / 2]]))
+    >>> print(x, y)
+    [1.] [1.]
     """
     (c1, s1), (c12, s12) = _cos_sin(theta[0]), _cos_sin(theta[0] + theta[1])
     x2, y2 = lengths[1] * c12, lengths[1] * s12
@@ -47,18 +73,42 @@ def _cos_sin(angle):
 
 
 class GridIK(BaseEstimator):
-    """Both postures of an arm with two joints for places in the plane, learnt from samples of its joint angles.
+    """Both solutions of the inverse kinematics of an arm with two joints in the plane, learnt from samples.
 
-    cells: (nx, ny), how many the box around the samples is cut into. forward: a function of angles (2, m), in the
-    samples' order and unit, that returns places (2, m) and Jacobians (2, 2, m), as planar_forward does; None to answer
-    by the models alone. steps: of Newton's method, at most. tol: how far beside the query forward may lead, along
-    each axis, for an answer to count. The last two are for when there is a forward.
+    The arm's two solutions must meet where theta2 = 0, and theta1 must range over less than one revolution. In a cell
+    in which a branch has angles one revolution apart, answers are missing, or wrong if no `forward` verifies them.
 
-    The arm is one whose two postures meet where theta2 = 0, and theta1 ranges over less than a turn: in a cell where a
-    branch has angles a turn apart answers are missing, and wrong where there is no forward to look at them.
+    Parameters
+    ----------
+    cells : pair of int, default (50, 50)
+        (nx, ny), the number of cells along x and y.
+    forward : function, optional
+        Takes angles (2, m), in the samples' order and unit, and returns positions (2, m) and Jacobians (2, 2, m), as
+        planar_forward does. None to answer by the models alone.
+    steps : int, default 3
+        The largest number of Newton steps; used with `forward`.
+    tol : float, default 1e-9
+        The largest distance, along each axis, between the query and where an answer leads; used with `forward`.
 
-    Once fitted: box_ (2, 2), the lowest x and y of the samples, then the highest; range_ (2, 2), the same of their
-    angles; row_ (2, nx ny + 1), for a branch and a cell the row of its model, -1 for none; models_ (rows + 1, 13).
+    Attributes
+    ----------
+    box_ : array (2, 2)
+        The lowest x and y of the samples, then the highest.
+    range_ : array (2, 2)
+        The same of their angles.
+    row_ : array (2, nx ny + 1)
+        For each branch and cell the row of its model, -1 for none.
+    models_ : array (rows + 1, 13)
+        The coefficients.
+
+    Examples
+    --------
+    >>> theta = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (50_000, 2))
+    >>> xy = np.stack(planar_forward(theta.T)[0], -1)
+    >>> found = GridIK(forward=planar_forward).fit(xy, theta).predict([[0.5, 1.5]])
+    >>> x, y = planar_forward(found[0].T)[0]  # where both solutions lead
+    >>> print(x.round(6), y.round(6))
+    [0.5 0.5] [1.5 1.5]
     """
 
     def __init__(self, cells=(50, 50), forward=None, steps=3, tol=1e-9):
@@ -68,12 +118,29 @@ class GridIK(BaseEstimator):
         self.tol = tol
 
     def fit(self, xy, theta):
-        """Learn from the places xy (n, 2) that the joint angles theta (n, 2) lead to; return self."""
-        nx, ny = cells = self._look_at_parameters()
+        """Learn from samples; return self.
+
+        Parameters
+        ----------
+        xy : array_like (n, 2)
+            Positions.
+        theta : array_like (n, 2)
+            The joint angles that lead to them; at least one sample for each cell.
+
+        Returns
+        -------
+        GridIK
+
+        Raises
+        ------
+        ValueError
+            If an argument or a parameter of the estimator does not fit; it names which.
+        """
+        nx, ny = cells = self._check_parameters()
         xy, theta = _rows(xy, "xy"), _rows(theta, "theta")
-        _look_at_samples(xy, theta, nx * ny)
+        _check_samples(xy, theta, nx * ny)
         box, ranges = (np.stack([a.min(0), a.max(0)]) for a in (xy, theta))
-        self._look_at_forward(xy[:1000].T, theta[:1000].T, (box[1] - box[0]) / cells)
+        self._check_forward(xy[:1000].T, theta[:1000].T, (box[1] - box[0]) / cells)
         self.cells_, self.box_, self.range_, self.n_features_in_ = cells, box, ranges, 2
         cell, u, v = self._cell(xy.T)
         slot = (nx * ny + 1) * (theta[:, 1] < 0) + cell
@@ -84,9 +151,24 @@ class GridIK(BaseEstimator):
         return self
 
     def predict(self, xy):
-        """Return (m, 2, 2), for each place of xy (m, 2) the angles with theta2 >= 0, then those with theta2 <= 0.
+        """Return both solutions for each position.
 
-        A row of NaN is no answer: there is no such posture in the range of the samples, or none was sampled nearby.
+        Parameters
+        ----------
+        xy : array_like (m, 2)
+
+        Returns
+        -------
+        array (m, 2, 2)
+            The angles with theta2 >= 0, then those with theta2 <= 0. A row of NaN is no answer: there is no such
+            solution in the range of the samples, or none was sampled nearby.
+
+        Raises
+        ------
+        ValueError
+            If `xy` is not an array (m, 2) of finite real numbers.
+        sklearn.exceptions.NotFittedError
+            Before `fit`.
         """
         check_is_fitted(self)
         xy = _rows(xy, "xy")
@@ -98,7 +180,7 @@ class GridIK(BaseEstimator):
 
     @property
     def nbytes(self):
-        """How many bytes the fitted arrays take."""
+        """The number of bytes that the fitted arrays take."""
         check_is_fitted(self)
         return sum(array.nbytes for array in (self.box_, self.range_, self.row_, self.models_))
 
@@ -108,7 +190,7 @@ class GridIK(BaseEstimator):
         return tags
 
     def _answer(self, xy):
-        """Return the angles (2, 2, m), theta1 and theta2 of both branches, for places xy (2, m)."""
+        """Return the angles (2, 2, m), theta1 and theta2 of both branches, for positions xy (2, m)."""
         cell, u, v = self._cell(xy)
         c = np.moveaxis(self.models_.take(self.row_.take(cell, 1), 0), -1, 0)
         with np.errstate(all="ignore"):
@@ -124,26 +206,26 @@ class GridIK(BaseEstimator):
         return np.where(reached, theta, np.nan)
 
     def _newton(self, theta, xy):
-        """Improve theta (2, m) in place, until forward leads to xy (2, m); return whether it does (m,)."""
+        """Improve the array theta (2, m) until forward leads to xy (2, m); return whether it does (m,)."""
         reached, left = np.zeros(theta.shape[1], bool), np.flatnonzero(~np.isnan(theta[0]))
         at, xy = theta.take(left, 1), xy.take(left, 1)
-        place, J = self.forward(at)
+        position, J = self.forward(at)
         for _ in range(self.steps):
-            at = _step(at, xy - place, J)
-            place, J = self.forward(at)
-            near = (np.abs(xy - place) <= self.tol).all(0)
+            at = _step(at, xy - position, J)
+            position, J = self.forward(at)
+            near = (np.abs(xy - position) <= self.tol).all(0)
             there, off = left[near], np.flatnonzero(~near)
             reached[there] = True
             for angles, found in zip(theta, at, strict=True):
                 angles[there] = found[near]
             if not len(off):
                 break
-            left, at, xy, place = left.take(off), at.take(off, 1), xy.take(off, 1), np.take(place, off, 1)
+            left, at, xy, position = left.take(off), at.take(off, 1), xy.take(off, 1), np.take(position, off, 1)
             J = np.take(J, off, 2)
         return reached
 
     def _cell(self, xy):
-        """Return the cells (m,) of places (2, m), nx ny outside the box, and u and v from -1 to 1 across the cell."""
+        """Return the cells (m,) of positions (2, m), nx ny if outside, and u and v from -1 to 1 across the cell."""
         (x0, y0), (x1, y1), (nx, ny) = *self.box_, self.cells_
         x, y = xy
         inside = (x >= x0) & (x <= x1) & (y >= y0) & (y <= y1)
@@ -151,9 +233,10 @@ class GridIK(BaseEstimator):
         j, v = _along(y, y0, y1, ny)
         return np.where(inside, i * ny + j, nx * ny), u, v
 
-    def _look_at_parameters(self):
-        """Return how many cells there are along x and y."""
-        if not isinstance(self.cells, tuple | list | np.ndarray) or len(self.cells) != 2:
+    def _check_parameters(self):
+        """Return the numbers of cells along x and y."""
+        is_list = isinstance(self.cells, tuple | list) or (isinstance(self.cells, np.ndarray) and self.cells.ndim == 1)
+        if not is_list or len(self.cells) != 2:
             raise ValueError(f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}")
         cells = tuple(count(n, f"cells[{i}]", least=1) for i, n in enumerate(self.cells))
         if self.forward is not None and not callable(self.forward):
@@ -162,17 +245,21 @@ class GridIK(BaseEstimator):
         tolerance(self.tol)
         return cells
 
-    def _look_at_forward(self, xy, theta, width):
-        """Run forward on a few samples, and refuse one that cannot be theirs: all its answers would be missing."""
+    def _check_forward(self, xy, theta, width):
+        """Run forward on a few samples, and refuse one that does not belong to them: every answer would be missing."""
         if self.forward is None:
             return
-        answer = self.forward(theta)
         try:
-            place, J = answer
+            answer = self.forward(theta)
+        except TypeError as other_arguments:
+            raise ValueError(f"forward must take one array of angles (2, m): {other_arguments}") from other_arguments
+        try:
+            position, J = answer
         except (TypeError, ValueError) as no_pair:
-            raise ValueError("forward must return a pair, places and Jacobians, as planar_forward does") from no_pair
-        place, _ = real_array(place, "forward(theta)[0]", xy.shape), real_array(J, "forward(theta)[1]", (2, *xy.shape))
-        miss = np.median(np.abs(xy - place), 1)
+            raise ValueError("forward must return a pair, positions and Jacobians, as planar_forward does") from no_pair
+        position = real_array(position, "forward(theta)[0]", xy.shape)
+        real_array(J, "forward(theta)[1]", (2, *xy.shape))
+        miss = np.median(np.abs(xy - position), 1)
         if (miss > width).any():
             raise ValueError(
                 f"forward must lead from theta to xy; it misses half of the samples by {miss.max():.3g} or more, which "
@@ -218,10 +305,10 @@ def _models(row, rows, u, v, theta):
     return np.concatenate([models, np.full((1, models.shape[1]), np.nan)]).astype(np.float32)
 
 
-def _look_at_samples(xy, theta, cells):
+def _check_samples(xy, theta, cells):
     n = len(xy)
     if len(theta) != n:
-        raise ValueError(f"theta must hold the angles of each of the {n} places of xy; it holds {len(theta)}")
+        raise ValueError(f"theta must hold the angles of each of the {n} positions of xy; it holds {len(theta)}")
     if n < cells:
         raise ValueError(
             f"xy must hold a sample for each of the {cells} cells; it holds {n}: take more, or fewer cells"
@@ -241,6 +328,6 @@ def _rows(value, name):
     array = real_array(value, name, (2,))
     if array.ndim != 2:
         raise ValueError(
-            f"{name} must be an array of shape (n, 2), one place or posture a row; its shape is {array.shape}"
+            f"{name} must be an array of shape (n, 2), one position or pair of angles a row; its shape is {array.shape}"
         )
     return array

@@ -180,7 +180,9 @@ def changed(argument, index, value):
         *((argument, value) for argument in AXIS for value in NO_REAL_NUMBERS if argument != "limits" or value),
         *((argument, np.array(value)[None]) for argument, value in AXIS.items()),
         *((argument, np.array(value)[:, :-1]) for argument, value in AXIS.items()),
-        *((argument, changed(argument, (0, 0), bad)) for argument in AXIS for bad in (np.nan, np.inf, -np.inf)),
+        *((argument, changed(argument, (0, 0), bad)) for argument in AXIS for bad in (np.nan, np.inf)),
+        *((argument, changed(argument, (0, 0), -np.inf)) for argument in AXIS if argument != "limits"),
+        ("omega", [[1.7e308, 1.7e308, 0]]),
         *((argument, np.concatenate([value, value])) for argument, value in AXIS.items() if argument != "omega"),
         ("omega", np.zeros((0, 3))),
         ("omega", np.zeros((1, 3))),
@@ -192,6 +194,7 @@ def changed(argument, index, value):
         ("home", changed("home", (3, 0), 0.1)),
         ("limits", [[2, -1]]),
         ("limits", [[1, 1]]),
+        ("limits", [[-np.inf, -np.inf]]),
     ],
 )
 def test_from_screws_refuses(argument, value):

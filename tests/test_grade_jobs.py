@@ -267,7 +267,7 @@ def test_the_seed_is_drawn_once_and_kept(place):
 
 
 def test_a_notebook_is_graded_by_make_grades_command(place):
-    cells = ["def is_so(R, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
+    cells = ["def is_valid(X, kind, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
     (place / "in/anna").mkdir()
     nbformat.write(notebook, place / "in/anna/01_rotations.ipynb")
@@ -278,8 +278,8 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
     assert done.returncode == 0, done.stderr
     assert "grading: 100%" in done.stderr
     grades = (place / "out/grades.csv").read_text()
-    assert "anna,01_rotations,is_so,0,1,not attempted," in grades
-    assert "bob,01_rotations,is_so,0,1," in grades
+    assert "anna,01_rotations,is_valid,0,3,not attempted," in grades
+    assert "bob,01_rotations,is_valid,0,3," in grades
     assert 'carl,01_rotations,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
     assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
         [*TABLES, "class.html", "feedback", "results", "seed"]

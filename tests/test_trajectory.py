@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from course_lib.arms import planar_arm
 from course_lib.trajectory import Trajectory, load, save
 
 HEADER = "t,q1,q2,qd1,qd2"
@@ -67,13 +68,13 @@ def test_what_is_saved_is_read_again(tmp_path):
 @pytest.mark.parametrize(
     ("row", "column", "value", "words"),
     [
-        (2, "q2", "nan", "is no finite number"),
-        (3, "qd1", "-inf", "is no finite number"),
-        (1, "q1", "left", "'left', which is no number"),
-        (1, "t", "", "'', which is no number"),
+        (2, "q2", "nan", "is not a finite number"),
+        (3, "qd1", "-inf", "is not a finite number"),
+        (1, "q1", "left", "'left', which is not a number"),
+        (1, "t", "", "'', which is not a number"),
         (2, "q2", "-0.6", "is -0.6000 rad, outside -0.5000 to 0.7000"),
         (3, "q1", "1.01", "outside -1.0000 to 1.0000"),
-        (3, "t", "0.5", "is 0.5 s, after 0.5 s: time must run forwards"),
+        (3, "t", "0.5", "is 0.5 s, after 0.5 s: time must increase"),
         (2, "t", "-1", "is -1 s, after 0 s"),
     ],
 )
@@ -91,7 +92,7 @@ def test_a_missing_column_is_named(file, column):
 
 
 def test_other_broken_files(file, tmp_path):
-    assert "column q1 stands twice" in refusal(file("t,q1,q1,qd1,qd2", *ROWS))
+    assert "column q1 occurs twice" in refusal(file("t,q1,q1,qd1,qd2", *ROWS))
     assert "row 2 has 4 columns, the header 5" in refusal(file(HEADER, ROWS[0], "1,2,3,4"))
     assert "a header and at least one row" in refusal(file(HEADER))
     assert "column t is missing" in refusal(file(*ROWS))
@@ -114,3 +115,20 @@ def test_bad_arguments(file, tmp_path):
         load(tmp_path / "none.csv")
     with pytest.raises(ValueError, match=r"limits must have shape \(2, 2\), for the 2 joints"):
         load(file(HEADER, *ROWS), np.zeros((7, 2)))
+    for path in (None, 3, ["a.csv"], b"a.csv", "a\0.csv", np.array("a.csv")):
+        with pytest.raises(ValueError, match=r"^path must"):
+            load(path)
+        with pytest.raises(ValueError, match=r"^path must"):
+            save(path, Trajectory(np.zeros(1), np.zeros((1, 1)), np.zeros((1, 1))))
+    with pytest.raises(ValueError, match=r"^limits must be finite"):
+        load(file(HEADER, *ROWS), np.full((2, 2), np.nan))
+    with pytest.raises(ValueError, match=r"^trajectory must be a Trajectory"):
+        save(tmp_path / "a.csv", np.zeros((3, 3)))
+    with pytest.raises(ValueError, match=r"^trajectory must hold t"):
+        save(tmp_path / "a.csv", Trajectory(np.zeros(2), np.zeros((3, 1)), np.zeros((3, 1))))
+    with pytest.raises(ValueError, match=r"^trajectory\.qd must be"):
+        save(tmp_path / "a.csv", Trajectory(np.zeros(1), np.zeros((1, 1)), None))
+
+
+def test_limits_may_be_infinite(file):
+    assert load(file(HEADER, *ROWS), planar_arm([1, 1]).limits).q.shape == (3, 2)

@@ -247,6 +247,7 @@ EXERCISE = Exercise(
             lambda theta: _right(theta[::-1]),
         ),
     ),
+    library=_right,
     hints=(
         "T_01 turns by theta1 and goes nowhere: pose_matrix([0, 0, theta[0]]).",
         "From joint 1 to joint 2: 1 m along joint 1's x axis, then the turn by theta2: pose_matrix([1, 0, theta[1]]).",

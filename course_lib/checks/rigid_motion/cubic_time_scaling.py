@@ -262,6 +262,7 @@ EXERCISE = Exercise(
             lambda t, T, *ends: cubic_time_scaling(T * (t // T), T, *ends),
         ),
     ),
+    library=cubic_time_scaling,
     hints=(
         "s(t) = a0 + a1 t + a2 t^2 + a3 t^3 has four coefficients, and there are four conditions. "
         "Those at t = 0 give a0 and a1 at once.",

@@ -15,7 +15,7 @@ from course_lib.checks.rigid_motion.paths import (
     timed,
 )
 from course_lib.checks.rigid_motion.turning import moved, only, right_paths, whole_numbers, wrong_turns, wrong_ways
-from course_lib.planar import wrap_angle
+from course_lib.planar import interpolate_arm, wrap_angle
 
 ARM = np.array([True, True])
 
@@ -90,6 +90,7 @@ EXERCISE = Exercise(
         *wrong_turns(ARM, "a joint"),
         *wrong_ways(ARM, "pair of angles"),
     ),
+    library=interpolate_arm,
     hints=(
         "It is interpolate_body with two numbers in place of three, and both are angles.",
         "The way is wrap_angle(goal - start), of arrays (np.array(start, float)), or joint by joint.",

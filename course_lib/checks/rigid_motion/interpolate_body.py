@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.rigid_motion.paths import LINE, TURN, ends, like, rows_of, short_ways, timed
 from course_lib.checks.rigid_motion.turning import moved, only, right_paths, whole_numbers, wrong_turns, wrong_ways
-from course_lib.planar import interpolate_body_screw, wrap_angle
+from course_lib.planar import interpolate_body, interpolate_body_screw, wrap_angle
 
 BODY = np.array([False, False, True])
 
@@ -89,6 +89,7 @@ EXERCISE = Exercise(
         *wrong_turns(BODY, "theta"),
         *wrong_ways(BODY, "pose"),
     ),
+    library=interpolate_body,
     hints=(
         "u = np.linspace(0, 1, n) has n even times; s = 3 u^2 - 2 u^3 says how much of the way is done.",
         "The way is goal - start, of arrays (np.array(start, float)), with theta wrapped: way[2] = wrap_angle(way[2]).",

@@ -4,20 +4,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rigid_motion.interpolate_body import BODY, between, plain_cases, turning_cases
-from course_lib.checks.rigid_motion.paths import (
-    TURN,
-    ends,
-    even,
-    like,
-    on_a_line,
-    rest_to_rest,
-    rows_of,
-    short_ways,
-    straight,
-    timed,
-    wrong_times,
-)
-from course_lib.checks.rigid_motion.turning import whole_numbers
 from course_lib.checks.rigid_motion.interpolate_body_screw_mistakes import (
     along,
     blended,
@@ -38,6 +24,21 @@ from course_lib.checks.rigid_motion.interpolate_body_screw_mistakes import (
     with_theta,
     with_twist,
 )
+from course_lib.checks.rigid_motion.paths import (
+    TURN,
+    ends,
+    even,
+    like,
+    on_a_line,
+    rest_to_rest,
+    rows_of,
+    short_ways,
+    straight,
+    timed,
+    wrong_times,
+)
+from course_lib.checks.rigid_motion.turning import whole_numbers
+from course_lib.planar import interpolate_body_screw
 from course_lib.rigid import exp_se2, inverse
 
 
@@ -212,6 +213,7 @@ EXERCISE = Exercise(
         ),
         *wrong_times(BODY, by_screw, "pose"),
     ),
+    library=interpolate_body_screw,
     hints=(
         "As matrices: T0 = pose_matrix(start) and T1 = pose_matrix(goal). What start sees of goal is T0^-1 T1.",
         "twist = rigid.log_se2(rigid.inverse(T0) @ T1) is what the body feels, for one unit of s.",

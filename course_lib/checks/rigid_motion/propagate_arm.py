@@ -5,9 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.propagate_body import drawn_case
 from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
 from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
+from course_lib.checks.rigid_motion.propagate_body import drawn_case
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -139,6 +139,7 @@ EXERCISE = Exercise(
             _with(lambda w: -w),
         ),
     ),
+    library=propagate_arm,
     hints=(
         "The loops are those of propagate_body: over the pairs, and in each over the steps.",
         "In a step of length h: theta = theta + np.array([w1, w2]) * h. Append a row after each step.",

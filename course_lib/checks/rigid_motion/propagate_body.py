@@ -262,6 +262,7 @@ EXERCISE = Exercise(
             follow(_before(lambda vx, vy, omega: np.array([vx, 0.0, omega]))),
         ),
     ),
+    library=propagate_body,
     hints=(
         "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = [start] and append.",
         "Keep the time that is left of a pair: left = duration; while left > 1e-9: h = min(dt, left); ...; left -= h.",

@@ -4,6 +4,18 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
+from course_lib.checks.rigid_motion.plans import (
+    FINE,
+    STEP_LENGTHS,
+    follow,
+    form,
+    lengths,
+    like,
+    near,
+    off,
+    straight,
+)
 from course_lib.checks.rigid_motion.propagate_body import (
     ADDED,
     BODY,
@@ -19,18 +31,6 @@ from course_lib.checks.rigid_motion.propagate_body import (
     euler,
     move_by,
     read_poses,
-)
-from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
-from course_lib.checks.rigid_motion.plans import (
-    FINE,
-    STEP_LENGTHS,
-    follow,
-    form,
-    lengths,
-    like,
-    near,
-    off,
-    straight,
 )
 from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
 from course_lib.rigid import exp_se2, inverse
@@ -272,6 +272,7 @@ EXERCISE = Exercise(
             BODY, ("x and y are swapped", "A row is (x, y, theta)."), lambda *c: propagate_body_exact(*c)[:, [1, 0, 2]]
         ),
     ),
+    library=propagate_body_exact,
     hints=(
         "The loops are those of propagate_body; only what happens in a step is another.",
         "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y = T[1, 2].",

@@ -75,7 +75,7 @@ EXERCISE = Exercise(
         Mistake("the angle comes back as it is", "Take off whole turns: 2 pi each.", lambda a: a),
         Mistake(
             "only one turn is taken off",
-            "How many are in 8 pi? np.round(angle / (2 * np.pi)) counts them.",
+            "How many whole turns are in 8 pi? And in this angle?",
             lambda a: a - TURN * (a > np.pi) + TURN * (a < -np.pi),
         ),
         Mistake(
@@ -117,7 +117,6 @@ EXERCISE = Exercise(
             "the shift by pi has its sign wrong afterwards",
             "What was added before np.mod is to be taken off after it.",
             lambda a: np.mod(a + np.pi, TURN) + np.pi,
-            lambda a: np.mod(a - np.pi, TURN) - np.pi,
         ),
         Mistake(
             "half turns are taken off",
@@ -181,6 +180,7 @@ EXERCISE = Exercise(
             seen=lambda value, a: abs(abs(wrap_angle(value - a)) - np.pi) < 1e-6,
         ),
     ),
+    library=wrap_angle,
     hints=(
         "How many whole turns are in the angle? angle / (2 pi), rounded to the nearest whole number.",
         "Take off that many times 2 pi: angle - 2 * np.pi * (how many).",

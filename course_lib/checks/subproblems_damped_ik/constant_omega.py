@@ -143,6 +143,10 @@ def _log_of(words, *products):
     return _like(words, *(lambda R0, Rf, T, s=s, p=p: s * log_so3(p(R0, Rf)) / T for s, p in signed))
 
 
+def _angular_velocity(R0, Rf, T):
+    return log_so3(Rf @ R0.T) / T
+
+
 EXERCISE = Exercise(
     name="constant_omega",
     points=2,
@@ -290,6 +294,7 @@ EXERCISE = Exercise(
         *_like(("half of the angle is used", "Only a quaternion holds the half angle."), _scaled(lambda angle, T: 0.5)),
         *_like(("twice the angle is used", "log_so3 is the whole turn, once."), _scaled(lambda angle, T: 2.0)),
     ),
+    library=_angular_velocity,
     hints=(
         "Which rotation, from the left, takes R0 to Rf? Solve exp(T [omega]) R0 = Rf for the exponential.",
         "The inverse of a rotation is its transpose: exp(T [omega]) = Rf R0^T.",

@@ -279,6 +279,7 @@ EXERCISE = Exercise(
             lambda triple: triple * [1, -1, 1] + [0, np.pi / 2, 0],
         ),
     ),
+    library=lambda R: euler_yxy(R).theta,
     hints=(
         "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is subproblem 2.",
         "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) Ry(-b1) R: "

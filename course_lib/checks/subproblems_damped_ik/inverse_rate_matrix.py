@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.rate_matrix import WRONG_MATRICES, quadrants, rates
+from course_lib.checks.subproblems_damped_ik.rate_matrix import quadrants, rates
 
 _SMALL = 0.01  # sines below this are near zero
 
@@ -55,12 +55,6 @@ def _minus(b2):
 def _reciprocals(b):
     A = rates(b)
     return np.divide(1, A, out=np.full((3, 3), np.inf), where=A != 0)
-
-
-def _of_a_wrong_matrix(mistake):
-    """The mistake of those who invert well, but another matrix."""
-    name = f"the matrix is wrong before it is inverted: {mistake.name}"
-    return Mistake(name, mistake.hint, *(lambda b, wrong=wrong: np.linalg.inv(wrong(b)) for wrong in mistake.answers))
 
 
 EXERCISE = Exercise(
@@ -140,8 +134,8 @@ EXERCISE = Exercise(
             "Where sin b2 is not 0 there is an inverse: nothing need be added to the matrix.",
             *(lambda b, e=e: np.linalg.solve(rates(b).T @ rates(b) + e * np.eye(3), rates(b).T) for e in (1e-6, 0.01)),
         ),
-        *map(_of_a_wrong_matrix, WRONG_MATRICES),
     ),
+    library=_right,
     hints=(
         "numpy inverts matrices: np.linalg.inv. Your rate_matrix makes the matrix.",
         "By hand: A^-1 = adj(A) / det A, with det A = -sin b2.",

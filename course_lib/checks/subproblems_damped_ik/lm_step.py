@@ -242,6 +242,7 @@ EXERCISE = Exercise(
             seen=_parallel,
         ),
     ),
+    library=step,
     hints=(
         "J = planar_jacobian(q), e = tip(q) - target.",
         "The matrix is J.T @ J + eps * np.eye(4), the right side J.T @ e.",

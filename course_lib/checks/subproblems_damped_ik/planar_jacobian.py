@@ -47,8 +47,8 @@ def _wrong_column(J, q):
     step = _H * np.eye(4)[j]
     velocity = np.round((tip(q + step) - tip(q - step)) / (2 * _H), 9)
     return (
-        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite differences. "
-        f"That is column {j + 1}; yours is {format_array(J[:, j])}."
+        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite "
+        f"differences. That is column {j + 1}; yours is {format_array(J[:, j])}."
     )
 
 
@@ -192,6 +192,7 @@ EXERCISE = Exercise(
             seen=lambda J, q: np.abs(J - jacobian(q)).max() < 0.1,
         ),
     ),
+    library=jacobian,
     hints=(
         "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, cos a_i) for each "
         "rad/s of a joint up to i.",

@@ -227,6 +227,7 @@ EXERCISE = Exercise(
         ),
         _DIFFERENCES,
     ),
+    library=rates,
     hints=(
         "Set b' = (1, 0, 0), then (0, 1, 0), then (0, 0, 1): each column is the axis about which one angle turns.",
         "b1 turns all that stands to its right about the fixed e_y. The axis of b2 is e_x, turned by Ry(b1).",

@@ -254,6 +254,7 @@ EXERCISE = Exercise(
         ),
         *(mistake for wrong in WRONG_STEPS for mistake in _of_a_wrong_step(wrong)),
     ),
+    library=_way,
     hints=(
         "A list with a copy of q0 in it, and a loop over range(steps) that appends lm_step of the last entry.",
         "way = [np.array(q0, float)], then way.append(lm_step(way[-1], target, alpha, eps)), then np.array(way).",

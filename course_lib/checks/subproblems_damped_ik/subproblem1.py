@@ -5,8 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import unit
 from course_lib.checks.subproblems_damped_ik.shared import FINE, across, angle_about, by_arctan, near, turned
+from course_lib.checks.vocabulary import unit
+from course_lib.subproblems import subproblem1
 
 X, Y, Z = np.eye(3)
 
@@ -202,6 +203,7 @@ EXERCISE = Exercise(
             lambda k, p, q: 0.0,
         ),
     ),
+    library=lambda k, p, q: subproblem1(k, p, q).theta,
     hints=(
         "A turn about k moves only the part across k. Take p' = p - (k . p) k and q' = q - (k . q) k.",
         "p' . q' = |p'| |q'| cos(theta), and k . (p' x q') = |p'| |q'| sin(theta).",

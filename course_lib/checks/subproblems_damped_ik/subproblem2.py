@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import unit
 from course_lib.checks.subproblems_damped_ik.shared import (
     all_of_them,
     angle_about,
@@ -18,6 +17,7 @@ from course_lib.checks.subproblems_damped_ik.shared import (
     where_two,
 )
 from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Z
+from course_lib.checks.vocabulary import unit
 from course_lib.subproblems import subproblem2
 
 _ANGLED = np.array([0.6, 0.0, 0.8])
@@ -179,6 +179,13 @@ _NEGATED = (
     "it stands on the other side.",
 )
 
+
+def _solutions(k1, k2, p1, p2):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem2(k1, k2, p1, p2)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
 EXERCISE = Exercise(
     name="subproblem2",
     points=3,
@@ -286,6 +293,7 @@ EXERCISE = Exercise(
             _with_foot(lambda c, h1, h2: tuple(x * np.sqrt(1 - c * c) for x in _foot(c, h1, h2))),
         ),
     ),
+    library=_solutions,
     hints=(
         "p1 runs on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
         "k1 . z = k1 . p1 and k2 . z = k2 . p2.",

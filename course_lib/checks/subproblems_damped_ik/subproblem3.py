@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import unit
 from course_lib.checks.subproblems_damped_ik.shared import (
     across,
     all_of_them,
@@ -19,6 +18,7 @@ from course_lib.checks.subproblems_damped_ik.shared import (
     wrong_middles,
 )
 from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
+from course_lib.checks.vocabulary import unit
 from course_lib.subproblems import subproblem3
 
 
@@ -114,6 +114,13 @@ def _right_square(d, h, s):
 
 _ONE = "angle"
 
+
+def _solutions(k, p, q, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem3(k, p, q, d)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
 EXERCISE = Exercise(
     name="subproblem3",
     points=2,
@@ -200,6 +207,7 @@ EXERCISE = Exercise(
             seen=lambda found, k, p, q, d: len(found) == 2 and bool(near(found[0], found[1])),
         ),
     ),
+    library=_solutions,
     hints=(
         "Only what lies across the axis turns. The heights along k stay: they use up (k . (p - q))^2 of d^2.",
         "d'^2 = d^2 - (k . (p - q))^2 is what is left across the axis. Below zero: an empty list. d < 0: likewise.",

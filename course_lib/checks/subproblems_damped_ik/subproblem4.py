@@ -4,8 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import unit
-from course_lib.checks.subproblems_damped_ik.subproblem3 import either_side
 from course_lib.checks.subproblems_damped_ik.shared import (
     across,
     all_of_them,
@@ -19,6 +17,8 @@ from course_lib.checks.subproblems_damped_ik.shared import (
     wrong_middles,
 )
 from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
+from course_lib.checks.subproblems_damped_ik.subproblem3 import either_side
+from course_lib.checks.vocabulary import unit
 from course_lib.subproblems import subproblem4
 
 
@@ -113,6 +113,13 @@ def _both_sides_by_arcsine(k, h, p, d):
 
 _ONE = "angle"
 
+
+def _solutions(k, h, p, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem4(k, h, p, d)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
 EXERCISE = Exercise(
     name="subproblem4",
     points=2,
@@ -193,6 +200,7 @@ EXERCISE = Exercise(
             _by_cosine(lambda d, kh, kp: -d - kh * kp),
         ),
     ),
+    library=_solutions,
     hints=(
         "Split h and p into parts along k and across it: h . R p = (k . h)(k . p) + h' . R p'.",
         "h' . R p' = |h'| |p'| cos(angle between R p' and h'): that gives the cosine. Out of [-1, 1]: an empty list.",

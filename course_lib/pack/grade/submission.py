@@ -22,6 +22,7 @@ from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
+MOST_CALLS = 5000  # of candidates, by one student's test
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
@@ -202,8 +203,10 @@ class Student:
         try:
             self._sandbox.send(request)
             message = self._receive(deadline)
+            calls = 0
             while consult and isinstance(message.get("call"), str):
-                self._sandbox.send({"told": consult(message["call"])})
+                calls += 1
+                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."

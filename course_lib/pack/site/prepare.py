@@ -74,6 +74,18 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
     elif image and "text/html" not in output.data:
         output.data = {"text/html": picture(output, image, "picture", alternative(output, place), folder)}
         counts.pictures += 1
+    elif "text/html" in output.data:
+        output.data["text/html"] = mark_dollars(output.data["text/html"])
+
+
+def mark_dollars(page: str) -> str:
+    """Return HTML in which formulas, which JupyterLab sets where it finds dollars, are marked for Sphinx to set.
+
+    What stands in code, and in attributes, is left as it is.
+    """
+    parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
+    parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]
+    return "".join(parts)
 
 
 def alternative(output, place: str) -> str:
@@ -96,8 +108,13 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
+    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
+    kind = course.get("kind", "")
+    scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
+    own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
+    own += " data-without-plotly" if course.get("plotly") is False else ""
     return (
-        f'<div class="plotly-figure" role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
         f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
     )
 

@@ -150,26 +150,10 @@ def wrong_damped(b):
     return np.linalg.inv(A.T @ A + 1e-6 * np.eye(3)) @ A.T
 
 
-def wrong_matrix_of_the_hand_s_own(b):
-    """seen from the turning hand"""
-    c2, s2, c3, s3 = np.cos(b[1]), np.sin(b[1]), np.cos(b[2]), np.sin(b[2])
-    return np.linalg.inv([[s2 * s3, c3, 0], [c2, 0, 1], [-s2 * c3, s3, 0]])
-
-
 def wrong_sine_missing_before(b):
     """the division by sin b2 is missing"""
     c1, s1, c2, _ = _parts(b)
     return np.linalg.inv([[0, c1, s1], [1, 0, c2], [0, -s1, c1]])
-
-
-def wrong_columns_reversed_before(b):
-    """the columns stand in another order"""
-    return np.linalg.inv(rate_matrix(b)[:, ::-1])
-
-
-def wrong_degrees_before(b):
-    """degrees"""
-    return np.linalg.inv(rate_matrix(np.deg2rad(b)))
 
 
 def wrong_fixed_axes_before(b):

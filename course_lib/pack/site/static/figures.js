@@ -1,5 +1,22 @@
 // Draws the figures whose data stand in the page, each when it comes near the window. A browser holds
 // only some 3D figures at a time (16 on a desktop, 8 on a phone), so those far away are let go again.
+//
+// Figures with a script of their own. A plotly figure whose `layout.meta.course` is
+//     {"kind": "film", "scripts": ["motion", "film"], ...}
+// makes its page load course_lib/figures/scripts/motion.js and film.js, in this order, before this file. They
+// are classic scripts (a browser refuses modules from file://); without "scripts" the one loaded is named as the
+// kind, up to a colon ("toy:arm" -> toy.js). A script says what starts a kind of figure:
+//     window.course = window.course || { kinds: {} };
+//     window.course.kinds["film"] = (live, meta, figure) => stop;
+// It is called each time that the figure comes near the window, with
+//     live    the <div> in which plotly has drawn the figure, or an empty one if meta.plotly is false
+//     meta    layout.meta.course
+//     figure  the whole figure: {data, layout, frames}
+// and returns a function that stops all it began and removes all it added (or nothing): the figure is then far
+// away, or about to be drawn again. What it keeps in `meta` is there the next time. Controls go into
+// window.course.bar(live), a row below the figure that is emptied at every start; they need names
+// (aria-label) and work from the keyboard. A figure with `meta.plotly: false` is not drawn by plotly, and a page
+// with only such figures does not load it. Where no script runs, and in print, the still picture shows.
 (() => {
   "use strict";
   const NEAR = "600px 0px";
@@ -59,6 +76,8 @@
       name();
     });
   }
+
+  const usesPlotly = (meta) => !meta || meta.plotly !== false;
 
   // A play button and a range for a figure with frames.
   function addPlayer(box, live, figure, own) {
@@ -138,8 +157,11 @@
     // A width set for paper would not fit a phone.
     delete figure.layout.width;
     figure.layout.autosize = true;
-    const player = figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
-    addWindows(box, live, own.windows);
+    const meta = figure.layout.meta && figure.layout.meta.course;
+    const start = meta && window.course && window.course.kinds[meta.kind];
+    const player = !start && figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
+    if (!start) addWindows(box, live, own.windows);
+    let stop = null;
 
     const isDrawn = () => box.classList.contains("drawn");
     const fit = () => fittingHeight(figure.layout, meant, box.clientWidth);
@@ -148,18 +170,22 @@
       box.classList.add("drawn");
       figure.layout.height = fit();
       const { data, layout, frames } = figure;
-      await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
+      if (usesPlotly(meta)) await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
       box.style.minHeight = "";
       if (player) await player.show();
+      if (start) stop = start(live, meta, figure);
     }
     // Plotly keeps camera and zoom in the layout it was given, so that they are still there next time.
     function letGo() {
       if (player) player.stop();
       box.style.minHeight = `${box.offsetHeight}px`; // else the text would jump
-      window.Plotly.purge(live);
+      if (stop) stop();
+      stop = null;
+      usesPlotly(meta) ? window.Plotly.purge(live) : live.replaceChildren();
       box.classList.remove("drawn");
     }
-    window.addEventListener("resize", () => isDrawn() && window.Plotly.relayout(live, { height: fit() }));
+    const fitAgain = () => isDrawn() && usesPlotly(meta) && window.Plotly.relayout(live, { height: fit() });
+    window.addEventListener("resize", fitAgain);
 
     // One after the other: a reader may scroll past faster than a figure is drawn.
     let near = false;
@@ -170,7 +196,15 @@
     };
   }
 
-  if (!window.Plotly) return; // the still pictures stay
+  // What scripts of figures may use (see the top).
+  window.course = window.course || { kinds: {} };
+  window.course.bar = (live) => {
+    const box = live.closest(".plotly-figure");
+    const bar = box.querySelector(".plotly-player") || element("div", { class: "plotly-player" }, box);
+    bar.replaceChildren();
+    return bar;
+  };
+
   const figures = new Map();
   const watch = new IntersectionObserver(
     (entries) => entries.forEach(({ target, isIntersecting }) => {
@@ -179,5 +213,7 @@
     }),
     { rootMargin: NEAR },
   );
-  document.querySelectorAll(".plotly-figure").forEach((box) => watch.observe(box));
+  // Without plotly or its own script a figure stays the still picture that it is.
+  const canBeDrawn = (box) => window.Plotly || (box.dataset.kind in window.course.kinds && "withoutPlotly" in box.dataset);
+  document.querySelectorAll(".plotly-figure").forEach((box) => canBeDrawn(box) && watch.observe(box));
 })();

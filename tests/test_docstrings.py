@@ -1,0 +1,63 @@
+"""Docstrings of the library: their examples run, and they say what goes in and what comes out."""
+
+import doctest
+import importlib
+import inspect
+import re
+
+import pytest
+
+MODULES = ["rotations", "rigid", "planar", "subproblems", "arms", "ik", "registration", "grid_ik", "trajectory"]
+# Other modules of the library call these with arrays that are looked at already.
+WITHIN = {"checked_pose", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
+
+
+def public(name):
+    """Return {dotted name: function or class} of what a module defines for its users, methods too."""
+    module = importlib.import_module(f"course_lib.{name}")
+    found = {}
+    for key, thing in vars(module).items():
+        if not key.startswith("_") and getattr(thing, "__module__", "") == module.__name__ and callable(thing):
+            found[key] = thing
+            if inspect.isclass(thing):
+                methods = {f"{key}.{name}": getattr(thing, name) for name in vars(thing) if not name.startswith("_")}
+                found |= {name: m for name, m in methods.items() if callable(m) and inspect.getmodule(m) is module}
+    return {key: thing for key, thing in found.items() if key not in WITHIN}
+
+
+ALL = [(name, key, thing) for name in MODULES for key, thing in public(name).items()]
+FUNCTIONS = [case for case in ALL if not inspect.isclass(case[2])]
+
+
+def sections(thing):
+    """Return {heading: lines} of a docstring in numpydoc style."""
+    text = inspect.cleandoc(thing.__doc__)
+    parts = re.split(r"^(\w[\w ]*)\n-+\n", text, flags=re.MULTILINE)
+    return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_the_examples_run(name):
+    module = importlib.import_module(f"course_lib.{name}")
+    outcome = doctest.testmod(module)
+    assert outcome.attempted > 0
+    assert outcome.failed == 0
+
+
+@pytest.mark.parametrize(("name", "key", "thing"), ALL, ids=["-".join(case[:2]) for case in ALL])
+def test_a_docstring_begins_with_one_sentence(name, key, thing):
+    first = inspect.cleandoc(thing.__doc__).split("\n\n")[0]
+    assert "\n" not in first
+    assert first.endswith(".")
+
+
+@pytest.mark.parametrize(("name", "key", "function"), FUNCTIONS, ids=["-".join(case[:2]) for case in FUNCTIONS])
+def test_a_functions_docstring_has_all_sections(name, key, function):
+    said = sections(function)
+    taken = [name for name in inspect.signature(function).parameters if name != "self"]
+    named = re.findall(r"^(\w[\w, ]*?)(?: :|$)", said.get("Parameters", ""), flags=re.MULTILINE)
+    assert [one for line in named for one in line.split(", ")] == taken
+    assert "Returns" in said or said[""].startswith(("Write", "Learn"))
+    assert "Raises" in said or not taken or key == "planar_forward"  # which looks at nothing
+    # A method of an estimator has its example with the class.
+    assert "Examples" in said or key.startswith("GridIK.")

@@ -1,0 +1,71 @@
+"""Figures with a script of their own: the page loads it, starts it when the figure is near, stops it when it is far."""
+
+import pytest
+from nbformat.v4 import new_markdown_cell
+from site_notebooks import HELIX, PLOTLY, cell, output, write
+from site_visits import Visit
+
+from course_lib.pack.site import build as builder
+
+CORE = "window.course = window.course || { kinds: {} }; window.course.twice = (x) => 2 * x;"
+COUNTER = """window.course.kinds["toy:counter"] = (live, meta) => {
+  const button = document.createElement("button");
+  const show = () => (button.textContent = `count ${window.course.twice(meta.count)}`);
+  button.addEventListener("click", () => { meta.count += 1; show(); });
+  window.course.bar(live).append(button);
+  show();
+  window.running = (window.running || 0) + 1;
+  return () => (window.running -= 1);
+};"""
+
+
+def toy(**meta):
+    return {**HELIX, "layout": {**HELIX["layout"], "meta": {"course": {"kind": "toy:counter", "count": 3, **meta}}}}
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("scripts")
+    (folder / "scripts").mkdir()
+    (folder / "scripts/core.js").write_text(CORE, encoding="utf-8")
+    (folder / "scripts/counter.js").write_text(COUNTER, encoding="utf-8")
+    scripts = ["core", "counter"]
+    for name, meta in (("01", {"scripts": scripts}), ("02", {"scripts": scripts, "plotly": False})):
+        figure = cell(output({PLOTLY: toy(**meta), "text/plain": "A counter"}))
+        last = cell(output({PLOTLY: toy(**meta), "text/plain": "Another counter"}))
+        words = new_markdown_cell("Words. " * 1500)
+        write(folder / "notebooks", f"{name}.ipynb", new_markdown_cell(f"# Page {name}"), figure, words, last)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(builder, "SCRIPTS", folder / "scripts")
+        builder.build(folder / "notebooks", folder / "html")
+    return folder / "html"
+
+
+@pytest.mark.parametrize("page", ["01", "02"])
+def test_a_figures_script_starts_when_it_is_near_and_stops_when_it_is_far(site, browser, page):
+    with Visit(browser, site / f"{page}.html", width=390) as visit:
+        box = visit.page.locator(".plotly-figure").first
+        button = box.get_by_role("button", name="count")
+        box.scroll_into_view_if_needed()
+        button.click()
+        assert button.inner_text() == "count 8"
+        assert box.locator(".main-svg").count() == (3 if page == "01" else 0)
+        visit.page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
+        visit.page.locator(".plotly-figure").nth(1).get_by_role("button", name="count 6").wait_for()
+        box.locator(".plotly-words").wait_for()
+        assert visit.page.evaluate("window.running") == 1
+        box.scroll_into_view_if_needed()
+        button.wait_for()
+        assert button.inner_text() == "count 8", "what it keeps in meta is there again"
+        assert box.get_by_role("button", name="count").count() == 1
+        loaded = [url.rsplit("/", 1)[1].split("?")[0] for url in visit.requests if url.split("?")[0].endswith(".js")]
+        assert ("plotly.min.js" in loaded) == (page == "01")
+        assert loaded.index("core.js") < loaded.index("counter.js") < loaded.index("figures.js")
+        assert visit.complaints == []
+
+
+def test_a_page_without_the_script_still_shows_the_figure(site, browser):
+    with Visit(browser, site / "01.html", without="figures/counter.js") as visit:
+        visit.draw_figures()
+    with Visit(browser, site / "02.html", without="figures/counter.js") as visit:
+        assert visit.page.locator(".plotly-words").first.is_visible()
