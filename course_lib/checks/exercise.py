@@ -22,8 +22,10 @@ UNCHANGED = "the bug is still there"
 def same(value, predicted, *arguments, tolerance=1e-6):
     """Return whether two answers are the same numbers, to the rounding in which students differ."""
     try:
+        if np.iscomplexobj(value):
+            return False
         value, predicted = np.asarray(value, float), np.asarray(predicted, float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return False
     return value.shape == predicted.shape and np.allclose(value, predicted, rtol=tolerance, atol=tolerance)
 

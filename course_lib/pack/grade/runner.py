@@ -120,7 +120,7 @@ def in_a_child(asked, answer, tell):
     try:
         child = os.fork()
     except OSError as error:
-        return {"none": str(error)}
+        return {"ended": f"no process for it could be made, {error}"}
     if child == 0:
         speak(here, told_there, asked, answer)
     os.close(here)

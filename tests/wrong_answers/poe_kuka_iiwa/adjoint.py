@@ -41,112 +41,15 @@ def right_a_shift_and_a_turn(T):
 
 
 def wrong_inverse_in_the_upper_left(T):
-    """R^-1 stands in the upper left block"""
+    """unnamed"""
     R, p = T[:3, :3], T[:3, 3]
     return np.block([[np.linalg.inv(R), np.zeros((3, 3))], [hat(p) @ R, R]])
 
 
-def wrong_inverse_in_the_lower_right(T):
-    """R^-1 stands in the lower right block"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [hat(p) @ R, R.T]])
-
-
-def wrong_both_transposed(T):
-    """both blocks R are transposed"""
-    R, p = T[:3, :3].T, T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [hat(p) @ R, R]])
-
-
-def wrong_v_first(T):
-    """[p] R stands in the upper right"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, hat(p) @ R], [np.zeros((3, 3)), R]])
-
-
-def wrong_p_alone_in_the_upper_right(T):
-    """[p] stands in the upper right"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, hat(p)], [np.zeros((3, 3)), R]])
-
-
-def wrong_order_of_the_product(T):
-    """R [p] stands where [p] R belongs"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [R @ hat(p), R]])
-
-
-def wrong_transposed(T):
-    """the matrix is transposed"""
-    return right_textbook(T).T
-
-
-def wrong_coupling_left_out(T):
-    """the block [p] R is left out"""
-    return np.kron(np.eye(2), T[:3, :3])
-
-
-def wrong_sign(T):
-    """[p] R has its sign changed"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [-hat(p) @ R, R]])
-
-
-def wrong_p_crossed_from_the_wrong_side(T):
-    """[p] R has its sign changed"""
-    A = np.kron(np.eye(2), T[:3, :3])
-    A[3:, :3] = np.cross(T[:3, :3].T, T[:3, 3]).T
-    return A
-
-
 def wrong_p_alone(T):
-    """[p] stands alone"""
+    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block"""
     R, p = T[:3, :3], T[:3, 3]
     return np.block([[R, np.zeros((3, 3))], [hat(p), R]])
-
-
-def wrong_inverses_adjoint(T):
-    """the adjoint of T^-1"""
-    return right_textbook(np.linalg.inv(T))
-
-
-def wrong_block_transposed_in_the_product(T):
-    """[p] R^T stands where [p] R belongs"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [hat(p) @ R.T, R]])
-
-
-def wrong_entry_by_entry(T):
-    """entry by entry"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [hat(p) * R, R]])
-
-
-def wrong_p_not_made_a_matrix(T):
-    """p stands where [p] belongs"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [p * R, R]])
-
-
-def wrong_lower_right_empty(T):
-    """the lower right block is left empty"""
-    A = np.zeros((6, 6))
-    A[:3, :3], A[3:, :3] = T[:3, :3], hat(T[:3, 3]) @ T[:3, :3]
-    return A
-
-
-def wrong_identity_in_the_lower_right(T):
-    """the lower right block is the identity"""
-    A = np.eye(6)
-    A[:3, :3], A[3:, :3] = T[:3, :3], hat(T[:3, 3]) @ T[:3, :3]
-    return A
-
-
-def wrong_upper_left_empty(T):
-    """the upper left block is left empty"""
-    A = np.zeros((6, 6))
-    A[3:, 3:], A[3:, :3] = T[:3, :3], hat(T[:3, 3]) @ T[:3, :3]
-    return A
 
 
 def wrong_pose_carried(T):
@@ -157,12 +60,6 @@ def wrong_pose_carried(T):
 def wrong_poses_on_the_diagonal(T):
     """another form"""
     return np.kron(np.eye(2), T)
-
-
-def wrong_p_of_two_frames(T):
-    """R [p] stands where [p] R belongs"""
-    R, p = T[:3, :3], T[:3, 3]
-    return np.block([[R, np.zeros((3, 3))], [hat(R @ p) @ R, R]])
 
 
 def wrong_p_vector_in_the_matrix(T):

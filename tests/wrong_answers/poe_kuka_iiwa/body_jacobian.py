@@ -1,4 +1,4 @@
-"""What students write for body_jacobian(screws, M, theta)."""
+"""What students write for body_jacobian(screws, M, q)."""
 
 import numpy as np
 import scipy.linalg
@@ -8,52 +8,52 @@ from course_lib.rigid import adjoint, exp_se3, hat_se3, inverse
 from course_lib.rotations import hat
 
 
-def _space(screws, theta, ad=adjoint):
+def _space(screws, q, ad=adjoint):
     T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         columns.append(ad(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.column_stack(columns), T
 
 
-def right_from_the_space_jacobian(screws, M, theta):
-    J, T = _space(screws, theta)
+def right_from_the_space_jacobian(screws, M, q):
+    J, T = _space(screws, q)
     return adjoint(inverse(T @ M)) @ J
 
 
-def right_solved_as_lists(screws, M, theta):
-    J, T = _space(screws, theta)
+def right_solved_as_lists(screws, M, q):
+    J, T = _space(screws, q)
     return np.linalg.solve(adjoint(T @ M), J).tolist()
 
 
-def right_from_the_hand_backwards(screws, M, theta):
+def right_from_the_hand_backwards(screws, M, q):
     T, columns = inverse(M), []
-    for S, angle in list(zip(screws, theta))[::-1]:
+    for S, angle in list(zip(screws, q))[::-1]:
         columns.insert(0, adjoint(T) @ S)
         T = T @ exp_se3(-S * angle)
     return np.column_stack(columns)
 
 
-def right_with_the_hands_axes(screws, M, theta):
+def right_with_the_hands_axes(screws, M, q):
     B = [adjoint(inverse(M)) @ S for S in screws]
     J = np.zeros((6, len(B)))
     for i in range(len(B)):
         J[:, i] = B[i]
         for k in range(i + 1, len(B)):
-            J[:, i] = scipy.linalg.inv(adjoint(exp_se3(B[k] * theta[k]))) @ J[:, i]
+            J[:, i] = scipy.linalg.inv(adjoint(exp_se3(B[k] * q[k]))) @ J[:, i]
     return J
 
 
-def right_by_directions_and_points(screws, M, theta):
-    J, T = _space(screws, theta)
+def right_by_directions_and_points(screws, M, q):
+    J, T = _space(screws, q)
     R, p = (T @ M)[:3, :3], (T @ M)[:3, 3]
     omega = [R.T @ column[:3] for column in J.T]
     v = [R.T @ (column[3:] + np.cross(column[:3], p)) for column in J.T]
     return np.vstack([np.transpose(omega), np.transpose(v)])
 
 
-def right_by_conjugation(screws, M, theta):
-    turns = [exp_se3(S * angle) for S, angle in zip(screws, theta)]
+def right_by_conjugation(screws, M, q):
+    turns = [exp_se3(S * angle) for S, angle in zip(screws, q)]
     columns = []
     for i, S in enumerate(screws):
         after = M
@@ -64,80 +64,22 @@ def right_by_conjugation(screws, M, theta):
     return [list(row) for row in zip(*columns)]
 
 
-def wrong_space_jacobian(screws, M, theta):
-    """the space Jacobian is returned"""
-    return _space(screws, theta)[0]
-
-
-def wrong_adjoint_of_T(screws, M, theta):
-    """Ad(T) stands where Ad(T^-1) belongs"""
-    J, T = _space(screws, theta)
-    return adjoint(T @ M) @ J
-
-
-def wrong_M_forgotten(screws, M, theta):
-    """M is missing"""
-    J, T = _space(screws, theta)
-    return adjoint(inverse(T)) @ J
-
-
-def wrong_M_on_the_left(screws, M, theta):
-    """M stands on the left"""
-    J, T = _space(screws, theta)
-    return adjoint(inverse(M @ T)) @ J
-
-
-def wrong_M_only(screws, M, theta):
-    """the hand is taken where it is at home"""
-    return adjoint(inverse(M)) @ _space(screws, theta)[0]
-
-
-def wrong_at_home(screws, M, theta):
-    """the Jacobian is the one at home"""
-    return adjoint(inverse(M)) @ screws.T
-
-
-def wrong_axes_at_home(screws, M, theta):
-    """the screw axes are left as they are at home"""
-    T = _space(screws, theta)[1]
-    return adjoint(inverse(T @ M)) @ screws.T
-
-
-def wrong_transposed(screws, M, theta):
+def wrong_transposed(screws, M, q):
     """rows and columns are swapped"""
-    J, T = _space(screws, theta)
+    J, T = _space(screws, q)
     return [adjoint(inverse(T @ M)) @ column for column in J.T]
 
 
-def wrong_reshaped(screws, M, theta):
-    """broken into rows wrongly"""
-    return np.reshape(wrong_transposed(screws, M, theta), (6, -1))
-
-
-def wrong_only_rotated(screws, M, theta):
+def wrong_only_rotated(screws, M, q):
     """only rotated"""
-    J, T = _space(screws, theta)
+    J, T = _space(screws, q)
     R = (T @ M)[:3, :3]
     return np.vstack([R.T @ J[:3], R.T @ J[3:]])
 
 
-def wrong_only_rotated_with_R(screws, M, theta):
-    """only rotated"""
-    J, T = _space(screws, theta)
-    R = (T @ M)[:3, :3]
-    return np.vstack([R @ J[:3], R @ J[3:]])
-
-
-def wrong_only_moved(screws, M, theta):
-    """only moved to the hand's origin"""
-    J, T = _space(screws, theta)
-    p = (T @ M)[:3, 3]
-    return np.vstack([J[:3], J[3:] + np.cross(J[:3].T, p).T])
-
-
-def wrong_adjoint_transposed(screws, M, theta):
+def wrong_adjoint_transposed(screws, M, q):
     """transposed where it is to be inverted"""
-    J, T = _space(screws, theta)
+    J, T = _space(screws, q)
     return adjoint(T @ M).T @ J
 
 
@@ -146,92 +88,30 @@ def _reports_adjoint(T):
     return np.block([[R.T, np.zeros((3, 3))], [hat(p) @ R, R]])
 
 
-def wrong_reports_adjoint(screws, M, theta):
-    """R^-1 in its upper half"""
-    J, T = _space(screws, theta, _reports_adjoint)
+def wrong_reports_adjoint(screws, M, q):
+    """the upper left block of the adjoint is R^-1"""
+    J, T = _space(screws, q, _reports_adjoint)
     return _reports_adjoint(inverse(T @ M)) @ J
 
 
-def wrong_reports_adjoint_at_the_end(screws, M, theta):
-    """R^-1 in its upper half"""
-    J, T = _space(screws, theta)
-    return _reports_adjoint(inverse(T @ M)) @ J
-
-
-def wrong_reports_adjoint_in_the_space_jacobian(screws, M, theta):
-    """R^-1 in its upper half"""
-    J, T = _space(screws, theta, _reports_adjoint)
-    return adjoint(inverse(T @ M)) @ J
-
-
-def wrong_v_first(screws, M, theta):
-    """v stands above omega"""
-    return np.roll(right_from_the_space_jacobian(screws, M, theta), 3, axis=0)
-
-
-def wrong_without_the_minus(screws, M, theta):
-    """lack their minus"""
-    T, columns = np.eye(4), []
-    B = [adjoint(inverse(M)) @ S for S in screws]
-    for i in range(len(theta) - 1, -1, -1):
-        columns.append(adjoint(T) @ B[i])
-        T = T @ exp_se3(B[i] * theta[i])
-    return np.column_stack(columns[::-1])
-
-
-def wrong_order_from_the_hand(screws, M, theta):
-    """in the wrong order"""
-    T, columns = np.eye(4), []
-    B = [adjoint(inverse(M)) @ S for S in screws]
-    for i in range(len(theta) - 1, -1, -1):
-        columns.append(adjoint(T) @ B[i])
-        T = exp_se3(-B[i] * theta[i]) @ T
-    return np.column_stack(columns[::-1])
-
-
-def wrong_reverse_order_in_T(screws, M, theta):
-    """in the reverse order"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = exp_se3(S * angle) @ T
-    return adjoint(inverse(T)) @ _space(screws, theta)[0]
-
-
-def wrong_degrees(screws, M, theta):
-    """degrees"""
-    return right_from_the_space_jacobian(screws, M, np.deg2rad(theta))
-
-
-def wrong_times_the_angles(screws, M, theta):
-    """the columns are multiplied by the angles"""
-    return right_from_the_space_jacobian(screws, M, theta) * theta
-
-
-def wrong_M_changed(screws, M, theta):
+def wrong_M_changed(screws, M, q):
     """M is changed in place"""
-    J, T = _space(screws, theta)
+    J, T = _space(screws, q)
     M[:] = T @ M
     return adjoint(inverse(M)) @ J
 
 
-def wrong_whole_numbers(screws, M, theta):
-    """digits after the point are cut off"""
-    J = np.zeros_like(screws.T)
-    J[:] = right_from_the_space_jacobian(screws, M, theta)
-    return J
-
-
-def wrong_matrix_inverse_of_the_jacobian(screws, M, theta):
+def wrong_matrix_inverse_of_the_jacobian(screws, M, q):
     """LinAlgError"""
-    J, T = _space(screws, theta)
+    J, T = _space(screws, q)
     return np.linalg.inv(J) @ adjoint(T @ M)
 
 
-def wrong_columns_backwards(screws, M, theta):
+def wrong_columns_backwards(screws, M, q):
     """unnamed"""
-    return right_from_the_space_jacobian(screws, M, theta)[:, ::-1]
+    return right_from_the_space_jacobian(screws, M, q)[:, ::-1]
 
 
-def wrong_the_librarys(screws, M, theta):
+def wrong_the_librarys(screws, M, q):
     """course_lib.arms.SerialArm is called"""
-    return SerialArm(screws, np.stack([M] * (len(screws) + 1)), None).body_jacobian(theta)
+    return SerialArm(screws, np.stack([M] * (len(screws) + 1)), None).body_jacobian(q)

@@ -51,7 +51,37 @@ def _translation(v):
     return _matrix(np.eye(3), v)
 
 
-def right_textbook(twist):
+def right_series_below_1e_5(twist):
+    omega, v = np.array(twist[:3], float), np.array(twist[3:], float)
+    if np.abs(omega).max() < 1e-5:
+        W = hat(omega)
+        return _matrix(np.eye(3) + W + W @ W / 2, v + W @ v / 2)
+    a, N = _unit(omega)
+    return _matrix(_rotation(a, N), _way(a, N) @ v / a)
+
+
+def right_half_angle_and_sinc(twist):
+    W, v = librarys_hat(twist[:3]), twist[3:]
+    a = math.hypot(*twist[:3])
+    half = np.sinc(a / 2 / np.pi)
+    rest = (a - np.sin(a)) / a**3 if a > 1e-2 else 1 / 6 - a**2 / 120
+    R = np.eye(3) + np.sinc(a / np.pi) * W + half**2 / 2 * W @ W
+    return _matrix(R, (np.eye(3) + half**2 / 2 * W + rest * W @ W) @ v).astype(complex)
+
+
+def right_along_and_across_the_axis(twist):
+    omega, v = twist[:3], twist[3:]
+    a = math.hypot(*omega)
+    if a == 0:
+        return _matrix(np.eye(3), v).tolist()
+    n = omega / a
+    along = (n @ v) * n
+    p = along + np.sin(a) / a * (v - along) + 2 * np.sin(a / 2) ** 2 / a * np.cross(n, v)
+    return _matrix(_rotation(a, hat(n)), p).tolist()
+
+
+def wrong_textbook_without_a_series(twist):
+    """the part of p across v is lost"""
     omega, v = twist[:3], twist[3:]
     a = np.linalg.norm(omega)
     if a == 0:
@@ -80,7 +110,8 @@ def right_series_after_halving(twist):
     return T.tolist()
 
 
-def right_powers_of_omega(twist):
+def wrong_powers_of_omega(twist):
+    """the part of p across v is lost"""
     W, v = hat(twist[:3]), twist[3:]
     a = math.hypot(*twist[:3])
     if a < 1e-100:
@@ -89,7 +120,8 @@ def right_powers_of_omega(twist):
     return _matrix(exp_so3(twist[:3]), G @ v)
 
 
-def right_screw_axis(twist):
+def wrong_screw_axis(twist):
+    """the part of p across v is lost"""
     a = math.hypot(*twist[:3])
     if a == 0:
         return [[1, 0, 0, twist[3]], [0, 1, 0, twist[4]], [0, 0, 1, twist[5]], [0, 0, 0, 1]]
@@ -99,10 +131,11 @@ def right_screw_axis(twist):
     return np.vstack([np.c_[R, turned], [0, 0, 0, 1]])
 
 
-def right_about_the_pole(twist):
+def wrong_no_rotation_below_1e_9(twist):
+    """tiny rotations are cut off"""
     omega, v = twist[:3], twist[3:]
     a = np.sqrt(omega @ omega)
-    if a < 1e-9:
+    if a < 2e-9:
         return _matrix(np.eye(3), v)
     n = omega / a
     along, across = (n @ v) * n, v - (n @ v) * n
@@ -162,227 +195,23 @@ def wrong_rows_of_the_matrix_added_up(twist):
     return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N).sum(axis=1)))(twist)
 
 
-def wrong_identity_for_omega_zero(twist):
-    """for omega = 0 the identity is returned"""
-    return _either(lambda v: np.eye(4), lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v / a))(twist)
-
-
-def wrong_no_length_made_one(twist):
-    """for omega = 0 the identity is returned"""
-    a = np.linalg.norm(twist[:3])
-    N = hat(twist[:3] / (a or 1))
-    return _matrix(_rotation(a, N), _way(a, N) @ twist[3:] / (a or 1))
-
-
-def wrong_p_is_v(twist):
-    """p = v"""
-    return _matrix(exp_so3(twist[:3]), twist[3:])
-
-
-def wrong_p_is_v_turned(twist):
-    """p = R v"""
-    R = exp_so3(twist[:3])
-    return _matrix(R, R @ twist[3:])
-
-
-def wrong_identity_without_the_angle(twist):
-    """I stands where I a belongs"""
-
-    def moving(a, N, omega, v):
-        G = np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_identity_without_the_angle_and_v_not_divided(twist):
-    """I stands where I a belongs"""
-
-    def moving(a, N, omega, v):
-        G = np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N @ N
-        return _matrix(_rotation(a, N), G @ v)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_v_not_divided(twist):
-    """v is not divided by a"""
-    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v))(twist)
-
-
 def wrong_v_divided_twice(twist):
-    """v is divided by a twice"""
+    """v is not divided by a, or twice"""
     return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(a, N), _way(a, N) @ v / a**2))(twist)
 
 
-def wrong_factors_of_the_rotation(twist):
-    """the factors of R stand in p"""
-
-    def moving(a, N, omega, v):
-        G = a * np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_factors_swapped(twist):
-    """the factors 1 - cos a and a - sin a are swapped"""
-
-    def moving(a, N, omega, v):
-        G = a * np.eye(3) + (a - np.sin(a)) * N + (1 - np.cos(a)) * N @ N
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_square_left_out_of_p(twist):
-    """the term with [n]^2 is left out of p"""
-
-    def moving(a, N, omega, v):
-        return _matrix(_rotation(a, N), (a * np.eye(3) + (1 - np.cos(a)) * N) @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_sign_in_p(twist):
-    """a sign in the formula of p"""
-
-    def moving(a, N, omega, v):
-        G = a * np.eye(3) + (1 - np.cos(a)) * N + (np.sin(a) - a) * N @ N
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_cosine_in_p(twist):
-    """cos a stands where 1 - cos a belongs"""
-
-    def moving(a, N, omega, v):
-        G = a * np.eye(3) + np.cos(a) * N + (a - np.sin(a)) * N @ N
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_entry_by_entry_in_p(twist):
-    """entry by entry"""
-
-    def moving(a, N, omega, v):
-        G = a * np.eye(3) + (1 - np.cos(a)) * N + (a - np.sin(a)) * N**2
-        return _matrix(_rotation(a, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_axis_not_normalised(twist):
-    """omega is not divided by its length"""
-
-    def moving(a, N, omega, v):
-        return _matrix(_rotation(a, hat(omega)), _way(a, hat(omega)) @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_axis_not_normalised_in_p(twist):
-    """omega is not divided by its length"""
-
-    def moving(a, N, omega, v):
-        return _matrix(_rotation(a, N), _way(a, hat(omega)) @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_length_of_the_whole_twist(twist):
-    """a is the length of the whole twist"""
-    a = np.linalg.norm(twist)
-    if a == 0:
-        return np.eye(4)
-    N = hat(twist[:3] / a)
-    return _matrix(_rotation(a, N), _way(a, N) @ twist[3:] / a)
-
-
-def wrong_exponential_of_each_entry(twist):
-    """np.exp takes each entry"""
-    return np.exp(rigid.hat_se3(twist))
-
-
-def wrong_v_and_omega_swapped(twist):
-    """v and omega are swapped"""
-    return right_textbook(np.append(twist[3:], twist[:3]))
-
-
-def wrong_degrees(twist):
-    """degrees"""
-    return right_textbook(np.append(np.deg2rad(twist[:3]), twist[3:]))
-
-
-def wrong_degrees_in_sine_and_cosine(twist):
-    """degrees"""
-
-    def moving(a, N, omega, v):
-        b = np.deg2rad(a)
-        G = a * np.eye(3) + (1 - np.cos(b)) * N + (a - np.sin(b)) * N @ N
-        return _matrix(_rotation(b, N), G @ v / a)
-
-    return _either(_translation, moving)(twist)
-
-
-def wrong_rotation_transposed(twist):
-    """R^T stands in the block"""
-    T = right_textbook(twist)
-    T[:3, :3] = T[:3, :3].T
-    return T
-
-
-def wrong_inverse(twist):
-    """the motion goes backwards"""
-    return np.linalg.inv(right_textbook(twist))
-
-
-def wrong_first_two_terms(twist):
-    """the series is cut"""
-    return np.eye(4) + rigid.hat_se3(twist)
-
-
-def wrong_first_four_terms(twist):
-    """the series is cut"""
-    V = rigid.hat_se3(twist)
-    return np.eye(4) + V + V @ V / 2 + V @ V @ V / 6
-
-
-def wrong_small_angles_cut(twist):
-    """small angles are cut off"""
-    if np.linalg.norm(twist[:3]) < 1e-3:
-        T = right_matrix_exponential(twist)
-        T[:3, 3] = twist[3:]
-        return T
-    return right_matrix_exponential(twist)
-
-
 def wrong_tiny_angles_cut(twist):
-    """small angles are cut off"""
+    """the part of p across v is lost"""
     if np.linalg.norm(twist[:3]) < 1e-6:
         return _matrix(exp_so3(twist[:3]), twist[3:])
-    return right_textbook(twist)
+    return right_series_below_1e_5(twist)
 
 
 def wrong_block_of_tiny_angles_cut(twist):
-    """small angles are cut off"""
+    """tiny rotations are cut off"""
     if np.linalg.norm(twist[:3]) < 1e-6:
         return _matrix(np.eye(3), twist[3:])
-    return right_textbook(twist)
-
-
-def wrong_rodrigues_with_the_angle_one(twist):
-    """the angle 1 is taken"""
-    return _either(_translation, lambda a, N, omega, v: _matrix(_rotation(1.0, N), _way(a, N) @ v / a))(twist)
-
-
-def wrong_last_row_zero(twist):
-    """the last row is not that of a pose"""
-    T = np.zeros((4, 4))
-    T[:3] = right_textbook(twist)[:3]
-    return T
+    return right_series_below_1e_5(twist)
 
 
 def wrong_a_hair_added_to_the_length(twist):
@@ -394,7 +223,7 @@ def wrong_a_hair_added_to_the_length(twist):
 
 def wrong_z_of_the_way_forgotten(twist):
     """unnamed"""
-    T = right_textbook(twist)
+    T = right_series_below_1e_5(twist)
     T[2, 3] = 0
     return T
 
@@ -405,7 +234,7 @@ def wrong_omega_normalised_in_place(twist):
     a = np.linalg.norm(omega)
     if a > 0:
         twist /= a
-    return right_textbook(np.append(omega * a, v * a)) if a > 0 else _matrix(np.eye(3), v)
+    return right_series_below_1e_5(np.append(omega * a, v * a)) if a > 0 else _matrix(np.eye(3), v)
 
 
 def wrong_the_librarys(twist):

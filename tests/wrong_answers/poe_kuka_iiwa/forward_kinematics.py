@@ -1,4 +1,4 @@
-"""What students write for forward_kinematics(screws, M, theta)."""
+"""What students write for forward_kinematics(screws, M, q)."""
 
 from functools import reduce
 
@@ -9,35 +9,35 @@ from course_lib.arms import SerialArm
 from course_lib.rigid import exp_se3, hat_se3, inverse
 
 
-def right_loop(screws, M, theta):
+def right_loop(screws, M, q):
     T = np.eye(4)
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         T = T @ exp_se3(S * angle)
     return T @ M
 
 
-def right_from_the_hand_backwards_as_lists(screws, M, theta):
+def right_from_the_hand_backwards_as_lists(screws, M, q):
     T = M
-    for i in range(len(theta) - 1, -1, -1):
-        T = exp_se3(screws[i] * theta[i]) @ T
+    for i in range(len(q) - 1, -1, -1):
+        T = exp_se3(screws[i] * q[i]) @ T
     return T.tolist()
 
 
-def right_by_series_of_matrices(screws, M, theta):
-    return reduce(np.matmul, [scipy.linalg.expm(hat_se3(S) * angle) for S, angle in zip(screws, theta)] + [M])
+def right_by_series_of_matrices(screws, M, q):
+    return reduce(np.matmul, [scipy.linalg.expm(hat_se3(S) * angle) for S, angle in zip(screws, q)] + [M])
 
 
-def right_with_the_hands_axes(screws, M, theta):
+def right_with_the_hands_axes(screws, M, q):
     T = np.array(M, dtype=float)
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         B = inverse(M) @ hat_se3(S) @ M
         T @= np.eye(4) + np.sin(angle) * B + (1 - np.cos(angle)) * B @ B
     return T
 
 
-def right_points_and_rotations_apart(screws, M, theta):
+def right_points_and_rotations_apart(screws, M, q):
     R, p = M[:3, :3], M[:3, 3]
-    for S, angle in list(zip(screws, theta))[::-1]:
+    for S, angle in list(zip(screws, q))[::-1]:
         w, v = S[:3], S[3:]
         q = np.cross(w, v)
         turn = lambda x: np.cos(angle) * x + np.sin(angle) * np.cross(w, x) + (1 - np.cos(angle)) * (w @ x) * w
@@ -45,187 +45,42 @@ def right_points_and_rotations_apart(screws, M, theta):
     return [[*R[0], p[0]], [*R[1], p[1]], [*R[2], p[2]], [0, 0, 0, 1]]
 
 
-def right_pops_from_a_list_of_its_own(screws, M, theta):
-    axes, angles, T = list(screws), list(theta % (2 * np.pi)), M
+def right_pops_from_a_list_of_its_own(screws, M, q):
+    axes, angles, T = list(screws), list(q % (2 * np.pi)), M
     while axes:
         T = exp_se3(axes.pop() * angles.pop()) @ T
     return T
 
 
-def wrong_M_missing(screws, M, theta):
-    """M is missing, as in the formula that the report prints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T
-
-
-def wrong_M_on_the_left(screws, M, theta):
-    """M stands on the left"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T
-
-
-def wrong_reverse_order(screws, M, theta):
-    """in the reverse order"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = exp_se3(S * angle) @ T
-    return T
-
-
-def wrong_exponentials_added(screws, M, theta):
-    """the exponentials are added up"""
-    return sum(exp_se3(S * angle) for S, angle in zip(screws, theta)) @ M
-
-
-def wrong_exponential_of_the_sum(screws, M, theta):
-    """one exponential is taken of the sum"""
-    return exp_se3(theta @ screws) @ M
-
-
-def wrong_M_changed(screws, M, theta):
+def wrong_M_changed(screws, M, q):
     """M is changed in place"""
-    for S, angle in zip(screws[::-1], theta[::-1]):
+    for S, angle in zip(screws[::-1], q[::-1]):
         M[:] = exp_se3(S * angle) @ M
     return M
 
 
-def wrong_screws_changed(screws, M, theta):
-    """screws is changed in place"""
+def wrong_screws_changed(screws, M, q):
+    """UFuncTypeError"""
     T = np.eye(4)
-    for i in range(len(theta)):
-        screws[i] *= theta[i]
+    for i in range(len(q)):
+        screws[i] *= q[i]
         T = T @ exp_se3(screws[i])
     return T @ M
 
 
-def wrong_degrees(screws, M, theta):
-    """degrees"""
-    T = np.eye(4)
-    for S, angle in zip(screws, np.deg2rad(theta)):
-        T = T @ exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_last_joint_left_out(screws, M, theta):
-    """the last joint is left out"""
-    T = np.eye(4)
-    for i in range(len(theta) - 1):
-        T = T @ exp_se3(screws[i] * theta[i])
-    return T @ M
-
-
-def wrong_first_joint_left_out(screws, M, theta):
-    """the first joint is left out"""
-    T = np.eye(4)
-    for i in range(1, len(theta)):
-        T = T @ exp_se3(screws[i] * theta[i])
-    return T @ M
-
-
-def wrong_inverse(screws, M, theta):
-    """the inverse of T is returned"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return inverse(T @ M)
-
-
-def wrong_angles_not_used(screws, M, theta):
-    """the angles are not used"""
-    T = np.eye(4)
-    for S in screws:
-        T = T @ exp_se3(S)
-    return T @ M
-
-
-def wrong_theta_on_omega_only(screws, M, theta):
-    """theta multiplies only one half"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(np.concatenate([S[:3] * angle, S[3:]]))
-    return T @ M
-
-
-def wrong_halves_swapped(screws, M, theta):
-    """the halves of the screw axes are swapped"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        v, w = S[:3], S[3:]
-        T = T @ exp_se3(np.concatenate([w, v]) * angle)
-    return T @ M
-
-
-def wrong_product_overwritten(screws, M, theta):
-    """only one joint turns the hand"""
-    for S, angle in zip(screws, theta):
-        T = exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_entry_by_entry(screws, M, theta):
-    """entry by entry"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T * exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_M_each_time(screws, M, theta):
-    """M comes in once for each joint"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle) @ M
-    return T
-
-
-def wrong_M_twice(screws, M, theta):
-    """M is multiplied on both sides"""
-    T = M
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_other_way_round(screws, M, theta):
-    """the other way round"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(-S * angle)
-    return T @ M
-
-
-def wrong_angles_reversed(screws, M, theta):
-    """the angles go with the wrong joints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta[::-1]):
-        T = T @ exp_se3(S * angle)
-    return T @ M
-
-
-def wrong_position_only(screws, M, theta):
+def wrong_position_only(screws, M, q):
     """only a part of the pose"""
-    return right_loop(screws, M, theta)[:3, 3]
+    return right_loop(screws, M, q)[:3, 3]
 
 
-def wrong_one_matrix_a_joint(screws, M, theta):
+def wrong_one_matrix_a_joint(screws, M, q):
     """a matrix for each joint"""
-    return [exp_se3(S * angle) @ M for S, angle in zip(screws, theta)]
+    return [exp_se3(S * angle) @ M for S, angle in zip(screws, q)]
 
 
-def wrong_whole_numbers(screws, M, theta):
-    """digits after the point are cut off"""
-    T = np.zeros_like(M)
-    T[:] = right_loop(screws, M, theta)
-    return T
-
-
-def wrong_list_shared_by_all_calls(screws, M, theta, turns=[]):
+def wrong_list_shared_by_all_calls(screws, M, q, turns=[]):
     """something is kept from one call to the next"""
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         turns.append(exp_se3(S * angle))
     return reduce(np.matmul, turns) @ M
 
@@ -234,43 +89,43 @@ class _Arm:
     axes = [np.array([0, 0, 1.0, 0, 0, 0])] * 7
 
 
-def wrong_pops_from_a_list_of_the_class(screws, M, theta):
+def wrong_pops_from_a_list_of_the_class(screws, M, q):
     """IndexError"""
     T = M
-    for angle in theta[::-1]:
+    for angle in q[::-1]:
         T = exp_se3(_Arm.axes.pop(-1) * angle) @ T
     return T
 
 
-def wrong_pops_from_an_array(screws, M, theta):
+def wrong_pops_from_an_array(screws, M, q):
     """AttributeError"""
     T = M
-    for angle in theta[::-1]:
+    for angle in q[::-1]:
         T = exp_se3(screws.pop() * angle) @ T
     return T
 
 
-def wrong_joints_out_of_order(screws, M, theta):
+def wrong_joints_out_of_order(screws, M, q):
     """unnamed"""
     T = np.eye(4)
-    for i in [*range(0, len(theta), 2), *range(1, len(theta), 2)]:
-        T = T @ exp_se3(screws[i] * theta[i])
+    for i in [*range(0, len(q), 2), *range(1, len(q), 2)]:
+        T = T @ exp_se3(screws[i] * q[i])
     return T @ M
 
 
-def wrong_rounded(screws, M, theta):
+def wrong_rounded(screws, M, q):
     """first digits only"""
-    return np.round(right_loop(screws, M, theta), 6)
+    return np.round(right_loop(screws, M, q), 6)
 
 
-def wrong_one_joint_too_many(screws, M, theta):
+def wrong_one_joint_too_many(screws, M, q):
     """IndexError"""
     T = np.eye(4)
-    for i in range(len(theta)):
-        T = T @ exp_se3(screws[i + 1] * theta[i])
+    for i in range(len(q)):
+        T = T @ exp_se3(screws[i + 1] * q[i])
     return T @ M
 
 
-def wrong_the_librarys(screws, M, theta):
+def wrong_the_librarys(screws, M, q):
     """course_lib.arms.SerialArm is called"""
-    return SerialArm(screws, np.stack([M] * (len(screws) + 1)), None).fk(theta)
+    return SerialArm(screws, np.stack([M] * (len(screws) + 1)), None).fk(q)

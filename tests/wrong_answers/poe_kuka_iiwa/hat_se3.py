@@ -38,97 +38,9 @@ def right_sum_of_six_generators(twist):
     return V
 
 
-def wrong_v_and_omega_swapped(twist):
-    """v and omega are swapped"""
-    v, omega = twist[:3], twist[3:]
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3] = hat(omega), v
-    return V
-
-
-def wrong_v_from_omegas_slice(twist):
-    """v is taken from omega's place"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3] = hat(twist[:3]), twist[:3]
-    return V
-
-
-def wrong_omega_from_vs_slice(twist):
-    """the block is made of v"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3] = hat(twist[3:]), twist[3:]
-    return V
-
-
-def wrong_last_row_of_a_pose(twist):
-    """the last row is that of a pose"""
-    V = np.eye(4)
-    V[:3, :3], V[:3, 3] = hat(twist[:3]), twist[3:]
-    return V
-
-
-def wrong_transposed(twist):
-    """the whole matrix is transposed"""
-    return right_filled_in(twist).T
-
-
-def wrong_v_in_the_last_row(twist):
-    """v stands in the last row"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[3, :3] = hat(twist[:3]), twist[3:]
-    return V
-
-
-def wrong_skew_symmetric(twist):
-    """the matrix is made skew-symmetric"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3], V[3, :3] = hat(twist[:3]), twist[3:], -twist[3:]
-    return V
-
-
-def wrong_block_transposed(twist):
-    """the block [omega] is transposed"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3] = np.cross(twist[:3], np.eye(3)), twist[3:]
-    return V
-
-
 def wrong_minus_v(twist):
-    """v has lost its sign"""
+    """v has its sign changed"""
     return [*np.column_stack([hat(twist[:3]), -twist[3:]]), np.zeros(4)]
-
-
-def wrong_v_crossed(twist):
-    """omega x v stands where v belongs"""
-    V = np.zeros((4, 4))
-    V[:3, :3], V[:3, 3] = hat(twist[:3]), -np.cross(twist[:3], twist[3:])
-    return V
-
-
-def wrong_without_v(twist):
-    """v is left out"""
-    return scipy.linalg.block_diag(hat(twist[:3]), 0)
-
-
-def wrong_without_omega(twist):
-    """the block is left empty"""
-    V = np.zeros((4, 4))
-    V[:3, 3] = twist[3:]
-    return V
-
-
-def wrong_omega_on_the_diagonal(twist):
-    """omega stands on the diagonal"""
-    V = np.zeros((4, 4))
-    V[range(3), range(3)] = twist[:3]
-    V[:3, 3] = twist[3:]
-    return V
-
-
-def wrong_unit_axis(twist):
-    """omega is divided by its length"""
-    omega = twist[:3] / np.linalg.norm(twist[:3]) if twist[:3].any() else twist[:3]
-    return right_filled_in(np.append(omega, twist[3:]))
 
 
 def wrong_three_rows(twist):
@@ -141,30 +53,10 @@ def wrong_block_alone(twist):
     return hat(twist[:3])
 
 
-def wrong_ones_on_the_diagonal(twist):
-    """the identity is added"""
-    V = np.eye(4)
-    V[:3, :3] += hat(twist[:3])
-    V[:3, 3] = twist[3:]
-    return V
-
-
-def wrong_exponential(twist):
-    """the exponential is returned"""
-    return rigid.exp_se3(twist)
-
-
 def wrong_v_first_row_on_top(twist):
     """unnamed"""
     V = np.zeros((4, 4))
     V[1:, 1:], V[1:, 0] = hat(twist[:3]), twist[3:]
-    return V
-
-
-def wrong_last_entry_of_v_forgotten(twist):
-    """unnamed"""
-    V = right_filled_in(twist)
-    V[2, 3] = 0
     return V
 
 

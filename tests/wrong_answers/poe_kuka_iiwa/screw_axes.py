@@ -39,48 +39,13 @@ def right_from_the_foot_of_the_perpendicular(omega, points):
 
 
 def wrong_sign(omega, points):
-    """v has its sign turned"""
+    """v has its sign changed: it is omega x p"""
     return np.hstack([omega, np.cross(omega, points)])
-
-
-def wrong_sign_in_a_loop(omega, points):
-    """v has its sign turned"""
-    return [[*w, *np.cross(w, p)] for w, p in zip(omega, points)]
-
-
-def wrong_v_first(omega, points):
-    """v stands before omega"""
-    return np.hstack([-np.cross(omega, points), omega])
-
-
-def wrong_points_for_v(omega, points):
-    """the point is taken for v"""
-    return np.hstack([omega, points])
-
-
-def wrong_minus_points_for_v(omega, points):
-    """the point is taken for v"""
-    return np.hstack([omega, -points])
 
 
 def wrong_transposed(omega, points):
     """rows and columns are swapped"""
     return np.vstack([omega.T, np.cross(points, omega).T])
-
-
-def wrong_entry_by_entry(omega, points):
-    """entry by entry"""
-    return np.hstack([omega, -omega * points])
-
-
-def wrong_omega_not_used(omega, points):
-    """every axis is taken for one along z"""
-    return np.hstack([omega, np.cross(points, [0, 0, 1])])
-
-
-def wrong_one_direction_for_all(omega, points):
-    """every row has the direction of one joint"""
-    return np.hstack([np.tile(omega[0], (len(omega), 1)), np.cross(points, omega[0])])
 
 
 def wrong_v_alone(omega, points):
@@ -110,60 +75,16 @@ def wrong_last_axis_only(omega, points):
     return S
 
 
-def wrong_last_axis_everywhere(omega, points):
-    """every row is the same joint's"""
-    S = np.zeros((len(omega), 6))
-    for w, p in zip(omega, points):
-        S[:] = np.concatenate([w, np.cross(p, w)])
-    return S
-
-
-def wrong_points_from_the_joint_before(omega, points):
-    """counted from the joint before"""
-    links = np.diff(np.vstack([np.zeros(3), points]), axis=0)
-    return np.hstack([omega, np.cross(links, omega)])
-
-
-def wrong_points_added_up(omega, points):
-    """the points are added up"""
-    return np.hstack([omega, np.cross(np.cumsum(points, axis=0), omega)])
-
-
-def wrong_v_scaled(omega, points):
-    """v is scaled to length one"""
-    v = np.cross(points, omega)
-    size = np.linalg.norm(v, axis=1, keepdims=True)
-    return np.hstack([omega, v / np.maximum(size, 1e-12)])
-
-
 def wrong_v_divided_by_zero(omega, points):
     """divided by zero"""
     v = np.cross(points, omega)
     return np.hstack([omega, v / np.linalg.norm(v, axis=1, keepdims=True)])
 
 
-def wrong_v_zero(omega, points):
-    """v is 0 for every axis"""
-    return np.hstack([omega, np.zeros_like(omega)])
-
-
-def wrong_whole_numbers(omega, points):
-    """digits after the point are cut off"""
-    v = np.zeros_like(omega)
-    for i in range(len(omega)):
-        v[i] = -np.cross(omega[i], points[i])
-    return np.hstack([omega, v])
-
-
 def wrong_points_changed(omega, points):
     """points is changed in place"""
     points *= -1
     return np.hstack([omega, np.cross(omega, points)])
-
-
-def wrong_point_for_omega(omega, points):
-    """the point stands where omega belongs"""
-    return np.hstack([points, np.cross(points, omega)])
 
 
 def wrong_two_components_swapped(omega, points):

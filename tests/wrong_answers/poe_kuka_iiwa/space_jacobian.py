@@ -1,4 +1,4 @@
-"""What students write for space_jacobian(screws, theta)."""
+"""What students write for space_jacobian(screws, q)."""
 
 import numpy as np
 
@@ -7,49 +7,49 @@ from course_lib.rigid import adjoint, exp_se3, hat_se3, inverse
 from course_lib.rotations import exp_so3, hat
 
 
-def right_column_by_column(screws, theta):
+def right_column_by_column(screws, q):
     T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         columns.append(adjoint(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.column_stack(columns)
 
 
-def right_with_its_own_exponential_as_lists(screws, theta):
-    J, T = np.zeros((6, len(theta))), np.eye(4)
-    for i in range(len(theta)):
-        T = T @ exp_se3(screws[i] * theta[i])
+def right_with_its_own_exponential_as_lists(screws, q):
+    J, T = np.zeros((6, len(q))), np.eye(4)
+    for i in range(len(q)):
+        T = T @ exp_se3(screws[i] * q[i])
         J[:, i] = adjoint(T) @ screws[i]
     return J.tolist()
 
 
-def right_by_conjugation(screws, theta):
+def right_by_conjugation(screws, q):
     T, J = np.eye(4), []
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         V = T @ hat_se3(S) @ np.linalg.inv(T)
         J.append((V[2, 1], V[0, 2], V[1, 0], *V[:3, 3]))
         T = T @ exp_se3(S * angle)
     return list(zip(*J))
 
 
-def right_points_and_directions(screws, theta):
+def right_points_and_directions(screws, q):
     omega, points = screws[:, :3].astype(float), np.cross(screws[:, :3], screws[:, 3:]).astype(float)
-    for i in range(len(theta)):
-        R = exp_so3(omega[i] * theta[i])
+    for i in range(len(q)):
+        R = exp_so3(omega[i] * q[i])
         omega[i + 1 :] = omega[i + 1 :] @ R.T
         points[i + 1 :] = points[i] + (points[i + 1 :] - points[i]) @ R.T
     return np.vstack([omega.T, np.cross(points, omega).T])
 
 
-def right_from_the_last_joint_backwards(screws, theta):
+def right_from_the_last_joint_backwards(screws, q):
     J = np.zeros((6, 0))
-    for S, angle in zip(screws[::-1], theta[::-1]):
+    for S, angle in zip(screws[::-1], q[::-1]):
         J = np.column_stack([S, adjoint(exp_se3(S * angle)) @ J])
     return J
 
 
-def right_derivative_by_complex_numbers(screws, theta):
-    """exp([S] theta) by Rodrigues' formula, with an imaginary step in one angle."""
+def right_derivative_by_complex_numbers(screws, q):
+    """exp([S] q) by Rodrigues' formula, with an imaginary step in one angle."""
 
     def product(angles):
         T = np.eye(4, dtype=complex)
@@ -58,20 +58,20 @@ def right_derivative_by_complex_numbers(screws, theta):
             T = T @ (np.eye(4) + np.sin(angle) * H + (1 - np.cos(angle)) * H @ H)
         return T
 
-    J = np.zeros((6, len(theta)))
-    T = product(theta)
-    for i in range(len(theta)):
-        step = np.zeros(len(theta), dtype=complex)
+    J = np.zeros((6, len(q)))
+    T = product(q)
+    for i in range(len(q)):
+        step = np.zeros(len(q), dtype=complex)
         step[i] = 1e-30j
-        V = (product(theta + step).imag / 1e-30) @ np.linalg.inv(T).real
+        V = (product(q + step).imag / 1e-30) @ np.linalg.inv(T).real
         J[:, i] = V[2, 1], V[0, 2], V[1, 0], V[0, 3], V[1, 3], V[2, 3]
     return J
 
 
 def _with_adjoint(ad):
-    def jacobian(screws, theta):
+    def jacobian(screws, q):
         T, columns = np.eye(4), []
-        for S, angle in zip(screws, theta):
+        for S, angle in zip(screws, q):
             columns.append(ad(T) @ S)
             T = T @ exp_se3(S * angle)
         return np.column_stack(columns)
@@ -79,211 +79,58 @@ def _with_adjoint(ad):
     return jacobian
 
 
-def wrong_reports_adjoint(screws, theta):
-    """R^-1 in its upper half"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[np.linalg.inv(R), np.zeros((3, 3))], [hat(p) @ R, R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_without_p(screws, theta):
-    """[p] R is left out"""
-    return _with_adjoint(lambda T: np.kron(np.eye(2), T[:3, :3]))(screws, theta)
-
-
-def wrong_adjoint_for_v_first(screws, theta):
-    """in the order (v, omega)"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[R, hat(p) @ R], [np.zeros((3, 3)), R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_R_p(screws, theta):
-    """[p] R is turned round"""
-
-    def ad(T):
-        R, p = T[:3, :3], T[:3, 3]
-        return np.block([[R, np.zeros((3, 3))], [R @ hat(p), R]])
-
-    return _with_adjoint(ad)(screws, theta)
-
-
-def wrong_adjoint_transposed(screws, theta):
-    """the adjoint is transposed"""
-    return _with_adjoint(lambda T: adjoint(T).T)(screws, theta)
-
-
-def wrong_adjoint_of_the_inverse(screws, theta):
-    """that of the inverse"""
-    return _with_adjoint(lambda T: adjoint(inverse(T)))(screws, theta)
-
-
-def wrong_joint_before_left_out(screws, theta):
-    """leaves out the joint just before it"""
-    J = np.zeros((6, len(theta)))
-    for i in range(len(theta)):
-        T = np.eye(4)
-        for k in range(i - 1):
-            T = T @ exp_se3(screws[k] * theta[k])
-        J[:, i] = adjoint(T) @ screws[i]
-    return J
-
-
-def wrong_joint_before_only(screws, theta):
-    """by the joint just before it only"""
-    columns = [screws[0]]
-    for i in range(1, len(theta)):
-        columns.append(adjoint(exp_se3(screws[i - 1] * theta[i - 1])) @ screws[i])
-    return np.array(columns).T
-
-
-def wrong_own_joint_only(screws, theta):
-    """left as they are at home"""
-    return np.column_stack([adjoint(exp_se3(S * angle)) @ S for S, angle in zip(screws, theta)])
-
-
-def wrong_all_joints(screws, theta):
-    """by all the joints"""
-    T = np.eye(4)
-    for S, angle in zip(screws, theta):
-        T = T @ exp_se3(S * angle)
-    return adjoint(T) @ screws.T
-
-
-def wrong_joints_behind(screws, theta):
+def wrong_joints_behind(screws, q):
     """by the joints behind it"""
     columns, T = [], np.eye(4)
-    for S, angle in list(zip(screws, theta))[::-1]:
+    for S, angle in list(zip(screws, q))[::-1]:
         columns.insert(0, adjoint(T) @ S)
         T = exp_se3(S * angle) @ T
     return np.array(columns).T
 
 
-def wrong_body_jacobian(screws, theta):
-    """the body Jacobian"""
-    J, T = [], np.eye(4)
-    for S, angle in zip(screws, theta):
-        J.append(adjoint(T) @ S)
-        T = T @ exp_se3(S * angle)
-    return adjoint(inverse(T)) @ np.array(J).T
-
-
-def wrong_transposed(screws, theta):
+def wrong_transposed(screws, q):
     """rows and columns are swapped"""
     T, rows = np.eye(4), []
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         rows.append(adjoint(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.array(rows)
 
 
-def wrong_reshaped(screws, theta):
-    """broken into rows wrongly"""
-    return wrong_transposed(screws, theta).reshape(6, len(theta))
-
-
-def wrong_reverse_order(screws, theta):
-    """in the reverse order"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        columns.append(adjoint(T) @ S)
-        T = exp_se3(S * angle) @ T
-    return np.column_stack(columns)
-
-
-def wrong_at_home(screws, theta):
-    """left as they are at home"""
-    return screws.T
-
-
-def wrong_v_first(screws, theta):
-    """v stands above omega"""
-    J = right_column_by_column(screws, theta)
-    return np.vstack([J[3:], J[:3]])
-
-
-def wrong_times_the_angles(screws, theta):
-    """the columns are multiplied by the angles"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        columns.append(adjoint(T) @ S * angle)
-        T = T @ exp_se3(S * angle)
-    return np.column_stack(columns)
-
-
-def wrong_degrees(screws, theta):
-    """degrees"""
-    return right_column_by_column(screws, np.radians(theta))
-
-
-def wrong_angles_not_used(screws, theta):
-    """without the angles"""
-    T, columns = np.eye(4), []
-    for S in screws:
-        columns.append(adjoint(T) @ S)
-        T = T @ exp_se3(S)
-    return np.column_stack(columns)
-
-
-def wrong_exponentials_added(screws, theta):
-    """the exponentials are added up"""
-    T, columns = np.eye(4), []
-    for S, angle in zip(screws, theta):
-        R, p = T[:3, :3], T[:3, 3]
-        columns.append(np.block([[R, np.zeros((3, 3))], [hat(p) @ R, R]]) @ S)
-        T = T + exp_se3(S * angle)
-    return np.column_stack(columns)
-
-
-def wrong_whole_numbers(screws, theta):
-    """digits after the point are cut off"""
-    J, T = screws.copy().T, np.eye(4)
-    for i in range(len(theta)):
-        J[:, i] = adjoint(T) @ screws[i]
-        T = T @ exp_se3(screws[i] * theta[i])
-    return J
-
-
-def wrong_last_column_only(screws, theta):
+def wrong_last_column_only(screws, q):
     """only one column is returned"""
     T = np.eye(4)
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         J = adjoint(T) @ S
         T = T @ exp_se3(S * angle)
     return J
 
 
-def wrong_screws_changed(screws, theta):
+def wrong_screws_changed(screws, q):
     """screws is changed in place"""
     T = np.eye(4)
-    for i in range(len(theta)):
-        turn = exp_se3(screws[i] * theta[i])
+    for i in range(len(q)):
+        turn = exp_se3(screws[i] * q[i])
         screws[i] = adjoint(T) @ screws[i]
         T = T @ turn
     return screws.T
 
 
-def wrong_columns_kept_between_calls(screws, theta, columns=[]):
+def wrong_columns_kept_between_calls(screws, q, columns=[]):
     """another form"""
     T = np.eye(4)
-    for S, angle in zip(screws, theta):
+    for S, angle in zip(screws, q):
         columns.append(adjoint(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.column_stack(columns)
 
 
-def wrong_columns_backwards(screws, theta):
+def wrong_columns_backwards(screws, q):
     """unnamed"""
-    return right_column_by_column(screws, theta)[:, ::-1]
+    return right_column_by_column(screws, q)[:, ::-1]
 
 
-def wrong_coarse_difference(screws, theta):
+def wrong_coarse_difference(screws, q):
     """first digits only"""
 
     def product(angles):
@@ -292,13 +139,13 @@ def wrong_coarse_difference(screws, theta):
             T = T @ exp_se3(S * angle)
         return T
 
-    J = np.zeros((6, len(theta)))
-    for i, step in enumerate(1e-3 * np.eye(len(theta))):
-        V = (product(theta + step) - product(theta)) / 1e-3 @ inverse(product(theta))
+    J = np.zeros((6, len(q)))
+    for i, step in enumerate(1e-3 * np.eye(len(q))):
+        V = (product(q + step) - product(q)) / 1e-3 @ inverse(product(q))
         J[:, i] = V[2, 1], V[0, 2], V[1, 0], V[0, 3], V[1, 3], V[2, 3]
     return J
 
 
-def wrong_the_librarys(screws, theta):
+def wrong_the_librarys(screws, q):
     """course_lib.arms.SerialArm is called"""
-    return SerialArm(screws, np.eye(4)[None], None).space_jacobian(theta)
+    return SerialArm(screws, np.eye(4)[None], None).space_jacobian(q)

@@ -53,67 +53,8 @@ def _third(V_s, T):
     return np.concatenate([V_s[:3], V_s[3:] + np.cross(V_s[:3], T[:3, 3])])
 
 
-def wrong_cross_product_turned_round(V_s, T):
-    """the cross product is turned round"""
-    w, v, p = V_s[:3], V_s[3:], T[:3, 3]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([w, v + np.cross(p, w)])])
-
-
-def wrong_adjoint_of_the_third_frame(V_s, T):
-    """the cross product is turned round"""
-    third = np.eye(4)
-    third[:3, 3] = T[:3, 3]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, adjoint(third) @ V_s])
-
-
-def wrong_third_turned(V_s, T):
-    """the third row is turned by R"""
-    R = T[:3, :3]
-    w, v = _third(V_s, T)[:3], _third(V_s, T)[3:]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([R @ w, R @ v])])
-
-
-def wrong_thirds_v_turned(V_s, T):
-    """the third row is turned by R"""
-    w, v = _third(V_s, T)[:3], _third(V_s, T)[3:]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([w, T[:3, :3].T @ v])])
-
-
-def wrong_only_v_turned_back(V_s, T):
-    """the third row is turned by R"""
-    hand = adjoint(inverse(T)) @ V_s
-    return np.array([V_s, hand, np.concatenate([hand[:3], T[:3, :3] @ hand[3:]])])
-
-
-def wrong_third_like_second(V_s, T):
-    """what the hand's frame sees"""
-    hand = adjoint(inverse(T)) @ V_s
-    return np.array([V_s, hand, hand])
-
-
-def wrong_third_like_first(V_s, T):
-    """the third row is the same as the first"""
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, V_s])
-
-
-def wrong_second_only_rotated(V_s, T):
-    """only rotated"""
-    R = T[:3, :3]
-    return np.array([V_s, np.concatenate([R.T @ V_s[:3], R.T @ V_s[3:]]), _third(V_s, T)])
-
-
-def wrong_second_by_adjoint_of_T(V_s, T):
-    """Ad(T) stands where Ad(T^-1) belongs"""
-    return np.array([V_s, adjoint(T) @ V_s, _third(V_s, T)])
-
-
-def wrong_second_by_adjoint_transposed(V_s, T):
-    """transposed where it is to be inverted"""
-    return np.array([V_s, adjoint(T).T @ V_s, _third(V_s, T)])
-
-
 def wrong_reports_adjoint(V_s, T):
-    """R^-1 in its upper half"""
+    """the upper left block of the adjoint is R^-1"""
 
     def ad(T):
         R, p = T[:3, :3], T[:3, 3]
@@ -135,55 +76,6 @@ def wrong_R_for_its_transpose(V_s, T):
     return np.array([V_s, np.concatenate([R @ third[:3], R @ third[3:]]), third])
 
 
-def wrong_second_not_turned(V_s, T):
-    """not turned into its frame"""
-    return np.array([V_s, _third(V_s, T), _third(V_s, T)])
-
-
-def wrong_order_of_the_rows(V_s, T):
-    """the rows are in another order"""
-    return np.array([V_s, _third(V_s, T), adjoint(inverse(T)) @ V_s])
-
-
-def wrong_hand_first(V_s, T):
-    """the rows are in another order"""
-    return np.array([adjoint(inverse(T)) @ V_s, V_s, _third(V_s, T)])
-
-
-def wrong_v_first(V_s, T):
-    """v stands before omega"""
-    return np.roll(right_by_adjoint(V_s, T), 3, axis=1)
-
-
-def wrong_taken_for_v_first(V_s, T):
-    """v stands before omega in the third row"""
-    v, w = V_s[:3], V_s[3:]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([v + np.cross(w, T[:3, 3]), w])])
-
-
-def wrong_v_left_out(V_s, T):
-    """v is left out"""
-    w, p = V_s[:3], T[:3, 3]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([w, np.cross(w, p)])])
-
-
-def wrong_p_of_the_inverse(V_s, T):
-    """p is taken as the hand's frame sees it"""
-    w, v, p = V_s[:3], V_s[3:], inverse(T)[:3, 3]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([w, v - np.cross(w, p)])])
-
-
-def wrong_entry_by_entry(V_s, T):
-    """entry by entry"""
-    w, v, p = V_s[:3], V_s[3:], T[:3, 3]
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([w, v + w * p])])
-
-
-def wrong_all_alike(V_s, T):
-    """all V_s"""
-    return np.tile(V_s, (3, 1))
-
-
 def wrong_columns(V_s, T):
     """rows and columns are swapped"""
     return np.column_stack([V_s, adjoint(inverse(T)) @ V_s, _third(V_s, T)])
@@ -200,14 +92,6 @@ def wrong_V_changed(V_s, T):
     third = V_s
     third[3:] = V_s[3:] + np.cross(V_s[:3], T[:3, 3])
     return np.array([V_s, hand, third])
-
-
-def wrong_whole_numbers(V_s, T):
-    """digits after the point are cut off"""
-    rows = np.array([V_s, V_s, V_s])
-    rows[1] = adjoint(inverse(T)) @ V_s
-    rows[2] = _third(V_s, T)
-    return rows
 
 
 def wrong_next_position(V_s, T):

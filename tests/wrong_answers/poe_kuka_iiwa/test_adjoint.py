@@ -1,0 +1,87 @@
+"""What students write for test_adjoint(adjoint)."""
+
+import numpy as np
+
+from course_lib.rigid import exp_se3, hat_se3, inverse, vee_se3
+from course_lib.rotations import hat
+
+POSES = [
+    exp_se3(np.array(twist)) for twist in ([0.3, -0.5, 0.9, 1, 2, 3], [2, 1, -1, 0.5, -4, 3], [0, 0, 0, 1, 2, 3.0])
+]
+
+
+def _right(T):
+    R, p = T[:3, :3], T[:3, 3]
+    return np.block([[R, np.zeros((3, 3))], [hat(p) @ R, R]])
+
+
+def right_by_its_definition(adjoint):
+    for T in POSES:
+        for twist in np.eye(6):
+            if not np.allclose(hat_se3(adjoint(T) @ twist), T @ hat_se3(twist) @ inverse(T), atol=1e-9):
+                return False
+    return True
+
+
+def right_against_a_version_of_its_own(adjoint):
+    return all(np.abs(adjoint(T) - _right(T)).max() < 1e-9 for T in POSES)
+
+
+def right_with_assertions(adjoint):
+    rng = np.random.default_rng(1)
+    for _ in range(4):
+        T = exp_se3(rng.normal(size=6) * [1.5, 1.5, 1.5, 3, 3, 3])
+        twist = rng.normal(size=6)
+        np.testing.assert_allclose(adjoint(T) @ twist, vee_se3(T @ hat_se3(twist) @ inverse(T)), atol=1e-9)
+    return True
+
+
+def wrong_always_true(adjoint):
+    """accepts everything"""
+    return True
+
+
+def wrong_always_false(adjoint):
+    """refuses everything"""
+    return False
+
+
+def wrong_identity_only(adjoint):
+    """accepts everything"""
+    return np.allclose(adjoint(np.eye(4)), np.eye(6))
+
+
+def wrong_without_a_tolerance(adjoint):
+    """refuses everything"""
+    return all((adjoint(T) == _right(T) + 1e-17 * np.arange(6)).all() for T in POSES)
+
+
+def wrong_homomorphism_alone(adjoint):
+    """unnamed"""
+    A, B = POSES[:2]
+    return np.allclose(adjoint(A @ B), adjoint(A) @ adjoint(B))
+
+
+def wrong_number(adjoint):
+    """another form"""
+    return adjoint(POSES[0])
+
+
+def wrong_wrong_reference(adjoint):
+    """refuses everything"""
+    return all(np.allclose(adjoint(T).T, _right(inverse(T)).T + 1) for T in POSES)
+
+
+def wrong_nothing_returned(adjoint):
+    """another form"""
+    assert np.allclose(adjoint(POSES[0]), _right(POSES[0]))
+
+
+def wrong_shape_alone(adjoint):
+    """accepts everything"""
+    return adjoint(POSES[0]).shape == (6, 6)
+
+
+def wrong_array_of_booleans(adjoint):
+    """another form"""
+    return np.isclose(adjoint(POSES[0]), _right(POSES[0]))
