@@ -157,7 +157,10 @@ def test_a_function_of_angles_may_give_all_frames_in_a_world_or_the_end_alone():
     assert_allclose(alone["end"], arm.fk(q), atol=1e-12)
 
 
-@pytest.mark.parametrize("broken", [lambda q: q[9], lambda q: None, lambda q: np.zeros(3), lambda q: np.full((4, 4), np.nan)])
+FAILING = [lambda q: q[9], lambda q: None, lambda q: np.zeros(3), lambda q: np.full((4, 4), np.nan)]
+
+
+@pytest.mark.parametrize("broken", FAILING)
 def test_a_function_that_fails_is_reported_and_the_librarys_arm_stays(broken):
     found = answer(iiwa14(), broken)
     assert found["end"] is found["bodies"] is None
