@@ -183,9 +183,9 @@ class Exercise:
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:  # a simpler case that is wrong says more than a later one that cannot be answered
             before = self.verdict(cases[:first], answers[:first]) if first else None
-            return (
-                before if before and before.state == WRONG else no_answer(self, cases[first], **answers[first]["error"])
-            )
+            if before and before.state == WRONG:
+                return replace(before, credit=0)
+            return no_answer(self, cases[first], **answers[first]["error"])
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)

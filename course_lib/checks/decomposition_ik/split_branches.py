@@ -152,6 +152,7 @@ def _means(labels, theta):
 
 def split_branches(theta):
     """Return labels (m,) of two clusters by k-means, 0 for the one with the larger mean theta2."""
+    theta = np.asarray(theta, float)
     if not several(theta):
         return np.zeros(len(theta), int)
     labels = KMeans(2, random_state=0).fit(theta).labels_
