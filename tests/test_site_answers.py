@@ -93,7 +93,7 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(note
     assert "Type your answer here." in text
     assert "A result" in text
     assert not [words for words in ("42", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
-    assert "orthogon" not in (tmp_path / "html/searchindex.js").read_text(encoding="utf-8")
+    assert "orthogon" not in (tmp_path / "html/_static/sections.js").read_text(encoding="utf-8")
 
 
 def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):

@@ -110,6 +110,7 @@ def _card(notebook: Notebook) -> str:
 def _question(text: str) -> str:
     """Return the first question of a notebook's introduction, or else its first sentence."""
     introduction = re.sub(r"^#.*\n", "", text.strip()).strip().split("\n\n")[0]
+    introduction = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", introduction)  # links, which hold in the notebook
     sentences = re.split(r"(?<=[.?!])\s+", " ".join(introduction.split()))
     return next((sentence for sentence in sentences if sentence.endswith("?")), sentences[0])
 
