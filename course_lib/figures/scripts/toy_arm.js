@@ -74,20 +74,17 @@
     card.button("Start again", () => { state.q = [...meta.q]; showJoints(); moved(); });
     const numbers = card.numbers(), words = card.words();
 
-    let waiting = false, busy = false, again = false, later = null, patience = 1000;
+    let waiting = false, busy = false, again = false;
     // One question at a time; when the answer comes, the newest configuration is asked.
     function ask() {
       if (!kernel) return;
       if (busy) { again = true; return; }
       busy = true;
       kernel.ask({ q: state.q });
-      // A question can be lost while JupyterLab still sets the widget up: ask again, ever more patiently.
-      later = setTimeout(() => { busy = false; patience *= 2; ask(); }, patience);
     }
     if (kernel) kernel.hear((message) => {
       answer = message;
       busy = false;
-      clearTimeout(later);
       if (again) { again = false; ask(); }
       schedule();
     });
@@ -158,6 +155,6 @@
     }
     ask();
     draw();
-    return () => { clearTimeout(later); view.stop(); card.end(); };
+    return () => { view.stop(); card.end(); };
   };
 })();
