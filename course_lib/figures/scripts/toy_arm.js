@@ -3,7 +3,7 @@
 (() => {
   "use strict";
   const K = globalThis.course.kinematics, P = globalThis.course.parts, S = globalThis.course.shapes, { COLOURS } = P;
-  const GHOST = ["#56B4E9", "#56B4E9", "#56B4E9"], ELLIPSOIDS = ["#009E73", "#9b4f7f"];
+  const GHOST = "#56B4E9", ELLIPSOIDS = ["#009E73", "#9b4f7f"];
   const BALL = S.ball(K.eye(4), 1, 0, 0, 18);
 
   globalThis.course.kinds["toy:arm"] = (host, meta, figure, kernel) => {
@@ -114,7 +114,7 @@
       view.floor(0, meta.reach, meta.reach > 0.7 ? 0.2 : 0.1);
       view.shadow(shown.map((B, i) => K.move(B, arm.home[Math.min(i, n)].slice(0, 3).map((row) => row[3]))), 0.16 * meta.reach);
       view.mesh(mesh, shown, mesh.palette);
-      if (differs) view.mesh(mesh, right, GHOST, 0.45);
+      if (differs) view.mesh(mesh, right, mesh.palette.map(() => GHOST), 0.45);
       view.frame(K.pose(K.eye(3), [0, 0, 0]), 0.2 * meta.reach, { width: 2 });
       view.text([0, -0.07 * meta.reach, -0.03 * meta.reach], "s", COLOURS.black);
       view.frame(answer && answer.end ? answer.end : T, 0.18 * meta.reach);
