@@ -5,12 +5,21 @@ from course_lib.checks.notebook import namespace
 EXERCISES = (
     "dh_modified",
     "dh_standard",
+    "standard_table",
+    "find_signs",
     "panda_fk",
     "geometric_jacobian",
     "pose_error",
+    "test_pose_error",
+    "descent_step",
     "ik_step_dls",
     "panda_ik",
+    "reached_targets",
+    "null_space_step",
+    "bounded_step",
     "register_points",
+    "good_matches",
     "grasp_pose",
+    "straight_path",
 )
 globals().update(namespace(__name__, EXERCISES))
