@@ -44,7 +44,7 @@ def series_errors(errors):
 def log_errors(short_of_pi, errors):
     """Return errors of logarithms, {label: errors (n,)}, at angles that are so much (n,) short of pi."""
     drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
-    said = [f"{label}: at most {max(each):.0e}" for label, each in drawn.items()]
+    said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
     axes = {"xlabel": "pi minus the angle (rad)", "ylabel": "error (rad)"}
     fig = lines(short_of_pi, drawn, log="xy", **axes)
     alt = f"Errors of logarithms against the distance from half a turn, both axes logarithmic. {'; '.join(said)}."
@@ -54,9 +54,9 @@ def log_errors(short_of_pi, errors):
 def euler_rates(beta, smallest):
     """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,)."""
     fig = lines(beta, {"": smallest}, xlabel="pitch beta (rad)", ylabel="smallest singular value")
-    top = beta[np.argmax(smallest)]
-    alt = f"The smallest singular value of the Euler rate matrix is {max(smallest):.2g} at pitch {top:.2g} and falls "
-    alt += f"to {smallest[0]:.2g} and {smallest[-1]:.2g} at pitch {beta[0]:.2f} and {beta[-1]:.2f}: gimbal lock."
+    top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
+    alt = f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
+    alt += f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock."
     return {"fig": fig, "alt": alt}
 
 
@@ -106,6 +106,14 @@ def heights(samples):
         said.append(f"{title}: the images of e_x, e_y, e_z have the mean heights {means}")
     alt = f"Histograms of the heights of the images of the three axes, flat at one half if uniform. {'; '.join(said)}."
     return {"fig": rotations.height_histogram(samples), "alt": alt}
+
+
+def _size_of_errors(errors):
+    """How large errors are, in words that rounding does not change."""
+    if max(errors) < 1e-12:
+        return "stays below 1e-12"
+    passed = [bound for bound in ("1e-4", "1e-8", "1e-12") if max(errors) > float(bound)]
+    return f"rises to more than {passed[0]}"
 
 
 def _direction(v):
