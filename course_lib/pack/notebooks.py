@@ -25,7 +25,7 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import PLOTLY
+from course_lib.figures.display import PLOTLY, smaller_png
 from course_lib.pack.files import write_atomically
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
@@ -221,7 +221,7 @@ async def _draw_still(browser, figure: Figure) -> bytes:
     width, height = size(figure)
     # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
     opts = {"format": "png", "width": width, "height": height, "scale": 1}
-    return await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
+    return smaller_png(await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts))
 
 
 # ---- write ----
