@@ -9,7 +9,6 @@ from course_lib.figures.solids.model import BLACK as BLACK_PART
 from course_lib.figures.solids.model import STEEL, VIOLET, WHITE, X_RED
 from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, space_layout, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
-from course_lib.rigid import transform
 from course_lib.rotations import exp_so3
 
 
@@ -35,7 +34,7 @@ def frames(rotations, view=(1.35, 1.1, 0.8)):
     Parameters
     ----------
     rotations : dict
-        {title: R (3, 3)}.
+        {title: R (3, 3)}; a matrix that is no rotation is drawn with what it does to the box.
     view : array_like, shape (3,)
         The direction to the eye.
 
@@ -47,9 +46,12 @@ def frames(rotations, view=(1.35, 1.1, 0.8)):
     fixed = [Part(1, STEEL, arrow(np.zeros(3), e, 1.25, 0.012)) for e in np.eye(3)]
     model = Model.of([block, *scene.triad(0, np.eye(4), 1.0, 0.045), *fixed])
     share, height, drawn, scenes = 1 / len(rotations), 320, [], []
-    reach = np.concatenate([1.3 * np.eye(3), -1.1 * np.eye(3)])  # of every orientation: all to one scale
+    longest = max(1.3, *(np.linalg.norm(R, axis=0).max() for R in rotations.values()))
+    reach = np.concatenate([longest * np.eye(3), -1.1 * np.eye(3)])  # of every orientation: all to one scale
     for i, R in enumerate(rotations.values()):
-        poses = [transform(R, np.zeros(3)), np.eye(4)]
+        pose = np.eye(4)
+        pose[:3, :3] = R  # as it is: a matrix that is no rotation stretches the box
+        poses = [pose, np.eye(4)]
         aspect = 700 * share / height
         scenes.append(scene.fitted_scene(reach, view, aspect=aspect, fill=0.9, domain=(i * share, (i + 1) * share)))
         drawn.append(model.trace(poses, scene_name(i)))

@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.vocabulary import doubled, halved, in_degrees, negated, unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
-_DOWN, _UP = -1 - 2.0**-52, 1 + 2.0**-50  # a hair beyond -1 and 1
+_DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # a hair beyond -1 and 1, and short of 1
 
 
 def _leaning(rng):
@@ -25,7 +25,7 @@ def _cases(rng):
         2 * np.outer(n, n) - np.eye(3) for n in (_leaning(rng), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
     ]
     # As products of rotations may come out: a trace beyond its bounds, and a half turn that is not quite symmetric.
-    rounded = [np.diag([_UP, _UP, _UP]), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
+    rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
     turning = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
     return [(R,) for R in [*named, *turning, *half, np.eye(3), *rounded]]
 

@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.shared import CONJUGATE, hamilton_product
 from course_lib.checks.vocabulary import same_up_to_sign, unit
-from course_lib.rotations import random_quaternions
+from course_lib.rotations import nearest_quaternion, random_quaternions
 
 
 def _power(q, t):
@@ -44,14 +44,13 @@ def _cases(rng):
     pairs = [(_about(z, 0), _about(z, np.pi / 2), 0.5), (_about(x, 0.2), _about(x, 1.4), 0.25)]
     pairs += [(*_apart(rng, angle), t) for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.5, 0.6))]
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
-    pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-9), 0.5)]
-    q = random_quaternions(1, rng)[0]
+    pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-6), 0.4), (*_apart(rng, 1e-9), 0.5)]
+    q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is a hair above 1
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
 
 def _nlerp(q0, q1, t):
-    q = (1 - t) * q0 + t * q1
-    return q / np.linalg.norm(q)
+    return nearest_quaternion((1 - t) * q0 + t * q1)
 
 
 def _weighted(q0, q1, a, t):

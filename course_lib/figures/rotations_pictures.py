@@ -1,0 +1,126 @@
+"""Pictures of notebook 1 with alternative text made from their data: show(**pictures.rotated_point(w, p)).
+
+Each function returns {"fig": a figure, "alt": what it shows in words}.
+"""
+
+import numpy as np
+
+from course_lib.figures import rotations
+from course_lib.figures.plots import lines
+from course_lib.rotations import exp_so3
+
+
+def frames(orientations):
+    """Return a box with its frame at several orientations, {title: R (3, 3)}; R need not be a rotation."""
+    said = []
+    for title, R in orientations.items():
+        lengths = np.linalg.norm(R, axis=0)
+        axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
+        stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
+        said.append(f"{title}: {axes}{stretched}")
+    alt = f"A box with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
+    return {"fig": rotations.frames(orientations), "alt": alt}
+
+
+def rotated_point(w, p, exp=exp_so3):
+    """Return the path of the point p (3,) about the axis w (3,) by the angle |w|, as `exp` has it."""
+    heights = [w @ exp(t * w) @ p / np.linalg.norm(w) for t in np.linspace(0, 1, 9)]
+    plane = "in a plane perpendicular to it" if np.ptp(heights) < 1e-6 else "which leaves the plane perpendicular to it"
+    alt = f"A point p moves about the axis w by {np.linalg.norm(w):.2f} rad to R p, along an arc {plane}."
+    return {"fig": rotations.turning_point(w, p, exp), "alt": alt}
+
+
+def series_errors(errors):
+    """Return how far sums of the exponential series are from a rotation, {label: errors after 1, 2, ... terms}."""
+    said = [
+        f"for {label} it is {e[0]:.2g} after one term, at most {max(e):.2g}, and {e[-1]:.1g} after {len(e)}"
+        for label, e in errors.items()
+    ]
+    terms = np.arange(1, 1 + len(next(iter(errors.values()))))
+    fig = lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of R^T R - I")
+    return {"fig": fig, "alt": f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}."}
+
+
+def log_errors(short_of_pi, errors):
+    """Return errors of logarithms, {label: errors (n,)}, at angles that are so much (n,) short of pi."""
+    drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
+    said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
+    axes = {"xlabel": "pi minus the angle (rad)", "ylabel": "error (rad)"}
+    fig = lines(short_of_pi, drawn, log="xy", **axes)
+    alt = f"Errors of logarithms against the distance from half a turn, both axes logarithmic. {'; '.join(said)}."
+    return {"fig": fig, "alt": alt}
+
+
+def euler_rates(beta, smallest):
+    """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,)."""
+    fig = lines(beta, {"": smallest}, xlabel="pitch beta (rad)", ylabel="smallest singular value")
+    top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
+    alt = f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
+    alt += f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock."
+    return {"fig": fig, "alt": alt}
+
+
+def double_cover(angle, values):
+    """Return entries of a quaternion and of a matrix, {label: values (n,)}, against the angle of rotation (n,)."""
+    once = np.argmin(np.abs(angle - 2 * np.pi))
+    said = [f"{label} begins at {v[0]:.2g} and is {v[once]:.2g} after one full turn" for label, v in values.items()]
+    fig = lines(angle, values, xlabel="angle of rotation (rad)", ylabel="value")
+    return {"fig": fig, "alt": f"Two curves over {angle[-1] / 2 / np.pi:.2g} full turns: {'; '.join(said)}."}
+
+
+def interpolation(t, angles):
+    """Return the angle from the start, {label: angles (n,)}, against t (n,)."""
+    said = []
+    for label, angle in angles.items():
+        gap = angle - angle[-1] * t
+        bend = np.abs(gap).max()
+        shape = f"differs from a straight line by up to {bend:.2g} rad" if bend > 1e-6 else "is a straight line"
+        said.append(f"{label} {shape}")
+    fig = lines(t, angles, xlabel="t", ylabel="angle from the start (rad)")
+    return {"fig": fig, "alt": f"The angle from the start against t, in two ways: {'; '.join(said)}."}
+
+
+def nearest_on_circle(M, candidates):
+    """Return a 2x2 matrix beside rotations {name: R (2, 2)}, and the distance to the rotations around them."""
+    said = [f"{name} at {np.linalg.norm(M - R):.4f}" for name, R in candidates.items()]
+    alt = "Left, the columns of M and of two rotations in the unit circle, with the ellipse that M makes of it. Right, "
+    alt += f"the curve of distances from M to the rotations around, with two marks: {', '.join(said)}."
+    return {"fig": rotations.nearest_on_circle(M, candidates), "alt": alt}
+
+
+def on_sphere(samples):
+    """Return where samples of rotations, {title: R (n, 3, 3)}, take the x axis, on spheres side by side."""
+    said = [
+        f"{title}: {np.mean(R[:, 2, 0] > 0.9):.0%} in the cap above 0.9, {np.mean(R[:, 2, 0] < -0.9):.0%} below -0.9"
+        for title, R in samples.items()
+    ]
+    alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
+    return {"fig": rotations.rotations_on_sphere(samples), "alt": alt}
+
+
+def heights(samples):
+    """Return histograms of the heights of the images of the axes under samples {title: R (n, 3, 3)}."""
+    said = []
+    for title, R in samples.items():
+        means = _numbers(R[:, 2].mean(0))
+        said.append(f"{title}: the images of e_x, e_y, e_z have the mean heights {means}")
+    alt = f"Histograms of the heights of the images of the three axes, flat at one half if uniform. {'; '.join(said)}."
+    return {"fig": rotations.height_histogram(samples), "alt": alt}
+
+
+def _size_of_errors(errors):
+    """How large errors are, in words that rounding does not change."""
+    if max(errors) < 1e-12:
+        return "stays below 1e-12"
+    passed = [bound for bound in ("1e-4", "1e-8", "1e-12") if max(errors) > float(bound)]
+    return f"rises to more than {passed[0]}"
+
+
+def _direction(v):
+    """The fixed axis that is nearest to the direction of v, in words."""
+    k = np.argmax(np.abs(v))
+    return f"along {'' if v[k] > 0 else 'minus '}{'xyz'[k]}"
+
+
+def _numbers(values):
+    return ", ".join(f"{value + 0.0:.2f}".replace("-0.00", "0.00") for value in values)
