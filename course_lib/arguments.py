@@ -2,6 +2,8 @@
 
 import numpy as np
 
+_MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
+
 
 def real_array(value, name, *shapes, copy=True, infinite=False):
     """Return `value` as a float64 array whose last axes have one of the given shapes.
@@ -21,6 +23,8 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
         raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
     if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
         raise ValueError(f"{_expected(name, shapes)}; its shape is {array.shape}")
+    if array.ndim > _MOST_AXES:
+        raise ValueError(f"{name} must have at most {_MOST_AXES} axes; it has {array.ndim}")
     if array.dtype != np.float64:
         with np.errstate(over="ignore"):  # a long double beyond float64 becomes inf, and is named below
             array = array.astype(np.float64)
@@ -49,7 +53,7 @@ def positive(value, name):
 
 
 def count(value, name="n", least=0):
-    """Return `value` as an int from `least` to a thousand million, beyond which no memory holds the answer."""
+    """Return `value` as an int from `least` to 10^9, beyond which no memory holds the answer."""
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
         raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
     return int(value)
@@ -59,7 +63,7 @@ def generator(value, name="rng"):
     """Return `value` if it is a numpy random Generator."""
     if not isinstance(value, np.random.Generator):
         raise ValueError(
-            f"{name} must be a numpy random Generator, as numpy.random.default_rng(seed) makes it; "
+            f"{name} must be a numpy random Generator, such as numpy.random.default_rng(seed); "
             f"it is of type {type(value).__name__}"
         )
     return value
@@ -79,7 +83,7 @@ def broadcast(**batches):
 
 
 def refuse_first(bad, name, reason):
-    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) says what is wrong there."""
+    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) gives the words."""
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")

@@ -163,9 +163,13 @@ class SerialArm:
         """
         if not isinstance(convention, str) or convention not in ("modified", "standard"):
             raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r:.80}')
-        frames, axes = _dh_frames(_dh_table(rows), convention)
+        with np.errstate(all="ignore"):
+            frames, axes = _dh_frames(_dh_table(rows), convention)
+        if not np.abs(frames).max() <= _FARTHEST:
+            raise ValueError(f"rows must lead at most {_FARTHEST:g} m away; they lead farther")
         end = np.eye(4) if end is None else checked_pose(_of_shape(end, "end", (4, 4)), "end", (4, 4))
-        arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
+        home = _refuse_huge(frames[-1] @ end, "end")
+        arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], home, limits)
         return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
 
     @property
@@ -567,7 +571,7 @@ def _dh_table(rows):
     """Check rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
     try:
         table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
-    except (TypeError, AttributeError) as no_rows:
+    except Exception as no_rows:  # whatever a foreign object raises
         raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
     if not table:
         raise ValueError("rows must hold one DHRow a joint; it is empty")

@@ -1,19 +1,19 @@
 """Batches in the layout that makes numpy fast, a structure of arrays: the items of a batch lie along the last axis.
 
-An array (N, 3, 3) keeps the nine entries of one matrix together: numpy then works on N tiny matrices one after the
-other, and what each costs before its first product is most of the time. Here it is the other way round: R is (3, 3, N),
-and R[i, j] is that entry of all N. One line of a formula then does one product for all of them, in long runs through
-memory. So many items at a time that what one line writes is still in the processor's cache when the next one reads it;
-memory beside the result stays small.
+An array (N, 3, 3) keeps the nine entries of one matrix together. numpy then works on N tiny matrices one after the
+other, and the overhead of each is most of the time. Here R is (3, 3, N), and R[i, j] holds that entry of all N. One
+line of a formula then computes one product for all of them, in long runs through memory. The chunks are so small that
+the result of one line is still in the processor's cache when the next line reads it, and little memory is needed
+besides the result.
 
-by_entries is for formulas, which may also be given a single item; in_chunks is for what writes into a given array.
+by_entries is for formulas, which may also be given a single item; in_chunks is for functions that fill a given array.
 """
 
 import math
 
 import numpy as np
 
-ITEMS = 6000  # of a few entries, as vectors and matrices are
+ITEMS = 6000  # of a few entries, such as vectors and matrices
 
 
 def by_entries(formula, shape, *arrays, batch):
@@ -22,7 +22,7 @@ def by_entries(formula, shape, *arrays, batch):
     The formula is given the arrays with the batch on the right, (...) or (..., m), and returns (*shape) or (*shape, m).
     """
 
-    with np.errstate(all="ignore"):  # what becomes inf or nan is for the caller to refuse
+    with np.errstate(all="ignore"):  # the caller refuses results that are inf or NaN
         if batch == ():
             return np.reshape(formula(*arrays), shape)
 
@@ -42,8 +42,8 @@ def in_chunks(fill, shape, *arrays, batch, most):
     result = np.empty((n, *shape))
     items = [array.reshape((n, *array.shape[len(batch) :])) for array in arrays]
     for start in range(0, n, most):
-        some = slice(start, start + most)
-        fill(*(np.ascontiguousarray(_batch_last(each[some])) for each in items), _batch_last(result[some]))
+        chunk = slice(start, start + most)
+        fill(*(np.ascontiguousarray(_batch_last(each[chunk])) for each in items), _batch_last(result[chunk]))
     return result.reshape((*batch, *shape))
 
 

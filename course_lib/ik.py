@@ -141,9 +141,11 @@ class _Search:
         self.iterations, self.started, self.solved = np.zeros(m, int), np.zeros(m, int), np.zeros(m, bool)
 
     def run(self, q0):
-        """Return the best joint angles (m, n) and the steps taken (m,), with the first descents from q0 (m, n)."""
+        """Return the best joint angles (m, n) and the steps taken (m,). q0: (m, n), the first starts, or None."""
         if len(self.poses) == 1:
             self._descend_one_by_one(q0)
+            if self.solved[0]:
+                return self.best, self.iterations
             q0 = None
         descents = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
         while len(descents.target):
@@ -169,7 +171,7 @@ class _Search:
                 T, J = self.arm.pose_and_geometric_jacobian(q)
                 error = _error_by_entries(T[:3].T, goal)
                 cost, reached = _cost(error)
-                if cost < self.least[0]:
+                if cost <= self.least[0]:  # also where both overflow
                     self.best[0], self.least[0] = q, cost
                 moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
                 ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)
@@ -238,7 +240,8 @@ class _Descents:
 
 def _cost(error):
     """Return the squared error (N,) of pose errors (6, N), and whether it means that the target is reached; or no N."""
-    angle, distance = (error[:3] ** 2).sum(0), (error[3:] ** 2).sum(0)
+    x, y, z, dx, dy, dz = error * error
+    angle, distance = x + y + z, dx + dy + dz
     reached = (angle <= _REACHED_SQUARED) & (distance <= _REACHED_SQUARED)
     return angle + distance, reached
 
@@ -273,8 +276,10 @@ def _damped_step(J, error, damping):
     """
     k = len(error)
     if error.ndim == 1:
+        A = J @ J.T
+        A.flat[:: k + 1] += damping
         try:
-            return np.linalg.solve(J @ J.T + damping * np.eye(k), error) @ J, True
+            return np.linalg.solve(A, error) @ J, True
         except np.linalg.LinAlgError:
             return np.zeros(J.shape[1]), False
     sound = np.ones(error.shape[1], bool)
@@ -315,9 +320,13 @@ def _error_by_entries(end, goal):
 def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
     """Return for each of the poses (m, 4, 4) the nearest of a few random configurations, (m, n).
 
-    They are uniform between the limits; a joint without limits takes any angle. Radians weigh as much as metres.
+    They are uniform between the limits, or over one revolution if these allow more. Radians weigh as much as metres.
     """
-    q = rng.uniform(*np.clip(arm.limits.T, -np.pi, np.pi), (candidates, len(poses), arm.n))
+    low, high = arm.limits.T
+    wide = high - low > 2 * np.pi
+    middle = np.clip(0.0, low + np.pi, high - np.pi)
+    low, high = np.where(wide, middle - np.pi, low), np.where(wide, middle + np.pi, high)
+    q = rng.uniform(low, high, (candidates, len(poses), arm.n))
     squares = (arm.fk(q) - poses) ** 2
     distance = squares[..., :3, :3].sum((-2, -1)) / 2 + squares[..., :3, 3].sum(-1)
     return np.take_along_axis(q, distance.argmin(0)[None, :, None], 0)[0]

@@ -482,8 +482,11 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     ends = (start, start + change, v_start, v_goal)
     if not callable(scaling):
         raise ValueError(f"scaling must be a time scaling such as cubic_time_scaling; it is {scaling!r:.80}")
-    with _blaming("goal"):
-        return scaling(t, T, *(end[..., None, :] for end in ends))
+    try:
+        with _blaming("goal"):
+            return scaling(t, T, *(end[..., None, :] for end in ends))
+    except TypeError as other_arguments:
+        raise ValueError(f"scaling must take (t, T, s0, s1, v0, v1): {other_arguments}") from other_arguments
 
 
 def _velocities(value, name, k):
@@ -543,7 +546,7 @@ def _pairs(plan, k):
     expected = "plan must be a list of pairs (velocities, duration)"
     try:
         pairs = [tuple(pair) for pair in plan]
-    except TypeError as no_list:
+    except Exception as no_list:  # whatever a foreign object raises
         raise ValueError(f"{expected}; it is {plan!r:.80}") from no_list
     found = []
     for i, pair in enumerate(pairs):

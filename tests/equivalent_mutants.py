@@ -25,57 +25,56 @@ REASONS = {
     "another cut": "another start of k-means, and at times another cut: any cut that is as good is right",
     "unasked": "it matters only where the task asks nothing, or where it takes any answer",
     "same place": "the last axis of an array of this many dimensions, or the same integer once numpy has rounded it",
-    "any point": "any point on an axis is right, and any configuration of the family, and so is any pose that a test asks about",
+    "any point": "any point on an axis is right, any configuration of a family, and any pose that a test asks about",
     "either sign": "a singular vector has two signs, and either is right",
+    "free choice": "the task leaves it to the student: a damping, a tolerance below the one asked for, a seed",
     "rows": "as many rows differ from each other, and of an empty array none",
 }
 
 # {exercise: {the changed line: the key of its reason}}
 EQUIVALENT = {
-    "is_so": {
-        "return error <= tol and abs(np.linalg.det(R) - 1) < tol": "touching",
-        "return error < tol and abs(np.linalg.det(R) - 1) <= tol": "touching",
-        "if R.T.shape not in ((2, 2), (3, 3)):": "transposed",
-        "error = np.abs(R.T @ R - np.eye(len(R.T))).max()": "transposed",
-        "return error <= tol and abs(np.linalg.det(R.T) - 1) <= tol": "transposed",
-        "if R.shape not in ((3, 3), (2, 2)):": "order",
-        "error = np.abs(np.eye(len(R)) - R.T @ R).max()": "order",
-        "error = np.abs(R @ R.T - np.eye(len(R))).max()": "transposed",
-        "return error <= tol and abs(1 - np.linalg.det(R)) <= tol": "order",
-    },
-    "is_quaternion": {
-        "return q.shape in ((4,), (4, 1)) and abs(np.linalg.norm(q) - 1) < tol": "touching",
-        "return q.shape in ((4, 1), (4,)) and abs(np.linalg.norm(q) - 1) <= tol": "order",
-        "return q.shape in ((4,), (4, 1)) and abs(1 - np.linalg.norm(q)) <= tol": "order",
-    },
-    "is_se": {
-        "return is_so(T[:-1, :-1], tol) and np.abs(T[-1] - last_row).max() < tol": "touching",
-        "without if T.shape not in ((3, 3), (4, 4)):": "unasked",
-        "if T.shape not in ((4, 4), (3, 3)):": "order",
-        "return is_so(T[:-1, :-1], tol) and np.abs(last_row - T[-1]).max() <= tol": "order",
-    },
     "exp_so3": {
         "a = -np.linalg.norm(w)": "sign",
         "return np.eye(3) + np.sin(a) * N + N @ ((1 - np.cos(a)) * N)": "order",
     },
     "log_so3": {
-        "longest = -columns[:, np.linalg.norm(columns, axis=0).argmax()]": "half turn",
         "if a <= 1e-06:": "bound",
         "if np.pi - a <= 1e-06:": "bound",
-    },
-    "nearest_so": {
-        "signs[-1] = np.linalg.det(Vt @ U)": "transposed",
-        "signs[-1] = np.linalg.det(U.T @ Vt)": "transposed",
-        "signs[-1] = np.linalg.det(U @ Vt.T)": "transposed",
+        "longest = -columns[:, np.linalg.norm(columns, axis=0).argmax()]": "half turn",
     },
     "quaternion_to_matrix": {
         "return np.eye(3) + 2 * q[0] * V + V @ (2 * V)": "order",
     },
+    "nearest_so": {
+        "signs[-1] = np.linalg.det(U @ Vt.T)": "transposed",
+        "signs[-1] = np.linalg.det(U.T @ Vt)": "transposed",
+        "signs[-1] = np.linalg.det(Vt @ U)": "transposed",
+    },
+    "is_valid": {
+        "error = np.abs(np.eye(len(X)) - X.T @ X).max()": "transposed",
+        "if X.shape not in ((4, 4), (3, 3)):": "order",
+        "return X.shape in ((4, 1), (4,)) and abs(np.linalg.norm(X) - 1) <= tol": "order",
+        "return X.shape in ((4,), (4, 1)) and abs(np.linalg.norm(X) - 1) < tol": "touching",
+        "return is_valid(X[:-1, :-1], 'rotation', tol) and row_error < tol": "touching",
+        "row_error = np.abs(X[-1] - np.eye(len(X.T))[-1]).max()": "transposed",
+    },
     "random_rotations_euler": {
         "alpha, gamma = -(2 * np.pi * rng.random((2, n)))": "distribution",
+        "alpha, gamma = -2 * np.pi * rng.random((2, n))": "distribution",
         "return rot_z(-gamma) @ rot_y(beta) @ rot_x(alpha)": "distribution",
         "return rot_z(gamma) @ rot_y(beta) @ rot_x(-alpha)": "distribution",
-        "alpha, gamma = -2 * np.pi * rng.random((2, n))": "distribution",
+    },
+    "random_rotations": {
+        "... ck([np.cos(phi) * np.sqrt(z), -(np.sin(phi) * np.sqrt(z)), np.sqrt(1 - ...": "distribution",
+        "theta, phi = -(2 * np.pi * rng.random((2, n)))": "distribution",
+    },
+    "random_quaternions": {
+        "... 1, np.cos(theta_1) * sigma_1, -(np.sin(theta_2) * sigma_2)], axis=-1) ...": "same place",
+        "... os(theta_2) * sigma_2, np.sin(-theta_1) * sigma_1, np.cos(theta_1) * s ...": "distribution",
+        "... return np.stack([np.cos(-theta_2) * sigma_2, np.sin(theta_1) * s ...": "distribution",
+        "sigma_1, sigma_2 = (np.sqrt(s), np.sqrt(1 - s))": "distribution",
+        "theta_1, theta_2 = -(2 * np.pi * rng.random((2, n)))": "distribution",
+        "theta_1, theta_2 = -2 * np.pi * rng.random((2, n))": "distribution",
     },
     "propagate_body": {
         "while left >= 1e-09:": "bound",
@@ -199,6 +198,12 @@ EQUIVALENT = {
         "B = (w[:, None] * dst).T @ (src - middle_src)": "mean",
         "B = (w[:, None] * (dst - middle_dst)).T @ src": "mean",
     },
+    "panda_ik": {
+        "random = np.random.default_rng(1)": "free choice",
+        "if np.linalg.norm(e) <= 1e-07:": "free choice",
+        "if np.linalg.norm(e) < 1.1e-07:": "free choice",
+        "q = ik_step_dls(q, geometric_jacobian(frames), e, 0.05 * e)": "free choice",
+    },
     "grasp_pose": {
         "weights = -np.ones(len(template))": "sign",
     },
@@ -247,18 +252,6 @@ EQUIVALENT = {
     "planar_jacobian": {
         "links = np.array([-np.sin(angles), np.cos(-angles)])": "sign",
         "return np.cumsum(links[:, ::-1], axis=-1)[:, ::-1]": "same place",
-    },
-    "random_rotations": {
-        "theta, phi = -(2 * np.pi * rng.random((2, n)))": "distribution",
-        "... ck([np.cos(phi) * np.sqrt(z), -(np.sin(phi) * np.sqrt(z)), np.sqrt(1 - ...": "distribution",
-    },
-    "random_quaternions": {
-        "theta_1, theta_2 = -(2 * np.pi * rng.random((2, n)))": "distribution",
-        "... return np.stack([np.cos(-theta_2) * sigma_2, np.sin(theta_1) * s ...": "distribution",
-        "... os(theta_2) * sigma_2, np.sin(-theta_1) * sigma_1, np.cos(theta_1) * s ...": "distribution",
-        "... 1, np.cos(theta_1) * sigma_1, -(np.sin(theta_2) * sigma_2)], axis=-1) ...": "distribution",
-        "theta_1, theta_2 = -2 * np.pi * rng.random((2, n))": "distribution",
-        "sigma_1, sigma_2 = (np.sqrt(s), np.sqrt(1 - s))": "distribution",
     },
 }
 

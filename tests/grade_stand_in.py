@@ -1,11 +1,12 @@
 """What stands for the grading of one submission where tests are about what happens around it.
 
 A submission is JSON that says what to do: {"points": [1, 0], "log": folder that gets a file for each call,
-"seconds": to take, "do": "raise", "end" (the process) or nothing, "texts": written answers}.
+"seconds": to take, "do": "raise", "end" (the process), "end the worker" or nothing, "texts": written answers}.
 """
 
 import json
 import os
+import signal
 import sys
 import time
 import uuid
@@ -21,6 +22,8 @@ def grade(content, notebook, seed):
         raise ValueError("a grader has errors too")
     if told.get("do") == "end":
         os._exit(1)
+    if told.get("do") == "end the worker":
+        os.kill(os.getppid(), signal.SIGKILL)
     return result(told.get("points", ()), told.get("texts", ()), notebook)
 
 

@@ -7,6 +7,7 @@ as it stands. A solution counts as found where three of its lines in a row are, 
 import ast
 import re
 import textwrap
+from functools import cache
 from pathlib import Path
 
 import nbformat
@@ -58,13 +59,11 @@ def secrets(words=str.strip):
     return found
 
 
+@cache
 def texts(name, content):
     """What one file says: its lines, its code's lines as ast.unparse has them, and its words in one line."""
     text = content.decode()
     sources = [text]
     if name.endswith(".ipynb"):
         sources += [cell["source"] for cell in nbformat.reads(text, 4).cells]
-    for source in sources:
-        yield "\n".join(lines(source))
-        yield "\n".join(code(source))
-        yield " ".join(source.split())
+    return [said for s in sources for said in ("\n".join(lines(s)), "\n".join(code(s)), " ".join(s.split()))]

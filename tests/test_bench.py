@@ -87,7 +87,8 @@ def test_a_peer_that_is_not_here_is_left_out_with_its_reason(tmp_path, monkeypat
 
 
 def test_without_any_peer_the_library_is_measured_alone():
-    for task in (kinematics.poses({}, 20), kinematics.poses_and_jacobians({}, 20), kinematics.single_pose({})):
+    many = kinematics.poses({}, 20), kinematics.poses_and_jacobians({}, 20)
+    for task in (*many, kinematics.single_pose({}), kinematics.single_target({}, 5)):
         assert [c.name for c in task.contestants] == ["course_lib"]
         assert list(measured(task, repeats=1).seconds) == ["course_lib"]
     task, reached = kinematics.inverse({}, 30)
@@ -110,8 +111,8 @@ def test_a_map_that_loses_digits_near_pi_binds_nobody(monkeypatch):
         w = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], -1)
         return angle * w / (2 * np.sin(angle))
 
-    ways = rotation_maps.ways_of({}) | {"textbook": {"log": (textbook, None)}}
-    monkeypatch.setattr(rotation_maps, "ways_of", lambda here: ways)
+    ways = rotation_maps.rotation_maps_of({}) | {"textbook": {"log": (textbook, None)}}
+    monkeypatch.setattr(rotation_maps, "rotation_maps_of", lambda here: ways)
     tasks, exact = rotation_maps.tasks({}, 50)
     assert next(line for line in exact if "textbook" in line).endswith("loses digits")
     assert tasks[1].contestants[1].at_most is None

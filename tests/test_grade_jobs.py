@@ -1,5 +1,7 @@
 """A run of the grading: killed and started again, on one processor or several, with a grader that fails."""
 
+import contextlib
+import io
 import json
 import os
 import shutil
@@ -149,24 +151,27 @@ def test_a_grader_that_fails_costs_only_the_one_and_is_tried_again(place):
     assert calls(place) == 4
 
 
-def test_a_worker_that_ends_costs_only_the_one(place):
+@pytest.mark.parametrize("ends", ["end", "end the worker"])
+def test_a_process_that_ends_costs_only_the_one(place, ends):
     fill(place, 6)
-    hand_in(place / "in", "s1_01_rotations.ipynb", do="end")
+    hand_in(place / "in", "s1_01_rotations.ipynb", do=ends)
     assert run(place, "--jobs", "2") == 0
     grades = (place / "out/grades.csv").read_text()
-    assert "s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: It could not be graded." in grades
+    assert "s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: It could not be graded" in grades
     assert grades.count("exercise_0,2,2,right") == 5
 
 
-def test_two_runs_do_not_write_to_one_folder(place, capsys):
+def test_two_runs_do_not_write_to_one_folder(place):
     fill(place, 2)
 
     def meanwhile(content, notebook, seed):
-        assert run(place, "--jobs", "1") == 1
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            assert run(place, "--jobs", "1") == 1
+        (place / "said").write_text(said.getvalue())
         return grade(content, notebook, seed)
 
     assert run(place, "--jobs", "1", grade=meanwhile) == 0
-    assert "Another run is writing to" in capsys.readouterr().err
+    assert "Another run is writing to" in (place / "said").read_text()
     assert calls(place) == 2
 
 
@@ -243,16 +248,16 @@ def test_without_a_folder_make_says_what_to_name(capsys):
 
 
 def test_the_seed_is_drawn_once_and_kept(place):
-    seeds = []
-
     def seen(content, notebook, seed):
-        seeds.append(seed)
+        with (place / "seeds").open("a") as file:
+            file.write(f"{seed}\n")
         return grade(content, notebook, seed)
 
     fill(place, 1)
     for output, options in [("out", ()), ("out", ()), ("other", ()), ("out", ("--seed", "7"))]:
         shutil.rmtree(place / output / "results", ignore_errors=True)
         run(place, "--jobs", "1", *options, output=output, grade=seen)
+    seeds = [int(line) for line in (place / "seeds").read_text().split()]
     assert seeds[0] == seeds[1] != seeds[2]
     assert seeds[3] == 7
     assert int((place / "out/seed").read_text()) == seeds[0]
@@ -262,7 +267,7 @@ def test_the_seed_is_drawn_once_and_kept(place):
 
 
 def test_a_notebook_is_graded_by_make_grades_command(place):
-    cells = ["def is_so(R, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
+    cells = ["def is_valid(X, kind, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
     (place / "in/anna").mkdir()
     nbformat.write(notebook, place / "in/anna/01_rotations.ipynb")
@@ -273,8 +278,8 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
     assert done.returncode == 0, done.stderr
     assert "grading: 100%" in done.stderr
     grades = (place / "out/grades.csv").read_text()
-    assert "anna,01_rotations,is_so,0,1,not attempted yet" in grades
-    assert "bob,01_rotations,is_so,0,1," in grades
+    assert "anna,01_rotations,is_valid,0,3,not attempted," in grades
+    assert "bob,01_rotations,is_valid,0,3," in grades
     assert 'carl,01_rotations,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
     assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
         [*TABLES, "class.html", "feedback", "results", "seed"]

@@ -1,7 +1,6 @@
-"""GridIK beside the report's way and the closed form: how exact, complete, fast and large, and what is refused."""
+"""GridIK beside the report's way and the closed form: how exact, complete and large, and what is refused."""
 
 import pickle
-import time
 import tracemalloc
 from functools import partial
 
@@ -23,9 +22,8 @@ FORWARDS = pytest.mark.parametrize("forward", [planar_forward, None], ids=["forw
 
 @pytest.fixture(scope="module")
 def report():
-    """Return the report's estimator, fitted, and the seconds that took."""
-    start = time.perf_counter()
-    return ReportGrid().fit(*SAMPLES), time.perf_counter() - start
+    """Return the report's estimator, fitted."""
+    return ReportGrid().fit(*SAMPLES)
 
 
 def fitted(forward=planar_forward, **parameters):
@@ -38,21 +36,10 @@ def misses(theta, xy):
     return off[~np.isnan(off)]
 
 
-def least_seconds(runs, *functions):
-    """Return the least time of each function over several runs in turns."""
-    took = np.full(len(functions), np.inf)
-    for _ in range(runs):
-        for i, function in enumerate(functions):
-            start = time.perf_counter()
-            function()
-            took[i] = min(took[i], time.perf_counter() - start)
-    return took
-
-
 @EVERY_QUERY
 @FORWARDS
 def test_far_more_exact_than_the_report(report, forward, xy):
-    theirs, ours = misses(report[0].predict(xy), xy), misses(fitted(forward).predict(xy), xy)
+    theirs, ours = misses(report.predict(xy), xy), misses(fitted(forward).predict(xy), xy)
     assert ours.mean() <= theirs.mean() / 100
     assert ours.max() <= theirs.max() / 100
     if forward:
@@ -61,7 +48,7 @@ def test_far_more_exact_than_the_report(report, forward, xy):
 
 @EVERY_QUERY
 @pytest.mark.parametrize(("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)])
-def test_nearly_every_posture_is_found_and_no_other(forward, share, off, xy):
+def test_nearly_every_solution_is_found_and_no_other(forward, share, off, xy):
     got, true = fitted(forward).predict(xy), in_range(closed_form(xy))
     found, exists = ~np.isnan(got[..., 0]), ~np.isnan(true[..., 0])
     assert (found & exists).sum() >= share * exists.sum()
@@ -124,15 +111,8 @@ def test_more_steps_and_a_finer_tolerance():
     assert misses(fitted(tol=1e-14, steps=5).predict(xy), xy).max() <= 2e-14
 
 
-def test_many_times_faster_to_fit_than_the_report(report):
-    (ours,) = least_seconds(3, lambda: fitted())
-    assert ours <= report[1] / 20
-
-
-def test_a_million_queries_take_little_longer_than_the_closed_form_and_little_memory():
+def test_a_million_queries_take_little_memory():
     model, (xy, _) = fitted(), samples(1_000_000, 4)
-    ours, closed = least_seconds(3, lambda: model.predict(xy), lambda: closed_form(xy))
-    assert ours <= 10 * closed
     tracemalloc.start()
     answer = model.predict(xy)
     _, peak = tracemalloc.get_traced_memory()
@@ -253,6 +233,7 @@ XY, THETA = (array[:100] for array in SAMPLES)
         ({"cells": (3.0, 3)}, r"cells\[0\] must be a whole number from 1"),
         ({"forward": 3}, "forward must be a function"),
         ({"forward": lambda theta: None}, "forward must return a pair"),
+        ({"forward": lambda: None}, "forward must take one array"),
         ({"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
         ({"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
         ({"forward": lambda theta: planar_forward(np.rad2deg(theta))}, "forward must lead from theta to xy; it misses"),

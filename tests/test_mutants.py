@@ -12,7 +12,7 @@ from test_bank import FILES, exercise_of
 from course_lib.checks.exercise import RIGHT, Here, judge
 
 MOST = 40  # of the mutants of an exercise
-SLOW = {"random_rotations": 16}
+SLOW = {"random_rotations": 16, "panda_ik": 16}
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 CPU_SECONDS = 1  # a mutant may never end
 
@@ -66,6 +66,9 @@ def test_mutants_change_one_thing_and_are_spread_over_the_kinds():
 
 def test_mutants_are_known_by_the_same_lines_after_a_reformatting_and_leave_broken_code_alone():
     compact = 'def f(a, b):\n    """Text."""\n    c = (a+b)*2\n    return [c, "x"]'
-    airy = "def f(\n    a,\n    b,\n):\n    'Text.'\n    c = (\n        (a + b) * 2\n    )\n\n    return [\n        c,\n        'x',\n    ]"
+    airy = (
+        "def f(\n    a,\n    b,\n):\n    'Text.'\n    c = (\n        (a + b) * 2\n    )\n\n"
+        "    return [\n        c,\n        'x',\n    ]"
+    )
     broken = compact + "\n    return a - b"
     assert {m.line for m in mutants(compact)} == {m.line for m in mutants(airy)} == {m.line for m in mutants(broken)}

@@ -119,7 +119,7 @@ def test_limits_are_low_before_high_and_jacobians_are_derivatives(make):
         ({"rows": [[0, 0, 0, 0]]}, "rows"),
         ({"rows": [DHRow(0, np.nan, 0)]}, "rows"),
         ({"rows": [DHRow(0, "pi", 0)]}, "rows"),
-        ({"rows": [DHRow(1e200, 0, 0)]}, "home"),
+        ({"rows": [DHRow(1e200, 0, 0)]}, "rows"),
         ({"convention": "craig"}, "convention"),
         ({"convention": np.zeros(2, [("x", float)])}, "convention"),
         ({"convention": None}, "convention"),
@@ -141,8 +141,8 @@ def test_the_trajectory_that_comes_with_the_course():
     t = moved.t
     wanted = np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
     np.testing.assert_allclose(arm.fk(moved.q)[:, :3, 3], wanted, rtol=0, atol=1e-6)
-    hand = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
-    np.testing.assert_allclose(hand, data.hand_velocity(t), rtol=0, atol=1e-6)  # the first sample included
+    velocity = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
+    np.testing.assert_allclose(velocity, data.end_effector_velocity(t), rtol=0, atol=1e-6)  # the first sample included
     h = t[1] - t[0]
     q = moved.q  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
     weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h

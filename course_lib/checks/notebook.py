@@ -60,6 +60,11 @@ class Check:
         name = self.exercise.name
         return f"the check of {name}: call it as check.{name}({name}), or check.{name}.hint()"
 
+    @property
+    def library(self):
+        """The library's function, or the check's own where the library has none."""
+        return self.exercise.library
+
     def __call__(self, function=_NOTHING, *more):
         """Judge the function and show one message. Under nbgrader a wrong answer raises, so that points follow."""
         if more or not callable(function):
@@ -105,7 +110,7 @@ class Check:
         "the library's"; the student's returns arrays where it returned lists.
         """
         mine = self.verdict.state == RIGHT
-        used = _giving_arrays(function) if mine else functools.partial(self.exercise.library)
+        used = _giving_arrays(function) if mine else functools.partial(self.library)
         used.whose = "yours" if mine else "the library's"
         until = "" if mine else ", until yours passes its check"
         _show(f"{self.exercise.name} from here on: {used.whose}{until}", _MARKS[NOT_ATTEMPTED][1], "course-use")

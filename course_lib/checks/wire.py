@@ -77,7 +77,9 @@ def to_json(value, depth=0):
         kind = "list" if isinstance(value, list) else "tuple"
         return {kind: [to_json(item, depth + 1) for item in value]}
     if isinstance(value, dict):
-        return {"dict": [[to_json(k, depth + 1), to_json(v, depth + 1)] for k, v in value.items()]}
+        if not all(isinstance(key, str) for key in value):
+            raise NotPlain("a dict whose keys are not all texts")
+        return {"dict": [[str(k), to_json(v, depth + 1)] for k, v in value.items()]}
     if type(value).__module__.partition(".")[0] == "sympy":
         raise NotPlain("a SymPy expression: float(...) makes a number of it")
     raise NotPlain(f"a {type(value).__name__}")
@@ -118,12 +120,17 @@ def from_json(node, depth=0):
         return [from_json(item, depth + 1) for item in node["list"]]
     if "tuple" in node:
         return tuple(from_json(item, depth + 1) for item in node["tuple"])
-    return {from_json(k, depth + 1): from_json(v, depth + 1) for k, v in node["dict"]}
+    pairs = node["dict"]
+    if not all(isinstance(key, str) for key, _ in pairs):  # numbers can be chosen so that all share one hash
+        raise NotPlain("a dict whose keys are not all texts")
+    return {key: from_json(value, depth + 1) for key, value in pairs}
 
 
 def _array_from_json(node):
     dtype = np.dtype(str(node["array"]))
     shape = [int(n) for n in node["shape"]]
+    if len(shape) > _DEPTH or max(shape, default=0) > _MOST_ENTRIES:
+        raise NotPlain("an array too large to be an answer")
     data = base64.b64decode(node["bytes"], validate=True)
     if dtype.kind not in "biufc" or min(shape, default=0) < 0 or len(data) != dtype.itemsize * math.prod(shape):
         raise NotPlain("an array whose bytes do not fit its shape")

@@ -6,7 +6,7 @@ Each function returns {"fig": a figure, "alt": what it shows in words}.
 import numpy as np
 
 from course_lib.figures import poe_kuka_iiwa
-from course_lib.figures.plain import lines, panels
+from course_lib.figures.plots import lines, panels
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
 
 # Corners of each arm at joint angles zero, from the base to the flange, and its dimensions in millimetres: the view in

@@ -1,6 +1,6 @@
 """Measure what notebook 6 draws: memory, error and time of tables of local models, and of the closed form.
 
-The times are of this machine. All of it is for 50,000 samples, 50 x 50 cells and queries even in the joints' ranges.
+The times are of this machine. Everything is for 50,000 samples, 50 x 50 cells and queries uniform in the joint ranges.
 """
 
 import json
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik import stand_ins
+from course_lib.checks import decomposition_ik as check
 from course_lib.grid_ik import GridIK, planar_forward
 
 FILE = Path("notebooks/data/decomposition_costs.json")
@@ -17,21 +17,21 @@ LOWEST, HIGHEST = np.deg2rad([0, -90]), np.deg2rad([170, 90])
 CELLS, QUERIES = 50, 200_000
 
 
-def ways(rng):
-    """Return {name: what fits it, giving its bytes and what answers queries}, and queries (m, 2)."""
+def methods(rng):
+    """Return {name: function that fits, returning its bytes and a function of queries}, and queries (m, 2)."""
     theta = rng.uniform(LOWEST, HIGHEST, (50_000, 2))
-    xy = stand_ins.fk_2r(theta)
-    queries = stand_ins.fk_2r(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2)))
+    xy = check.fk_2r.library(theta)
+    queries = check.fk_2r.library(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2)))
     box = xy.min(0), xy.max(0)
     queries = queries[((queries >= box[0]) & (queries <= box[1])).all(-1)]
 
-    def number(places):
-        column, row = stand_ins.cell_index(places, *box, CELLS).T
+    def cell_number(xy):
+        column, row = check.cell_index.library(xy, *box, CELLS).T
         return column * CELLS + row
 
     def by_k_means():
-        models = stand_ins.fit_cells(xy, theta, number(xy), CELLS**2)
-        return models.nbytes, lambda places: stand_ins.predict(models, number(places), places)
+        models = check.fit_cells.library(xy, theta, cell_number(xy), CELLS**2)
+        return models.nbytes, lambda xy: check.predict.library(models, cell_number(xy), xy)
 
     def grid(forward):
         fitted = GridIK((CELLS, CELLS), forward).fit(xy, theta)
@@ -41,13 +41,13 @@ def ways(rng):
         "the report's table": by_k_means,
         "GridIK, models alone": lambda: grid(None),
         "GridIK, corrected": lambda: grid(planar_forward),
-        "closed form": lambda: (2 * 8, stand_ins.ik_2r),  # two lengths
+        "closed form": lambda: (2 * 8, check.ik_2r.library),  # two lengths
     }, queries
 
 
 def measured(rng):
     """Return {name: {"bytes", "mean_error" in metres, "seconds" a query}}."""
-    fits, queries = ways(rng)
+    fits, queries = methods(rng)
     return {name: _cost(*fit(), queries) for name, fit in fits.items()}
 
 
@@ -57,7 +57,7 @@ def _cost(size, answer, queries):
         start = time.perf_counter()
         angles = answer(queries)
         taken.append(time.perf_counter() - start)
-    error = np.nanmean(stand_ins.approximation_error(queries, angles))
+    error = np.nanmean(check.approximation_error.library(queries, angles))
     return {"bytes": size, "mean_error": float(f"{error:.2g}"), "seconds": float(f"{min(taken) / len(queries):.2g}")}
 
 

@@ -1,8 +1,8 @@
 """Make the data that the notebooks come with: `make data`. What notebook 6 draws of costs is measured by costs.py.
 
-The joint trajectory of the iiwa: the hand follows a given curve twice round. The curve settles three of the seven
-joint velocities; the other four are settled by asking for the smallest joint velocity at every instant, q' = J^+ p'.
-That is a differential equation for q, and its right side is the velocity that goes with each sample.
+The joint trajectory of the iiwa: the end-effector follows a given curve twice. The curve determines three of the seven
+degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
+differential equation for q, and its right side is the velocity that is stored with each sample.
 """
 
 import sys
@@ -17,32 +17,32 @@ from course_lib.trajectory import Trajectory, save
 
 FILE = Path("notebooks/data/iiwa_trajectory.csv")
 TIMES = 2 * np.pi * np.arange(200) / 100  # seconds: two rounds
-NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the posture at time 0 is the nearest solution to this one
+NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the configuration at time 0 is the solution nearest to this one
 
 
-def hand(t):
-    """Return where the hand is to be at the times t (...), (..., 3), in metres."""
+def end_effector(t):
+    """Return the positions of the end-effector at the times t (...), (..., 3), in metres."""
     return np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
 
 
-def hand_velocity(t):
-    """Return the derivative of hand(t), (..., 3), in metres per second."""
+def end_effector_velocity(t):
+    """Return the derivative of end_effector(t), (..., 3), in metres per second."""
     return np.stack([0.2 * np.cos(2 * t), 0.1 * np.cos(t), -0.2 * np.sin(t)], -1)
 
 
 def iiwa_trajectory():
-    """Return the Trajectory; raises RuntimeError where it leaves the arm's limits or the hand leaves the curve."""
+    """Return the Trajectory; raises RuntimeError if it leaves the arm's limits or the curve."""
     arm = iiwa14()
 
     def velocity(t, q):
-        return np.linalg.pinv(arm.position_jacobian(q)) @ hand_velocity(t)
+        return np.linalg.pinv(arm.position_jacobian(q)) @ end_effector_velocity(t)
 
     q0 = np.array(NEAR)
     for _ in range(50):
-        q0 = q0 + np.linalg.pinv(arm.position_jacobian(q0)) @ (hand(0.0) - arm.fk(q0)[:3, 3])
+        q0 = q0 + np.linalg.pinv(arm.position_jacobian(q0)) @ (end_effector(0.0) - arm.fk(q0)[:3, 3])
     solved = solve_ivp(velocity, (0, TIMES[-1]), q0, "DOP853", t_eval=TIMES, rtol=1e-11, atol=1e-12)
     q = solved.y.T
-    off = np.abs(arm.fk(q)[:, :3, 3] - hand(TIMES)).max()
+    off = np.abs(arm.fk(q)[:, :3, 3] - end_effector(TIMES)).max()
     inside = ((q > arm.limits[:, 0]) & (q < arm.limits[:, 1])).all()
     if off > 1e-9 or not inside:
         raise RuntimeError(f"the trajectory is no good: {off:.1e} m off the curve, inside the limits: {inside}")

@@ -17,7 +17,7 @@ from course_lib.pack.grade.sandbox import Limits
 HERE = Path(__file__).parent
 PROJECT = HERE.parent.parent
 SEED = 7741
-SHORT = Limits(cpu_seconds=1, cell_cpu_seconds=3, idle_seconds=4, everything=1_000_000_000)
+SHORT = Limits(cpu_seconds=1, cell_cpu_seconds=2, idle_seconds=4, everything=1_000_000_000)
 
 
 def cell(source, kind="code", **about):
@@ -68,8 +68,8 @@ def traces():
 
 
 NAME = "01_rotations"
-OTHERS = ("is_so", "is_quaternion", "nearest_quaternion", "nearest_se")  # answered right beside the hostile one
-FULL = 1 + 1 + 1 + 2 + 3  # what these and nearest_so earn
+OTHERS = ("is_valid", "nearest_quaternion", "nearest_se")  # answered right beside the hostile one
+FULL = 3 + 1 + 2 + 3  # what these and nearest_so earn
 NEAREST_SE = """
 def nearest_se(T):
     mended = np.eye(len(T))
@@ -82,7 +82,7 @@ def nearest_se(T):
 
 
 def few_exercises(monkeypatch):
-    """The first notebook with five of its exercises, for what is run many times."""
+    """The first notebook with four of its exercises, for what is run many times."""
     course = courses()[NAME]
     few = tuple(each for each in course.exercises if each.name in (*OTHERS, "nearest_so"))
     known = {course.name: replace(course, exercises=few)}
@@ -91,7 +91,7 @@ def few_exercises(monkeypatch):
 
 
 def answers(solutions):
-    """The cell with the imports, {exercise: the cell with its right answer} of these five."""
+    """The cell with the imports, {exercise: the cell with its right answer} of these four."""
     first, *rest = solutions(NAME)
     found = {name: source for source in rest for name in (*OTHERS, "nearest_so") if f"def {name}(" in source}
     return first, found | {"nearest_se": NEAREST_SE}

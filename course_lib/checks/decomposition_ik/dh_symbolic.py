@@ -104,6 +104,17 @@ def _rounded(T, *case):
     return 1e-9 < np.abs(T - _right(*case)).max() < 0.006
 
 
+def dh_symbolic(a, alpha, d, theta):
+    """Return the standard DH matrix of one row, a SymPy Matrix."""
+    import sympy
+
+    def step(turn, along):
+        return sympy.Matrix(sympy.BlockMatrix([[turn, along], [sympy.zeros(1, 3), sympy.ones(1, 1)]]))
+
+    about_z = step(sympy.rot_ccw_axis3(theta), sympy.Matrix([0, 0, d]))
+    return about_z * step(sympy.rot_ccw_axis1(alpha), sympy.Matrix([a, 0, 0]))
+
+
 EXERCISE = Exercise(
     name="dh_symbolic",
     points=1,
@@ -220,6 +231,7 @@ EXERCISE = Exercise(
             seen=_rounded,
         ),
     ),
+    library=dh_symbolic,
     hints=(
         "Make four SymPy matrices, each 4 x 4: Rot_z(theta), Trans_z(d), Trans_x(a), Rot_x(alpha).",
         "Rot_z(theta) = Matrix([[cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), with sp.cos(theta) "
@@ -233,5 +245,4 @@ EXERCISE = Exercise(
         ("AttributeError", "'int' object has no attribute", _NUMBERS_NOT_TAKEN),
         ("TypeError", "cannot determine truth value of Relational", _ASKED_A_SYMBOL),
     ),
-    forbidden=("course_lib.checks.decomposition_ik.stand_ins.dh_symbolic",),
 )

@@ -185,6 +185,7 @@ EXERCISE = Exercise(
             lambda theta: np.moveaxis(place(theta), -1, 0).reshape(theta.shape) if theta.ndim > 1 else place(theta),
         ),
     ),
+    library=lambda theta: place(np.asarray(theta, float)),
     hints=(
         "The first link ends at the elbow, (cos theta1, sin theta1). Add the second link to it.",
         "theta2 is counted from the first link, so the second one points in the direction theta1 + theta2.",
@@ -194,7 +195,6 @@ EXERCISE = Exercise(
     forbidden=(
         "course_lib.arms.SerialArm",
         "course_lib.arms.planar_arm",
-        "course_lib.checks.decomposition_ik.stand_ins.fk_2r",
     ),
     errors=(
         ("IndexError", "too many indices", _COLUMNS_ONLY),

@@ -47,8 +47,8 @@ def _wrong_column(J, q):
     step = _H * np.eye(4)[j]
     velocity = np.round((tip(q + step) - tip(q - step)) / (2 * _H), 9)
     return (
-        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite differences. "
-        f"That is column {j + 1}; yours is {format_array(J[:, j])}."
+        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite "
+        f"differences. That is column {j + 1}; yours is {format_array(J[:, j])}."
     )
 
 

@@ -1,4 +1,4 @@
-"""Whether two answers are the same. As `alike` of an Exercise or a Mistake they take the case's arguments after these."""
+"""Whether two answers are the same; as `alike` they take the arguments of the case after the two answers."""
 
 import numpy as np
 

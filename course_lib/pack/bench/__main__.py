@@ -18,7 +18,7 @@ def main():
     lines = [
         f"Python {platform.python_version()}, numpy {np.__version__}, {', '.join(versions)}; one thread.",
         *(f"Left out: {peers.PEERS[name]}. {reason}" for name, reason in missing.items()),
-        "What is compared agrees to 1e-9. All take turns. Times are the processor's; ratios hold elsewhere too.",
+        "Compared answers agree to 1e-9. Times are the processor's, taken in turns; ratios hold elsewhere too.",
         "",
     ]
     for task in (kinematics.poses(here), kinematics.poses_and_jacobians(here), kinematics.single_pose(here)):
@@ -26,7 +26,7 @@ def main():
     lines += others.memory()
     task, reached = kinematics.inverse(here)
     outcome = table(measured(task, repeats=5))
-    lines += [*outcome[:-1], *reached, ""]
+    lines += [*outcome[:-1], *reached, "", *table(measured(kinematics.single_target(here)))]
     tasks, exact = rotation_maps.tasks(here)
     for task in tasks:
         lines += table(measured(task))

@@ -1,6 +1,7 @@
 """The Panda's kinematics: many poses, their Jacobians, one pose, and inverse kinematics."""
 
 import time
+from functools import partial
 
 import numpy as np
 
@@ -11,14 +12,14 @@ from course_lib.pack.bench.peers import ARM, Q_LIMITS, over, pinocchio_panda, to
 REACHED = 1e-6
 
 
-def postures(n, seed=0):
-    """Return n random postures within the limits, (n, 7)."""
+def configurations(n, seed=0):
+    """Return n random configurations within the limits, (n, 7)."""
     return np.random.default_rng(seed).uniform(*Q_LIMITS.T, (n, 7))
 
 
-def ways_to_poses(peers):
-    """Return {name: function of postures (n, 7) that gives the poses (n, 4, 4)} of the peers that are here."""
-    ways = {}
+def pose_functions(peers):
+    """Return {name: function of configurations (n, 7) that gives the poses (n, 4, 4)} of the peers that are here."""
+    functions = {}
     if pin := peers.get("pinocchio"):
         model, data, end = pinocchio_panda(pin)
 
@@ -29,36 +30,36 @@ def ways_to_poses(peers):
                 poses[i] = data.oMf[end].homogeneous
             return poses
 
-        ways["pinocchio, Python loop"] = with_pinocchio
+        functions["pinocchio, Python loop"] = with_pinocchio
     if rtb := peers.get("roboticstoolbox"):
-        ways["roboticstoolbox, C++ over the batch"] = toolbox_panda(rtb).eval
+        functions["roboticstoolbox, C++ over the batch"] = toolbox_panda(rtb).eval
     if mr := peers.get("modern_robotics"):
         screws = ARM.screw_axes.T
-        ways["modern_robotics, Python loop"] = lambda qs: over(lambda q: mr.FKinSpace(ARM.home[-1], screws, q), qs)
+        functions["modern_robotics, Python loop"] = lambda qs: over(lambda q: mr.FKinSpace(ARM.home[-1], screws, q), qs)
     if "pytransform3d" in peers:
         from pytransform3d import trajectories
 
         def with_pytransform3d(qs):
-            turns = trajectories.transforms_from_exponential_coordinates(qs[..., None] * ARM.screw_axes)
-            poses = turns[:, 0]
+            moved = trajectories.transforms_from_exponential_coordinates(qs[..., None] * ARM.screw_axes)
+            poses = moved[:, 0]
             for i in range(1, 7):
-                poses = poses @ turns[:, i]
+                poses = poses @ moved[:, i]
             return poses @ ARM.home[-1]
 
-        ways["pytransform3d, batch of exponentials"] = with_pytransform3d
-    return ways
+        functions["pytransform3d, batch of exponentials"] = with_pytransform3d
+    return functions
 
 
 def poses(peers, n=10_000):
-    """Forward kinematics of n postures."""
+    """Forward kinematics of n configurations."""
     contestants = [Contestant("course_lib", ARM.fk)]
-    for name, way in ways_to_poses(peers).items():
+    for name, function in pose_functions(peers).items():
         few = 300 if name.startswith("modern_robotics") else None
         at_most = 0.5 if name.startswith("pinocchio") else None
-        contestants.append(Contestant(name, way, items=few, at_most=at_most))
+        contestants.append(Contestant(name, function, items=few, at_most=at_most))
     if "pinocchio" in peers:
         contestants.append(_not_kept(peers["pinocchio"], jacobians=False))
-    return Task(f"Forward kinematics of {n:,} Panda poses, a pose", postures(n), contestants)
+    return Task(f"Forward kinematics of {n:,} Panda poses, a pose", configurations(n), contestants)
 
 
 def _not_kept(pin, jacobians):
@@ -72,12 +73,12 @@ def _not_kept(pin, jacobians):
             else:
                 pin.framesForwardKinematics(model, data, q)
 
-    note = "its loop alone, whose answers nobody reads; the loop above also puts them into an array"
+    note = "its loop alone, whose answers are dropped; the loop above also puts them into an array"
     return Contestant("pinocchio, answers thrown away", run, note=note, check=False)
 
 
 def poses_and_jacobians(peers, n=10_000):
-    """Poses and space Jacobians of n postures, both."""
+    """Poses and space Jacobians of n configurations, both."""
     library = Contestant("course_lib", lambda qs: (ARM.fk(qs), ARM.space_jacobian(qs)), convert=_flat)
     contestants = [library]
     if pin := peers.get("pinocchio"):
@@ -119,7 +120,7 @@ def poses_and_jacobians(peers, n=10_000):
             return over(lambda q: mr.FKinSpace(home, screws, q), qs), over(lambda q: mr.JacobianSpace(screws, q), qs)
 
         contestants.append(Contestant("modern_robotics, Python loop", with_modern_robotics, 200, _flat))
-    return Task(f"Poses and space Jacobians of {n:,} postures, a posture", postures(n), contestants)
+    return Task(f"Poses and space Jacobians of {n:,} configurations, a configuration", configurations(n), contestants)
 
 
 def _flat(answer):
@@ -130,19 +131,19 @@ def _flat(answer):
 def single_pose(peers):
     """One pose a call, 100 calls."""
     contestants = [Contestant("course_lib", lambda qs: over(ARM.fk, qs))]
-    for name, way in ways_to_poses(peers).items():
+    for name, function in pose_functions(peers).items():
         at_most = 0.25 if name.startswith("modern_robotics") else None
         alone = name.split(",")[0]
         contestants.append(
-            Contestant(alone, lambda qs, way=way: over(lambda q: way(q[None]).reshape(4, 4), qs), at_most=at_most)
+            Contestant(alone, lambda qs, f=function: over(lambda q: f(q[None]).reshape(4, 4), qs), at_most=at_most)
         )
-    return Task("One Panda pose, a call", postures(100), contestants)
+    return Task("One Panda pose, a call", configurations(100), contestants)
 
 
 def inverse(peers, n=1000):
     """Inverse kinematics of n targets that can be reached, and what each solver reached, as lines."""
-    targets = ARM.fk(postures(n))
-    contestants = [Contestant("course_lib", lambda T: ik.solve(ARM, T, np.random.default_rng(1)).q)]
+    targets = ARM.fk(configurations(n))
+    contestants = [Contestant("course_lib", lambda T: ik.solve(ARM, T, _rng()).q)]
     if rtb := peers.get("roboticstoolbox"):
         chain = toolbox_panda(rtb)
 
@@ -171,8 +172,22 @@ def inverse(peers, n=1000):
     return Task(f"Inverse kinematics of {n:,} reachable Panda targets, a target", targets, contestants), reached
 
 
+def single_target(peers, n=100):
+    """One target a call."""
+    contestants = [Contestant("course_lib", lambda T: over(lambda one: ik.solve(ARM, one, _rng()).q, T))]
+    if rtb := peers.get("roboticstoolbox"):
+        chain = toolbox_panda(rtb)
+        run = partial(over, lambda one: chain.ik_LM(one, tol=REACHED**2 / 2, k=0.1).q)
+        contestants.append(Contestant("roboticstoolbox, C++ ik_LM, k = 0.1", run, check=False))
+    return Task("Inverse kinematics of one reachable Panda target, a call", ARM.fk(configurations(n)), contestants)
+
+
+def _rng():
+    return np.random.default_rng(1)
+
+
 def _solved(q, targets):
-    """Which targets are reached within the limits, and the larger of metres and radians left, (n,) both."""
+    """Return which targets are reached within the limits, and the larger error in metres or radians, (n,) both."""
     left = ik.pose_error(ARM.fk(q), targets)
     left = np.maximum(np.linalg.norm(left[:, :3], axis=1), np.linalg.norm(left[:, 3:], axis=1))
     # The limits of a joint as the toolbox has them may differ in the last digit.

@@ -1,4 +1,4 @@
-"""Measure contestants in turns, look first whether they agree, and tell the outcome as a table of ratios."""
+"""Check that contestants agree, measure them in turns, and return the outcome as a table of ratios."""
 
 import gc
 import sys
@@ -14,12 +14,12 @@ LEAST = 0.02  # seconds that one measurement lasts at least: short calls are rep
 
 @dataclass(frozen=True)
 class Contestant:
-    """One way to do a task.
+    """One function that does a task.
 
     run: takes the first of the task's items, and does it. items: how many it gets, None for all; slow ones get few.
-    convert: makes of what run returns what the library gives, where conventions differ; told in `note`.
-    check: whether the answers are compared; where False, `note` says why not.
-    at_most: what the library's time may be, as a share of this one's; None where nothing is promised.
+    convert: converts what run returns to the library's conventions, if they differ; `note` says so.
+    check: whether the answers are compared; if not, `note` says why.
+    at_most: the largest share of this one's time that the library may take; None if nothing is promised.
     """
 
     name: str
@@ -66,7 +66,7 @@ def measured(task, repeats=7):
 
 
 def _gap(task, contestant):
-    """How far its answers are from the library's, at most."""
+    """Return the largest difference of its answers from the library's."""
     some = task.items[: min(task.agree, contestant.items or task.agree)]
     library = task.contestants[0]
     theirs, ours = (np.asarray(c.convert(c.run(some))) for c in (contestant, library))
@@ -106,7 +106,7 @@ def table(outcome):
 
 
 def verdict(share, at_most):
-    """Return how a measured share stands to what it is to be at most."""
+    """Return the words that compare a measured share with its bound."""
     return f"   at most {at_most:g}: {share:.3g} {'yes' if share <= at_most else 'NO'}"
 
 

@@ -1,4 +1,4 @@
-"""The other libraries: which are here, which are not and why, and the Panda as each of them wants it."""
+"""The other libraries: which are here, which are not and why, and the Panda in the form that each of them takes."""
 
 import importlib
 from pathlib import Path
@@ -23,20 +23,20 @@ Q_LIMITS = ARM.limits
 def load(names=PEERS, left_out=LEFT_OUT):
     """Return {module's name: module} of those that can be imported, and {its name: reason} of the others."""
     lines = left_out.read_text(encoding="utf-8").splitlines() if left_out.exists() else []
-    told = {line.partition("==")[0]: line.partition(": ")[2] for line in lines}
+    reasons = {line.partition("==")[0]: line.partition(": ")[2] for line in lines}
     here, missing = {}, {}
     for name, package in names.items():
         try:
             here[name] = importlib.import_module(name)
         except Exception as broken:  # a library that cannot start must not stop the others
-            missing[name] = told.get(package) or f"{type(broken).__name__}: {broken}"
+            missing[name] = reasons.get(package) or f"{type(broken).__name__}: {broken}"
     return here, missing
 
 
 def pinocchio_panda(pin):
-    """Return pinocchio's model of ARM, its data and the number of the frame at the end."""
+    """Return pinocchio's model of ARM, its data and the number of the end-effector's frame."""
     model, joint = pin.Model(), 0
-    # pinocchio's joints turn about the z axis of frames that each lie in the one before, as modified DH frames do.
+    # pinocchio's joints rotate about the z axis of frames that are given in the previous one, as in modified DH.
     before = np.eye(4)
     for i, frame in enumerate(ARM.home[:-1]):
         placed = np.linalg.inv(before) @ frame
@@ -49,7 +49,7 @@ def pinocchio_panda(pin):
 
 
 def toolbox_panda(rtb):
-    """Return the toolbox's elementary transforms of ARM, from the modified DH rows that the library has it from."""
+    """Return the toolbox's elementary transforms of ARM, from the modified DH rows that the library uses."""
     ET, quarter = rtb.ET, np.pi / 2
     rows = [(0, 0, 0.333), (0, -quarter, 0), (0, quarter, 0.316), (0.0825, quarter, 0), (-0.0825, -quarter, 0.384)]
     rows += [(0, quarter, 0), (0.088, quarter, 0)]

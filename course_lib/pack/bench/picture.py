@@ -5,28 +5,28 @@ import time
 
 import numpy as np
 
-from course_lib.pack.bench.kinematics import postures, ways_to_poses
+from course_lib.pack.bench.kinematics import configurations, pose_functions
 from course_lib.pack.bench.peers import ARM, over
 
 SIZES = 10 ** np.arange(7)
-PATIENCE = 3.0  # seconds, beyond which a way is not asked for ten times as many
+PATIENCE = 3.0  # seconds, beyond which a function is not given ten times as many
 STYLES = [("#0072B2", "o"), ("#56B4E9", "s"), ("#D55E00", "^"), ("#009E73", "D"), ("#CC79A7", "v"), ("#000000", "x")]
 
 
 def seconds_by_size(peers, repeats=3):
     """Return {name: (sizes, seconds a pose)}, the least of repeats taken in turns."""
     print("Measuring: cost against size ...", file=sys.stderr, flush=True)
-    ways = {"course_lib, one batch": ARM.fk, "course_lib, Python loop": lambda qs: over(ARM.fk, qs)}
-    ways |= ways_to_poses(peers)
-    q, least = postures(SIZES[-1]), {name: {} for name in ways}
+    functions = {"course_lib, one batch": ARM.fk, "course_lib, Python loop": lambda qs: over(ARM.fk, qs)}
+    functions |= pose_functions(peers)
+    q, least = configurations(SIZES[-1]), {name: {} for name in functions}
     for n in SIZES:
         for _ in range(repeats):
-            for name, way in ways.items():
+            for name, function in functions.items():
                 if n == 1 or least[name].get(n // 10, PATIENCE) * n < PATIENCE:
                     often = max(1, 100 // n)
                     start = time.process_time()
                     for _ in range(often):
-                        way(q[:n])
+                        function(q[:n])
                     taken = (time.process_time() - start) / often / n
                     least[name][n] = min(taken, least[name].get(n, np.inf))
     return {name: (np.array(list(times)), np.array(list(times.values()))) for name, times in least.items()}

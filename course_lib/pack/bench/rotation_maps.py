@@ -24,9 +24,9 @@ def tasks(peers, n=100_000):
         ("Quaternion to matrix", "from_quaternion", q, hard_q, hard_R),
     ):
         contestants = []
-        for peer, ways in ways_of(peers).items():
-            if name in ways:
-                run, few = ways[name]
+        for peer, maps in rotation_maps_of(peers).items():
+            if name in maps:
+                run, few = maps[name]
                 with np.errstate(all="ignore"):
                     lost = _gap(np.asarray(run(hard)), right, sign=name in ("log", "to_quaternion"))
                 lines.append(f"  {title}: {peer:32} {lost:.0e}{'' if lost <= EXACT else '   loses digits'}")
@@ -36,9 +36,9 @@ def tasks(peers, n=100_000):
     return made, lines
 
 
-def ways_of(peers):
+def rotation_maps_of(peers):
     """Return {name: {map: (function of a batch, how many items it gets)}}; quaternions are (w, x, y, z), w >= 0."""
-    ways = {
+    maps = {
         "course_lib": {
             "exp": (rotations.exp_so3, None),
             "log": (rotations.log_so3, None),
@@ -49,7 +49,7 @@ def ways_of(peers):
     if "scipy" in peers:
         from scipy.spatial.transform import Rotation
 
-        ways["scipy"] = {
+        maps["scipy"] = {
             "exp": (lambda w: Rotation.from_rotvec(w).as_matrix(), None),
             "log": (lambda R: Rotation.from_matrix(R).as_rotvec(), None),
             "to_quaternion": (lambda R: Rotation.from_matrix(R).as_quat(canonical=True, scalar_first=True), None),
@@ -59,30 +59,30 @@ def ways_of(peers):
         from pytransform3d import batch_rotations as batch
 
         def log(R):
-            turns = batch.axis_angles_from_matrices(R)
-            return turns[..., :3] * turns[..., 3:]
+            axis_angle = batch.axis_angles_from_matrices(R)
+            return axis_angle[..., :3] * axis_angle[..., 3:]
 
         def to_quaternion(R):
             q = batch.quaternions_from_matrices(R)
             return np.where(q[..., :1] < 0, -q, q)
 
-        ways["pytransform3d"] = {
+        maps["pytransform3d"] = {
             "exp": (batch.matrices_from_compact_axis_angles, None),
             "log": (log, None),
             "to_quaternion": (to_quaternion, None),
             "from_quaternion": (batch.matrices_from_quaternions, None),
         }
     if pin := peers.get("pinocchio"):
-        ways["pinocchio, Python loop"] = {
+        maps["pinocchio, Python loop"] = {
             "exp": (lambda w: over(pin.exp3, w), 20_000),
             "log": (lambda R: over(pin.log3, R), 20_000),
         }
     if mr := peers.get("modern_robotics"):
-        ways["modern_robotics, Python loop"] = {
+        maps["modern_robotics, Python loop"] = {
             "exp": (lambda w: over(lambda one: mr.MatrixExp3(mr.VecToso3(one)), w), 1000),
             "log": (lambda R: over(lambda one: mr.so3ToVec(mr.MatrixLog3(one)), R), 1000),
         }
-    return ways
+    return maps
 
 
 def hard_cases():
@@ -106,7 +106,7 @@ def hard_cases():
 
 
 def _gap(theirs, right, sign):
-    """The largest difference; at half a turn both signs of a vector or quaternion are right."""
+    """The largest difference; at exactly pi both signs of a vector or quaternion are right."""
     off = np.abs(theirs - right).reshape(len(right), -1).max(-1)
     if sign:
         half = np.pi - np.linalg.norm(right, axis=-1) < 1e-9 if right.shape[-1] == 3 else np.abs(right[:, 0]) < 1e-9

@@ -256,7 +256,8 @@ def below(root=None):
             with contextlib.suppress(OSError, IndexError, ValueError), open(f"/proc/{name}/stat") as file:
                 fields = file.read().rpartition(")")[2].split()
                 parents.setdefault(int(fields[1]), []).append(int(name))
-                found[int(name)] = [int(fields[21]), int(fields[11]) + int(fields[12]), int(fields[13]) + int(fields[14])]
+                own, ended = int(fields[11]) + int(fields[12]), int(fields[13]) + int(fields[14])
+                found[int(name)] = (int(fields[21]), own, ended)
     usages, level, depth = {}, parents.get(root, []), 1
     while level:
         usages |= {pid: Usage(depth, *found[pid]) for pid in level}

@@ -15,6 +15,7 @@ from joblib import Parallel, delayed, parallel_config
 from tqdm import tqdm
 
 from course_lib.pack.files import write_atomically
+from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.collect import Refused, read
 
 LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
@@ -43,7 +44,8 @@ def course_hash():
     return digest.hexdigest()[:12]
 
 
-ABOUT_RESULTS = ("collect", "jobs", "tables", "marks", "feedback", "class_page", "__main__")
+ABOUT_RESULTS = ("collect", "platforms", "jobs", "tables", "marks", "deadline", "gradebook", "feedback", "class_page")
+ABOUT_RESULTS += ("__main__",)
 
 
 def result_name(submission, content, seed):
@@ -163,9 +165,11 @@ def _one(submission, grade, seed, whose, content):
     elif whose != course_hash():
         return submission, digest, {"stop": f"The worker {platform.node()} has another version of the course."}
     try:
-        return submission, digest, {"result": grade(content, submission.notebook, seed)}
+        return submission, digest, {"result": call_bounded(grade, content, submission.notebook, seed)}
+    except OutOfBounds as reason:
+        return submission, digest, {"failed": f"It could not be graded: {reason}."}
     except Exception as error:  # an error of the grader itself
-        return submission, digest, {"failed": f"{type(error).__name__}: {error}"[:500]}
+        return submission, digest, {"failed": f"The grader failed: {error}"[:500]}
 
 
 @functools.cache
@@ -186,7 +190,7 @@ def _kept(submission, digest, outcome, path):
     if "stop" in outcome:
         raise GradingStopped(outcome["stop"])
     if "failed" in outcome:
-        return ungraded_result(submission, f"The grader failed: {outcome['failed']}", "not graded")
+        return ungraded_result(submission, outcome["failed"], "not graded")
     if digest != path.name.split("-")[1]:
         return ungraded_result(submission, "The file changed while it was graded. Run again.", "not graded")
     try:

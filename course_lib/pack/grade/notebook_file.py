@@ -17,6 +17,8 @@ from course_lib.pack.release.stubs import PROMPT
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"
 MOST_CELLS = 5_000
+MOST_BRACKETS = 500_000  # dicts and lists of a file: a notebook with large figures has some ten thousand
+MOST_COMMAS = 5_000_000  # numbers of its figures
 MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
 
@@ -61,9 +63,12 @@ def read(content):
     """Return (cells, release) of a file's bytes. Raises Unreadable."""
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
+    if content.count(b"{") + content.count(b"[") > MOST_BRACKETS or content.count(b",") > MOST_COMMAS:
+        raise Unreadable("It holds far more than a notebook does. Clear its outputs and hand it in again.")
     try:
-        book = json.loads(_text(content))
-    except (ValueError, RecursionError):
+        # No number of a notebook is needed: left as text, none is too long to be read.
+        book = json.loads(_text(content), parse_int=str, parse_float=str)
+    except (ValueError, RecursionError, MemoryError):
         raise Unreadable(
             "It is no notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
         ) from None
@@ -126,15 +131,30 @@ def code(cells):
 
 def defines(sources, name):
     """Return whether some cell looks as if it defined a function of this name: a guess, to save time by."""
-    return any(re.search(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*=[^=])", source, re.MULTILINE) for source in sources)
+    return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
 
 
 def may_bind(sources, name):
-    """Return whether the cells may bind this name when they are run as a whole: a guess, to save time by."""
-    binds = (
-        rf"\b{name}\b.*=|\b(import|as|for|def|class|with|global)\b.*\b{name}\b|\b(exec|globals|setattr)\b|%run|%load"
-    )
-    return bool(name) and any(re.search(binds, source) for source in sources)
+    """Return whether the cells may bind this name when they are run as a whole: a guess, to save time by.
+
+    Each line is looked at once, from its beginning: the time grows no faster than the text.
+    """
+    if not name:
+        return False
+    if any(re.search(r"\b(exec|globals|setattr)\b|%run|%load", source) for source in sources):
+        return True
+    for line in _lines_with(sources, name):
+        first, last = re.search(rf"\b{name}\b", line), line.rfind(name)
+        if first and "=" in line[first.end() :]:
+            return True
+        if first and re.search(r"\b(import|as|for|def|class|with|global)\b", line[:last]):
+            return True
+    return False
+
+
+def _lines_with(sources, name):
+    """The lines that hold a name, without the blanks before them."""
+    return (line.lstrip() for source in sources if name in source for line in source.splitlines() if name in line)
 
 
 # ---- what the course asks ----

@@ -36,9 +36,9 @@ def main():
     from course_lib.checks import call_student
 
     def tell(name, text):
-        """Ask the grader, on behalf of a student's test, what a candidate answers."""
+        """Ask the grader, on behalf of a student's test, what a candidate answers; None if it has heard enough."""
         say(exercise=name, call=text)
-        return str(json.loads(requests.readline()).get("told"))
+        return json.loads(requests.readline())["told"]
 
     order = json.loads(requests.readline())
     run = run_whole if order["whole"] else run_needed
@@ -120,13 +120,13 @@ def in_a_child(asked, answer, tell):
     try:
         child = os.fork()
     except OSError as error:
-        return {"none": str(error)}
+        return {"ended": f"no process for it could be made, {error}"}
     if child == 0:
         speak(here, told_there, asked, answer)
     os.close(here)
     os.close(told_there)
     os.set_blocking(told_here, False)
-    text, late, too_long = listen(child, there, told_here, asked, tell)
+    text, late, reason = listen(child, there, told_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
@@ -136,9 +136,7 @@ def in_a_child(asked, answer, tell):
     _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
-    if too_long:
-        return {"ended": "its answer is too long to be read"}
-    return {"ended": "", "late": late, "status": os.waitstatus_to_exitcode(status),
+    return {"ended": reason, "late": late, "status": os.waitstatus_to_exitcode(status),
             "computed": usage.ru_utime + usage.ru_stime}  # fmt: skip
 
 
@@ -151,12 +149,16 @@ def listen(child, there, told_here, asked, tell):
         buffer, length = buffer + data, length + len(data)
         while buffer.startswith(b"?") and b"\n" in buffer:
             call, _, buffer = buffer.partition(b"\n")
+            told = tell(call[1:].decode(errors="replace"))
+            if told is None:
+                return "", False, "it calls the functions that it tests too often"
             try:
-                os.write(told_here, tell(call[1:].decode(errors="replace")).encode() + b"\n")
-            except OSError:  # a child that does not read what it asked for
-                return "", False, True
+                os.write(told_here, told.encode() + b"\n")
+            except OSError:
+                return "", False, "it does not read what the functions that it tests answer"
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
-            return buffer.decode(errors="replace"), not ready, length > asked["reply"]
+            reason = "its answer is too long to be read" if length > asked["reply"] else ""
+            return buffer.decode(errors="replace"), not ready, reason
 
 
 def wait_for(child, pipe, asked):

@@ -62,6 +62,10 @@ class Ended(Exception):
     """The sandbox is no more, or did not answer in time; the text says why, to follow "it ended: "."""
 
 
+class TooSlow(Ended):
+    """It was ended for want of time."""
+
+
 class Sandbox:
     """A running sandbox, as a context manager; whatever ran in it is gone when it is left.
 
@@ -123,12 +127,12 @@ class Sandbox:
         meanwhile. Whatever they are, it ends when nothing at all is computed for a while.
         """
         try:
-            return self._next(Watch(self._computed, clock, cpu, self._limits.idle_seconds + 2))
+            return self._next(Watch(self.computed, clock, cpu, self._limits.idle_seconds + 2))
         except Ended as end:
             self._over = str(end)
             raise
 
-    def _computed(self):
+    def computed(self):
         """Return the seconds of computing of everything in the sandbox; None where the system does not tell."""
         if sys.platform != "linux":
             return None
@@ -187,7 +191,7 @@ class Watch:
         """Raise Ended if a bound is passed. idle: whether nothing came from the sandbox meanwhile."""
         now = time.monotonic()
         if now > self._end:
-            raise Ended(f"it was not done after {self._clock:.0f} seconds")
+            raise TooSlow(f"it was not done after {self._clock:.0f} seconds")
         if not idle and now - self._looked < 0.25:
             return
         self._looked, computed = now, self._computed()
@@ -198,9 +202,9 @@ class Watch:
         if computed != self._last or not idle:
             self._last, self._since = computed, now
         if self._cpu is not None and computed - self._first > self._cpu:
-            raise Ended(f"it took more than {self._cpu} seconds of computing")
+            raise TooSlow(f"it took more than {self._cpu} seconds of computing")
         if now - self._since > self._idle:
-            raise Ended(f"it computed nothing for {self._idle} seconds")
+            raise TooSlow(f"it computed nothing for {self._idle} seconds")
 
 
 def notice():
@@ -232,7 +236,7 @@ def call_filter():
 
 def remove_tree(folder):
     """Remove a folder, however deep a submission nested what is in it: shutil.rmtree recurses."""
-    subprocess.run(["rm", "-rf", "--", str(folder)], stderr=subprocess.DEVNULL)
+    subprocess.run(["rm", "-rf", "--", str(folder)], stderr=subprocess.DEVNULL, env={"PATH": os.defpath})
 
 
 def remove_old_folders():

@@ -17,11 +17,12 @@ from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
-from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox
+from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow
 from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
+MOST_CALLS = 5000  # of candidates, by one student's test
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
@@ -41,7 +42,10 @@ def _computed():
 
 @dataclass
 class Run:
-    """A submission while it is graded. left_out: {number of a cell that ended or stopped it: how}."""
+    """A submission while it is graded. left_out: {number of a cell that ended or stopped it: how}.
+
+    too_slow: the statements, as [cell, line], that no later run takes up again.
+    """
 
     sources: list
     limits: Limits
@@ -50,6 +54,7 @@ class Run:
     exercises: tuple
     hidden: tuple = ()
     left_out: dict = field(default_factory=dict)
+    too_slow: list = field(default_factory=list)
     begin: float = field(default_factory=time.monotonic)
     computed: float = field(default_factory=_computed)
 
@@ -111,7 +116,7 @@ def _blame_helpers(outcomes):
 def attempt(run, exercises, forbidden, whole):
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
     checks = {course.package: course.exercises for course in courses().values()}
-    files, without, how = contents(checks, forbidden), [], ""
+    files, without, how = contents(checks, forbidden), list(run.too_slow), "it took too long" if run.too_slow else ""
     for _ in range(MOST_RESTARTS):
         if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
@@ -120,30 +125,36 @@ def attempt(run, exercises, forbidden, whole):
             guilty, end, defined = run_cells(sandbox, order, run)
             if not end:
                 return {e.name: ask(sandbox, run, e, whole or e.name in defined, how) for e in exercises}
-        how = end
+        how = str(end)
         if guilty is None:
             break
         run.left_out[guilty[0]] = how
         without.append(guilty)
+        if isinstance(end, TooSlow):  # it would take as long again, whatever else is asked
+            run.too_slow.append(guilty)
     reason = f"The notebook could not be run: {how}."
     return {e.name: Outcome(Verdict(e, ERROR, reason), frozenset({ALONE})) for e in exercises}
 
 
 def run_cells(sandbox, order, run):
-    """Let the cells run. Returns what ran last, how it ended the sandbox or "", and which names the cells define."""
-    limits = run.limits
-    current, begin, cpu = None, time.monotonic(), limits.cell_cpu_seconds
+    """Let the cells run. Returns what ran last, the Ended if it ended the sandbox, and which names the cells define."""
+    limits, current = run.limits, None
+    begin = looked = time.monotonic()
+    left = limits.notebook_cpu_seconds
     try:
         sandbox.send(order)
         while True:
-            message = sandbox.receive(limits.notebook_seconds + begin - time.monotonic(), cpu)
+            clock = limits.notebook_seconds + begin - time.monotonic()
+            message = sandbox.receive(clock, min(limits.cell_cpu_seconds, left))
+            if time.monotonic() - looked > 1:
+                looked, left = time.monotonic(), limits.notebook_cpu_seconds - (sandbox.computed() or 0)
             if isinstance(message.get("defined"), list):
-                return current, "", message["defined"]
+                return current, None, message["defined"]
             place = message.get("running")
             if isinstance(place, list) and len(place) == 2 and all(isinstance(number, int) for number in place):
                 current = place
     except Ended as end:
-        return current, str(end), []
+        return current, end, []
 
 
 def ask(sandbox, run, exercise, final, left_out):
@@ -191,8 +202,10 @@ class Student:
         try:
             self._sandbox.send(request)
             message = self._receive(deadline)
+            calls = 0
             while consult and isinstance(message.get("call"), str):
-                self._sandbox.send({"told": consult(message["call"])})
+                calls += 1
+                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."
@@ -252,7 +265,8 @@ def _result(notebook, release, course, problems, outcomes, cells):
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
     questions = course.questions if course else ()
     found["questions"] = [
-        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells or [])[:100_000]} for q in questions
+        {"question": q.name, "of": q.points, "task": q.after, "text": notebook_file.answer(q, cells or [])[:100_000]}
+        for q in questions
     ]
     if cells is None:
         for question in found["questions"]:
@@ -277,7 +291,10 @@ def _message(verdict):
     """The words of the check without its first line, for the state stands beside it."""
     if verdict.state == RIGHT:
         return _shown(verdict.note)
-    lines = describe(verdict).splitlines()[1:]
+    try:
+        lines = describe(verdict).splitlines()[1:]
+    except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):  # it shows a claim of the student's
+        return "The answer cannot be shown."
     return _shown("\n".join(line for line in lines if not line.startswith(f"check.{verdict.exercise.name}.hint()")))
 
 

@@ -61,7 +61,8 @@ def _data(root):
 def _package(root):
     """The helper package, less what only make runs."""
     package = root / "course_lib"
-    return [path for path in package.rglob("*.py") if path.relative_to(package).parts[0] != "pack"]
+    files = [*package.rglob("*.py"), *package.rglob("*.js")]
+    return [path for path in files if path.relative_to(package).parts[0] != "pack"]
 
 
 def _as_they_are(folder, paths):

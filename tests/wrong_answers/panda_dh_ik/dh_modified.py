@@ -54,103 +54,6 @@ def _z(d, theta):
     return rigid.transform(rot_z(theta), [0, 0, d])
 
 
-def wrong_standard(a, alpha, d, theta):
-    """the standard convention is taken"""
-    return _z(d, theta) @ _x(a, alpha)
-
-
-def wrong_standard_entry_by_entry(a, alpha, d, theta):
-    """the standard convention is taken"""
-    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-def wrong_turns_in_the_other_order(a, alpha, d, theta):
-    """Rot_z(theta) stands before Rot_x(alpha)"""
-    return rigid.transform(rot_z(theta) @ rot_x(alpha), [a, -d * np.sin(alpha), d * np.cos(alpha)])
-
-
-def wrong_turns_in_the_other_order_and_the_place_filled_in(a, alpha, d, theta):
-    """the four steps are multiplied in another order"""
-    return rigid.transform(rot_z(theta) @ rot_x(alpha), [a, 0, d])
-
-
-def wrong_angles_swapped(a, alpha, d, theta):
-    """alpha and theta are swapped"""
-    return _x(a, theta) @ _z(d, alpha)
-
-
-def wrong_lengths_swapped(a, alpha, d, theta):
-    """a and d are swapped"""
-    return _x(d, alpha) @ _z(a, theta)
-
-
-def wrong_order_of_a_table(d, theta, a, alpha):
-    """the arguments are taken in another order"""
-    return _x(a, alpha) @ _z(d, theta)
-
-
-def wrong_minus_lost(a, alpha, d, theta):
-    """the minus of -d sin(alpha) is missing"""
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    return np.array([[c, -s, 0, a], [ca * s, ca * c, -sa, sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]])
-
-
-def wrong_sign_of_one_sine(a, alpha, d, theta):
-    """one entry has its sign wrong"""
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    return np.array([[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, -sa * c, ca, ca * d], [0, 0, 0, 1]])
-
-
-def wrong_alpha_the_other_way(a, alpha, d, theta):
-    """the turn by alpha goes the other way round"""
-    return _x(a, -alpha) @ _z(d, theta)
-
-
-def wrong_theta_the_other_way(a, alpha, d, theta):
-    """the turn by theta goes the other way round"""
-    c, s = np.cos(theta), np.sin(theta)
-    return _x(a, alpha) @ np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-
-
-def wrong_degrees(a, alpha, d, theta):
-    """degrees"""
-    return _x(a, np.radians(alpha)) @ _z(d, np.radians(theta))
-
-
-def wrong_transposed(a, alpha, d, theta):
-    """T is transposed"""
-    return (_x(a, alpha) @ _z(d, theta)).T
-
-
-def wrong_inverse(a, alpha, d, theta):
-    """the inverse is returned"""
-    return _z(-d, -theta) @ _x(-a, -alpha)
-
-
-def wrong_place_filled_in(a, alpha, d, theta):
-    """d goes along the old z"""
-    T = np.eye(4)
-    T[:3, :3] = rot_x(alpha) @ rot_z(theta)
-    T[:3, 3] = a, 0, d
-    return T
-
-
-def wrong_a_behind_theta(a, alpha, d, theta):
-    """a is turned by theta"""
-    return _x(0, alpha) @ _z(d, theta) @ _x(a, 0)
-
-
-def wrong_sum(a, alpha, d, theta):
-    """the matrices are added up"""
-    return _x(a, alpha) + _z(d, theta)
-
-
-def wrong_entry_by_entry(a, alpha, d, theta):
-    """entry by entry"""
-    return _x(a, alpha) * _z(d, theta)
-
-
 def wrong_last_row_missing(a, alpha, d, theta):
     """the last row is missing"""
     return right_two_halves(a, alpha, d, theta)[:3]
@@ -164,26 +67,14 @@ def wrong_last_row_of_zeros(a, alpha, d, theta):
 
 
 def wrong_rotation_only(a, alpha, d, theta):
-    """the rotation alone is returned"""
+    """only the rotation is returned"""
     return rot_x(alpha) @ rot_z(theta)
 
 
-def wrong_about_y(a, alpha, d, theta):
-    """alpha turns about y"""
-    return rigid.transform(rot_y(alpha), [a, 0, 0]) @ _z(d, theta)
-
-
 def wrong_sines_and_cosines(a, alpha, d, theta):
-    """sine and cosine are swapped"""
+    """unnamed"""
     sa, ca, s, c = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
     return [[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]]
-
-
-def wrong_whole_numbers(a, alpha, d, theta):
-    """digits after the point are cut off"""
-    T = np.eye(4, dtype=int)
-    T[:] = right_two_halves(a, alpha, d, theta)
-    return T
 
 
 def wrong_rounded(a, alpha, d, theta):

@@ -52,99 +52,6 @@ def _z(d, theta):
     return rigid.transform(rot_z(theta), [0, 0, d])
 
 
-def wrong_modified(a, alpha, d, theta):
-    """the modified convention is taken"""
-    return _x(a, alpha) @ _z(d, theta)
-
-
-def wrong_modified_entry_by_entry(a, alpha, d, theta):
-    """the modified convention is taken"""
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    return [[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]]
-
-
-def wrong_turns_in_the_other_order(a, alpha, d, theta):
-    """Rot_x(alpha) stands before Rot_z(theta)"""
-    return rigid.transform(rot_x(alpha) @ rot_z(theta), [a * np.cos(theta), a * np.sin(theta), d])
-
-
-def wrong_angles_swapped(a, alpha, d, theta):
-    """alpha and theta are swapped"""
-    return _z(d, alpha) @ _x(a, theta)
-
-
-def wrong_lengths_swapped(a, alpha, d, theta):
-    """a and d are swapped"""
-    return _z(a, theta) @ _x(d, alpha)
-
-
-def wrong_order_of_the_report(d, alpha, a, theta):
-    """a and d are swapped"""
-    return _z(d, theta) @ _x(a, alpha)
-
-
-def wrong_order_theta_first(theta, d, a, alpha):
-    """the arguments are taken in another order"""
-    return _z(d, theta) @ _x(a, alpha)
-
-
-def wrong_minus_lost(a, alpha, d, theta):
-    """one entry has its sign wrong"""
-    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-def wrong_place_on_the_other_side(a, alpha, d, theta):
-    """a sine of the place has its sign turned"""
-    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, -a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-def wrong_alpha_the_other_way(a, alpha, d, theta):
-    """the turn by alpha goes the other way round"""
-    return _z(d, theta) @ _x(a, -alpha)
-
-
-def wrong_theta_the_other_way(a, alpha, d, theta):
-    """the turn by theta goes the other way round"""
-    return _z(d, -theta) @ _x(a, alpha)
-
-
-def wrong_degrees(a, alpha, d, theta):
-    """degrees"""
-    return _z(d, theta * np.pi / 180) @ _x(a, alpha * np.pi / 180)
-
-
-def wrong_transposed(a, alpha, d, theta):
-    """T is transposed"""
-    return (_z(d, theta) @ _x(a, alpha)).T
-
-
-def wrong_inverse(a, alpha, d, theta):
-    """the inverse is returned"""
-    return rigid.inverse(_z(d, theta) @ _x(a, alpha))
-
-
-def wrong_place_filled_in(a, alpha, d, theta):
-    """a is not turned by theta"""
-    return rigid.transform(rot_z(theta) @ rot_x(alpha), [a, 0, d])
-
-
-def wrong_place_behind_the_turn(a, alpha, d, theta):
-    """d is turned by alpha"""
-    return rigid.transform(rot_z(theta) @ rot_x(alpha), np.zeros(3)) @ rigid.transform(np.eye(3), [a, 0, d])
-
-
-def wrong_sum(a, alpha, d, theta):
-    """the matrices are added up"""
-    return _z(d, theta) + _x(a, alpha)
-
-
-def wrong_entry_by_entry(a, alpha, d, theta):
-    """entry by entry"""
-    return _z(d, theta) * _x(a, alpha)
-
-
 def wrong_last_row_missing(a, alpha, d, theta):
     """the last row is missing"""
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -159,31 +66,6 @@ def wrong_last_row_of_zeros(a, alpha, d, theta):
 def wrong_steps_apart(a, alpha, d, theta):
     """not their product"""
     return [_z(d, theta), _x(a, alpha)]
-
-
-def wrong_about_y(a, alpha, d, theta):
-    """alpha turns about y"""
-    return _z(d, theta) @ rigid.transform(rot_y(alpha), [a, 0, 0])
-
-
-def wrong_theta_left_out(a, alpha, d, theta):
-    """theta is left out"""
-    return _z(d, 0) @ _x(a, alpha)
-
-
-def wrong_a_left_out(a, alpha, d, theta):
-    """a is left out"""
-    return _z(d, theta) @ _x(0, alpha)
-
-
-def wrong_place_left_out(a, alpha, d, theta):
-    """the origin is left out"""
-    return rigid.transform(rot_z(theta) @ rot_x(alpha), np.zeros(3))
-
-
-def wrong_whole_numbers(a, alpha, d, theta):
-    """digits after the point are cut off"""
-    return right_two_halves(a, alpha, d, theta).astype(int)
 
 
 def wrong_rounded(a, alpha, d, theta):

@@ -70,111 +70,14 @@ def _joined(v, omega):
     return np.vstack([np.transpose(v), np.transpose(omega)])
 
 
-def wrong_omega_above(frames):
-    """omega stands above v"""
-    z, o, p = _parts(frames)
-    return _joined(z, np.cross(z, p - o))
-
-
-def wrong_from_the_flange_to_the_axis(frames):
-    """the cross product has its sign turned"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, o - p), z)
-
-
-def wrong_factors_swapped(frames):
-    """the cross product has its sign turned"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(p - o, z), z)
-
-
-def wrong_space_jacobian(frames):
-    """p is missing"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(o, z), z)
-
-
-def wrong_space_jacobian_of_notebook_4(frames):
-    """p is missing"""
-    z, o, p = _parts(frames)
-    return _joined(z, -np.cross(z, o))
-
-
-def wrong_o_missing(frames):
-    """o is missing"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, p), z)
-
-
-def wrong_rows_of_R(frames):
-    """rows of R are taken for its columns"""
-    z = frames[:-1, 2, :3]
-    return _joined(np.cross(z, frames[-1, :3, 3] - frames[:-1, :3, 3]), z)
-
-
-def wrong_row_in_a_loop(frames):
-    """rows of R are taken for its columns"""
-    columns = []
-    for frame in frames[:-1]:
-        R = frame[:3, :3]
-        columns.append(np.concatenate([np.cross(R[2], frames[-1, :3, 3] - frame[:3, 3]), R[2]]))
-    return np.column_stack(columns)
-
-
-def wrong_x_axis(frames):
-    """the x or y axis is taken"""
-    z = frames[:-1, :3, 0]
-    return _joined(np.cross(z, frames[-1, :3, 3] - frames[:-1, :3, 3]), z)
-
-
-def wrong_z_of_the_world(frames):
-    """every axis is taken for the world's z"""
-    z = np.array([0, 0, 1])
-    return np.array([np.concatenate([np.cross(z, frames[-1, :3, 3] - T[:3, 3]), z]) for T in frames[:-1]]).T
-
-
-def wrong_frame_before(frames):
-    """frame i - 1 is taken for joint i"""
-    J, T = [], np.eye(4)
-    for frame in frames[:-1]:
-        J.append(np.concatenate([np.cross(T[:3, 2], frames[-1, :3, 3] - T[:3, 3]), T[:3, 2]]))
-        T = frame
-    return np.array(J).T
-
-
-def wrong_place_of_the_frame_before(frames):
-    """frame i - 1 is taken for joint i"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, p - np.vstack([[0, 0, 0], o[:-1]])), z)
-
-
-def wrong_frame_behind(frames):
-    """frame i + 1 is taken for joint i"""
-    z, o, p = frames[1:, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3]
-    return _joined(np.cross(z, p - o), z)
-
-
-def wrong_frame_n_for_the_flange(frames):
-    """the place of frame n is taken for the flange's"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, frames[-2, :3, 3] - o), z)
-
-
 def wrong_transposed(frames):
     """rows and columns are swapped"""
     z, o, p = _parts(frames)
     return np.hstack([np.cross(z, p - o), z])
 
 
-def wrong_axes_of_the_flange(frames):
-    """along the flange's own axes"""
-    R = frames[-1, :3, :3]
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, p - o) @ R, z @ R)
-
-
 def wrong_body_jacobian_omega_first(frames):
-    """along the flange's own axes"""
+    """unnamed"""
     z, o, p = _parts(frames)
     return adjoint(inverse(frames[-1])) @ _joined(z, np.cross(o, z))
 
@@ -185,34 +88,6 @@ def wrong_flange_counted(frames):
     return _joined(np.cross(z, p - o), z)
 
 
-def wrong_omega_zero(frames):
-    """omega is left out"""
-    z, o, p = _parts(frames)
-    J = np.zeros((6, len(z)))
-    J[:3] = np.cross(z, p - o).T
-    return J
-
-
-def wrong_velocity_normalised(frames):
-    """v is scaled to length one"""
-    z, o, p = _parts(frames)
-    v = np.cross(z, p - o)
-    size = np.linalg.norm(v, axis=1, keepdims=True)
-    return _joined(v / np.where(size > 1e-9, size, 1), z)
-
-
-def wrong_place_for_velocity(frames):
-    """is taken for v"""
-    z, o, p = _parts(frames)
-    return _joined(p - o, z)
-
-
-def wrong_entry_by_entry(frames):
-    """entry by entry"""
-    z, o, p = _parts(frames)
-    return _joined(z * (p - o), z)
-
-
 def wrong_position_half_only(frames):
     """only one half of the Jacobian"""
     z, o, p = _parts(frames)
@@ -220,30 +95,9 @@ def wrong_position_half_only(frames):
 
 
 def wrong_halves_in_a_pair(frames):
-    """do not stand in one column"""
+    """v and omega are not in one column"""
     z, o, p = _parts(frames)
     return np.cross(z, p - o).T, z.T
-
-
-def wrong_last_column_empty(frames):
-    """one column is left empty"""
-    J = np.zeros((6, len(frames) - 1))
-    for i in range(len(frames) - 2):
-        z, o = frames[i, :3, 2], frames[i, :3, 3]
-        J[:, i] = np.concatenate([np.cross(z, frames[-1, :3, 3] - o), z])
-    return J
-
-
-def wrong_reshaped(frames):
-    """broken into rows wrongly"""
-    z, o, p = _parts(frames)
-    return np.hstack([np.cross(z, p - o), z]).reshape(6, len(z))
-
-
-def wrong_whole_numbers(frames):
-    """digits after the point are cut off"""
-    z, o, p = _parts(frames)
-    return _joined(np.cross(z, p - o), z).astype(int)
 
 
 def wrong_large_step(frames):
@@ -267,12 +121,6 @@ def wrong_list_kept_between_calls(frames, columns=[]):
     for frame in frames[:-1]:
         columns.append(np.r_[np.cross(frame[:3, 2], frames[-1, :3, 3] - frame[:3, 3]), frame[:3, 2]])
     return np.array(columns).T
-
-
-def wrong_lever_to_the_next_frame(frames):
-    """only the next frame is moved"""
-    z, o = frames[:-1, :3, 2], frames[:, :3, 3]
-    return _joined(np.cross(z, o[1:] - o[:-1]), z)
 
 
 def wrong_seven_joints_only(frames):

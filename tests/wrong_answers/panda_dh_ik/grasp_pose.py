@@ -58,140 +58,10 @@ def _pose(R, p):
     return T
 
 
-def wrong_order(template, scene, T_grasp):
-    """the product is in the wrong order"""
-    return T_grasp @ register_points(template, scene, np.ones(len(template)))
-
-
-def wrong_scene_to_template(template, scene, T_grasp):
-    """the scene is laid on the template"""
-    return register_points(scene, template, np.ones(len(template))) @ T_grasp
-
-
-def wrong_scene_to_template_from_the_right(template, scene, T_grasp):
-    """the scene is laid on the template"""
-    return T_grasp @ register_points(scene, template)
-
-
-def wrong_registration_alone(template, scene, T_grasp):
-    """only the pose of the mug is returned"""
-    return register_points(template, scene)
-
-
-def wrong_grasp_alone(template, scene, T_grasp):
-    """T_grasp is returned as it is"""
-    return T_grasp.copy()
-
-
-def wrong_rotation_kept(template, scene, T_grasp):
-    """the gripper is moved with the mug, but not turned"""
-    X = T_grasp.copy()
-    X[:3, 3] = (register_points(template, scene) @ T_grasp[:, 3])[:3]
-    return X
-
-
-def wrong_place_added(template, scene, T_grasp):
-    """its place is only added"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R @ R_g, p + p_g)
-
-
-def wrong_place_of_the_mug(template, scene, T_grasp):
-    """sits at the mug's origin"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R @ R_g, p)
-
-
-def wrong_place_of_the_grasp(template, scene, T_grasp):
-    """its place stays that of T_grasp"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R @ R_g, p_g)
-
-
-def wrong_not_shifted(template, scene, T_grasp):
-    """turned but not shifted"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R @ R_g, R @ p_g)
-
-
-def wrong_turn_of_the_grasp_lost(template, scene, T_grasp):
-    """its own in T_grasp is lost"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R, R @ p_g + p)
-
-
-def wrong_turns_swapped(template, scene, T_grasp):
-    """the two rotations are multiplied in the wrong order"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R_g @ R, R @ p_g + p)
-
-
-def wrong_middles_only(template, scene, T_grasp):
-    """its turn is left out"""
-    X = T_grasp.copy()
-    X[:3, 3] += scene.mean(axis=0) - template.mean(axis=0)
-    return X
-
-
-def wrong_first_point_only(template, scene, T_grasp):
-    """its turn is left out"""
-    X = np.array(T_grasp)
-    X[:3, 3] = X[:3, 3] + (scene - template)[0]
-    return X
-
-
 def wrong_middle_for_the_place(template, scene, T_grasp):
-    """the middle of the scene's points"""
+    """the mug is only translated, and its rotation is left out"""
     R, p, R_g, p_g = _parts(template, scene, T_grasp)
     return _pose(R, scene.mean(0)) @ T_grasp
-
-
-def wrong_difference_of_the_middles(template, scene, T_grasp):
-    """the difference of the middles"""
-    R, p, R_g, p_g = _parts(template, scene, T_grasp)
-    return _pose(R, scene.mean(0) - template.mean(0)) @ T_grasp
-
-
-def wrong_grasp_inverted(template, scene, T_grasp):
-    """T_grasp is inverted"""
-    return register_points(template, scene) @ np.linalg.inv(T_grasp)
-
-
-def wrong_answer_inverted(template, scene, T_grasp):
-    """the inverse of the answer"""
-    return np.linalg.inv(register_points(template, scene) @ T_grasp)
-
-
-def wrong_entry_by_entry(template, scene, T_grasp):
-    """entry by entry"""
-    return register_points(template, scene) * T_grasp
-
-
-def wrong_reflections_stay(template, scene, T_grasp):
-    """the mug's pose is a reflection"""
-    c, d = template.mean(0), scene.mean(0)
-    U, _, Vt = np.linalg.svd((scene - d).T @ (template - c))
-    return _pose(U @ Vt, d - U @ Vt @ c) @ T_grasp
-
-
-def wrong_not_centred(template, scene, T_grasp):
-    """the middles are not taken off"""
-    R = nearest_so(scene.T @ template)
-    return _pose(R, scene.mean(0) - R @ template.mean(0)) @ T_grasp
-
-
-def wrong_rotation_transposed(template, scene, T_grasp):
-    """the mug's rotation is transposed"""
-    c, d = template.mean(0), scene.mean(0)
-    R = nearest_so((template - c).T @ (scene - d))
-    return _pose(R, d - R @ c) @ T_grasp
-
-
-def wrong_linear_map(template, scene, T_grasp):
-    """any linear map is allowed"""
-    ones = np.ones((len(template), 1))
-    A = np.linalg.lstsq(np.hstack([template, ones]), np.hstack([scene, ones]), rcond=None)[0].T
-    return A @ T_grasp
 
 
 def wrong_place_alone(template, scene, T_grasp):
@@ -203,11 +73,6 @@ def wrong_points_moved(template, scene, T_grasp):
     """the moved points are returned"""
     T = register_points(template, scene) @ T_grasp
     return template @ T[:3, :3].T + T[:3, 3]
-
-
-def wrong_three_points_only(template, scene, T_grasp):
-    """only three of the points are used"""
-    return register_points(template[:3], scene[:3]) @ T_grasp
 
 
 def wrong_rounded(template, scene, T_grasp):

@@ -53,31 +53,6 @@ def right_diagonal_filled_in(q, J, e, eps):
     return q + np.linalg.solve(M, J).T @ e
 
 
-def wrong_minus(q, J, e, eps):
-    """the step goes the other way"""
-    return q - J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
-
-
-def wrong_minus_in_the_other_form(q, J, e, eps):
-    """the step goes the other way"""
-    return q - np.linalg.inv(J.T @ J + eps * np.eye(len(q))) @ J.T @ e
-
-
-def wrong_eps_squared(q, J, e, eps):
-    """eps is squared"""
-    return q + J.T @ np.linalg.solve(J @ J.T + eps**2 * np.eye(len(e)), e)
-
-
-def wrong_root_of_eps(q, J, e, eps):
-    """its root is taken"""
-    return q + np.linalg.solve(J.T @ J + np.sqrt(eps) * np.eye(len(q)), J.T @ e)
-
-
-def wrong_pseudoinverse(q, J, e, eps):
-    """eps is not used"""
-    return q + np.linalg.pinv(J) @ e
-
-
 def wrong_eps_missing(q, J, e, eps):
     """Singular matrix"""
     return q + np.linalg.inv(J.T @ J) @ J.T @ e
@@ -88,24 +63,9 @@ def wrong_eps_missing_in_the_smaller_matrix(q, J, e, eps):
     return q + J.T @ np.linalg.solve(J @ J.T, e)
 
 
-def wrong_hardly_damped(q, J, e, eps):
-    """a fixed number"""
-    return q + J.T @ np.linalg.solve(J @ J.T + 1e-9 * np.eye(len(e)), e)
-
-
 def wrong_inverse_of_J(q, J, e, eps):
     """LinAlgError"""
     return q + np.linalg.inv(J) @ e
-
-
-def wrong_eps_subtracted(q, J, e, eps):
-    """eps is subtracted"""
-    return q + J.T @ np.linalg.pinv(J @ J.T - eps * np.eye(len(e))) @ e
-
-
-def wrong_eps_to_every_entry(q, J, e, eps):
-    """added to every entry"""
-    return q + J.T @ np.linalg.pinv(J @ J.T + eps) @ e
 
 
 def wrong_eps_to_every_entry_and_solved(q, J, e, eps):
@@ -133,84 +93,14 @@ def wrong_transpose_missing(q, J, e, eps):
     return q + J @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
 
 
-def wrong_transposed_where_shapes_let_it_pass(q, J, e, eps):
-    """changed places"""
-    m, n = J.shape
-    A = J if m == n else J.T
-    return q + A @ np.linalg.solve(A.T @ A + eps * np.eye(m), e)
-
-
-def wrong_square_inverted(q, J, e, eps):
-    """without damping"""
-    m, n = J.shape
-    return q + (np.linalg.inv(J) @ e if m == n else J.T @ np.linalg.solve(J @ J.T + eps * np.eye(m), e))
-
-
-def wrong_only_the_step(q, J, e, eps):
-    """only the step is returned"""
-    return J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
-
-
-def wrong_step_never_added(q, J, e, eps):
-    """nothing moves"""
-    J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
-    return q
-
-
-def wrong_transpose_step(q, J, e, eps):
-    """the transpose's step"""
-    return q + eps * J.T @ e
-
-
-def wrong_multiplied_by_the_matrix(q, J, e, eps):
-    """multiplied by, not divided by"""
-    return q + J.T @ (J @ J.T + eps * np.eye(len(e))) @ e
-
-
 def wrong_inverted_entry_by_entry(q, J, e, eps):
     """divided by zero"""
     return q + (J.T @ J + eps * np.eye(len(q))) ** -1 @ J.T @ e
 
 
-def wrong_marquardts_diagonal(q, J, e, eps):
-    """as Marquardt did"""
-    M = J.T @ J
-    return q + np.linalg.pinv(M + eps * np.diag(np.diag(M))) @ J.T @ e
-
-
-def wrong_eps_times_the_step(q, J, e, eps):
-    """damps the step as a whole"""
-    return q + eps * np.linalg.pinv(J) @ e
-
-
-def wrong_unit_matrix_without_eps(q, J, e, eps):
-    """without eps"""
-    return q + J.T @ np.linalg.solve(J @ J.T + np.eye(len(e)), e)
-
-
-def wrong_fixed_eps(q, J, e, eps):
-    """a fixed number"""
-    return q + J.T @ np.linalg.solve(J @ J.T + 0.01 * np.eye(len(e)), e)
-
-
-def wrong_least_eps(q, J, e, eps):
-    """a least value"""
-    return q + J.T @ np.linalg.solve(J @ J.T + max(eps, 1e-6) * np.eye(len(e)), e)
-
-
-def wrong_tiny_least_eps(q, J, e, eps):
-    """a least value"""
-    return q + J.T @ np.linalg.solve(J @ J.T + max(eps, 1e-10) * np.eye(len(e)), e)
-
-
 def wrong_sugiharas_damping(q, J, e, eps):
     """unnamed"""
     return q + J.T @ np.linalg.solve(J @ J.T + (eps * (e @ e) + 1e-12) * np.eye(len(e)), e)
-
-
-def wrong_unit_error(q, J, e, eps):
-    """the error is divided by its length"""
-    return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e / max(np.linalg.norm(e), 1e-300))
 
 
 def wrong_in_place(q, J, e, eps):
@@ -228,17 +118,6 @@ def wrong_in_place_with_any_kind_of_numbers(q, J, e, eps):
 def wrong_column_of_errors(q, J, e, eps):
     """differ in shape"""
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e[:, None])
-
-
-def wrong_clipped(q, J, e, eps):
-    """kept inside limits"""
-    moved = q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
-    return np.clip(moved, *panda().limits.T) if len(q) == 7 else moved
-
-
-def wrong_degrees(q, J, e, eps):
-    """degrees and radians"""
-    return q + np.rad2deg(J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e))
 
 
 def wrong_library(q, J, e, eps):

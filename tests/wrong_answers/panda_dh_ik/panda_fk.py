@@ -100,170 +100,9 @@ def right_one_whole_turn_further(q):
     return _chain(np.asarray(q) + 2 * np.pi)
 
 
-def wrong_base_left_out(q):
-    """the base is left out"""
-    return _chain(q, base=np.eye(4))
-
-
-def wrong_base_on_the_right(q):
-    """the base stands on the right"""
-    return _chain(q, base=np.eye(4)) @ BASE
-
-
-def wrong_base_for_the_flange_only(q):
-    """the base is added to some of the poses only"""
-    T = _chain(q, base=np.eye(4))
-    T[-1] = BASE @ T[-1]
-    return T
-
-
-def wrong_base_with_every_step(q):
-    """the base comes in with every step"""
-    return _chain(q, base=np.eye(4), step=lambda *row: BASE @ _modified(*row))
-
-
-def wrong_base_inverted(q):
-    """the base is taken off"""
-    return _chain(q, base=np.linalg.inv(BASE))
-
-
-def wrong_base_without_its_sign(q):
-    """the base is off in one coordinate"""
-    return _chain(q, base=rigid.transform(np.eye(3), [0.2, 0.13, 0.6]))
-
-
 def wrong_flange_left_out(q):
     """one of the eight is left out"""
     return _chain(q)[:7]
-
-
-def wrong_flange_where_frame_7_is(q):
-    """the flange is left where frame 7 is"""
-    return _chain(q, flange=np.eye(4))
-
-
-def wrong_flange_along_the_worlds_z(q):
-    """the flange is moved along the world's z"""
-    frames = _chain(q, flange=np.eye(4))
-    frames[-1, 2, 3] += 0.107
-    return frames
-
-
-def wrong_flange_twice(q):
-    """the flange comes in twice"""
-    table = TABLE.copy()
-    table[6, 2] = 0.107
-    return _chain(q, table)
-
-
-def wrong_flange_in_the_last_row(q):
-    """the flange is put into frame 7 already"""
-    table = TABLE.copy()
-    table[6, 2] = 0.107
-    return _chain(q, table, flange=np.eye(4))
-
-
-def wrong_report_0136(q):
-    """0.136 stands for 0.316"""
-    table = TABLE.copy()
-    table[2, 2] = 0.136
-    return _chain(q, table)
-
-
-def wrong_report_0109(q):
-    """0.109 stands for 0.107"""
-    return _chain(q, flange=rigid.transform(np.eye(3), [0, 0, 0.109]))
-
-
-def wrong_standard_convention(q):
-    """the standard convention is taken with the modified table"""
-    return _chain(q, step=_standard)
-
-
-def wrong_standard_table(q):
-    """the standard table is taken with the modified convention"""
-    return _chain(q, np.column_stack([np.vstack([TABLE[1:, :2], [0, 0]]), TABLE[:, 2]]))
-
-
-def wrong_frames_of_the_standard_convention(q):
-    """these are the frames of the standard convention"""
-    return _chain(q, np.column_stack([np.vstack([TABLE[1:, :2], [0, 0]]), TABLE[:, 2]]), _standard)
-
-
-def wrong_the_reports_table(q):
-    """the report's printed table is taken"""
-    alpha = np.array([-1, 1, -1, 1, -1, -1, 0]) * QUARTER
-    a = [0, 0, 0.0825, -0.0825, 0, 0.088, 0]
-    d = [0.333, 0, 0.136, 0, 0.384, 0, 0.109]
-    return _chain(q, np.column_stack([a, alpha, d]), _standard, flange=np.eye(4))
-
-
-def wrong_not_multiplied_up(q):
-    """not multiplied up"""
-    steps = [_modified(*row, theta) for row, theta in zip(TABLE, q)]
-    return np.array([*steps, FLANGE])
-
-
-def wrong_not_multiplied_up_each_on_the_base(q):
-    """not multiplied up"""
-    return BASE @ np.array([*(_modified(*row, theta) for row, theta in zip(TABLE, q)), FLANGE])
-
-
-def wrong_reverse_order(q):
-    """in the reverse order"""
-    T, frames = BASE, []
-    for row, theta in zip(TABLE, q):
-        T = _modified(*row, theta) @ T
-        frames.append(T)
-    return np.array([*frames, FLANGE @ T])
-
-
-def wrong_one_matrix_in_the_list(q):
-    """one and the same matrix"""
-    T, frames = BASE.copy(), []
-    for row, theta in zip(TABLE, q):
-        T[:] = T @ _modified(*row, theta)
-        frames.append(T)
-    return np.array([*frames, T @ FLANGE])
-
-
-def wrong_joints_4_and_6(q):
-    """joints 4 and 6 are counted the other way"""
-    return _chain(np.array([1, 1, 1, -1, 1, -1, 1]) * q)
-
-
-def wrong_signs_of_a(q):
-    """the signs of a in rows 4 and 5"""
-    return _chain(q, TABLE * np.array([[1, 1, 1]] * 3 + [[-1, 1, 1]] * 2 + [[1, 1, 1]] * 2))
-
-
-def wrong_sign_of_alpha_5(q):
-    """alpha has a sign wrong"""
-    table = TABLE.copy()
-    table[4, 1] *= -1
-    return _chain(q, table)
-
-
-def wrong_entry_left_out(q):
-    """an entry of the table is left out"""
-    table = TABLE.copy()
-    table[6, 0] = 0
-    return _chain(q, table)
-
-
-def wrong_columns_mixed_up(q):
-    """the columns of the table are mixed up"""
-    return _chain(q, TABLE[:, [2, 1, 0]])
-
-
-def wrong_turn_of_the_hand(q):
-    """turned by pi/4"""
-    return _chain(q + np.array([0, 0, 0, 0, 0, 0, -np.pi / 4]))
-
-
-def wrong_turn_of_the_hand_in_the_flange(q):
-    """turned by pi/4"""
-    return _chain(q, flange=_z(0.107, -np.pi / 4))
 
 
 def wrong_flange_only(q):
@@ -272,7 +111,7 @@ def wrong_flange_only(q):
 
 
 def wrong_places_only(q):
-    """only the places are returned"""
+    """only the positions are returned"""
     return _chain(q)[:, :3, 3]
 
 
@@ -281,48 +120,9 @@ def wrong_base_too(q):
     return [BASE, *_chain(q)]
 
 
-def wrong_base_for_the_flange(q):
-    """the base is put in front and the flange left out"""
-    return [BASE, *_chain(q)[:7]]
-
-
 def wrong_joined_into_one_tall_matrix(q):
-    """one tall matrix"""
+    """the poses are joined into one large matrix"""
     return np.vstack(list(_chain(q)))
-
-
-def wrong_degrees(q):
-    """degrees"""
-    return _chain(np.deg2rad(q))
-
-
-def wrong_angles_one_joint_off(q):
-    """the angles go with the wrong joints"""
-    return _chain(np.roll(q, 1))
-
-
-def wrong_angles_backwards(q):
-    """the angles go with the wrong joints"""
-    return _chain(q[::-1])
-
-
-def wrong_entry_by_entry(q):
-    """entry by entry"""
-    T, frames = BASE, []
-    for row, theta in zip(TABLE, q):
-        T = T * _modified(*row, theta)
-        frames.append(T)
-    return np.array([*frames, T * FLANGE])
-
-
-def wrong_inverses(q):
-    """the inverses are returned"""
-    return np.linalg.inv(_chain(q))
-
-
-def wrong_transposed(q):
-    """the poses are transposed"""
-    return _chain(q).swapaxes(1, 2)
 
 
 def wrong_rounded(q):
@@ -364,18 +164,6 @@ def wrong_angles_changed_in_place(q):
     """q is changed in place"""
     q[6] += np.pi / 4
     return _chain(q)
-
-
-def wrong_both_misprints_of_the_report(q):
-    """0.136 stands for 0.316"""
-    table = TABLE.copy()
-    table[2, 2] = 0.136
-    return _chain(q, table, flange=rigid.transform(np.eye(3), [0, 0, 0.109]))
-
-
-def wrong_joint_4_alone(q):
-    """some joint is counted the other way"""
-    return _chain(q * [1, 1, 1, -1, 1, 1, 1])
 
 
 def wrong_one_row_too_many(q):

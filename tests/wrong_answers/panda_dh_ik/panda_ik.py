@@ -145,13 +145,13 @@ def right_limits_by_a_sine(T, q0):
 
 
 def wrong_no_restarts(T, q0):
-    """got stuck, and no other start"""
+    """no start leads to this target: there are no restarts, or too few of them converge"""
     q = search(T, q0, starts=1)
     return q if np.linalg.norm(pose_error(panda_fk(q)[-1], T)) < 1e-7 else np.full(7, np.nan)
 
 
 def wrong_always_the_same_start(T, q0):
-    """got stuck, and no other start"""
+    """no start leads to this target: there are no restarts, or too few of them converge"""
     q = q0
     for _ in range(100):
         frames = panda_fk(q)
@@ -168,7 +168,7 @@ def wrong_last_angles(T, q0):
 
 
 def wrong_limits_ignored(T, q0):
-    """the limits are not looked at"""
+    """the limits are ignored"""
     return search(T, q0, clip=False)
 
 
@@ -178,13 +178,13 @@ def wrong_clipped_at_the_end_only(T, q0):
 
 
 def wrong_wrapped_at_the_end(T, q0):
-    """the limits are not looked at"""
+    """the limits are ignored"""
     q = search(T, q0)
     return (q + np.pi / 2) % np.pi - np.pi / 2
 
 
 def wrong_wrapped_to_whole_turns(T, q0):
-    """moved by whole turns"""
+    """multiples of 2 pi are added, and lead out of the limits"""
     return search(T, q0) % (2 * np.pi)
 
 
@@ -204,33 +204,33 @@ def wrong_flange_forgotten(T, q0):
 
 
 def wrong_only_the_place(T, q0):
-    """only the place is brought"""
+    """only the position is brought to T, not the orientation"""
     return search(T, q0, weights=(1, 1, 1, 0, 0, 0))
 
 
 def wrong_only_the_turn(T, q0):
-    """only the turn is brought"""
+    """only the orientation is brought to T, not the position"""
     q = search(T, q0, weights=(0, 0, 0, 1, 1, 1))
     return np.full(7, np.nan) if out_of_reach(T) else q
 
 
 def wrong_stopped_at_the_reports_error(T, q0):
-    """the steps end too early"""
+    """the iteration stops too early, or the angles are rounded"""
     return search(T, q0, enough=0.02)
 
 
 def wrong_stopped_at_a_ten_thousandth(T, q0):
-    """the steps end too early"""
+    """the iteration stops too early, or the angles are rounded"""
     return search(T, q0, enough=1e-4)
 
 
 def wrong_stopped_by_the_square(T, q0):
-    """the steps end too early"""
+    """the iteration stops too early, or the angles are rounded"""
     return search(T, q0, enough=np.sqrt(1e-6))
 
 
 def wrong_rounded(T, q0):
-    """the steps end too early"""
+    """the iteration stops too early, or the angles are rounded"""
     return np.round(search(T, q0), 4)
 
 
@@ -245,12 +245,12 @@ def wrong_start_returned(T, q0):
 
 
 def wrong_start_at_random(T, q0):
-    """q0 is not where the steps begin"""
+    """the iteration does not begin at q0"""
     return search(T, np.random.default_rng(5).uniform(low, high))
 
 
 def wrong_start_in_the_middle(T, q0):
-    """q0 is not where the steps begin"""
+    """the iteration does not begin at q0"""
     return search(T, (low + high) / 2)
 
 
@@ -273,18 +273,18 @@ def wrong_none_where_nothing_is_found(T, q0):
 
 
 def wrong_zeros_where_nothing_is_found(T, q0):
-    """for a target that no angles reach"""
+    """angles are returned for a target out of reach"""
     q = search(T, q0)
     return q if np.isfinite(q).all() else np.zeros(7)
 
 
 def wrong_best_where_nothing_is_found(T, q0):
-    """for a target that no angles reach"""
+    """angles are returned for a target out of reach"""
     return search(T, q0, starts=1) if out_of_reach(T) else search(T, q0)
 
 
 def wrong_joint_past_its_limit_reset_to_the_middle(T, q0):
-    """got stuck, and no other start"""
+    """no start leads to this target: there are no restarts, or too few of them converge"""
     q = np.array(q0)
     for _ in range(30):
         frames = panda_fk(q)
@@ -297,7 +297,7 @@ def wrong_joint_past_its_limit_reset_to_the_middle(T, q0):
 
 
 def wrong_transpose_steps(T, q0):
-    """the steps do not lead to the target"""
+    """the steps do not converge to a target close by"""
     q = np.array(q0)
     for _ in range(30):
         frames = panda_fk(q)
@@ -309,12 +309,12 @@ def wrong_transpose_steps(T, q0):
 
 
 def wrong_order_of_the_error(T, q0):
-    """the steps do not lead to the target"""
+    """the steps do not converge to a target close by"""
     return search(T, q0, starts=3, jacobian=lambda frames: np.roll(geometric_jacobian(frames), 3, axis=0))
 
 
 def wrong_error_seen_from_the_hand(T, q0):
-    """the steps do not lead to the target"""
+    """the steps do not converge to a target close by"""
 
     def error(A, B):
         return np.concatenate([B[:3, 3] - A[:3, 3], rotations.log_so3(A[:3, :3].T @ B[:3, :3])])
@@ -323,17 +323,17 @@ def wrong_error_seen_from_the_hand(T, q0):
 
 
 def wrong_error_backwards(T, q0):
-    """the steps do not lead to the target"""
+    """the steps do not converge to a target close by"""
     return search(T, q0, starts=3, error=lambda A, B: pose_error(B, A))
 
 
 def wrong_turn_transposed(T, q0):
-    """turn is transposed"""
+    """the target's orientation is transposed"""
     return search(rigid.transform(T[:3, :3].T, T[:3, 3]), q0)
 
 
 def wrong_place_in_millimetres(T, q0):
-    """the steps end too early"""
+    """the iteration stops too early, or the angles are rounded"""
     return search(T, q0, weights=(0.001, 0.001, 0.001, 1, 1, 1), enough=1e-5)
 
 

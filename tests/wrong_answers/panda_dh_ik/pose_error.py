@@ -81,157 +81,15 @@ def _vee(M):
     return np.array([M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]) / 2
 
 
-def wrong_sign(T, T_target):
-    """the error has its sign turned"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p - p_target, rotations.log_so3(R @ R_target.T)])
-
-
-def wrong_sign_of_the_rotation(T, T_target):
-    """phi has its sign turned"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, rotations.log_so3(R @ R_target.T)])
-
-
-def wrong_sign_of_the_place(T, T_target):
-    """the difference of the places has its sign turned"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p - p_target, rotations.log_so3(R_target @ R.T)])
-
-
-def wrong_axes_of_the_hand(T, T_target):
-    """phi is seen from the hand"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, rotations.log_so3(R.T @ R_target)])
-
-
-def wrong_axes_of_the_hand_and_sign(T, T_target):
-    """phi is seen from the hand"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, rotations.log_so3(R_target.T @ R)])
-
-
-def wrong_all_from_the_hand(T, T_target):
-    """the whole error is seen from the hand"""
-    X = rigid.inverse(T) @ T_target
-    return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_body_twist(T, T_target):
-    """phi stands before"""
-    return rigid.log_se3(rigid.inverse(T) @ T_target)
-
-
-def wrong_body_twist_in_order(T, T_target):
-    """the whole error is seen from the hand"""
-    return np.roll(rigid.log_se3(rigid.inverse(T) @ T_target), 3)
-
-
-def wrong_place_in_the_hand(T, T_target):
-    """the difference of the places is turned into the hand's axes"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([R.T @ (p_target - p), rotations.log_so3(R_target @ R.T)])
-
-
-def wrong_report(T, T_target):
-    """the translation holds a part of the rotation"""
-    X = T @ rigid.inverse(T_target)
-    return -np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_report_without_its_minus(T, T_target):
-    """the translation holds a part of the rotation"""
-    X = T @ np.linalg.inv(T_target)
-    return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_report_the_other_way(T, T_target):
-    """the translation holds a part of the rotation"""
-    X = T_target @ rigid.inverse(T)
-    return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_space_twist(T, T_target):
-    """the translation holds a part of the rotation"""
-    twist = rigid.log_se3(T_target @ rigid.inverse(T))
-    return np.concatenate([twist[3:], twist[:3]])
-
-
-def wrong_space_twist_omega_first(T, T_target):
-    """phi stands before"""
-    return rigid.log_se3(T_target @ rigid.inverse(T))
-
-
-def wrong_order(T, T_target):
-    """phi stands before"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([rotations.log_so3(R_target @ R.T), p_target - p])
-
-
-def wrong_roll_pitch_yaw(T, T_target):
-    """roll, pitch and yaw are subtracted"""
-
-    def angles(R):
-        pitch = np.arctan2(-R[2, 0], np.sqrt(R[0, 0] ** 2 + R[1, 0] ** 2))
-        return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
-
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, angles(R_target) - angles(R)])
-
-
-def wrong_euler_angles_wrapped(T, T_target):
-    """roll, pitch and yaw are subtracted"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    difference = Rotation.from_matrix(R_target).as_euler("xyz") - Rotation.from_matrix(R).as_euler("xyz")
-    return np.concatenate([p_target - p, (difference + np.pi) % (2 * np.pi) - np.pi])
-
-
-def wrong_euler_angles_of_the_product(T, T_target):
-    """roll, pitch and yaw of R_target R^T"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, Rotation.from_matrix(R_target @ R.T).as_euler("xyz")])
-
-
-def wrong_rotation_vectors_subtracted(T, T_target):
-    """two rotation vectors are subtracted"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, rotations.log_so3(R_target) - rotations.log_so3(R)])
-
-
 def wrong_seven_numbers(T, T_target):
-    """the difference of places and quaternions"""
+    """the difference of positions and quaternions is returned"""
     R, p, R_target, p_target = _parts(T, T_target)
     difference = rotations.matrix_to_quaternion(R_target) - rotations.matrix_to_quaternion(R)
     return np.concatenate([p_target - p, difference])
 
 
-def wrong_quaternions_subtracted(T, T_target):
-    """quaternions are subtracted"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    difference = rotations.matrix_to_quaternion(R_target) - rotations.matrix_to_quaternion(R)
-    return np.concatenate([p_target - p, 2 * difference[1:]])
-
-
-def wrong_part_of_the_quaternion(T, T_target):
-    """a part of the quaternion"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, 2 * rotations.matrix_to_quaternion(R_target @ R.T)[1:]])
-
-
-def wrong_sine_only(T, T_target):
-    """only the sine of the angle"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, _vee(R_target @ R.T)])
-
-
-def wrong_sum_of_cross_products(T, T_target):
-    """only the sine of the angle"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, sum(np.cross(R[:, k], R_target[:, k]) for k in range(3)) / 2])
-
-
 def wrong_arccos_and_unit_axis(T, T_target):
-    """small turns"""
+    """small rotations"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     angle = np.arccos(np.clip((np.trace(X) - 1) / 2, -1, 1))
@@ -242,7 +100,7 @@ def wrong_arccos_and_unit_axis(T, T_target):
 
 
 def wrong_zero_below_the_arccos(T, T_target):
-    """small turns are cut off"""
+    """small rotations are cut off to zero"""
     R, p, R_target, p_target = _parts(T, T_target)
     angle = np.arccos(np.clip((np.trace(R_target @ R.T) - 1) / 2, -1, 1))
     phi = np.zeros(3) if angle < 1e-6 else rotations.log_so3(R_target @ R.T)
@@ -250,7 +108,7 @@ def wrong_zero_below_the_arccos(T, T_target):
 
 
 def wrong_allclose(T, T_target):
-    """small turns are cut off"""
+    """small rotations are cut off to zero"""
     R, p, R_target, p_target = _parts(T, T_target)
     if np.allclose(R, R_target):
         return np.concatenate([p_target - p, np.zeros(3)])
@@ -266,7 +124,7 @@ def wrong_zero_divided_by_zero(T, T_target):
 
 
 def wrong_half_turn_taken_for_none(T, T_target):
-    """half a turn is taken for none"""
+    """pi is taken for a rotation of 0, or its axis is wrong"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     angle = np.arccos(np.clip((np.trace(X) - 1) / 2, -1, 1))
@@ -293,23 +151,6 @@ def wrong_quaternion_without_sign(T, T_target):
     return np.r_[p_target - p, across * (angle / sine if sine > 0 else 2)]
 
 
-def wrong_degrees(T, T_target):
-    """phi is in degrees"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, np.degrees(rotations.log_so3(R_target @ R.T))])
-
-
-def wrong_transpose_forgotten(T, T_target):
-    """R is not transposed"""
-    R, p, R_target, p_target = _parts(T, T_target)
-    return np.concatenate([p_target - p, rotations.log_so3(R_target @ R)])
-
-
-def wrong_target_alone(T, T_target):
-    """R is left out"""
-    return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3])])
-
-
 def wrong_rotations_subtracted(T, T_target):
     """is not a rotation"""
     return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] - T[:3, :3])])
@@ -325,13 +166,6 @@ def wrong_logarithm_of_the_pose(T, T_target):
     return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target @ np.linalg.inv(T))])
 
 
-def wrong_phi_left_out(T, T_target):
-    """phi is left out"""
-    e = np.zeros(6)
-    e[:3] = T_target[:3, 3] - T[:3, 3]
-    return e
-
-
 def wrong_halves_apart(T, T_target):
     """the halves are not joined"""
     return T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)
@@ -344,7 +178,7 @@ def wrong_lengths(T, T_target):
 
 
 def wrong_matrix_logarithm(T, T_target):
-    """half a turn is taken for none, or its axis is wrong"""
+    """pi is taken for a rotation of 0, or its axis is wrong"""
     R, p, R_target, p_target = _parts(T, T_target)
     X = R_target @ R.T
     if np.trace(X) > -0.999999:
@@ -363,11 +197,6 @@ def wrong_target_changed(T, T_target):
 def wrong_rounded(T, T_target):
     """first digits only"""
     return np.round(right_by_log_so3(T, T_target), 5)
-
-
-def wrong_row_for_the_place(T, T_target):
-    """taken from the last row"""
-    return np.concatenate([T_target[3, :3] - T[3, :3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)])
 
 
 def wrong_weighted(T, T_target):

@@ -99,13 +99,13 @@ def _finished(R, src, dst, weights):
 
 
 def wrong_reflections_stay(src, dst, weights):
-    """a reflection where its determinant is -1"""
+    """U V^T is returned as it is, a reflection if its determinant is -1"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     return _finished(Vt.T @ U.T, src, dst, weights)
 
 
 def wrong_as_in_the_report(src, dst, weights):
-    """a column or row of the finished R is negated, as in the report"""
+    """a column or row of the finished R is negated"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     R = Vt.T @ U.T
     if np.linalg.det(R) < 0:
@@ -155,7 +155,7 @@ def wrong_column_of_Vt_negated(src, dst, weights):
 
 
 def wrong_sign_always(src, dst, weights):
-    """the sign is turned always"""
+    """the sign is always changed"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     Vt[2] *= -1
     return _finished(Vt.T @ U.T, src, dst, weights)
@@ -179,22 +179,10 @@ def wrong_sign_by_the_products_determinant_with_a_tolerance(src, dst, weights):
 
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):
-    """the determinant of the sum of the b_i a_i^T is asked for the sign"""
+    """the sign is taken from the determinant of the sum of the b_i a_i^T"""
     H = _product(src, dst, weights)
     U, _, Vt = np.linalg.svd(H)
     return _finished(Vt.T @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ U.T, src, dst, weights)
-
-
-def wrong_transposed_the_wrong_way(src, dst, weights):
-    """R^T stands where R belongs"""
-    return _finished(nearest_so(_product(src, dst, weights)), src, dst, weights)
-
-
-def wrong_block_transposed_at_the_end(src, dst, weights):
-    """R^T stands where R belongs"""
-    T = _finished(_rotation(src, dst, weights), src, dst, weights)
-    T[:3, :3] = T[:3, :3].T.copy()
-    return T
 
 
 def wrong_Vt_taken_for_V(src, dst, weights):
@@ -218,175 +206,6 @@ def wrong_U_not_transposed(src, dst, weights):
     """a factor is transposed once too often"""
     U, _, Vt = np.linalg.svd(_product(src, dst, weights))
     return _finished(Vt.T @ U, src, dst, weights)
-
-
-def wrong_singular_values_kept(src, dst, weights):
-    """the sum of the b_i a_i^T itself stands for R"""
-    U, S, Vt = np.linalg.svd(_product(src, dst, weights) / weights.sum())
-    return _finished(Vt.T @ np.diag(S) @ U.T, src, dst, weights)
-
-
-def wrong_weights_ignored(src, dst, weights):
-    """the weights are not used"""
-    return right_kabsch(src, dst, np.ones(len(src)))
-
-
-def wrong_plain_middles(src, dst, weights):
-    """the middles are taken without the weights"""
-    c, d = src.mean(0), dst.mean(0)
-    R = nearest_so((dst - d).T @ np.diag(weights) @ (src - c))
-    return _pose(R, d - R @ c)
-
-
-def wrong_plain_middles_in_p_only(src, dst, weights):
-    """the middles are taken without the weights"""
-    R = _rotation(src, dst, weights)
-    return _pose(R, np.mean(dst, axis=0) - R @ np.mean(src, axis=0))
-
-
-def wrong_plain_product(src, dst, weights):
-    """the weights are missing in the sum of the b_i a_i^T"""
-    c, d = _middles(src, dst, weights)
-    R = nearest_so((dst - d).T @ (src - c))
-    return _pose(R, d - R @ c)
-
-
-def wrong_both_sides_weighed(src, dst, weights):
-    """the weights come in twice"""
-    c, d = _middles(src, dst, weights)
-    R = nearest_so((weights[:, None] * (dst - d)).T @ (weights[:, None] * (src - c)))
-    return _pose(R, d - R @ c)
-
-
-def wrong_root_on_one_side(src, dst, weights):
-    """the square roots of the weights"""
-    c, d = _middles(src, dst, weights)
-    R = nearest_so((np.sqrt(weights)[:, None] * (dst - d)).T @ (src - c))
-    return _pose(R, d - R @ c)
-
-
-def wrong_not_divided(src, dst, weights):
-    """the weighted sum is not divided"""
-    c, d = weights @ src, weights @ dst
-    R = nearest_so((weights[:, None] * (dst - d)).T @ (src - c))
-    return _pose(R, d - R @ c)
-
-
-def wrong_divided_by_the_count(src, dst, weights):
-    """the weighted sum is not divided by the sum of the weights"""
-    c, d = (weights[:, None] * src).mean(0), (weights[:, None] * dst).mean(0)
-    R = nearest_so((weights[:, None] * (dst - d)).T @ (src - c))
-    return _pose(R, d - R @ c)
-
-
-def wrong_weighed_before_centring(src, dst, weights):
-    """the weights multiply the points before the middle is taken off"""
-    a, b = weights[:, None] * src, weights[:, None] * dst
-    R = nearest_so((b - b.mean(0)).T @ (a - a.mean(0)))
-    return _finished(R, src, dst, weights)
-
-
-def wrong_not_centred(src, dst, weights):
-    """the middles are not taken off"""
-    R = nearest_so(dst.T @ (weights[:, None] * src))
-    return _finished(R, src, dst, weights)
-
-
-def wrong_one_number_for_the_middle(src, dst, weights):
-    """axis=0 is missing"""
-    c, d = np.mean(src) * np.ones(3), np.mean(dst) * np.ones(3)
-    R = nearest_so((dst - d).T @ (weights[:, None] * (src - c)))
-    return _pose(R, d - R @ c)
-
-
-def wrong_dst_to_src(src, dst, weights):
-    """T takes dst to src"""
-    return right_kabsch(dst, src, weights)
-
-
-def wrong_difference_of_the_middles(src, dst, weights):
-    """p is the difference of the middles"""
-    c, d = _middles(src, dst, weights)
-    return _pose(_rotation(src, dst, weights), d - c)
-
-
-def wrong_sign_of_p(src, dst, weights):
-    """p has its sign turned"""
-    c, d = _middles(src, dst, weights)
-    R = _rotation(src, dst, weights)
-    return _pose(R, R @ c - d)
-
-
-def wrong_p_by_rows(src, dst, weights):
-    """p is made with R^T"""
-    c, d = _middles(src, dst, weights)
-    R = _rotation(src, dst, weights)
-    return _pose(R, d - c @ R)
-
-
-def wrong_p_of_the_other_way(src, dst, weights):
-    """p is made with src and dst swapped"""
-    c, d = _middles(src, dst, weights)
-    R = _rotation(src, dst, weights)
-    return _pose(R, c - R @ d)
-
-
-def wrong_R_of_the_difference(src, dst, weights):
-    """p is R times the difference"""
-    c, d = _middles(src, dst, weights)
-    R = _rotation(src, dst, weights)
-    return _pose(R, R @ (d - c))
-
-
-def wrong_middle_of_dst(src, dst, weights):
-    """p is the middle of dst alone"""
-    c, d = _middles(src, dst, weights)
-    return _pose(_rotation(src, dst, weights), d)
-
-
-def wrong_only_shifted(src, dst, weights):
-    """the turn is left out"""
-    c, d = _middles(src, dst, weights)
-    return _pose(np.eye(3), d - c)
-
-
-def wrong_with_a_scale(src, dst, weights):
-    """a scale is fitted too"""
-    c, d = _middles(src, dst, weights)
-    U, S, Vt = np.linalg.svd((dst - d).T @ (weights[:, None] * (src - c)))
-    signs = np.array([1, 1, np.linalg.det(U @ Vt)])
-    scale = (S @ signs) / (weights @ ((src - c) ** 2).sum(1))
-    R = scale * (U * signs) @ Vt
-    return _pose(R, d - R @ c)
-
-
-def wrong_linear_map(src, dst, weights):
-    """any linear map is allowed"""
-    c, d = _middles(src, dst, weights)
-    root = np.sqrt(weights)[:, None]
-    A = np.linalg.lstsq(root * (src - c), root * (dst - d), rcond=None)[0].T
-    return _pose(A, d - A @ c)
-
-
-def wrong_linear_map_mended(src, dst, weights):
-    """the best linear map is turned into a rotation afterwards"""
-    c, d = _middles(src, dst, weights)
-    root = np.sqrt(weights)[:, None]
-    R = nearest_so((np.linalg.pinv(root * (src - c)) @ (root * (dst - d))).T)
-    return _pose(R, d - R @ c)
-
-
-def wrong_frames_of_three_points(src, dst, weights):
-    """only three of the points are used"""
-
-    def frame(p):
-        x = p[1] - p[0]
-        z = np.cross(x, p[2] - p[0])
-        y = np.cross(z, x)
-        return np.array([v / np.linalg.norm(v) for v in (x, y, z)]).T
-
-    R = frame(dst) @ frame(src).T
-    return _pose(R, dst[0] - R @ src[0])
 
 
 def wrong_rotation_alone(src, dst, weights):
@@ -426,16 +245,6 @@ def wrong_weights_times_rows(src, dst, weights):
     c = np.sum(weights * src, axis=0) / np.sum(weights)
     d = np.sum(weights * dst, axis=0) / np.sum(weights)
     return _pose(nearest_so((dst - d).T @ (src - c)), d - c)
-
-
-def wrong_whole_numbers(src, dst, weights):
-    """digits after the point are cut off"""
-    c, d = _middles(src, dst, weights)
-    a, b = np.zeros_like(src), np.zeros_like(dst)
-    for i in range(len(src)):
-        a[i], b[i] = src[i] - c, dst[i] - d
-    R = nearest_so((weights[:, None] * b).T @ a)
-    return _pose(R, d - R @ c)
 
 
 def wrong_rounded(src, dst, weights):

@@ -58,138 +58,21 @@ def right_series(w):
     return R.astype(complex)
 
 
-def wrong_transposed(w):
-    """R^T is returned"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle).T
-    return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-
-def wrong_axis_not_normalised(w):
-    """w is not divided by its length"""
-    angle = np.linalg.norm(w)
-    return np.eye(3) + np.sin(angle) * hat(w) + (1 - np.cos(angle)) * hat(w) @ hat(w)
-
-
-def wrong_degrees(w):
-    """degrees"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    angle = np.deg2rad(angle)
-    return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-
-def wrong_no_division_by_zero_avoided(w):
-    """divided by zero"""
-    angle = np.linalg.norm(w)
-    N = hat(w / angle) if angle > 0 else np.full((3, 3), np.nan)
-    return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-
 def wrong_zero_not_asked(w):
-    """divided by zero"""
+    """w = 0 is divided by its length, which is 0"""
     angle = np.linalg.norm(w)
     x, y, z = w / angle
     N = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
 
 
-def wrong_small_angles_cut(w):
-    """small angles are cut off"""
-    angle = np.linalg.norm(w)
-    if angle < 1e-3:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-
 def wrong_tiny_angles_cut(w):
-    """small angles are cut off"""
+    """small angles are lost"""
     angle = np.linalg.norm(w)
     if np.isclose(angle, 0):
         return np.eye(3)
     N = hat(w / angle)
     return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
-
-
-def wrong_square_left_out(w):
-    """the term with [n]^2 is left out"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    return np.eye(3) + np.sin(angle) * hat(w / angle)
-
-
-def wrong_cosine(w):
-    """cos stands where 1 - cos belongs"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.sin(angle) * N + np.cos(angle) * N @ N
-
-
-def wrong_sign_of_the_square(w):
-    """1 - cos has its sign changed"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.sin(angle) * N - (1 - np.cos(angle)) * N @ N
-
-
-def wrong_entry_by_entry(w):
-    """entry by entry"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N**2
-
-
-def wrong_exponential_of_each_entry(w):
-    """np.exp takes each entry"""
-    return np.exp(hat(w))
-
-
-def wrong_sine_and_cosine_swapped(w):
-    """sine and cosine are swapped"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.cos(angle) * N + (1 - np.sin(angle)) * N @ N
-
-
-def wrong_angle_halved(w):
-    """the angle is halved"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + np.sin(angle / 2) * N + (1 - np.cos(angle / 2)) * N @ N
-
-
-def wrong_sine_left_out(w):
-    """the term with sin(a) is left out"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.eye(3) + (1 - np.cos(angle)) * N @ N
-
-
-def wrong_identity_missing(w):
-    """the identity is left out"""
-    angle = np.linalg.norm(w)
-    if angle == 0:
-        return np.eye(3)
-    N = hat(w / angle)
-    return np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
 
 
 def wrong_angle_not_halved(w):
@@ -205,13 +88,8 @@ def wrong_angle_not_halved(w):
     ]
 
 
-def wrong_series_cut(w):
-    """the series is cut"""
-    return np.eye(3) + hat(w) + hat(w) @ hat(w) / 2
-
-
 def wrong_turns_about_the_axes_in_a_row(w):
-    """one turn after the other"""
+    """the rotations about x, y and z are multiplied"""
     cx, cy, cz = np.cos(w)
     sx, sy, sz = np.sin(w)
     X = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
@@ -237,3 +115,66 @@ def wrong_about_z_only(w):
 def wrong_the_librarys(w):
     """course_lib.rotations.exp_so3 is called"""
     return textbook(w)
+
+
+def _R(a, n):
+    return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * hat(n) @ hat(n)
+
+
+def wrong_zero_returned_for_zero(w):
+    """another form"""
+    a = np.linalg.norm(w)
+    return 0 if a == 0 else _R(a, w / a)
+
+
+def wrong_squared_length(w):
+    """the square of the length stands for the length"""
+    a = w @ w
+    if a == 0:
+        return np.eye(3)
+    n = w / a
+    return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * hat(n) @ hat(n)
+
+
+def wrong_any_entry_zero_taken_for_zero(w):
+    """w counts as zero as soon as one of its entries is zero"""
+    if not w.all():
+        return np.eye(3)
+    a = np.linalg.norm(w)
+    return _R(a, w / a)
+
+
+def wrong_brackets_around_one_minus_cosine(w):
+    """brackets"""
+    a = np.linalg.norm(w)
+    if a == 0:
+        return np.eye(3)
+    N = hat(w / a)
+    return np.eye(3) + np.sin(a) * N + 1 - np.cos(a) * N @ N
+
+
+def wrong_elementwise_outer_product(w):
+    """n * n"""
+    a = np.linalg.norm(w)
+    if a == 0:
+        return np.eye(3)
+    n = w / a
+    return np.cos(a) * np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * n * n
+
+
+def wrong_sign_in_own_hat(w):
+    """[n] has a wrong sign in one entry"""
+    a = np.linalg.norm(w)
+    if a == 0:
+        return np.eye(3)
+    x, y, z = w / a
+    N = np.array([[0, -z, y], [z, 0, x], [-y, x, 0]])
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
+
+
+def wrong_allclose_to_zero(w):
+    """small angles are lost"""
+    if np.allclose(w, 0):
+        return np.eye(3)
+    a = np.linalg.norm(w)
+    return _R(a, w / a)

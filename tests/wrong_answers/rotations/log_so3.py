@@ -75,59 +75,8 @@ def _at_half_turn(R):
     return np.pi * longest / np.linalg.norm(longest)
 
 
-def wrong_sign_flipped(R):
-    """the logarithm of R^T"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle < 1e-6:
-        return -_vee_of_difference(R) / 2
-    if angle > np.pi - 1e-6:
-        return _at_half_turn(R)
-    return -angle * _vee_of_difference(R) / (2 * np.sin(angle))
-
-
-def wrong_axis_alone(R):
-    """the axis alone"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle == 0:
-        return np.zeros(3)
-    if angle > np.pi - 1e-6:
-        return _at_half_turn(R) / np.pi
-    return _vee_of_difference(R) / (2 * np.sin(angle))
-
-
-def wrong_degrees(R):
-    """degrees"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle < 1e-6:
-        return np.degrees(_vee_of_difference(R) / 2)
-    if angle > np.pi - 1e-6:
-        return np.degrees(_at_half_turn(R))
-    return np.degrees(angle) * _vee_of_difference(R) / (2 * np.sin(angle))
-
-
-def wrong_division_by_the_sine_missing(R):
-    """the division by sin(angle) is missing"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    return angle * _vee_of_difference(R) / 2
-
-
-def wrong_skew_part_only(R):
-    """the skew part of R is taken for its logarithm"""
-    return _vee_of_difference(R) / 2
-
-
-def wrong_half_missing(R):
-    """the half is missing"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle < 1e-6:
-        return _vee_of_difference(R) / 2
-    if angle > np.pi - 1e-6:
-        return _at_half_turn(R)
-    return angle * _vee_of_difference(R) / np.sin(angle)
-
-
 def wrong_half_turn_taken_for_none(R):
-    """a half turn is taken for no turn"""
+    """small angles are cut off to zero"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if np.sin(angle) < 1e-6:
         return np.zeros(3)
@@ -135,7 +84,7 @@ def wrong_half_turn_taken_for_none(R):
 
 
 def wrong_divided_by_the_sine_of_pi(R):
-    """at a half turn the answer is not the axis times pi"""
+    """small angles are cut off to zero"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle == 0:
         return np.zeros(3)
@@ -163,7 +112,7 @@ def wrong_first_column_at_half_turn(R):
 
 
 def wrong_axis_not_normalised_at_half_turn(R):
-    """not the axis times pi"""
+    """at a half turn the answer is not pi times the unit axis"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle < 1e-6:
         return _vee_of_difference(R) / 2
@@ -183,7 +132,7 @@ def wrong_arccos_outside_its_domain(R):
 
 
 def wrong_arccos_of_half_the_trace(R):
-    """unnamed"""
+    """the angle is computed from the trace with a wrong constant"""
     angle = np.arccos(np.clip(np.trace(R) / 2 - 1, -1, 1))
     if angle < 1e-6:
         return _vee_of_difference(R) / 2
@@ -208,18 +157,8 @@ def wrong_long_way_round(R):
     return (angle - 2 * np.pi) * _vee_of_difference(R) / (2 * np.sin(angle))
 
 
-def wrong_half_of_it(R):
-    """half of the rotation vector"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle < 1e-6:
-        return _vee_of_difference(R) / 4
-    if angle > np.pi - 1e-6:
-        return _at_half_turn(R) / 2
-    return angle * _vee_of_difference(R) / (4 * np.sin(angle))
-
-
 def wrong_axis_for_no_turn(R):
-    """no turn is given an axis"""
+    """digits are lost at small angles"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle == 0:
         return [0, 0, 1]
@@ -239,20 +178,10 @@ def wrong_rounded_before_arccos(R):
 
 
 def wrong_branch_for_tiny_angles(R):
-    """the branch for tiny angles is wrong"""
+    """digits are lost at small angles"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle < 1e-6:
         return np.array([R[1, 0], R[0, 2], R[2, 1]])
-    if angle > np.pi - 1e-6:
-        return _at_half_turn(R)
-    return angle * _vee_of_difference(R) / (2 * np.sin(angle))
-
-
-def wrong_small_angles_cut(R):
-    """small angles are cut off"""
-    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if angle < 1e-3:
-        return np.zeros(3)
     if angle > np.pi - 1e-6:
         return _at_half_turn(R)
     return angle * _vee_of_difference(R) / (2 * np.sin(angle))
@@ -279,3 +208,85 @@ def wrong_axis_and_angle_apart(R):
 def wrong_the_librarys(R):
     """course_lib.rotations.log_so3 is called"""
     return rot.log_so3(R)
+
+
+def _skew(R):
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+
+
+def _half(R):
+    C = R + np.eye(3)
+    c = C[:, np.argmax(np.linalg.norm(C, axis=0))]
+    return np.pi * c / np.linalg.norm(c)
+
+
+def wrong_half_turn_formula_from_afar(R):
+    """used too soon"""
+    a = np.arctan2(np.linalg.norm(_skew(R)), (np.trace(R) - 1) / 2)
+    if np.pi - a < 1e-3:
+        return _half(R)
+    return _skew(R) * (a / np.sin(a) if a > 0 else 1)
+
+
+def wrong_zeros_below_a_threshold(R):
+    """small angles are cut off"""
+    s = np.linalg.norm(_skew(R))
+    a = np.arctan2(s, (np.trace(R) - 1) / 2)
+    if a < 1.2e-4:
+        return np.zeros(3)
+    return _half(R) if s < 1e-9 else a / s * _skew(R)
+
+
+def wrong_eigenvector_with_any_sign(R):
+    """sign"""
+    values, vectors = np.linalg.eig(R)
+    n = np.real(vectors[:, np.argmin(abs(values - 1))])
+    return np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1)) * n
+
+
+def wrong_exact_test_of_the_trace(R):
+    """half turn"""
+    s = np.linalg.norm(_skew(R))
+    a = np.arctan2(s, (np.trace(R) - 1) / 2)
+    if np.trace(R) == -1:
+        return _half(R)
+    if s == 0:
+        return np.zeros(3)
+    return a / s * _skew(R)
+
+
+def wrong_half_turn_for_the_identity_too(R):
+    """the identity is given an axis"""
+    s = np.linalg.norm(_skew(R))
+    if s < 1e-12:
+        return _half(R)
+    return np.arctan2(s, (np.trace(R) - 1) / 2) / s * _skew(R)
+
+
+def wrong_columns_of_R_minus_I(R):
+    """not pi times the unit axis"""
+    s = np.linalg.norm(_skew(R))
+    if s < 1e-12 and np.trace(R) < 0:
+        C = R - np.eye(3)
+        c = C[:, np.argmax(np.linalg.norm(C, axis=0))]
+        return np.pi * c / np.linalg.norm(c)
+    return np.arctan2(s, (np.trace(R) - 1) / 2) / s * _skew(R) if s > 1e-12 else _skew(R)
+
+
+def wrong_identity_forgotten_in_the_sum(R):
+    """not pi times the unit axis"""
+    s = np.linalg.norm(_skew(R))
+    if s < 1e-12 and np.trace(R) < 0:
+        c = R[:, np.argmax(np.diag(R))]
+        return np.pi * c / np.linalg.norm(c)
+    return np.arctan2(s, (np.trace(R) - 1) / 2) / s * _skew(R) if s > 1e-12 else _skew(R)
+
+
+def wrong_arccos_near_pi(R):
+    """a half turn is taken for no rotation"""
+    a = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if a < 1e-6:
+        return _skew(R)
+    if a == np.pi:
+        return _half(R)
+    return a / np.sin(a) * _skew(R)

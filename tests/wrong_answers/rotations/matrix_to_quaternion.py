@@ -64,19 +64,14 @@ def wrong_scalar_last(R):
     return np.array([x, y, z, w])
 
 
-def wrong_conjugate(R):
-    """the conjugate is returned"""
-    return right_four_branches(R.T)
-
-
 def wrong_single_branch(R):
-    """near a half turn you divide by"""
+    """something is divided by zero, or a function is asked outside its domain"""
     w = np.sqrt(1 + np.trace(R)) / 2
     return np.array([w, *(np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / (4 * w))])
 
 
 def wrong_single_branch_guarded(R):
-    """near a half turn you divide by"""
+    """an entry of q that is nearly 0 serves as the divisor"""
     w = np.sqrt(max(0, 1 + np.trace(R))) / 2
     if w < 1e-9:
         return np.array([0, 1, 0, 0])
@@ -91,12 +86,6 @@ def wrong_roots_with_signs_of_the_differences(R):
     return [w, np.copysign(x, R[2, 1] - R[1, 2]), np.copysign(y, R[0, 2] - R[2, 0]), np.copysign(z, R[1, 0] - R[0, 1])]
 
 
-def wrong_roots_without_signs(R):
-    """the signs of x, y, z do not fit together"""
-    four = [1 + s @ np.diag(R) for s in np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])]
-    return np.sqrt(np.maximum(four, 0)) / 2
-
-
 def wrong_sum_for_difference(R):
     """the signs of x, y, z do not fit together"""
     q = np.array(right_four_branches(R))
@@ -106,7 +95,7 @@ def wrong_sum_for_difference(R):
 
 
 def wrong_z_branch_missing(R):
-    """near a half turn you divide by"""
+    """an entry of q that is nearly 0 serves as the divisor"""
     t = np.trace(R)
     if t > 0:
         w = np.sqrt(1 + t) / 2
@@ -119,7 +108,7 @@ def wrong_z_branch_missing(R):
 
 
 def wrong_row_with_the_largest_sum(R):
-    """near a half turn you divide by"""
+    """an entry of q that is nearly 0 serves as the divisor"""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
     rows = np.array(
         [
@@ -134,7 +123,7 @@ def wrong_row_with_the_largest_sum(R):
 
 
 def wrong_x_compared_with_y_only(R):
-    """near a half turn you divide by"""
+    """an entry of q that is nearly 0 serves as the divisor"""
     if np.trace(R) <= 0 and R[0, 0] >= R[1, 1]:
         x = np.sqrt(1 + R[0, 0] - R[1, 1] - R[2, 2]) / 2
         return [(R[2, 1] - R[1, 2]) / (4 * x), x, (R[0, 1] + R[1, 0]) / (4 * x), (R[0, 2] + R[2, 0]) / (4 * x)]
@@ -148,17 +137,6 @@ def wrong_angle_not_halved(R):
     if half == 0:
         return q
     return np.array([np.cos(2 * half), *(np.sin(2 * half) * q[1:] / np.linalg.norm(q[1:]))])
-
-
-def wrong_half_missing(R):
-    """the half is missing"""
-    return 2 * np.array(right_four_branches(R))
-
-
-def wrong_factor_four(R):
-    """the vector part has another factor"""
-    w, x, y, z = right_four_branches(R)
-    return [w, 2 * x, 2 * y, 2 * z]
 
 
 def wrong_rotation_vector(R):
@@ -192,3 +170,60 @@ def wrong_printed(R):
 def wrong_the_librarys(R):
     """course_lib.rotations.matrix_to_quaternion is called"""
     return ready_made(R)
+
+
+def _branch(R, k):
+    d = np.diag(R)
+    if k == 0:
+        w = np.sqrt(1 + d.sum()) / 2
+        return np.array(
+            [w, (R[2, 1] - R[1, 2]) / (4 * w), (R[0, 2] - R[2, 0]) / (4 * w), (R[1, 0] - R[0, 1]) / (4 * w)]
+        )
+    if k == 1:
+        x = np.sqrt(1 + R[0, 0] - R[1, 1] - R[2, 2]) / 2
+        return np.array(
+            [(R[2, 1] - R[1, 2]) / (4 * x), x, (R[0, 1] + R[1, 0]) / (4 * x), (R[0, 2] + R[2, 0]) / (4 * x)]
+        )
+    if k == 2:
+        y = np.sqrt(1 - R[0, 0] + R[1, 1] - R[2, 2]) / 2
+        return np.array(
+            [(R[0, 2] - R[2, 0]) / (4 * y), (R[0, 1] + R[1, 0]) / (4 * y), y, (R[1, 2] + R[2, 1]) / (4 * y)]
+        )
+    z = np.sqrt(1 - R[0, 0] - R[1, 1] + R[2, 2]) / 2
+    return np.array([(R[1, 0] - R[0, 1]) / (4 * z), (R[0, 2] + R[2, 0]) / (4 * z), (R[1, 2] + R[2, 1]) / (4 * z), z])
+
+
+def wrong_x_branch_for_all_half_turns(R):
+    """the divisor"""
+    return _branch(R, 0 if np.trace(R) > 0 else 1)
+
+
+def wrong_largest_of_x_y_z_only(R):
+    """the divisor"""
+    return _branch(R, 1 + int(np.argmax(np.diag(R))))
+
+
+def wrong_half_missing_in_one_branch(R):
+    """the answer is twice what it should be"""
+    k = int(np.argmax([np.trace(R), *np.diag(R)]))
+    q = _branch(R, k)
+    return 2 * q if k == 3 else q
+
+
+def wrong_smallest_instead_of_largest(R):
+    """something is divided by zero, or a function is asked outside its domain"""
+    return _branch(R, int(np.argmin([np.trace(R), *np.diag(R)])))
+
+
+def wrong_guard_at_exactly_minus_one(R):
+    """the divisor"""
+    if np.trace(R) == -1:
+        return _branch(R, 1 + int(np.argmax(np.diag(R))))
+    return _branch(R, 0)
+
+
+def wrong_sign_in_the_x_branch(R):
+    """the signs of x, y, z do not fit together"""
+    k = int(np.argmax([np.trace(R), *np.diag(R)]))
+    q = _branch(R, k)
+    return q * [-1, 1, 1, 1] if k == 1 else q

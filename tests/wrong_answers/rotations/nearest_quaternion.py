@@ -31,56 +31,14 @@ def right_row(q):
     return np.longdouble(flat[None, :]) / np.sqrt(np.einsum("i,i", flat, flat))
 
 
-def wrong_square_of_the_length(q):
-    """|q|^2"""
-    return q / np.sum(q**2)
-
-
-def wrong_sum(q):
-    """the sum of its entries"""
-    return q / np.sum(q)
-
-
-def wrong_sum_of_sizes(q):
-    """the sum of its entries' sizes"""
-    return q / np.sum(np.abs(q))
-
-
-def wrong_largest_entry(q):
-    """its largest entry"""
-    return q / np.abs(q).max()
-
-
-def wrong_sign_flipped(q):
-    """the sign is turned"""
-    return -q / np.linalg.norm(q)
-
-
 def wrong_scalar_made_positive(q):
-    """the sign is turned where w < 0"""
+    """the sign is changed if w < 0"""
     u = np.ravel(q) / np.linalg.norm(q)
     return u if u[0] >= 0 else -u
 
 
-def wrong_conjugate(q):
-    """the conjugate is returned"""
-    u = np.ravel(q) / np.linalg.norm(q)
-    return [u[0], -u[1], -u[2], -u[3]]
-
-
-def wrong_inverse(q):
-    """the inverse is returned"""
-    flat = np.ravel(q)
-    return flat * [1, -1, -1, -1] / (flat @ flat)
-
-
-def wrong_multiplied(q):
-    """multiplied"""
-    return q * np.linalg.norm(q)
-
-
 def wrong_unchanged(q):
-    """q comes back as it is"""
+    """q is returned as it came"""
     return np.array(q)
 
 
@@ -92,7 +50,7 @@ def wrong_vector_part_only(q):
 
 
 def wrong_scalar_adjusted(q):
-    """unnamed"""
+    """w is chosen so that the length becomes one"""
     u = np.ravel(q).copy()
     u[0] = np.sqrt(max(0, 1 - u[1:] @ u[1:]))
     return u
@@ -127,3 +85,35 @@ def wrong_dot_of_a_column(q):
 def wrong_the_librarys(q):
     """course_lib.rotations.nearest_quaternion is called"""
     return ready_made(q.reshape(4))
+
+
+def wrong_sizes_of_the_entries(q):
+    """the signs of the entries are lost"""
+    return np.abs(np.ravel(q)) / np.linalg.norm(q)
+
+
+def wrong_rounded(q):
+    """first digits"""
+    return np.round(np.ravel(q) / np.linalg.norm(q), 3)
+
+
+def wrong_axis_one(q):
+    """AxisError"""
+    return q / np.linalg.norm(q, axis=1)
+
+
+def wrong_root_of_the_length(q):
+    """something else than its length"""
+    return np.ravel(q) / np.sqrt(np.linalg.norm(q))
+
+
+def wrong_valid_within_a_percent_unchanged(q):
+    """q is returned as it came"""
+    q = np.ravel(q)
+    return q if abs(np.linalg.norm(q) - 1) < 0.05 else q / np.linalg.norm(q)
+
+
+def wrong_only_long_ones(q):
+    """q is"""
+    q = np.ravel(q)
+    return q / max(1, np.linalg.norm(q))

@@ -55,21 +55,6 @@ def _with_block(T, R):
     return X
 
 
-def wrong_row_left(T):
-    """the last row stays as it came"""
-    X = T.copy()
-    X[:-1, :-1] = nearest_so(T[:-1, :-1])
-    return X
-
-
-def wrong_only_last_entry_of_row(T):
-    """of the last row only the 1 is written"""
-    X = T.copy()
-    X[:-1, :-1] = nearest_so(T[:-1, :-1])
-    X[-1, -1] = 1
-    return X
-
-
 def wrong_row_divided_by_its_last_entry(T):
     """T is divided by its last entry"""
     X = T / T[-1, -1]
@@ -77,22 +62,8 @@ def wrong_row_divided_by_its_last_entry(T):
     return X
 
 
-def wrong_only_row(T):
-    """the block comes back as it is"""
-    X = T.copy()
-    X[-1] = np.eye(len(T))[-1]
-    return X
-
-
-def wrong_translation_lost(T):
-    """the translation is lost"""
-    X = np.eye(len(T))
-    X[:-1, :-1] = nearest_so(T[:-1, :-1])
-    return X
-
-
 def wrong_translation_turned(T):
-    """the translation is turned"""
+    """the translation is rotated with the block"""
     R = nearest_so(T[:-1, :-1])
     X = _with_block(T, R)
     X[:-1, -1] = R @ T[:-1, -1]
@@ -108,49 +79,24 @@ def wrong_translation_corrected_too(T):
 
 
 def wrong_columns_of_block_normalised(T):
-    """the block is no rotation"""
+    """the block is not a rotation"""
     return _with_block(T, T[:-1, :-1] / np.linalg.norm(T[:-1, :-1], axis=0))
 
 
 def wrong_whole_matrix(T):
-    """the whole of T is taken"""
+    """the whole of T is made a rotation"""
     U, S, Vt = np.linalg.svd(T)
     U[:, -1] *= np.linalg.det(U @ Vt)
     return U @ Vt
 
 
 def wrong_as_published(T):
-    """as in the published report"""
+    """the last column of U V^T is negated"""
     U, S, Vt = np.linalg.svd(T[:-1, :-1])
     R = U @ Vt
     if np.linalg.det(R) < 0:
         R[:, -1] *= -1
     return _with_block(T, R)
-
-
-def wrong_reflections_stay(T):
-    """the block is left a reflection"""
-    U, S, Vt = np.linalg.svd(T[:-1, :-1])
-    return _with_block(T, U @ Vt)
-
-
-def wrong_transposed(T):
-    """the block is transposed"""
-    return _with_block(T, nearest_so(T[:-1, :-1]).T)
-
-
-def wrong_qr(T):
-    """column after column"""
-    Q, R = np.linalg.qr(T[:-1, :-1])
-    return _with_block(T, Q * np.sign(np.diag(R)))
-
-
-def wrong_inverse(T):
-    """the inverse pose is returned"""
-    R = nearest_so(T[:-1, :-1])
-    X = np.eye(len(T))
-    X[:-1, :-1], X[:-1, -1] = R.T, -R.T @ T[:-1, -1]
-    return X
 
 
 def wrong_block_alone(T):
@@ -184,3 +130,57 @@ def wrong_forgotten_return(T):
 def wrong_the_librarys(T):
     """course_lib.rotations.nearest_so is called"""
     return _with_block(T, r.nearest_so(T[:-1, :-1]))
+
+
+def _near(M):
+    U, _, Vt = np.linalg.svd(M)
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    return U @ Vt
+
+
+def wrong_last_column_written_anew(T):
+    """the last row is not that of a pose"""
+    X = T.copy()
+    X[:-1, :-1] = _near(T[:-1, :-1])
+    X[:, -1] = np.eye(len(T))[-1]
+    return X
+
+
+def wrong_block_of_three_always(T):
+    """IndexError"""
+    X = np.eye(len(T))
+    X[:3, :3] = _near(T[:3, :3])
+    X[:3, 3] = T[:3, 3]
+    return X
+
+
+def wrong_alias(T):
+    """T is changed in place"""
+    X = T
+    X[:-1, :-1] = _near(X[:-1, :-1])
+    X[-1] = np.eye(len(T))[-1]
+    return X
+
+
+def wrong_block_divided_by_its_determinant(T):
+    """the block is not a rotation"""
+    X = np.eye(len(T))
+    X[:-1, :-1] = T[:-1, :-1] / np.linalg.norm(T[:-1, :-1])
+    X[:-1, -1] = T[:-1, -1]
+    return X
+
+
+def wrong_translation_in_the_row(T):
+    """the last row is not that of a pose"""
+    X = np.eye(len(T))
+    X[:-1, :-1] = _near(T[:-1, :-1])
+    X[-1, :-1] = T[:-1, -1]
+    return X
+
+
+def wrong_row_of_zeros(T):
+    """the last row is not that of a pose"""
+    X = T.copy()
+    X[:-1, :-1] = _near(T[:-1, :-1])
+    X[-1] = 0
+    return X

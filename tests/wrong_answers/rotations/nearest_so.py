@@ -58,59 +58,13 @@ def right_polar_then_one_axis_turned(M):
     return R.astype(np.longdouble)
 
 
-def wrong_reflections_stay(M):
-    """a reflection where det M < 0"""
-    U, S, Vt = np.linalg.svd(M)
-    return U @ Vt
-
-
 def wrong_as_published(M):
-    """the last column of U V^T is negated"""
+    """unnamed"""
     U, S, Vt = np.linalg.svd(M)
     R = U @ Vt
     if np.linalg.det(R) < 0:
         R[:, -1] = -R[:, -1]
     return R
-
-
-def wrong_last_row_negated(M):
-    """the last row of U V^T is negated"""
-    U, S, Vt = np.linalg.svd(M)
-    R = U @ Vt
-    if np.linalg.det(R) < 0:
-        R[-1] = -R[-1]
-    return R
-
-
-def wrong_largest_singular_value_turned(M):
-    """at the largest singular value"""
-    U, S, Vt = np.linalg.svd(M)
-    D = np.eye(len(M))
-    D[0, 0] = np.linalg.det(U @ Vt)
-    return U @ D @ Vt
-
-
-def wrong_all_negated(M):
-    """all of U V^T is negated"""
-    U, S, Vt = np.linalg.svd(M)
-    R = U @ Vt
-    return R * np.linalg.det(R)
-
-
-def wrong_last_row_of_U(M):
-    """the last row of U V^T is negated"""
-    U, S, Vt = np.linalg.svd(M)
-    if np.linalg.det(U @ Vt) < 0:
-        U[-1] *= -1
-    return U @ Vt
-
-
-def wrong_sign_always_turned(M):
-    """the sign is turned always"""
-    U, S, Vt = np.linalg.svd(M)
-    D = np.eye(len(M))
-    D[-1, -1] = -1
-    return U @ D @ Vt
 
 
 def wrong_two_signs_turned(M):
@@ -121,16 +75,8 @@ def wrong_two_signs_turned(M):
     return U @ Vt
 
 
-def wrong_sign_of_det_M(M):
-    """det M is asked for the sign"""
-    U, S, Vt = np.linalg.svd(M)
-    D = np.eye(len(M))
-    D[-1, -1] = np.sign(np.linalg.det(M))
-    return U @ D @ Vt
-
-
 def wrong_sign_of_a_negative_det_M(M):
-    """det M is asked for the sign"""
+    """the sign comes from det M"""
     U, S, Vt = np.linalg.svd(M)
     if np.linalg.det(M) < 0:
         U[:, -1] *= -1
@@ -138,7 +84,7 @@ def wrong_sign_of_a_negative_det_M(M):
 
 
 def wrong_sign_unless_det_M_is_positive(M):
-    """det M is asked for the sign"""
+    """the sign comes from det M"""
     U, S, Vt = np.linalg.svd(M)
     if np.linalg.det(M) <= 0:
         Vt[-1] = -Vt[-1]
@@ -146,17 +92,11 @@ def wrong_sign_unless_det_M_is_positive(M):
 
 
 def wrong_det_M_in_place_of_its_sign(M):
-    """the answer is not orthogonal"""
+    """the sign comes from det M"""
     U, S, Vt = np.linalg.svd(M)
     D = np.eye(len(M))
     D[-1, -1] = np.linalg.det(M)
     return U @ D @ Vt
-
-
-def wrong_qr(M):
-    """Gram-Schmidt"""
-    Q, R = np.linalg.qr(M)
-    return Q * np.sign(np.diag(R))
 
 
 def wrong_gram_schmidt(M):
@@ -169,11 +109,6 @@ def wrong_gram_schmidt(M):
     return np.column_stack([x, y, np.cross(x, y)])
 
 
-def wrong_columns_normalised(M):
-    """the columns are only scaled"""
-    return M / np.linalg.norm(M, axis=0)
-
-
 def wrong_transposed(M):
     """the transpose is returned"""
     U, S, Vt = np.linalg.svd(M)
@@ -182,16 +117,8 @@ def wrong_transposed(M):
     return (U @ D @ Vt).T
 
 
-def wrong_third_result_transposed(M):
-    """numpy's third result is taken for V"""
-    U, S, V = np.linalg.svd(M)
-    D = np.eye(len(M))
-    D[-1, -1] = np.linalg.det(U @ V.T)
-    return U @ D @ V.T
-
-
 def wrong_singular_values_kept(M):
-    """M comes back as it is"""
+    """M is returned as it came"""
     U, S, Vt = np.linalg.svd(M)
     return U @ np.diag(S) @ Vt
 
@@ -205,12 +132,6 @@ def wrong_space_only(M):
     """ValueError"""
     U, S, Vt = np.linalg.svd(M)
     return U @ np.diag([1, 1, np.linalg.det(U @ Vt)]) @ Vt
-
-
-def wrong_entry_by_entry(M):
-    """entry by entry"""
-    U, S, Vt = np.linalg.svd(M)
-    return U * Vt
 
 
 def wrong_all_three_returned(M):
@@ -231,3 +152,54 @@ def wrong_changed_in_place(M):
 def wrong_the_librarys(M):
     """course_lib.rotations.nearest_so is called"""
     return ready_made(M)
+
+
+def wrong_both_corrections(M):
+    """the answer is a reflection"""
+    U, _, Vt = np.linalg.svd(M)
+    if np.linalg.det(U @ Vt) < 0:
+        U[:, -1] *= -1
+        R = U @ Vt
+        R[:, -1] *= -1
+        return R
+    return U @ Vt
+
+
+def wrong_column_of_Vt(M):
+    """unnamed"""
+    U, _, Vt = np.linalg.svd(M)
+    if np.linalg.det(U @ Vt) < 0:
+        Vt[:, -1] *= -1
+    return U @ Vt
+
+
+def wrong_farthest_of_three(M):
+    """the sign is put at the largest singular value"""
+    U, _, Vt = np.linalg.svd(M)
+    tries = []
+    for k in range(len(M)):
+        D = np.eye(len(M))
+        D[k, k] = np.linalg.det(U @ Vt)
+        tries.append(U @ D @ Vt)
+    return max(tries, key=lambda R: np.linalg.norm(M - R))
+
+
+def wrong_iteration_that_keeps_the_handedness(M):
+    """LinAlgError"""
+    X = np.array(M)
+    for _ in range(60):
+        X = (X + np.linalg.inv(X).T) / 2
+    return X
+
+
+def wrong_determinant_of_a_rotation_by_division(M):
+    """divided by zero"""
+    n = len(M)
+    d = np.linalg.det(M)
+    return M / (abs(d) ** (1 / n)) * (1 if d > 0 else -1)
+
+
+def wrong_nearest_by_the_angle_in_the_plane_only(M):
+    """another form"""
+    a = np.arctan2(M[1, 0] - M[0, 1], M[0, 0] + M[1, 1])
+    return np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])

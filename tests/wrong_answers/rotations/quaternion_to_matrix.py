@@ -55,18 +55,6 @@ def right_axis_and_angle(q):
     return np.cos(a) * np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * np.outer(n, n)
 
 
-def wrong_transposed(q):
-    """R^T is returned"""
-    w, x, y, z = q
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
-            [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
-            [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
 def wrong_scalar_last(q):
     """(x, y, z, w)"""
     x, y, z, w = q
@@ -79,20 +67,8 @@ def wrong_scalar_last(q):
     )
 
 
-def wrong_factor_two_missing(q):
-    """a factor 2 is missing"""
-    w, V = q[0], hat(q[1:])
-    return np.eye(3) + w * V + V @ V
-
-
-def wrong_factor_two_on_one_term(q):
-    """the factor 2 stands at one term only"""
-    w, V = q[0], hat(q[1:])
-    return np.eye(3) + 2 * w * V + V @ V
-
-
 def wrong_sign_on_the_diagonal(q):
-    """a sign on the diagonal"""
+    """the squares on the diagonal are the wrong ones, or have the wrong sign"""
     w, x, y, z = q
     return np.array(
         [
@@ -104,7 +80,7 @@ def wrong_sign_on_the_diagonal(q):
 
 
 def wrong_own_square_on_the_diagonal(q):
-    """the square of its own entry"""
+    """the squares on the diagonal are the wrong ones, or have the wrong sign"""
     w, x, y, z = q
     return np.array(
         [
@@ -116,7 +92,7 @@ def wrong_own_square_on_the_diagonal(q):
 
 
 def wrong_one_sign_off_the_diagonal(q):
-    """one entry's sign"""
+    """the term with w has the wrong sign in one entry"""
     w, x, y, z = q
     return np.array(
         [
@@ -127,34 +103,10 @@ def wrong_one_sign_off_the_diagonal(q):
     )
 
 
-def wrong_half_the_angle(q):
-    """halved twice"""
-    sine = np.linalg.norm(q[1:])
-    if sine == 0:
-        return np.eye(3)
-    n, a = q[1:] / sine, np.arccos(q[0])
-    return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * hat(n) @ hat(n)
-
-
 def wrong_division_by_zero(q):
     """ValueError"""
     n, a = q[1:] / np.sqrt(1 - q[0] ** 2), 2 * np.arccos(q[0])
     return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * hat(n) @ hat(n)
-
-
-def wrong_vector_part_taken_for_the_axis(q):
-    """not divided by its length"""
-    a = 2 * np.arccos(q[0])
-    return np.eye(3) + np.sin(a) * hat(q[1:]) + (1 - np.cos(a)) * hat(q[1:]) @ hat(q[1:])
-
-
-def wrong_entries_taken_for_axis_and_angle(q):
-    """w is taken for the angle"""
-    sine = np.linalg.norm(q[1:])
-    if sine == 0:
-        return np.eye(3)
-    n = q[1:] / sine
-    return np.eye(3) + np.sin(q[0]) * hat(n) + (1 - np.cos(q[0])) * hat(n) @ hat(n)
 
 
 def wrong_four_by_four(q):
@@ -184,3 +136,52 @@ def wrong_name(q):
 def wrong_the_librarys(q):
     """course_lib.rotations.quaternion_to_matrix is called"""
     return r.quaternion_to_matrix(q)
+
+
+def wrong_brackets_missing(q):
+    """a factor 2 is missing"""
+    w, x, y, z = q
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * x * y - w * z, 2 * x * z + w * y],
+            [2 * x * y + w * z, 1 - 2 * (x * x + z * z), 2 * y * z - w * x],
+            [2 * x * z - w * y, 2 * y * z + w * x, 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def wrong_square_of_w(q):
+    """w is missing, or squared"""
+    V = hat(q[1:])
+    return np.eye(3) + 2 * q[0] ** 2 * V + 2 * V @ V
+
+
+def wrong_elementwise_square(q):
+    """entry by entry"""
+    V = hat(q[1:])
+    return np.eye(3) + 2 * q[0] * V + 2 * V**2
+
+
+def wrong_y_and_z_swapped(q):
+    """two of x, y, z have changed places"""
+    w, x, z, y = q
+    V = hat([x, y, z])
+    return np.eye(3) + 2 * w * V + 2 * V @ V
+
+
+def wrong_whole_q_in_hat(q):
+    """ValueError"""
+    V = hat(q)
+    return np.eye(3) + 2 * q[0] * V + 2 * V @ V
+
+
+def wrong_sign_of_the_square(q):
+    """the squares on the diagonal"""
+    V = hat(q[1:])
+    return np.eye(3) + 2 * q[0] * V - 2 * V @ V
+
+
+def wrong_no_identity(q):
+    """the identity is missing"""
+    V = hat(q[1:])
+    return 2 * q[0] * V + 2 * V @ V

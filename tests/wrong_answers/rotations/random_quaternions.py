@@ -46,14 +46,14 @@ def right_rejected_outside_the_ball(n, rng):
 
 
 def wrong_roots_forgotten(n, rng):
-    """the roots of s and 1 - s are forgotten"""
+    """the roots of s and 1 - s are missing"""
     s, x1, x2 = rng.random((3, n))
     one, two = 2 * np.pi * x1, 2 * np.pi * x2
     return np.stack([np.cos(two) * s, np.sin(one) * (1 - s), np.cos(one) * (1 - s), np.sin(two) * s], axis=1)
 
 
 def wrong_one_root_forgotten(n, rng):
-    """the roots of s and 1 - s are forgotten"""
+    """the roots of s and 1 - s are missing"""
     s, x1, x2 = rng.random((3, n))
     near = np.sqrt(1 - s)
     one, two = 2 * np.pi * x1, 2 * np.pi * x2
@@ -61,7 +61,7 @@ def wrong_one_root_forgotten(n, rng):
 
 
 def wrong_sine_and_cosine_of_an_even_angle(n, rng):
-    """an even angle"""
+    """sine and cosine of a uniform angle stand for the roots of s and 1 - s"""
     x0, x1, x2 = 2 * np.pi * rng.random((3, n))
     return np.stack(
         [np.cos(x2) * np.sin(x0), np.sin(x1) * np.cos(x0), np.cos(x1) * np.cos(x0), np.sin(x2) * np.sin(x0)], 1
@@ -83,14 +83,14 @@ def wrong_one_draw_for_root_and_angle(n, rng):
 
 
 def wrong_half_turns(n, rng):
-    """a full turn"""
+    """an angle does not cover the full circle"""
     s, x1, x2 = rng.random((3, n))
     near, far, one, two = np.sqrt(1 - s), np.sqrt(s), np.pi * x1, np.pi * x2
     return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)
 
 
 def wrong_positive_entries(n, rng):
-    """four numbers from [0, 1] are normalised"""
+    """no entry is ever negative"""
     q = rng.random((n, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)
 
@@ -113,7 +113,7 @@ def wrong_normalised_over_all(n, rng):
 
 
 def wrong_euler_branch(n, rng):
-    """Euler angles are drawn evenly"""
+    """Euler angles are drawn uniformly"""
     a, b, c = rng.random((3, n)) * [[np.pi], [np.pi / 2], [np.pi]]
     w, x, y, z = np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b) * np.cos(a), -np.sin(b) * np.sin(a)
     cos, sin = np.cos(c), np.sin(c)
@@ -121,20 +121,20 @@ def wrong_euler_branch(n, rng):
 
 
 def wrong_axis_and_angle(n, rng):
-    """axis and angle are drawn evenly"""
+    """axis and angle are drawn uniformly"""
     axis, angle = rng.normal(size=(n, 3)), 2 * np.pi * rng.random((n, 1))
     axis /= np.linalg.norm(axis, axis=1, keepdims=True)
     return np.hstack([np.cos(angle / 2), np.sin(angle / 2) * axis])
 
 
 def wrong_numpy_random(n, rng):
-    """numpy.random is used instead of rng"""
+    """the numbers do not come from rng"""
     q = np.random.randn(n, 4)
     return q / np.linalg.norm(q, axis=1, keepdims=True)
 
 
 def wrong_own_generator(n, rng):
-    """a generator of its own"""
+    """a generator is made inside the function"""
     q = np.random.default_rng(7).normal(size=(n, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)
 
@@ -173,3 +173,48 @@ def wrong_yield(n, rng):
 def wrong_the_librarys(n, rng):
     """course_lib.rotations.random_quaternions is called"""
     return rot.random_quaternions(n, rng)
+
+
+def wrong_all_positive(n, rng):
+    """no entry is ever negative"""
+    q = np.abs(rng.normal(size=(n, 4)))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+def wrong_angle_up_to_pi(n, rng):
+    """an angle does not cover the full circle"""
+    v = rng.normal(size=(n, 3))
+    v /= np.linalg.norm(v, axis=1, keepdims=True)
+    a = np.pi * rng.random((n, 1))
+    return np.hstack([np.cos(a / 2), np.sin(a / 2) * v])
+
+
+def wrong_divided_by_the_sum(n, rng):
+    """the quaternions are divided by the sums of their entries"""
+    q = rng.random((n, 4))
+    return q / q.sum(axis=1, keepdims=True)
+
+
+def wrong_same_s_for_both_roots(n, rng):
+    """the quaternions are not divided by their lengths"""
+    s, a, b = rng.random((3, n))
+    a, b = 2 * np.pi * a, 2 * np.pi * b
+    return np.stack(
+        [np.cos(b) * np.sqrt(s), np.sin(a) * np.sqrt(s), np.cos(a) * np.sqrt(s), np.sin(b) * np.sqrt(s)], -1
+    )
+
+
+def wrong_angles_in_turns(n, rng):
+    """no entry is ever negative"""
+    s, a, b = rng.random((3, n))
+    return np.stack(
+        [np.cos(b) * np.sqrt(s), np.sin(a) * np.sqrt(1 - s), np.cos(a) * np.sqrt(1 - s), np.sin(b) * np.sqrt(s)], -1
+    )
+
+
+def wrong_half_the_angle_forgotten(n, rng):
+    """unnamed"""
+    v = rng.normal(size=(n, 3))
+    v /= np.linalg.norm(v, axis=1, keepdims=True)
+    a = np.arccos(rng.uniform(-1, 1, (n, 1)))
+    return np.hstack([np.cos(a), np.sin(a) * v])

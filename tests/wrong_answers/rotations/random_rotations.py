@@ -7,7 +7,7 @@ import numpy as np
 import scipy.stats
 from scipy.spatial.transform import Rotation
 
-from course_lib.rotations import hat, rot_x, rot_y, rot_z
+from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 from course_lib.rotations import random_rotations as ready_made
 
 
@@ -53,13 +53,13 @@ def right_euler_angles_with_the_right_density(n, rng):
 
 
 def wrong_euler(n, rng):
-    """Euler angles are drawn evenly"""
+    """Euler angles are drawn uniformly"""
     alpha, beta, gamma = 2 * np.pi * rng.random(n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_euler_over_full_turns(n, rng):
-    """Euler angles are drawn evenly"""
+    """Euler angles are drawn uniformly"""
     alpha, beta, gamma = 2 * np.pi * rng.random((3, n))
     return rot_x(gamma) @ rot_y(beta) @ rot_z(alpha)
 
@@ -73,7 +73,7 @@ def wrong_reflection(n, rng):
 
 
 def wrong_root_forgotten(n, rng):
-    """the root over z is forgotten"""
+    """the root over z is missing"""
     x1, x2, z = rng.random((3, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * z, np.sin(phi) * z, np.sqrt(1 - z)], axis=1)
@@ -81,7 +81,7 @@ def wrong_root_forgotten(n, rng):
 
 
 def wrong_root_forgotten_but_unit(n, rng):
-    """the root over z is forgotten"""
+    """the root over z is missing"""
     x1, x2, z = rng.random((3, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * z, np.sin(phi) * z, np.sqrt(1 - z**2)], axis=1)
@@ -89,7 +89,7 @@ def wrong_root_forgotten_but_unit(n, rng):
 
 
 def wrong_no_turn_about_z(n, rng):
-    """the turn about z is missing"""
+    """the rotation about z is missing: every draw is a half turn"""
     x2, z = rng.random((2, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
@@ -97,7 +97,7 @@ def wrong_no_turn_about_z(n, rng):
 
 
 def wrong_turn_only(n, rng):
-    """e_z is always sent to the same place"""
+    """e_z always lands at the same place or height"""
     return rot_z(2 * np.pi * rng.random(n))
 
 
@@ -126,14 +126,14 @@ def wrong_same_draw_for_height_and_direction(n, rng):
 
 
 def wrong_two_pi_forgotten(n, rng):
-    """a full turn"""
+    """an angle does not cover the full circle"""
     theta, phi, z = rng.random((3, n))
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
     return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)
 
 
 def wrong_half_turn_about_z(n, rng):
-    """a full turn"""
+    """an angle does not cover the full circle"""
     x1, x2, z = rng.random((3, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
@@ -141,7 +141,7 @@ def wrong_half_turn_about_z(n, rng):
 
 
 def wrong_axis_and_angle(n, rng):
-    """axis and angle are drawn evenly"""
+    """axis and angle are drawn uniformly"""
     axis = rng.normal(size=(n, 3))
     N = hat(axis / np.linalg.norm(axis, axis=1, keepdims=True))
     angle = np.pi * rng.random((n, 1, 1))
@@ -149,7 +149,7 @@ def wrong_axis_and_angle(n, rng):
 
 
 def wrong_axis_and_full_turn(n, rng):
-    """axis and angle are drawn evenly"""
+    """axis and angle are drawn uniformly"""
     axis = rng.normal(size=(n, 3))
     N = hat(axis / np.linalg.norm(axis, axis=1, keepdims=True))
     angle = 2 * np.pi * rng.random((n, 1, 1))
@@ -169,7 +169,7 @@ def wrong_no_rotations(n, rng):
 
 
 def wrong_numpy_random(n, rng):
-    """numpy.random is used instead of rng"""
+    """the numbers do not come from rng"""
     x1, x2, z = np.random.rand(3, n)
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
@@ -177,14 +177,14 @@ def wrong_numpy_random(n, rng):
 
 
 def wrong_random_module(n, rng):
-    """numpy.random is used instead of rng"""
+    """the numbers do not come from rng"""
     z, phi, turn = (np.array([random.random() for _ in range(n)]) * scale for scale in (1, 2 * np.pi, 2 * np.pi))
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
     return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(turn)
 
 
 def wrong_own_generator(n, rng):
-    """a generator of its own"""
+    """a generator is made inside the function"""
     x1, x2, z = np.random.default_rng(42).random((3, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
@@ -223,3 +223,42 @@ def wrong_scipys_statistics(n, rng):
 def wrong_the_librarys(n, rng):
     """course_lib.rotations.random_rotations is called"""
     return ready_made(n, rng)
+
+
+def wrong_qr_without_signs(n, rng):
+    """an angle does not cover the full circle"""
+    Q, _ = np.linalg.qr(rng.normal(size=(n, 3, 3)))
+    Q[:, :, 0] *= np.linalg.det(Q)[:, None]
+    return Q
+
+
+def wrong_normal_rotation_vectors(n, rng):
+    """unnamed"""
+    return exp_so3(rng.normal(size=(n, 3)))
+
+
+def wrong_vectors_in_the_ball(n, rng):
+    """rotation vectors are drawn uniformly from the ball of radius pi"""
+    v = rng.normal(size=(n, 3))
+    v /= np.linalg.norm(v, axis=1, keepdims=True)
+    return exp_so3(np.pi * np.cbrt(rng.random((n, 1))) * v)
+
+
+def wrong_polar_angle_uniform(n, rng):
+    """Euler angles are drawn uniformly"""
+    t, phi, theta = rng.random((3, n)) * [[np.pi / 2], [2 * np.pi], [2 * np.pi]]
+    V = np.stack([np.cos(phi) * np.sin(t), np.sin(phi) * np.sin(t), np.cos(t)], -1)
+    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)
+
+
+def wrong_theta_up_to_pi(n, rng):
+    """full circle"""
+    theta, phi, z = rng.random((3, n)) * [[np.pi], [2 * np.pi], [1]]
+    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], -1)
+    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)
+
+
+def wrong_product_of_many_naive_ones(n, rng):
+    """one draw is repeated"""
+    a, b, c = rng.random(3) * [2 * np.pi, np.pi, 2 * np.pi]
+    return np.array([rot_z(c) @ rot_y(b) @ rot_x(a)] * n)

@@ -40,27 +40,27 @@ def right_entry_by_entry(n, rng):
 
 
 def wrong_numpy_random(n, rng):
-    """numpy.random is used instead of rng"""
+    """the numbers do not come from rng"""
     alpha, beta, gamma = 2 * np.pi * np.random.rand(n), np.pi * np.random.rand(n), 2 * np.pi * np.random.rand(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_own_generator(n, rng):
-    """a generator of its own"""
+    """a generator is made inside the function"""
     rng = np.random.default_rng(0)
     alpha, beta, gamma = 2 * np.pi * rng.random(n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_own_generator_without_seed(n, rng):
-    """numpy.random is used instead of rng"""
+    """the numbers do not come from rng"""
     rng = np.random.default_rng()
     alpha, beta, gamma = 2 * np.pi * rng.random(n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_own_seed(n, rng):
-    """a generator of its own"""
+    """a generator is made inside the function"""
     np.random.seed(1)
     alpha, beta, gamma = np.random.rand(3, n) * [[2 * np.pi], [np.pi], [2 * np.pi]]
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
@@ -91,19 +91,19 @@ def wrong_sine_in_y(n, rng):
 
 
 def wrong_full_turn_for_beta(n, rng):
-    """beta is drawn from a full turn"""
+    """beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees"""
     alpha, beta, gamma = 2 * np.pi * rng.random((3, n))
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_beta_about_zero(n, rng):
-    """beta is drawn from a full turn, from -pi/2 to pi/2"""
+    """beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees"""
     alpha, beta, gamma = 2 * np.pi * rng.random(n), np.pi * (rng.random(n) - 0.5), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_half_turn_for_all(n, rng):
-    """half a turn"""
+    """alpha and gamma are drawn from half the circle"""
     alpha, beta, gamma = np.pi * rng.random((3, n))
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
@@ -115,19 +115,19 @@ def wrong_degrees(n, rng):
 
 
 def wrong_pi_forgotten(n, rng):
-    """beta is not drawn evenly"""
+    """beta is not uniform in [0, pi]"""
     alpha, beta, gamma = rng.random((3, n))
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_normal(n, rng):
-    """beta is drawn from a full turn"""
+    """beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees"""
     alpha, beta, gamma = np.pi * rng.normal(size=(3, n))
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 def wrong_alpha_normal(n, rng):
-    """alpha or gamma does not cover a full turn evenly"""
+    """alpha or gamma is not uniform on the full circle"""
     alpha, beta, gamma = rng.normal(size=n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
@@ -151,7 +151,7 @@ def wrong_one_draw_for_all(n, rng):
 
 
 def wrong_beta_spread_as_the_sine(n, rng):
-    """beta is not drawn evenly"""
+    """beta is not uniform in [0, pi]"""
     alpha, beta, gamma = 2 * np.pi * rng.random(n), np.arccos(1 - 2 * rng.random(n)), 2 * np.pi * rng.random(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
@@ -199,3 +199,45 @@ def wrong_method(n, rng):
     """AttributeError"""
     alpha, beta, gamma = 2 * np.pi * rng.rand(n), np.pi * rng.rand(n), 2 * np.pi * rng.rand(n)
     return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
+
+
+def wrong_degrees_in_radians(n, rng):
+    """beta"""
+    a, b, c = rng.integers(0, 360, n), rng.integers(0, 180, n), rng.integers(0, 360, n)
+    return rot_z(c.astype(float)) @ rot_y(b.astype(float)) @ rot_x(a.astype(float))
+
+
+def right_gamma_up_to_pi(n, rng):
+    """Of the same distribution: with beta beyond pi/2 both others go half a turn further."""
+    a, b, c = 2 * np.pi * rng.random(n), np.pi * rng.random(n), np.pi * rng.random(n)
+    return rot_z(c) @ rot_y(b) @ rot_x(a)
+
+
+def right_alpha_up_to_pi(n, rng):
+    """Of the same distribution: with beta beyond pi/2 both others go half a turn further."""
+    a, b, c = np.pi * rng.random(n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
+    return rot_z(c) @ rot_y(b) @ rot_x(a)
+
+
+def wrong_beta_and_alpha_swapped(n, rng):
+    """beta is drawn from the full circle"""
+    a, b, c = np.pi * rng.random(n), 2 * np.pi * rng.random(n), 2 * np.pi * rng.random(n)
+    return rot_z(c) @ rot_y(b) @ rot_x(a)
+
+
+def wrong_n_times_three_numbers_reshaped(n, rng):
+    """ValueError"""
+    a, b, c = rng.random((n, 3)) * [2 * np.pi, np.pi, 2 * np.pi]
+    return rot_z(c) @ rot_y(b) @ rot_x(a)
+
+
+def wrong_y_first(n, rng):
+    """unnamed"""
+    a, b, c = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return rot_z(c) @ rot_x(a) @ rot_y(b)
+
+
+def right_beta_up_to_half_pi(n, rng):
+    """Of the same distribution too."""
+    a, b, c = 2 * np.pi * rng.random(n), np.pi / 2 * rng.random(n), 2 * np.pi * rng.random(n)
+    return rot_z(c) @ rot_y(b) @ rot_x(a)

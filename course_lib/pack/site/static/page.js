@@ -18,16 +18,13 @@
 // What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code.
 (() => {
   "use strict";
-  const WIDE = ".math, mjx-container, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure";
+  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure";
   const reach = () =>
     document.querySelectorAll(WIDE).forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
       else part.removeAttribute("tabindex");
     });
-  window.addEventListener("load", async () => {
-    if (window.MathJax) await window.MathJax.startup.promise;
-    reach();
-  });
+  window.addEventListener("load", reach);
   window.addEventListener("resize", reach);
   document.addEventListener("toggle", reach, true); // what was folded shut had no width
 })();

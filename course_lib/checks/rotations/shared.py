@@ -1,0 +1,80 @@
+"""What nearest_so and nearest_se share: damaged matrices, and what may be made of them."""
+
+import numpy as np
+
+from course_lib.checks.vocabulary import orthogonality_error
+from course_lib.rotations import nearest_so, random_rotations
+
+# The block of the 4x4 matrix that the source report corrects: its determinant is negative.
+_PUBLISHED = np.array(
+    [[0.69942428, 0.57542726, 0.83226602], [0.51703353, 0.77526382, 0.78676897], [0.99073504, 0.09942187, 0.47534292]]
+)
+
+# Rank 2, and exactly so in floating point: det M is 0 and says nothing about the sign of det(U V^T), which differs
+# between this matrix and its negative. The nearest rotation is unique all the same.
+_SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
+
+
+def damaged_rotations(rng):
+    """Return square matrices, each with one nearest rotation: the singular values are well apart."""
+    R = random_rotations(3, rng)
+    return [
+        np.array([[0.9, -0.5], [0.5, 0.8]]),
+        R[0] + 0.1 * rng.normal(size=(3, 3)),
+        np.array([[2.0, 0.0], [0.0, 1.0]]),
+        R[1] @ np.diag([2.0, 1.0, 0.5]),
+        _PUBLISHED,
+        np.array([[1.0, 0.0], [0.0, -0.4]]),
+        np.array([[0.3, 0.9], [0.8, 0.1]]),
+        R[2] @ np.diag([1.5, 1.0, -0.4]),
+        _SINGULAR,
+        -_SINGULAR,
+    ]
+
+
+def is_rotation(M):
+    """Return whether M is a rotation, to rounding."""
+    return orthogonality_error(M) < 1e-9 and np.linalg.det(M) > 0
+
+
+def polar(M, *signs):
+    """Return U diag(signs) V^T; without signs U V^T, which is a reflection where det M < 0."""
+    U, _, Vt = np.linalg.svd(M)
+    return (U * np.array(signs)) @ Vt if signs else U @ Vt
+
+
+def last_column_negated(M):
+    """Return U V^T with its last column negated if its determinant is -1: the published correction."""
+    return right_handed(polar(M))
+
+
+def right_handed(Q):
+    """Return Q with its last column negated if det Q < 0."""
+    return Q @ np.diag([*ones(Q), np.sign(np.linalg.det(Q))])
+
+
+def ones(M):
+    """Return a sign + for each column of M but the last."""
+    return [1.0] * (len(M) - 1)
+
+
+def gram_schmidt(M):
+    """Return the columns of M made orthonormal one after the other."""
+    Q, upper = np.linalg.qr(M)
+    return Q * np.sign(np.diag(upper))
+
+
+def distances(R, M):
+    """Return a sentence that compares the distances of R and of the nearest rotation to M."""
+    return (
+        f"Yours lies at distance {np.linalg.norm(M - R):.4f} (Frobenius norm), the nearest at "
+        f"{np.linalg.norm(M - nearest_so(M)):.4f}."
+    )
+
+
+CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
+
+
+def hamilton_product(p, q):
+    """Return the product of two quaternions (w, x, y, z)."""
+    return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])

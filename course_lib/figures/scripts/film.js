@@ -1,0 +1,102 @@
+// Plays a film of rigid bodies in a page: the figure holds their poses at some times (see motion.js), this computes
+// the vertices between them, as many frames as the machine draws. It loops while it is visible; where the reader
+// prefers reduced motion it stands still until Play is pressed.
+(() => {
+  "use strict";
+  window.course = window.course || { kinds: {} };
+
+  function element(name, attributes, parent) {
+    const made = document.createElement(name);
+    Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
+    parent.append(made);
+    return made;
+  }
+
+  window.course.kinds["film"] = (live, meta) => {
+    const { pose, interpolate, placed, localVertices } = window.course.motion;
+    const { times, counts, trace } = meta;
+    const poses = meta.poses.map((bodies) => bodies.map(pose));
+    // Plotly keeps what it was given; a film that comes near again is drawn where it was left.
+    const { x, y, z } = live.data[trace];
+    meta.local = meta.local || localVertices({ x: [...x], y: [...y], z: [...z] }, counts, poses[0]);
+    meta.at = meta.at === undefined ? times[0] : meta.at;
+    const last = times[times.length - 1];
+
+    const bar = window.course.bar(live);
+    const button = element("button", { type: "button" }, bar);
+    const settings = { type: "range", min: 0, max: 200, step: 1, "aria-label": "Time" };
+    const range = element("input", settings, bar);
+    const label = element("span", { "aria-hidden": "true" }, bar);
+    const seconds = () => times[0] + (Number(range.value) / 200) * (last - times[0]);
+
+    function bodiesAt(t) {
+      let i = times.findIndex((time) => time > t) - 1;
+      if (i < 0) i = t < times[0] ? 0 : times.length - 2;
+      const share = Math.min(1, Math.max(0, (t - times[i]) / (times[i + 1] - times[i])));
+      return poses[i].map((from, body) => interpolate(from, poses[i + 1][body], share));
+    }
+
+    let drawing = Promise.resolve();
+    let wanted = null;
+    // One at a time: while one is drawn, only the newest of those that come is kept.
+    function show(t) {
+      meta.at = t;
+      range.value = Math.round((200 * (t - times[0])) / (last - times[0]));
+      label.textContent = `time: ${t.toFixed(2)} s`;
+      range.setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
+      const first = wanted === null;
+      wanted = t;
+      if (!first) return drawing;
+      drawing = drawing.then(async () => {
+        const now = wanted;
+        wanted = null;
+        if (stopped) return;
+        const at = placed(meta.local, counts, bodiesAt(now));
+        await window.Plotly.restyle(live, { x: [at.x], y: [at.y], z: [at.z] }, [trace]);
+      });
+      return drawing;
+    }
+
+    let playing = null;
+    let stopped = false;
+    const nextFrame = () => new Promise((done) => requestAnimationFrame(done)); // none comes while the page is hidden
+    function setPlaying(run) {
+      playing = run;
+      meta.plays = run !== null;
+      button.textContent = run ? "Pause" : "Play";
+    }
+    async function play() {
+      const run = {};
+      setPlaying(run);
+      let before = performance.now();
+      while (playing === run) {
+        const now = await nextFrame();
+        const t = meta.at + Math.min(Math.max(now - before, 0), 250) / 1000; // after a pause of the page it goes on
+        before = now;
+        if (playing === run && isVisible) await show(t > last ? times[0] : t);
+      }
+    }
+    button.addEventListener("click", () => (playing ? setPlaying(null) : play()));
+    range.addEventListener("input", () => {
+      setPlaying(null);
+      show(seconds());
+    });
+
+    let isVisible = true;
+    const watch = new IntersectionObserver((entries) => (isVisible = entries[entries.length - 1].isIntersecting));
+    watch.observe(live);
+
+    const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (meta.plays === undefined ? !still : meta.plays) play();
+    else {
+      setPlaying(null);
+      show(meta.at);
+    }
+    return () => {
+      stopped = true;
+      playing = null;
+      watch.disconnect();
+      bar.replaceChildren();
+    };
+  };
+})();

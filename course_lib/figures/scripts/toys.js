@@ -1,0 +1,328 @@
+// What all toys are made of: a card with rows of controls, a plane (SVG) whose handles follow pointer and arrow keys,
+// a view of bodies in space (canvas). Nothing here knows any toy, and nothing needs plotly.
+(() => {
+  "use strict";
+  const K = globalThis.course.kinematics, NS = "http://www.w3.org/2000/svg";
+  const COLOURS = { blue: "#0072B2", orange: "#E69F00", green: "#009E73", purple: "#9b4f7f", red: "#D55E00", grey: "#6b7177",
+    black: "#222222", crimson: "#b2182b", pale: "#dfe3e8" };
+  const STYLE = `.course-toy{box-sizing:border-box;max-width:720px;margin:0;padding:.75rem;background:#fff;color:#222;
+font:14px/1.45 system-ui,sans-serif;border-radius:.25rem;color-scheme:light}
+.course-toy *{box-sizing:border-box}
+.course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
+.course-toy svg,.course-toy canvas{display:block;width:100%;background:#f7f8fa;border-radius:.25rem}
+.course-toy .row{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
+.course-toy .row label{flex:0 0 9.5em}.course-toy .row input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
+.course-toy .row output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+.course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
+.course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid #555;border-radius:.25rem;background:#f2f2f2;color:#222}
+.course-toy button[aria-pressed=true]{background:#d9e8f3;border-color:#0072B2}
+.course-toy pre{margin:.5rem 0 0;padding:.4rem .6rem;background:#f2f4f6;color:#222;border:0;border-radius:.25rem;
+white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
+.course-toy p{margin:.4rem 0 0}.course-toy :focus-visible{outline:3px solid #0b5fff;outline-offset:2px}
+.course-toy .handle{cursor:grab;touch-action:none;outline:none}.course-toy .handle .ring{opacity:0}
+.course-toy .handle:focus .ring{opacity:1}
+@media(max-width:480px){.course-toy .row{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .row label{flex:1 1 55%}
+.course-toy .row input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}}`;
+
+  function element(name, attributes, parent, text) {
+    const made = document.createElement(name);
+    Object.entries(attributes || {}).forEach(([key, value]) => made.setAttribute(key, value));
+    if (text !== undefined) made.textContent = text;
+    if (parent) parent.append(made);
+    return made;
+  }
+  function shape(name, attributes, parent, text) {
+    const made = document.createElementNS(NS, name);
+    set(made, attributes);
+    if (text !== undefined) made.textContent = text;
+    parent.append(made);
+    return made;
+  }
+  const set = (node, attributes) => Object.entries(attributes).forEach(([key, value]) => node.setAttribute(key, value));
+  const degrees = (angle, digits = 0) => `${((180 / Math.PI) * angle).toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1")}°`;
+  const number = (x, digits = 2) => x.toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1");
+  const signed = (x, digits = 3) => number(x, digits).padStart(digits + 4);
+  const table = (rows, digits) => rows.map((row) => row.map((x) => signed(x, digits)).join(" ")).join("\n");
+
+  // The card of a toy: views beside each other, controls below, then what it says in words.
+  function card(host, name) {
+    const root = element("div", { class: "course-toy", role: "group", "aria-label": name }, host);
+    element("style", {}, root, STYLE);
+    const views = element("div", { class: "views" }, root), controls = element("div", {}, root);
+    let buttons = null;
+    const loops = new Set();
+    return {
+      root, views, controls,
+      // A labelled range. write(value) -> words; change(value) is called while it moves.
+      range(label, { min, max, step, value }, write, change) {
+        const row = element("div", { class: "row" }, controls), text = element("label", {}, row, label);
+        const input = element("input", { type: "range", min, max, step }, row), output = element("output", {}, row);
+        text.append(" ");
+        input.id = `toy-${Math.random().toString(36).slice(2)}`;
+        text.htmlFor = input.id;
+        const show = () => {
+          output.textContent = write(Number(input.value));
+          input.setAttribute("aria-valuetext", output.textContent);
+        };
+        input.value = value;
+        input.addEventListener("input", () => { change(Number(input.value)); show(); }); // words may follow from the change
+        // JupyterLab's own keys (arrows between cells) are not for who moves a range.
+        input.addEventListener("keydown", (event) => event.stopPropagation());
+        show();
+        return { input, row, set: (x) => { input.value = x; show(); }, get: () => Number(input.value) };
+      },
+      button(label, press) {
+        buttons = buttons || element("div", { class: "buttons" }, controls);
+        const made = element("button", { type: "button" }, buttons, label);
+        made.addEventListener("click", () => press(made));
+        made.addEventListener("keydown", (event) => event.stopPropagation());
+        return made;
+      },
+      tick(label, checked, change) {
+        buttons = buttons || element("div", { class: "buttons" }, controls);
+        const text = element("label", {}, buttons), input = element("input", { type: "checkbox" }, text);
+        input.checked = checked;
+        text.append(` ${label}`);
+        input.addEventListener("change", () => change(input.checked));
+        return input;
+      },
+      newRow() { buttons = null; },
+      numbers: () => element("pre", { "aria-live": "off" }, controls),
+      words: () => element("p", { role: "status" }, controls),
+      // Call step once a frame until it returns false; for those who prefer less motion all at once, without pictures.
+      run(step, draw) {
+        if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+          for (let k = 0; k < 2000 && step(); k++);
+          draw();
+          return () => {};
+        }
+        const loop = { on: true };
+        loops.add(loop);
+        const frame = () => {
+          if (!loop.on) return;
+          const more = step();
+          draw();
+          if (more) requestAnimationFrame(frame);
+          else loop.on = false;
+        };
+        requestAnimationFrame(frame);
+        return () => (loop.on = false);
+      },
+      end() { loops.forEach((loop) => (loop.on = false)); root.remove(); },
+    };
+  }
+
+  // A square of the plane, y upwards, with a grid and its axes' numbers. Returns drawing and handles.
+  function plane(parent, { half, centre = [0, 0], step = 1, unit = "m", label, height = 1 }) {
+    const [cx, cy] = centre, high = half * height;
+    const svg = shape("svg", { viewBox: `${cx - half} ${-cy - high} ${2 * half} ${2 * high}`, role: "group", "aria-label": label }, parent);
+    const up = shape("g", { transform: "scale(1,-1)" }, svg), grid = shape("g", { stroke: "#dde1e6", "stroke-width": half * 0.004 }, up);
+    const texts = shape("g", { "font-size": half * 0.062, fill: "#555", "aria-hidden": "true" }, svg);
+    for (let t = Math.ceil((cx - half) / step) * step; t <= cx + half + 1e-9; t += step) {
+      shape("path", { d: `M${t},${cy - high}V${cy + high}` }, grid);
+      if (Math.abs(t - cx) < 0.9 * half) shape("text", { x: t, y: -cy + high - half * 0.02, "text-anchor": "middle" }, texts, number(t, step < 1 ? 1 : 0));
+    }
+    for (let t = Math.ceil((cy - high) / step) * step; t <= cy + high + 1e-9; t += step) {
+      shape("path", { d: `M${cx - half},${t}H${cx + half}` }, grid);
+      if (Math.abs(t - cy) < 0.88 * high) shape("text", { x: cx - half + half * 0.015, y: -t + half * 0.02 }, texts, number(t, step < 1 ? 1 : 0));
+    }
+    shape("text", { x: cx + half * 0.98, y: -cy + high - half * 0.02, "text-anchor": "end" }, texts, `x (${unit})`);
+    shape("text", { x: cx - half + half * 0.015, y: -cy - high + half * 0.07 }, texts, `y (${unit})`);
+    const path = (points, closed) => points.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(5)},${y.toFixed(5)}`).join("") + (closed ? "Z" : "");
+    const look = (colour, width = 1, extra = {}) => ({ fill: "none", stroke: colour, "stroke-width": width * half * 0.012, "stroke-linecap": "round", "stroke-linejoin": "round", ...extra });
+    const where = (event) => {
+      const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(up.getScreenCTM().inverse());
+      return [p.x, p.y];
+    };
+    return {
+      svg, up, half, where,
+      line(colour, width, extra) {
+        const made = shape("path", look(colour, width, extra), up);
+        return { node: made, set: (points, closed) => made.setAttribute("d", points.length ? path(points, closed) : "") };
+      },
+      dot(colour, radius = 1, extra = {}) {
+        const made = shape("circle", { r: radius * half * 0.02, fill: colour, ...extra }, up);
+        return { node: made, set: (p) => p ? set(made, { cx: p[0], cy: p[1], visibility: "visible" }) : made.setAttribute("visibility", "hidden") };
+      },
+      text(colour, size = 1) {
+        const made = shape("text", { fill: colour, "font-size": size * half * 0.075, "text-anchor": "middle", style: "paint-order:stroke;stroke:#f7f8fa;stroke-width:" + half * 0.02 }, svg);
+        return { node: made, set: (p, words) => { if (p) set(made, { x: p[0], y: -p[1] }); made.textContent = words; } };
+      },
+      // Something to take by the hand: drag it, or focus it and use the arrow keys (with Shift: larger steps).
+      // `turned(d)`, if given, is called by the keys [ and ] and by its own small handle.
+      handle({ name, colour, radius = 2.4, stride = half / 60, moved, describe, keys = {} }) {
+        const group = shape("g", { class: "handle", tabindex: 0, role: "application", "aria-roledescription": "handle", "aria-label": name }, up);
+        shape("circle", { class: "ring", r: (radius + 1.6) * half * 0.02, fill: "none", stroke: "#0b5fff", "stroke-width": half * 0.015 }, group);
+        shape("circle", { r: Math.max(radius * 1.8, 4.5) * half * 0.02, fill: colour, "fill-opacity": 0.12 }, group); // wide enough for a thumb
+        shape("circle", { r: radius * half * 0.02, fill: "#fff", stroke: colour, "stroke-width": half * 0.014 }, group);
+        let at = [0, 0], grip = null;
+        const clamp = ([x, y]) => [Math.min(cx + half, Math.max(cx - half, x)), Math.min(cy + high, Math.max(cy - high, y))];
+        const say = () => group.setAttribute("aria-label", `${name}: ${describe ? describe() : at.map((x) => number(x)).join(", ")}`);
+        const go = (p) => { moved(clamp(p)); say(); };
+        group.addEventListener("pointerdown", (event) => {
+          group.setPointerCapture(event.pointerId);
+          const p = where(event);
+          grip = [at[0] - p[0], at[1] - p[1]];
+          event.preventDefault();
+          group.focus({ preventScroll: true });
+        });
+        group.addEventListener("pointermove", (event) => { if (grip) go(K.add(where(event), grip)); });
+        ["pointerup", "pointercancel"].forEach((kind) => group.addEventListener(kind, () => (grip = null)));
+        group.addEventListener("keydown", (event) => {
+          const d = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+          if (d) go(K.add(at, d, (event.shiftKey ? 5 : 1) * stride));
+          else if (keys[event.key]) { keys[event.key](); say(); }
+          else return;
+          event.preventDefault();
+          event.stopPropagation();
+        });
+        return { node: group, set: (p) => { at = p; set(group, { transform: `translate(${p[0]} ${p[1]})` }); say(); } };
+      },
+    };
+  }
+
+  // ---- space ----
+
+  const rgb = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+  const LIGHT = K.unit([0.45, -0.55, 0.85]);
+
+  // A view of space on a canvas: faces are sorted from far to near, which is enough for robots and rings, needs no
+  // graphics card and none of the few WebGL contexts of a page. Drag it or use the arrow keys to look from elsewhere.
+  function space(parent, { radius, centre = [0, 0, 0], azimuth = -0.9, elevation = 0.35, label, meta, shape: proportion = 0.8, redraw }) {
+    const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": `${label}. Arrow keys look from another side.`, style: "touch-action:pan-y;cursor:move" }, parent);
+    const view = meta.view || (meta.view = { azimuth, elevation });
+    const context = canvas.getContext("2d");
+    let items = [], eyeX, eyeY, eyeZ, size = 300, tall = 240;
+    function aim() {
+      const { azimuth: a, elevation: b } = view;
+      eyeZ = [Math.cos(b) * Math.cos(a), Math.cos(b) * Math.sin(a), Math.sin(b)]; // towards the eye
+      eyeX = [-Math.sin(a), Math.cos(a), 0];
+      eyeY = K.cross(eyeZ, eyeX);
+    }
+    const FAR = 5; // the eye's distance in radii
+    function project(p) {
+      const d = K.add(p, centre, -1), z = K.dot(d, eyeZ), s = (0.5 * Math.min(size, tall) * 0.98 * FAR) / (FAR * radius - z);
+      return [size / 2 + s * K.dot(d, eyeX), tall / 2 - s * K.dot(d, eyeY), z];
+    }
+    const put = (depth, paint) => items.push([depth, paint]);
+    const api = {
+      canvas, project, view,
+      begin() {
+        const box = canvas.clientWidth || 300, dense = Math.min(window.devicePixelRatio || 1, 2);
+        size = box; tall = Math.round(box * proportion);
+        canvas.style.height = `${tall}px`;
+        if (canvas.width !== Math.round(box * dense)) { canvas.width = Math.round(box * dense); canvas.height = Math.round(tall * dense); }
+        context.setTransform(dense, 0, 0, dense, 0, 0);
+        context.clearRect(0, 0, size, tall);
+        items = [];
+        aim();
+      },
+      // Faces of a mesh {vertices, faces, colours (index of the palette for each face), bodies (of each vertex)}.
+      mesh(mesh, poses, palette, opacity = 1) {
+        const at = mesh.vertices.map((v, i) => K.move(poses[mesh.bodies[i]], v)), flat = at.map(project);
+        const tints = palette.map(rgb);
+        mesh.faces.forEach(([a, b, c], k) => {
+          const [A, B, C] = [flat[a], flat[b], flat[c]];
+          const area = (B[0] - A[0]) * (C[1] - A[1]) - (B[1] - A[1]) * (C[0] - A[0]);
+          if (area >= 0) return; // seen from behind; the screen's y points down
+          put((A[2] + B[2] + C[2]) / 3, () => {
+            const n = K.cross(K.add(at[b], at[a], -1), K.add(at[c], at[a], -1)), m = K.norm(n) || 1;
+            const bright = 0.5 + 0.5 * Math.max(0, K.dot(n, LIGHT) / m) + 0.08 * Math.max(0, K.dot(n, eyeZ) / m);
+            const tint = tints[mesh.colours[k]].map((x) => Math.min(255, Math.round(x * bright)));
+            context.globalAlpha = opacity;
+            context.fillStyle = context.strokeStyle = `rgb(${tint})`;
+            context.lineWidth = opacity < 1 ? 0.01 : 0.8; // closes the seams between faces
+            context.beginPath();
+            context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.lineTo(C[0], C[1]);
+            context.closePath(); context.fill(); context.stroke();
+            context.globalAlpha = 1;
+          });
+        });
+      },
+      // A line through points, piece by piece, so that each piece hides behind what is before it.
+      line(points, colour, width = 2, { dash = [], above = false } = {}) {
+        const flat = points.map(project);
+        for (let i = 0; i + 1 < flat.length; i++) {
+          const [A, B] = [flat[i], flat[i + 1]];
+          put(above ? 1e9 : (A[2] + B[2]) / 2 + 0.001, () => {
+            context.strokeStyle = colour; context.lineWidth = width; context.lineCap = "round"; context.setLineDash(dash);
+            context.beginPath(); context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.stroke(); context.setLineDash([]);
+          });
+        }
+      },
+      arrow(from, to, colour, width = 3, options) {
+        const A = project(from), B = project(to), d = [B[0] - A[0], B[1] - A[1]], l = Math.hypot(...d), head = Math.min(11, l / 2);
+        api.line([from, K.add(from, K.add(to, from, -1), l > head ? 1 - (0.8 * head) / l : 0.5)], colour, width, options);
+        if (l < 2) return;
+        const u = [d[0] / l, d[1] / l];
+        put(options && options.above ? 1e9 : B[2] + 0.002, () => {
+          context.fillStyle = colour;
+          context.beginPath();
+          context.moveTo(B[0], B[1]);
+          context.lineTo(B[0] - head * u[0] - 0.42 * head * u[1], B[1] - head * u[1] + 0.42 * head * u[0]);
+          context.lineTo(B[0] - head * u[0] + 0.42 * head * u[1], B[1] - head * u[1] - 0.42 * head * u[0]);
+          context.closePath(); context.fill();
+        });
+      },
+      frame(T, length, { names = "", width = 3, above = true } = {}) {
+        const p = K.positionOf(T);
+        [COLOURS.red, COLOURS.green, COLOURS.blue].forEach((colour, k) => {
+          const e = T.slice(0, 3).map((row) => row[k]);
+          api.arrow(p, K.add(p, e, length), colour, width, { above });
+        });
+        if (names) api.text(K.add(p, [0, 0, -0.25 * length]), names, COLOURS.black);
+      },
+      text(p, words, colour = COLOURS.black, align = "center") {
+        const A = project(p);
+        put(2e9, () => {
+          context.font = "600 13px system-ui, sans-serif"; context.textAlign = align;
+          context.lineWidth = 3; context.strokeStyle = "#f7f8fa"; context.strokeText(words, A[0], A[1] + 4);
+          context.fillStyle = colour; context.fillText(words, A[0], A[1] + 4);
+        });
+      },
+      floor(z, half, step, at = [0, 0]) {
+        for (let t = -half; t <= half + 1e-9; t += step) {
+          const e = Math.sqrt(Math.max(0, half * half - t * t));
+          [[[t, -e], [t, e]], [[-e, t], [e, t]]].forEach(([a, b]) => {
+            const A = project([a[0] + at[0], a[1] + at[1], z]), B = project([b[0] + at[0], b[1] + at[1], z]);
+            put(-1e9, () => { context.strokeStyle = "#cfd5db"; context.lineWidth = 1; context.beginPath(); context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.stroke(); });
+          });
+        }
+      },
+      shadow(points, radius0) {
+        points.forEach(([x, y, z]) => {
+          const A = project([x, y, 0]), B = project(K.add([x, y, 0], eyeX, radius0 * (1 + 0.6 * z))), r = Math.max(2, B[0] - A[0]);
+          put(-5e8, () => {
+            context.save(); context.translate(A[0], A[1]); context.scale(1, Math.max(0.15, Math.sin(view.elevation)));
+            const fade = context.createRadialGradient(0, 0, 0, 0, 0, r);
+            fade.addColorStop(0, "rgba(60,70,80,0.16)"); fade.addColorStop(1, "rgba(60,70,80,0)");
+            context.fillStyle = fade; context.beginPath(); context.arc(0, 0, r, 0, 7); context.fill(); context.restore();
+          });
+        });
+      },
+      end() { items.sort((a, b) => a[0] - b[0]).forEach(([, paint]) => paint()); },
+    };
+    let last = null;
+    const look = (da, de) => { view.azimuth += da; view.elevation = Math.min(1.5, Math.max(-0.3, view.elevation + de)); redraw(); };
+    canvas.addEventListener("pointerdown", (event) => { last = [event.clientX, event.clientY]; canvas.setPointerCapture(event.pointerId); });
+    canvas.addEventListener("pointermove", (event) => {
+      if (!last) return;
+      look(-0.01 * (event.clientX - last[0]), 0.01 * (event.clientY - last[1]));
+      last = [event.clientX, event.clientY];
+    });
+    ["pointerup", "pointercancel"].forEach((kind) => canvas.addEventListener(kind, () => (last = null)));
+    canvas.addEventListener("keydown", (event) => {
+      const d = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
+      if (!d) return;
+      look(...d);
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    const watch = new ResizeObserver(() => redraw());
+    watch.observe(parent);
+    api.stop = () => watch.disconnect();
+    return api;
+  }
+
+  globalThis.course.parts = { COLOURS, element, shape, set, degrees, number, signed, table, card, plane, space };
+})();

@@ -1,0 +1,163 @@
+"""Triangle meshes of simple bodies: surfaces of revolution, drums, bent tubes, rounded boxes, arrows, a mug.
+
+Every function returns a Mesh in metres. A ring that occurs twice gives a hard edge: vertices that share a position do
+not share a normal.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A mesh of triangles: vertices (m, 3) in metres, faces (k, 3) of their indices."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    def moved(self, pose):
+        """Return the mesh moved by a pose (4, 4)."""
+        return Mesh(self.vertices @ pose[:3, :3].T + pose[:3, 3], self.faces)
+
+
+def joined(meshes):
+    """Return one mesh of several."""
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    faces = [mesh.faces + start for mesh, start in zip(meshes, starts, strict=False)]
+    return Mesh(np.concatenate([mesh.vertices for mesh in meshes]), np.concatenate(faces))
+
+
+def revolve(centre, axis, profile, n=14):
+    """Return the surface of revolution of a profile of (radius, height) about an axis through `centre`."""
+    x, y, z = basis(axis)
+    around = _circle(n)
+    rings = [np.asarray(centre) + h * z + r * (around @ [x, y]) for r, h in profile]
+    return _closed(np.array(rings))
+
+
+def drum(centre, axis, radius, half, n=12, bevel=0.16):
+    """Return a cylinder with bevelled edges; `half` is half its height along the axis."""
+    b = bevel * min(radius, half)
+    return revolve(centre, axis, [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)], n)
+
+
+def ring(centre, axis, radius, half, n=12):
+    """Return a band of a slightly bulging cylinder, as it marks the seam between two links."""
+    return revolve(
+        centre, axis, [(0.9 * radius, -half), (radius, -0.5 * half), (radius, 0.5 * half), (0.9 * radius, half)], n
+    )
+
+
+def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
+    """Return a tube along a smooth curve through `points`, with rounded ends where `caps` says so.
+
+    Parameters
+    ----------
+    points : array_like, shape (m, 3)
+    radii : float or array_like, shape (m,)
+    steps : int
+        Rings along the curve.
+    wide : float
+        By how much the section is stretched along `side`.
+    side : array_like, shape (3,), optional
+        A direction across the curve at its beginning.
+    """
+    from scipy.interpolate import PchipInterpolator
+
+    points = np.asarray(points, float)
+    radii = np.broadcast_to(radii, len(points)).astype(float)
+    s = np.r_[0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
+    u = np.linspace(0, s[-1], steps)
+    centres, r = PchipInterpolator(s, points)(u), PchipInterpolator(s, radii)(u)
+    tangents = np.gradient(centres, u, axis=0)
+    tangents /= np.linalg.norm(tangents, axis=1)[:, None]
+    sections = list(zip(centres, r, tangents, strict=True))
+    angles = np.array([0.6, 1.2])
+    if caps[0]:
+        c, q, z = sections[0]
+        sections = [(c - q * np.sin(a) * z, q * np.cos(a), z) for a in angles[::-1]] + sections
+    if caps[1]:
+        c, q, z = sections[-1]
+        sections += [(c + q * np.sin(a) * z, q * np.cos(a), z) for a in angles]
+    around, x, rings = _circle(n), side, []
+    for c, q, z in sections:
+        x, y, z = basis(z, x)  # the section turns as little as it can from ring to ring
+        rings.append(c + q * (around * [wide, 1] @ [x, y]))
+    return _closed(np.array(rings))
+
+
+def capsule(start, end, radius, n=12):
+    """Return a straight tube with rounded ends from start to end."""
+    return tube([start, end], radius, 2, n)
+
+
+def box(low, high, bevel=0.15, power=4, n=12):
+    """Return a box between two corners whose vertical edges are rounded: a superellipse of that power, upright."""
+    low, high = np.asarray(low, float), np.asarray(high, float)
+    centre, half = (low + high) / 2, (high - low) / 2
+    t = 2 * np.pi * (np.arange(n) + 0.5) / n
+    section = np.sign([np.cos(t), np.sin(t)]) * np.abs([np.cos(t), np.sin(t)]) ** (2 / power)
+    b = min(bevel * min(half[:2]), 0.9 * half[2])
+    rings = []
+    for z, inset in ((-half[2], b), (b - half[2], 0), (half[2] - b, 0), (half[2], b)):
+        x, y = centre[:2, None] + (half[:2, None] - inset) * section
+        rings.append(np.stack([x, y, np.full(n, centre[2] + z)], -1))
+    return _closed(np.array(rings))
+
+
+def arrow(start, direction, length, radius, n=6):
+    """Return an arrow; its head is the last quarter."""
+    neck, head = 0.74 * length, 2.3 * radius
+    return revolve(
+        start, direction, [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)], n
+    )
+
+
+def ball(centre, radius, n=12, rings=5):
+    """Return a sphere."""
+    polar = np.linspace(0, np.pi, rings + 2)[1:-1]
+    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], n)
+
+
+def mug(radius=0.035, height=0.09, n=18):
+    """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle."""
+    wall = 0.9 * radius
+    profile = [(0.93 * radius, 0), (radius, 0.04 * height), (radius, height), (wall, height), (wall, height)]
+    cup = revolve(
+        np.zeros(3), [0, 0, 1], [*profile, (wall, 0.1 * height), (wall, 0.1 * height), (0.01 * wall, 0.1 * height)], n
+    )
+    half = np.linspace(-np.pi / 2, np.pi / 2, 5)
+    bow = np.stack([0.94 * radius + 0.03 * np.cos(half), 0 * half, 0.55 * height + 0.025 * np.sin(half)], -1)
+    return joined([cup, tube(bow, 0.16 * radius, 7, 7, (False, False))])
+
+
+def basis(z, x=None):
+    """Return orthonormal x, y, z with the given z, and x as near to the given one as it can be."""
+    z = np.asarray(z, float) / np.linalg.norm(z)
+    x = np.eye(3)[np.abs(z).argmin()] if x is None else np.asarray(x, float)
+    x = x - z * (x @ z)
+    x = x / np.linalg.norm(x)
+    return x, np.cross(z, x), z
+
+
+def _circle(n):
+    t = 2 * np.pi * np.arange(n) / n
+    return np.stack([np.cos(t), np.sin(t)], -1)
+
+
+def _closed(rings):
+    """Return the mesh through rings (m, n, 3), its two ends closed by a point in their middle."""
+    m, n = rings.shape[:2]
+    a = np.arange(n)
+    b = (a + 1) % n
+    faces = []
+    for k in range(m - 1):
+        if np.array_equal(rings[k], rings[k + 1]):
+            continue  # a hard edge: nothing between the ring and itself
+        low, high = k * n, (k + 1) * n
+        faces += [np.stack([low + a, low + b, high + b], -1), np.stack([low + a, high + b, high + a], -1)]
+    last = (m - 1) * n
+    faces += [np.stack([b, a, np.full(n, m * n)], -1), np.stack([last + a, last + b, np.full(n, m * n + 1)], -1)]
+    ends = [rings[0].mean(0), rings[-1].mean(0)]
+    return Mesh(np.concatenate([rings.reshape(-1, 3), ends]), np.concatenate(faces))

@@ -1,0 +1,301 @@
+"""Shells of arms: the iiwa, the Panda and the UR5e as one knows them, every other arm from its screw axes.
+
+A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floor, body i is carried by joint i. All
+lengths are shares of the arm's own, so that a shell fits its kinematic model.
+"""
+
+import numpy as np
+
+from course_lib.arms import iiwa14, panda, ur5e
+from course_lib.figures.solids.meshes import ball, box, capsule, drum, revolve, ring, tube
+from course_lib.figures.solids.model import BLACK, DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, WHITE, Part
+
+_X, _Y, _Z = np.eye(3)
+
+
+def shell(arm):
+    """Return the Parts of an arm's bodies; whose arm it is, its screw axes tell."""
+    for known, parts in ((iiwa14, _iiwa), (panda, _panda), (ur5e, _ur5e)):
+        if np.array_equal(known().screw_axes, arm.screw_axes):
+            return parts(arm)
+    return _of_screws(arm)
+
+
+def joint_points(arm):
+    """Return the points (n, 3) on the joint axes that are nearest to the joints' own frames, at q = 0."""
+    w, v = arm.screw_axes[:, :3], arm.screw_axes[:, 3:]
+    return np.cross(w, v) + (w * arm.home[:-1, :3, 3]).sum(-1, keepdims=True) * w
+
+
+def gripper(body, tip, length=0.1034):
+    """Return a parallel gripper without its fingers.
+
+    tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along y. length: metres
+    from the flange to there.
+    """
+    s = length / 1.06
+    plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(tip)
+    palm = box([-0.3 * s, -0.98 * s, 0.08 * s - length], [0.3 * s, 0.98 * s, 0.62 * s - length], 0.35, 3.2).moved(tip)
+    return [Part(body, DARK, plate), Part(body, WHITE, palm)]
+
+
+def finger(body, side, length=0.1034):
+    """Return a finger whose pad lies at the origin of its frame, with the gripped thing at its `side`: 1 for y > 0."""
+    s = length / 1.06
+    block = _between([-0.11 * s, 0.03 * s * side, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s])
+    pad = _between([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s])
+    return [Part(body, DARK, block), Part(body, BLACK, pad)]
+
+
+def _between(one, other):
+    return box(np.minimum(one, other), np.maximum(one, other), 0.15, n=8)
+
+
+def _iiwa(arm):
+    """S-shaped: each pitch joint leans to the other side; orange rings on roll joints, orange caps on pitch joints."""
+    p, end = joint_points(arm), arm.home[-1, :3, 3]
+    w, L = arm.screw_axes[:, :3], np.linalg.norm(p[3] - p[1])
+    base = p[0] + 0.43 * (p[1] - p[0])
+    h = base[2] - p[0][2]
+    foot = [(0.34, 0), (0.34, 0.15), (0.34, 0.15), (0.285, 0.2), (0.28, 0.42), (0.25, 0.62), (0.215, 0.85), (0.19, 1)]
+    parts = [Part(0, STEEL, revolve(p[0], _Z, [(r * L, z * h) for r, z in foot], 20))]
+    forks = [
+        (1, 0.212, base, p[3]),
+        (3, 0.2, p[1] + 0.46 * (p[3] - p[1]), p[5]),
+        (5, 0.178, p[3] + 0.47 * (p[5] - p[3]), end),
+    ]
+    for k, (link, radius, start, after) in enumerate(forks):
+        c, r, side = p[link], radius * L, (-1) ** k * _Y
+        out = 0.74 * r * side
+        parts.append(Part(link, ORANGE, ring(start + 0.03 * L * _Z, _Z, 1.03 * r, 0.028 * L, 16)))
+        up = [
+            start + 0.05 * L * _Z,
+            start + 0.45 * (c - start) + 0.24 * out,
+            c - 0.25 * r * _Z + 1.1 * out,
+            c + 1.18 * out,
+        ]
+        parts.append(Part(link, SILVER, tube(up, r * np.array([0.97, 1, 0.98, 0.9]), 5, caps=(False, True))))
+        parts += _cap(link, c + out + 0.86 * r * side, side, r)
+        parts.append(Part(link + 1, DARK, drum(c - 0.06 * out, w[link], 0.8 * r, 0.36 * r, 12)))
+        if k < 2:
+            stop = c + 0.46 * (after - c)
+            down = [c - 1.18 * out, c + 0.25 * r * _Z - 1.1 * out, stop - 0.45 * (stop - c) - 0.24 * out, stop]
+            parts.append(Part(link + 1, SILVER, tube(down, r * np.array([0.9, 0.98, 1, 0.93]), 5, caps=(True, False))))
+            parts += _cap(link + 1, c - out - 0.86 * r * side, -side, r)
+    # The wrist: a ball on the far side that carries the flange.
+    d = end[2] - c[2]
+    wrist = [c - 0.95 * out, c - 0.8 * out + 0.25 * d * _Z, c - 0.05 * out + 0.62 * d * _Z]
+    parts.append(Part(6, SILVER, tube(wrist, r * np.array([0.84, 0.86, 0.74]), 4, caps=(True, False))))
+    parts.append(Part(7, ORANGE, ring(c + 0.69 * d * _Z, _Z, 0.76 * r, 0.07 * d, 16)))
+    flange = [(0.62, 0.74), (0.62, 0.96), (0.58, 1), (0.58, 1), (0.3, 1), (0.28, 0.97)]
+    return [*parts, Part(7, DARK, revolve(c, _Z, [(q * r, z * d) for q, z in flange], 16))]
+
+
+def _cap(link, centre, outwards, r):
+    """An orange ring and a dark lid; `outwards` is a unit vector along the joint axis."""
+    orange = [(0.62, -0.12), (0.62, 0.08), (0.55, 0.14)]
+    lid = [(0.42, 0.1), (0.42, 0.19), (0.36, 0.21)]
+    meshes = (revolve(centre, outwards, [(q * r, z * r) for q, z in profile], 12) for profile in (orange, lid))
+    return [Part(link, colour, mesh) for colour, mesh in zip((ORANGE, DARK), meshes, strict=True)]
+
+
+def _panda(arm):
+    """White and slender, with dark seams, a foot that reaches backwards and a forearm that leans to one side."""
+    P = arm.home[:, :3, 3]
+    A2, A4, A6, A7, end = P[1], P[3], P[5], P[6], P[7]
+    L = A4[2] - A2[2]
+    h = 0.42 * A2[2]
+    at, parts = h * _Z, []
+    foot = [(0.3, 0.15), (0.3, 0.3), (0.285, 0.45), (0.235, 0.65), (0.205, 0.8), (0.19, 1.0)]
+    parts.append(Part(0, DARK, box([-0.64 * L, -0.31 * L, 0], [0.31 * L, 0.31 * L, 0.06 * L], 0.2, 3.5, 16)))
+    parts.append(
+        Part(
+            0,
+            WHITE,
+            tube(
+                [-0.44 * L * _X + 0.13 * L * _Z, -0.1 * L * _X + 0.17 * L * _Z],
+                [0.15 * L, 0.2 * L],
+                3,
+                wide=1.35,
+                side=_Y,
+            ),
+        )
+    )
+    parts.append(Part(0, WHITE, revolve(np.zeros(3), _Z, [(r * L, z * h) for r, z in foot], 16)))
+
+    def seam(link, centre, radius):
+        parts.append(Part(link, BLACK, ring(centre, _Z, radius * L, 0.028 * L)))
+
+    def barrel(link, centre, radius, cap):
+        """The joint's drum, and a cap on the side where its link ends."""
+        parts.append(Part(link, BLACK, drum(centre, _Y, radius * L, 0.06 * L, 12)))
+        parts.append(Part(link, BLACK, drum(centre + cap * L * _Y, _Y, 0.105 * L, 0.035 * L, 12)))
+
+    def link(body, points, radii, caps, steps=4):
+        parts.append(Part(body, WHITE, tube(points, L * np.array(radii), steps, caps=caps)))
+
+    seam(1, at + 0.02 * L * _Z, 0.188)
+    away = A2 - at
+    link(
+        1,
+        [at + 0.05 * L * _Z, at + 0.45 * away - 0.04 * L * _Y, A2 - 0.1 * L * _Z - 0.2 * L * _Y, A2 - 0.25 * L * _Y],
+        [0.186, 0.195, 0.19, 0.18],
+        (False, True),
+    )
+    parts.append(Part(1, BLACK, drum(A2 - 0.43 * L * _Y, _Y, 0.105 * L, 0.035 * L, 12)))
+    barrel(2, A2, 0.172, 0.43)
+    z3 = A2 + 0.52 * L * _Z
+    link(
+        2,
+        [A2 + 0.25 * L * _Y, A2 + 0.1 * L * _Z + 0.2 * L * _Y, z3 - 0.22 * L * _Z + 0.04 * L * _Y, z3 - 0.01 * L * _Z],
+        [0.18, 0.19, 0.195, 0.18],
+        (True, False),
+    )
+    seam(3, z3 + 0.02 * L * _Z, 0.182)
+    a = A4[0] * _X
+    link(
+        3,
+        [
+            z3 + 0.05 * L * _Z,
+            z3 + 0.2 * L * _Z + 0.1 * a,
+            A4 - 0.12 * L * _Z - 0.35 * a + 0.12 * L * _Y,
+            A4 + 0.2 * L * _Y,
+        ],
+        [0.18, 0.186, 0.184, 0.165],
+        (False, True),
+    )
+    parts.append(Part(3, BLACK, drum(A4 + 0.37 * L * _Y, _Y, 0.1 * L, 0.035 * L, 12)))
+    barrel(4, A4, 0.16, -0.37)
+    z5 = A4 - a + 0.34 * (A6[2] - A4[2]) * _Z
+    rise = z5[2] - A4[2]
+    link(
+        4,
+        [
+            A4 - 0.2 * L * _Y,
+            A4 + 0.12 * L * _Z - 0.35 * a - 0.12 * L * _Y,
+            z5 - 0.35 * rise * _Z + 0.1 * a,
+            z5 - 0.01 * L * _Z,
+        ],
+        [0.165, 0.184, 0.186, 0.176],
+        (True, False),
+    )
+    seam(5, z5 + 0.02 * L * _Z, 0.178)
+    f = A6 - z5
+    link(
+        5,
+        [
+            z5 + 0.05 * L * _Z,
+            z5 + 0.3 * f,
+            z5 + 0.55 * f + 0.09 * L * _Y,
+            z5 + 0.78 * f + 0.2 * L * _Y,
+            A6 + 0.24 * L * _Y,
+        ],
+        [0.178, 0.182, 0.155, 0.12, 0.13],
+        (False, True),
+        5,
+    )
+    parts.append(Part(5, BLACK, drum(A6 + 0.365 * L * _Y, _Y, 0.085 * L, 0.03 * L, 12)))
+    parts.append(Part(6, BLACK, drum(A6 + 0.07 * L * _Y, _Y, 0.14 * L, 0.05 * L, 12)))
+    down = (end - A7) / np.linalg.norm(end - A7)
+    d = np.linalg.norm(end - A7)
+    link(
+        6,
+        [A6 - 0.06 * L * _Y, A6 + 0.5 * (A7 - A6) - 0.04 * L * _Y, A7 - 0.02 * L * down - 0.02 * L * _Y],
+        [0.16, 0.164, 0.16],
+        (True, True),
+        4,
+    )
+    neck = [(0.137, 0.1), (0.137, 0.42), (0.12, 0.46)]
+    parts.append(Part(6, WHITE, revolve(A7, down, [(r * L, z * d) for r, z in neck])))
+    parts.append(Part(7, BLACK, ring(A7 + 0.5 * d * down, down, 0.134 * L, 0.07 * d)))
+    flange = [(0.13, 0.55), (0.145, 0.62), (0.14, 0.92), (0.12, 1), (0.12, 1)]
+    return [*parts, Part(7, WHITE, revolve(A7, down, [(r * L, z * d) for r, z in flange]))]
+
+
+def _ur5e(arm):
+    """Straight grey tubes that lie beside each other, between short cylinders with light blue lids."""
+    p, w = joint_points(arm), arm.screw_axes[:, :3]
+    shoulder, elbow, wrist1, end = p[1], p[2], p[3], arm.home[-1, :3, 3]
+    wrist2, wrist3 = p[4], p[5]
+    r, thin, out = (
+        0.06,
+        0.047,
+        0.138,
+    )  # metres: the joints of the shoulder, those of the wrist, the offset of the upper arm
+    parts = [
+        Part(0, STEEL, revolve(np.zeros(3), _Z, [(0.075, 0), (0.075, 0.02), (0.075, 0.02), (r, 0.03), (r, 0.085)], 16))
+    ]
+
+    def joint(body, centre, axis, radius, half, lid=0):
+        parts.append(Part(body, SILVER, drum(centre, axis, radius, half)))
+        if lid:
+            parts.append(
+                Part(
+                    body,
+                    LIGHT_BLUE,
+                    drum(centre + lid * (half + 0.006) * np.asarray(axis), axis, 0.93 * radius, 0.01, 14, 0.5),
+                )
+            )
+
+    y = _Y * np.sign(end[1])  # to the side on which the wrist lies
+    joint(1, shoulder + 0.005 * y, y, r, 0.075, -1)
+    parts.append(Part(1, SILVER, revolve(np.zeros(3), _Z, [(r, 0.092), (r, shoulder[2])], 14)))
+    parts.append(Part(1, DARK, ring([0, 0, 0.089], _Z, 0.97 * r, 0.006)))
+    joint(2, shoulder + out * y, y, r, 0.055, 1)
+    parts.append(Part(2, SILVER, tube([shoulder + out * y, elbow + out * y], [0.055, 0.045], 2, caps=(True, True))))
+    joint(2, elbow + out * y, y, 0.052, 0.05, 1)
+    inner = 0.012 * y
+    joint(3, elbow + inner + 0.012 * y, y, 0.052, 0.058, -1)
+    parts.append(Part(3, SILVER, tube([elbow + inner, wrist1 + inner], [0.046, 0.04], 2, caps=(True, True))))
+    joint(3, wrist1 + inner, y, thin, 0.05, -1)
+    joint(4, wrist1 + 0.115 * y, y, thin, 0.05)
+    joint(4, wrist2, w[4], thin, 0.052, -1)
+    joint(5, wrist3 + 0.3 * (wrist2 - wrist3) * 0, w[4], thin, 0.046, 1)
+    joint(5, wrist3 + 0.02 * y, y, 0.9 * thin, 0.04)
+    parts.append(
+        Part(6, DARK, revolve(end - 0.036 * y, y, [(0.037, 0), (0.037, 0.036), (0.037, 0.036), (0.02, 0.036)], 14))
+    )
+    return parts
+
+
+def _of_screws(arm):
+    """Capsules from joint to joint, and a drum on each axis."""
+    p, w, end = joint_points(arm), arm.screw_axes[:, :3], arm.home[-1, :3, 3]
+    points = np.concatenate([p, end[None]])
+    spans = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    size = max(spans.sum(), np.linalg.norm(points - points[0], axis=1).max(), 1e-9)
+    planar = np.ptp(np.abs(w @ w[0])) < 1e-9 and np.allclose(np.cross(w, w[0]), 0)
+    n, parts = len(p), []
+    radii = size * np.linspace(0.05, 0.035, n) / (1 + 0.12 * max(n - 3, 0))
+    if planar:
+        axis = w[0]
+        parts.append(Part(0, STEEL, drum(p[0] - 1.35 * radii[0] * axis, axis, 1.8 * radii[0], 0.3 * radii[0], 18)))
+    elif p[0] @ _Z > 0.1 * size or abs(w[0] @ _Z) < 0.9:
+        parts.append(
+            Part(0, STEEL, capsule([*p[0][:2], 0], p[0], 0.9 * radii[0]))
+            if p[0][2] > 0.02 * size
+            else Part(0, STEEL, ball(p[0], radii[0]))
+        )
+    parts.append(
+        Part(
+            0,
+            STEEL,
+            revolve(
+                [*p[0][:2], min(0, p[0][2])],
+                _Z,
+                [(2 * radii[0], 0), (2 * radii[0], 0.3 * radii[0]), (1.3 * radii[0], 0.6 * radii[0])],
+                16,
+            ),
+        )
+    ) if not planar else None
+    for i in range(n):
+        r = radii[i]
+        parts.append(Part(i + 1, ORANGE if i % 2 == 0 else BLACK, drum(p[i], w[i], 1.2 * r, 1.25 * r)))
+        if spans[i] > 0.3 * r:
+            parts.append(Part(i + 1, SILVER if i % 2 == 0 else WHITE, capsule(p[i], points[i + 1], 0.8 * r)))
+    if spans[-1] <= 0.3 * radii[-1]:
+        parts.append(Part(n, DARK, ball(end, 0.8 * radii[-1])))
+    else:
+        along = (end - p[-1]) / spans[-1]
+        parts.append(Part(n, DARK, drum(end, along, 0.7 * radii[-1], 0.25 * radii[-1])))
+    return parts

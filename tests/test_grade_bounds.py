@@ -1,0 +1,202 @@
+"""What a submission may cost outside its sandbox: processor time and memory are bounded there too."""
+
+import base64
+import json
+import os
+import resource
+import signal
+import time
+
+import pytest
+from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
+
+from course_lib.pack.grade import submission
+from course_lib.pack.grade.bounded import CpuDeadline, OutOfBounds, call_bounded, cpu_deadline
+from course_lib.pack.grade.notebook_file import UNREADABLE, defines, may_bind
+from course_lib.pack.grade.submission import grade
+
+
+def seconds_of(function, *arguments):
+    """Return the least processor time of three calls."""
+    times = []
+    for _ in range(3):
+        begin = time.process_time()
+        function(*arguments)
+        times.append(time.process_time() - begin)
+    return min(times)
+
+
+# ---- a process of its own ----
+
+
+def busy(seconds):
+    while time.process_time() < seconds:
+        pass
+
+
+def test_what_a_function_returns_comes_back_from_its_process():
+    assert call_bounded(lambda a, b: {"sum": a + b, "text": "é\ud800"}, 1, 2) == {"sum": 3, "text": "é\ud800"}
+    assert call_bounded(os.getpid) != os.getpid()
+
+
+def test_what_a_function_raises_is_told():
+    with pytest.raises(RuntimeError, match="ZeroDivisionError: division by zero"):
+        call_bounded(lambda: 1 / 0)
+
+
+def test_too_much_computing_ends_the_process():
+    with pytest.raises(OutOfBounds, match="more than 1 seconds of computing"):
+        call_bounded(busy, 100, cpu_seconds=1)
+
+
+def test_too_much_memory_is_an_error_or_the_end_of_the_process():
+    with pytest.raises((OutOfBounds, RuntimeError), match=r"MemoryError|process that graded it ended"):
+        call_bounded(lambda: len(bytearray(2 * 10**9)), memory=10**9)
+
+
+def test_what_ends_or_stops_its_process_is_told():
+    with pytest.raises(OutOfBounds, match=r"ended \(exit status 3\)"):
+        call_bounded(os._exit, 3)
+    with pytest.raises(OutOfBounds, match=r"ended \(exit status -15\)"):
+        call_bounded(lambda: os.kill(os.getpid(), signal.SIGTERM))
+    with pytest.raises(OutOfBounds, match="not done after 1 seconds"):
+        call_bounded(time.sleep, 100, clock_seconds=1)
+
+
+def test_the_bounds_leave_this_process_as_it_was():
+    kinds = (resource.RLIMIT_CPU, resource.RLIMIT_AS)
+    before = [resource.getrlimit(kind) for kind in kinds]
+    call_bounded(int)
+    assert [resource.getrlimit(kind) for kind in kinds] == before
+
+
+def test_a_deadline_of_computing_ends_only_its_block():
+    begin = time.process_time()
+    with pytest.raises(CpuDeadline), cpu_deadline(0.2):
+        busy(begin + 100)
+    with cpu_deadline(5):
+        time.sleep(0.01)
+    assert signal.getitimer(signal.ITIMER_PROF) == (0, 0)
+
+
+# ---- files ----
+
+LONG_NUMBER = "9" * 5000
+
+
+def test_numbers_of_any_length_in_a_notebook_cost_it_nothing(few):
+    text = book(few[0], *few[1], metadata={"x": "NUMBER", "y": ["NUMBER"]}).decode()
+    for number in (LONG_NUMBER, f"1e{LONG_NUMBER}", f"0.{LONG_NUMBER}"):
+        assert points(grade(text.replace('"NUMBER"', number).encode(), NAME, SEED)) == FULL
+
+
+@pytest.mark.parametrize("filling", ["{}", "[]", "1", '{"source":""}'])
+def test_a_file_of_countless_parts_is_refused_before_it_is_read(filling):
+    content = ('{"cells": [' + ",".join([filling] * 6_000_000) + "]}").encode()
+    begin = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    result = grade(content, NAME, SEED)
+    assert "far more than a notebook does" in result["problems"][0]
+    assert {row["state"] for row in result["exercises"]} == {UNREADABLE}
+    assert (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - begin) < 100_000
+
+
+@pytest.mark.parametrize("search", [may_bind, defines])
+@pytest.mark.parametrize(
+    "unit", ["import x ", "x=", "\n", " ", "import ", "helper ", "for helper ", "\t\n", "def helperx ", "=helper "]
+)
+def test_the_time_of_searches_for_names_grows_no_faster_than_the_text(search, unit):
+    small, large = ([unit * (size // len(unit))] for size in (100_000, 800_000))
+    assert seconds_of(search, large, "helper") < 30 * seconds_of(search, small, "helper") + 0.02
+
+
+def test_a_name_that_cells_may_bind_is_found():
+    for source in ("helper = 3", "import helper", "from a import b as helper", "a, helper = 1, 2", "exec('x')"):
+        assert may_bind([source], "helper")
+    for source in ("print(helper)", "helpers = 3", "x = 3", "return helper(2)", ""):
+        assert not may_bind([source], "helper")
+
+
+# ---- claims ----
+
+
+class Claims:
+    """A sandbox in which the student's code has taken over the runner, and replies as it likes."""
+
+    def __init__(self, reply):
+        self._reply, self._asked = reply, {}
+
+    def send(self, message):
+        self._asked = message
+
+    def receive(self, *bounds):
+        count = len(json.loads(self._asked["questions"])["dict"][0][1]["list"])
+        return {"exercise": self._asked["ask"], "reply": self._reply(count)}
+
+
+def colliding(count):
+    pairs = ",".join(f"[{(2**61 - 1) * k}, 0]" for k in range(1, 15_000))
+    return answers(count, '{"dict": [' + pairs + "]}")
+
+
+def answers(count, value):
+    one = f'{{"value": {value}, "changed": []}}'
+    return f'{{"answers": [{", ".join([one] * count)}], "calls": []}}'
+
+
+def array(shape, data=b""):
+    return json.dumps({"array": "<f8", "shape": shape, "bytes": base64.b64encode(data).decode()})
+
+
+CLAIMS = {
+    "a long number": lambda count: answers(count, "9" * 4300),
+    "a longer number": lambda count: answers(count, LONG_NUMBER),
+    "a number beyond floats": lambda count: answers(count, "1" + "0" * 400),
+    "keys of one hash": colliding,
+    "a shape of large numbers": lambda count: answers(count, array([10**300] * 5000)),
+    "nested": lambda count: answers(count, "[" * 50_000 + "]" * 50_000),
+    "lists in lists": lambda count: answers(count, '{"list": [' * 11 + "1" + "]}" * 11),
+    "lists of long numbers": lambda count: answers(count, '{"list": [' + ",".join(["9" * 4000] * 50) + "]}"),
+    "positions": lambda count: (
+        '{"answers": [' + ",".join(['{"value": 1, "changed": [1e308]}'] * count) + '], "calls": []}'
+    ),
+    "no answers": lambda count: '{"answers": 3, "calls": {}}',
+    "calls": lambda count: answers(count, "1").replace('"calls": []', '"calls": [' + "9" * 4000 + "]"),
+    "an error": lambda count: '{"answers": [' + ",".join(['{"error": 3}'] * count) + '], "calls": []}',
+}
+
+
+@pytest.mark.parametrize("claim", CLAIMS)
+def test_whatever_a_taken_over_process_claims_becomes_a_verdict(claim, few):
+    run = submission.Run([], SHORT, SEED, "rotations", ())
+    for exercise in submission.courses()[NAME].exercises:
+        begin = time.process_time()
+        outcome = submission.ask(Claims(CLAIMS[claim]), run, exercise, True, "")
+        assert outcome.verdict.points < exercise.points or claim == "lists in lists"
+        assert json.dumps(submission._row(exercise, outcome))
+        assert time.process_time() - begin < 10
+
+
+def test_judging_without_end_is_ended_for_the_one_exercise(few, monkeypatch):
+    judge = submission.judge
+
+    def endless(exercise, *rest):
+        if exercise.name == "nearest_so":
+            busy(time.process_time() + 100)
+        return judge(exercise, *rest)
+
+    monkeypatch.setattr(submission, "judge", endless)
+    monkeypatch.setattr(submission, "JUDGING_SECONDS", 0.5)
+    result = grade(book(few[0], *few[1]), NAME, SEED)
+    said = {row["exercise"]: row["message"] for row in result["exercises"]}["nearest_so"]
+    assert said == "Its answers cannot be judged: that takes more than 0.5 seconds of computing."
+    assert points(result) == FULL - 3
+
+
+def test_a_message_that_cannot_be_made_costs_only_the_one(few, monkeypatch):
+    def fails(verdict):
+        raise OverflowError("a number of this size")
+
+    monkeypatch.setattr(submission, "describe", fails)
+    wrong = cell("def nearest_so(M):\n    return 3")
+    result = grade(book(cells=[cell(source) for source in [few[0], *few[1]]] + [wrong]), NAME, SEED)
+    assert points(result) == FULL - 3

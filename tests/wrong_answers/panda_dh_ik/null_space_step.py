@@ -1,0 +1,59 @@
+"""What students write for null_space_step(q, J, q_middle, gain)."""
+
+import numpy as np
+import scipy.linalg
+
+
+def right_by_the_pseudoinverse(q, J, q_middle, gain):
+    step = gain * (q_middle - q)
+    return q + step - np.linalg.pinv(J) @ (J @ step)
+
+
+def right_by_a_basis(q, J, q_middle, gain):
+    N = scipy.linalg.null_space(J, rcond=1e-10)
+    return q + gain * N @ (N.T @ (q_middle - q))
+
+
+def right_by_least_squares(q, J, q_middle, gain):
+    step = np.array(gain * (q_middle - q), float)
+    return list(q + step - np.linalg.lstsq(J, J @ step, rcond=1e-12)[0])
+
+
+def wrong_pushed_without_regard(q, J, q_middle, gain):
+    """without regard to J"""
+    return (1 - gain) * q + gain * q_middle
+
+
+def wrong_inverted(q, J, q_middle, gain):
+    """J J^T is inverted"""
+    J_plus = J.T @ np.linalg.inv(J @ J.T)
+    return q + gain * (np.eye(len(q)) - J_plus @ J) @ (q_middle - q)
+
+
+def wrong_other_product(q, J, q_middle, gain):
+    """ValueError"""
+    return q + gain * (np.eye(len(J)) - J @ np.linalg.pinv(J)) @ (q_middle - q)
+
+
+def wrong_projector(q, J, q_middle, gain):
+    """the projector is returned"""
+    return np.eye(len(q)) - np.linalg.pinv(J) @ J
+
+
+def wrong_in_place(q, J, q_middle, gain):
+    """q is changed in place"""
+    if q.dtype.kind == "i":
+        return q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)
+    q += gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)
+    return q
+
+
+def wrong_last_singular_vector(q, J, q_middle, gain):
+    """unnamed"""
+    n = np.linalg.svd(J)[2][-1]
+    return q + gain * n * np.sign(n @ (q_middle - q))
+
+
+def wrong_direction(q, J, q_middle, gain):
+    """away from the middle"""
+    return q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q - q_middle)
