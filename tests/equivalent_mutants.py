@@ -25,9 +25,11 @@ REASONS = {
     "another cut": "another start of k-means, and at times another cut: any cut that is as good is right",
     "unasked": "it matters only where the task asks nothing, or where it takes any answer",
     "same place": "the last axis of an array of this many dimensions, or the same integer once numpy has rounded it",
-    "any point": "any point on an axis is right, any configuration of a family, and any pose that a test asks about",
-    "either sign": "a singular vector has two signs, and either is right",
     "free choice": "the task leaves it to the student: a damping, a tolerance below the one asked for, a seed",
+    "any point": (
+        "any point on an axis is right, and any configuration of the family, and so is any pose that a test asks about"
+    ),
+    "either sign": "a singular vector has two signs, and either is right",
     "rows": "as many rows differ from each other, and of an empty array none",
 }
 

@@ -48,7 +48,7 @@ def main(arguments=None):
 
 
 def stored_movies(notebook):
-    """Return the figures, as plotly's JSON, that figures.moving.movie or figures.solids.film made and the outputs hold."""
+    """Return the figures, as plotly's JSON, that figures.moving.movie or solids.film made and outputs hold."""
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
     movies = [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]

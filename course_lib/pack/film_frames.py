@@ -42,8 +42,7 @@ def draw(film):
     """
     course = film["layout"]["meta"]["course"]
     trace = film["data"][course["trace"]]
-    poses = np.array(course["poses"])
-    poses = rigid.transform(exp_so3(poses[..., :3]), poses[..., 3:])[_evenly(course["times"])]
+    poses = rigid.transform(exp_so3(course["rotations"]), course["positions"])[_evenly(course["times"])]
     bodies = np.repeat(np.arange(len(course["counts"])), course["counts"])
     local = _placed(rigid.inverse(poses[0]), bodies, vertices(trace))
     back = _background(film)

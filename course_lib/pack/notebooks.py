@@ -13,6 +13,7 @@ import asyncio
 import base64
 import json
 import os
+import re
 import sys
 import tempfile
 import time
@@ -25,7 +26,7 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import PLOTLY
+from course_lib.figures.display import PLOTLY, with_palette
 from course_lib.pack.files import write_atomically
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
@@ -84,11 +85,20 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     run(notebook, path)
     without = add_stills(notebook, known, make_stills or draw_stills)
     tidy(notebook)
-    after = nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    after = _short(nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True)) + "\n"
     if after == before:
         return ", unchanged" + without
     write_atomically(path, after)
     return ", written" + without
+
+
+_NUMBER = r"(?:-?[\d.eE+-]+|null)"
+_NUMBERS = re.compile(rf"\[\n\s*{_NUMBER}(?:,\n\s*{_NUMBER})*\n\s*\]")
+
+
+def _short(text):
+    """Return JSON text with each list of numbers on one line: one line a number would double a notebook's size."""
+    return _NUMBERS.sub(lambda found: re.sub(r"\s+", "", found[0]), text)
 
 
 # ---- run ----
@@ -221,7 +231,8 @@ async def _draw_still(browser, figure: Figure) -> bytes:
     width, height = size(figure)
     # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
     opts = {"format": "png", "width": width, "height": height, "scale": 1}
-    return await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
+    picture = await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
+    return with_palette(picture, 256)
 
 
 # ---- write ----

@@ -15,7 +15,7 @@
   window.course.kinds["film"] = (live, meta) => {
     const { pose, interpolate, placed, localVertices } = window.course.motion;
     const { times, counts, trace } = meta;
-    const poses = meta.poses.map((bodies) => bodies.map(pose));
+    const poses = meta.rotations.map((bodies, i) => bodies.map((w, body) => pose(w, meta.positions[i][body])));
     // Plotly keeps what it was given; a film that comes near again is drawn where it was left.
     const { x, y, z } = live.data[trace];
     meta.local = meta.local || localVertices({ x: [...x], y: [...y], z: [...z] }, counts, poses[0]);

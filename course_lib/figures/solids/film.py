@@ -61,14 +61,15 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
         )
         for i, v in enumerate(at)
     ]
-    placed = np.concatenate([log_so3(poses[..., :3, :3]), _MILLIMETRES * poses[..., :3, 3]], -1)
     course = {
         "kind": "film",
         "scripts": ["motion", "film"],
         "trace": trace,
         "counts": model.counts,
         "times": [round(float(t), 4) for t in times - times[0]],
-        "poses": (np.round(placed + 3.1e-7, 4) + 0.0).tolist(),
+        # Two arrays, for show rounds each to its own largest number.
+        "rotations": (np.round(log_so3(poses[..., :3, :3]) + 3.1e-7, 5) + 0.0).tolist(),
+        "positions": (np.round(_MILLIMETRES * poses[..., :3, 3] + 3.1e-4, 2) + 0.0).tolist(),
     }
     moving.add_controls(fig, times[shown], redraw=True)
     fig.layout.meta = {**fig.layout.meta, "movie": name, "course": course}

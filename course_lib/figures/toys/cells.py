@@ -53,8 +53,8 @@ def cells_toy(lengths=(1, 1), size=0.5, at=(0.9, 0.7)):
     drawn += [path(reach * np.stack([np.cos(t), np.sin(t)], -1), GREY), path([at], BLUE, mode="markers", size=12)]
     figure = go.Figure(drawn, layout=plane_layout(1.08 * reach, height=480))
     alt = (
-        f"The workspace of a two-link arm cut into square cells of {size:g} m, coloured by the error of each cell's two planes. "
-        f" A slider sets the size; the cell under the query, at the start ({at[0]:g}, {at[1]:g}) m, shows its "
-        "planes over x and y."
+        f"The workspace of a two-link arm cut into square cells of {size:g} m, coloured by the error of each cell's "
+        "two planes. A slider sets the size; the cell under the query, which starts at "
+        f"({at[0]:g}, {at[1]:g}) m, shows its planes over x and y."
     )
     return Toy("cells", {"lengths": lengths.tolist(), "size": float(size), "at": at.tolist()}, figure, alt)

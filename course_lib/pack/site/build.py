@@ -8,9 +8,10 @@ import tempfile
 from pathlib import Path
 
 import course_lib.figures
-from course_lib.pack.site import gather, sections
+from course_lib.pack.site import gather, search, sections
 from course_lib.pack.site.downloads import offer
 from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site.finish import finish
 from course_lib.pack.site.packages import folder
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
@@ -49,10 +50,9 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"), single)
-        # Source maps serve the theme's own authors; its translations, pages in other languages than ours.
-        for source_map in site.rglob("*.map"):
-            source_map.unlink()
-        shutil.rmtree(site / "_static/locales")
+        if not single:
+            search.write(site)
+        finish(site)
         if single:
             make_single(site)
         sign(site, source)

@@ -6,7 +6,7 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import formulas
+from course_lib.pack.site import formulas, search
 
 project = "Robot kinematics"
 html_title = project
@@ -29,15 +29,13 @@ html_math_renderer = "built"  # below
 
 html_theme = "sphinx_book_theme"
 html_static_path = ["_static"]
-html_css_files = ["site.css"]
+html_css_files = ["icons.css", "site.css"]
 html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
-# The search page would fetch every page it lists, which a browser refuses for a file on disk.
-html_show_search_summary = False
 html_theme_options = {
     "use_download_button": False,
     "home_page_in_toc": True,
@@ -83,6 +81,9 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
+    if pagename == "search":
+        app.add_js_file(search.NAME, loading_method="defer")
+        app.add_js_file("search.js", loading_method="defer")
     if figures:
         app.add_js_file("figures.js", loading_method="defer")
 
@@ -99,18 +100,17 @@ def set_formula(translator, node):
     except formulas.FormulaError as error:
         logging.getLogger(__name__).warning("formula: %s: %s", error, " ".join(text.split())[:70], location=node)
         made = ""
-    kind = "div" if display else "span"
-    translator.body.append(f'<{kind} class="math">{made}</{kind}>')
+    translator.body.append(made)
     raise nodes.SkipNode
 
 
 def _in_output(found):
-    return f'<span class="math">{formulas.typeset(html.unescape(found[1]))}'
+    return formulas.typeset(html.unescape(found[1]))
 
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
     """Typeset what JupyterLab would in HTML outputs, and put the letters of all formulas on the page once."""
-    body = re.sub(r'<span class="math" data-tex="([^"]*)">', _in_output, context.get("body", ""))
+    body = re.sub(r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", ""))
     if letters := formulas.letters_of(body + (context.get("toc") or "")):
         context["body"] = letters + body
 
@@ -121,8 +121,21 @@ def name_what_is_folded(app, pagename, templatename, context, doctree):
         context["body"] = context["body"].replace(' aria-label="Toggle hidden content"', "")
 
 
+def use_own_search(app):
+    """Leave out Sphinx's search, which finds pages only: to show more it would fetch them, refused from a folder."""
+    app.builder.search = False
+
+
+def search_page(app):
+    """Yield the page of the search, unless pages stand alone."""
+    if not app.tags.has("single"):
+        yield "search", {"title": "Search", "body": search.PAGE}, "page.html"
+
+
 def setup(app):
     """Register the functions above."""
+    app.connect("builder-inited", use_own_search)
+    app.connect("html-collect-pages", search_page)
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
     app.add_html_math_renderer("built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None))

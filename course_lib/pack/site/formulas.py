@@ -28,6 +28,7 @@ function set(text, display) {
 const letters = () => adaptor.innerHTML(svg.fontCache.getCache());
 0"""
 
+WIDE = 30  # ex; about 250 pixels
 LETTER = re.compile(r'href="#(MJX-[^"]+)"')
 
 
@@ -80,7 +81,14 @@ def typeset(text: str, display: bool = False) -> str:
     picture = picture.replace(' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"')
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
     mathml = re.sub(r"\n\s*", "", mathml)
-    return f'{picture}<span class="assistive">{mathml}</span>'
+    made = f'{picture}<span class="assistive">{mathml}</span>'
+    if display:
+        return f'<div class="math">{made}</div>'
+    # On a phone a wide one is scrolled: then its box stands on the line, and not the letters in it.
+    depth = re.search(r"vertical-align: ([^;]*);", picture)[1]
+    width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
+    wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
+    return f'<span class="math{wide}">{made}</span>'
 
 
 def letters_of(page: str) -> str:
