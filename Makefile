@@ -28,11 +28,11 @@ environment:
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told. It warns of plain-text connections to kernels, and of its
-# own default for an interval, unless these two are set. The next two keep it from asking about news and updates.
+# own default for an interval, unless these two are set. The folder named first has the setting by which it does not ask about news and updates.
 lab: environment ## open the notebooks in JupyterLab
-	@$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
+	@JUPYTER_CONFIG_PATH="$(CURDIR)/course_lib/jupyter$${JUPYTER_CONFIG_PATH:+:$$JUPYTER_CONFIG_PATH}" \
+		$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
 		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 \
-		--LabApp.news_url=None --LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate \
 		notebooks/01_rotations.ipynb
 
 # One pytest run, whose summary ends the output. With ONLY, one process: what has that in its name takes seconds. Matplotlib builds its font list beforehand, for it

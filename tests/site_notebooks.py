@@ -72,8 +72,9 @@ def cell(*outputs, source="pass", tags=(), **metadata):
     return new_code_cell(source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata})
 
 
-def output(data, alt=None):
+def output(data, alt=None, caption=None):
     metadata = {"image/png": {"alt": alt}} if alt else {}
+    metadata |= {"caption": caption} if caption else {}
     return new_output("display_data", data={"text/plain": "words", **data}, metadata=metadata)
 
 

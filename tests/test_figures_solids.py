@@ -1,6 +1,7 @@
 """Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, whole and light."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from course_lib.rotations import random_rotations
 
 NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
 RNG = np.random.default_rng(7)
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 
 
 def random_arm(n, rng):
@@ -206,3 +208,10 @@ def test_parts_of_a_body_keep_their_colour_and_order():
     model = solids.Model.of([Part(1, 3, one), Part(0, 5, two)])
     assert model.counts == [len(two.vertices), len(one.vertices)]
     assert_allclose(np.linalg.norm(model.vertices[model.colours == 5], axis=1).max(), 2)
+
+
+@pytest.mark.parametrize(
+    "path", sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb")), ids=lambda path: path.stem
+)
+def test_a_notebook_stays_below_two_megabytes(path):
+    assert path.stat().st_size < 2_000_000

@@ -1,6 +1,8 @@
 """The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
 
+import re
 import runpy
+import subprocess
 import sys
 
 import pytest
@@ -22,10 +24,12 @@ from site_notebooks import (
     png,
     write,
 )
-from site_visits import CONTRAST, FACTS, Visit, assert_readable
+from site_visits import CONTRAST, OPEN, Visit, assert_readable
 
 from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
+
+CAPTION = "Both helices wind the same way."
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +41,7 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(TEXT),
         cell(source=SOLUTION, nbgrader=NBGRADER),
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
-        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side')),
+        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side', CAPTION)),
         cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
         cell(output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
@@ -66,6 +70,8 @@ def test_page_works_offline(site, notebooks, browser, theme, width):
     with Visit(browser, site / "01_rotations.html", theme=theme, width=width) as visit:
         facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
         assert facts["theme"] == theme
+        captions = visit.page.locator("figure figcaption")
+        assert captions.all_inner_texts() == [CAPTION]
         assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
         assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
         live = visit.page.locator(".plotly-live").first
@@ -75,9 +81,10 @@ def test_page_works_offline(site, notebooks, browser, theme, width):
         assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
         for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
             assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
-        for figure in (".plotly-figure", "img.picture"):
-            style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
-            assert visit.page.locator(figure).first.evaluate(style) == ["rgb(255, 255, 255)", "none"]
+        style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
+        ground, dimmed = "rgb(255, 255, 255)", "brightness(0.88)" if theme == "dark" else "none"
+        assert visit.page.locator(".plotly-figure").first.evaluate(style) == [ground, "none"]
+        assert visit.page.locator("img.picture").first.evaluate(style) == [ground, dimmed]
 
 
 def test_figure_turns_and_stays_turned(site, browser):
@@ -130,6 +137,9 @@ def test_frames_play_from_the_keyboard(site, browser):
 def test_still_pictures_stand_in(site, browser):
     page = site / "01_rotations.html"
     with Visit(browser, page, java_script_enabled=False) as visit:
+        formulas = visit.page.locator("article .math > svg").all()
+        assert len(formulas) > 5
+        assert all(formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible())
         assert visit.page.locator(".plotly-still").is_visible()
         assert visit.page.locator(".plotly-words", has_text="A point that moves to the right").is_visible()
     with Visit(browser, page, without="plotly.min.js") as visit:
@@ -145,23 +155,58 @@ def test_still_pictures_stand_in(site, browser):
         assert visit.page.locator("html").get_attribute("data-theme") == "light"
 
 
-def test_unknown_macros_count_as_errors(site, browser):
-    with Visit(browser, site / "01_rotations.html") as visit:
-        visit.page.evaluate(FACTS)
-        made = visit.page.evaluate(r"MathJax.tex2svg('\\nosuchmacro').outerHTML")
-        assert 'data-mml-node="merror"' in made
+def test_paper_holds_every_word_and_nothing_beyond_its_edge(site, browser, tmp_path):
+    page = site / "01_rotations.html"
+    with Visit(browser, page) as visit:
+        visit.page.pdf(path=tmp_path / "page.pdf", format="A4")
+        printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
+        visit.page.evaluate(OPEN)
+        read = """() => {
+          const silent = document.querySelectorAll("article :is(.math, .plotly-figure, .headerlink)");
+          silent.forEach((part) => part.remove());
+          return document.querySelector("article").innerText;
+        }"""
+        words = {*re.findall(r"[A-Za-z]{4,}", visit.page.evaluate(read))}
+        assert {"return", "orthogonal", "Rubric"} <= words, "what is folded shut"
+        letters = "".join(printed.stdout.split())
+        assert [word for word in words if word not in letters] == []
+    with Visit(browser, page, width=680) as visit:  # A4 within its margins
+        visit.page.emulate_media(media="print")
+        visit.page.evaluate(OPEN)
+        beyond = """() => [...document.querySelectorAll("article .math svg, article img, article pre")]
+          .filter((part) => part.getBoundingClientRect().right > 681 || part.scrollWidth > part.clientWidth + 1)
+          .map((part) => part.outerHTML.slice(0, 200))"""
+        assert visit.page.locator("article .math svg").count() > 5
+        assert visit.page.evaluate(beyond) == []
 
 
 def test_home_lists_assignments_and_search_finds_words(site, browser):
     with Visit(browser, site / "index.html") as visit:
-        links = visit.page.locator("article h2 a:not(.headerlink), article li a")
+        links = visit.page.locator(".card h2 a:not(.headerlink), #beside-them li a")
         assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation"]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
-    with Visit(browser, site / "search.html", query="?q=adjoint") as visit:
-        visit.page.locator("#search-results a", has_text="Rigid motion").wait_for()
+
+
+def test_search_finds_the_section_shows_the_sentence_and_marks_the_word_there(site, browser):
+    with Visit(browser, site / "02_rigid_motion.html") as visit:
+        visit.page.keyboard.press("Control+k")
+        visit.page.keyboard.type("symbol")
+        visit.page.keyboard.press("Enter")
+        found = visit.page.locator("#search-results li")
+        found.first.wait_for()
+        assert visit.page.locator("#search-count").inner_text() == "One section."
+        assert found.locator("p").inner_text().startswith("symbol meaning")
+        found.locator("a", has_text="Rotations: Tables and more").press("Enter")
+        visit.page.locator("article mark", has_text="symbol").wait_for()
+        assert visit.page.url.endswith("01_rotations.html?mark=symbol#tables-and-more")
         assert visit.complaints == []
+    with Visit(browser, site / "search.html", query="?q=and+on") as visit:
+        visit.page.locator("#search-results a").first.click()
+        visit.page.locator("details[open] mark").first.wait_for()  # what is folded shut opens
+    with Visit(browser, site / "search.html", query="?q=nosuchword") as visit:
+        assert visit.page.locator("#search-count").inner_text() == "No section holds all of these words."
 
 
 def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
@@ -181,12 +226,12 @@ def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
 
 def test_what_a_reader_would_trip_over_stops_the_build(tmp_path):
     book = tmp_path / "notebooks"
-    bad = r"Text $\frac{1}{2$ and $\left( x$ and \\( y \\) and [nowhere](#Nothing)."
+    bad = r"Text $\frac{1}{2$ and $\left( x$ and $\nosuchmacro$ and \\( y \\) and [nowhere](#Nothing)."
     write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
     with pytest.raises(SiteError) as caught:
         build(book, tmp_path / "html")
     message = str(caught.value)
-    for words in ("braces do not match", r"\left and \right", "left as plain text", "Nothing"):
+    for words in ("close brace", r"missing \right", "nosuchmacro", "left as plain text", "Nothing"):
         assert any("01_bad.ipynb, cell 2" in line for line in message.splitlines() if words in line), message
     assert not (tmp_path / "html").exists()
     assert [file.name for file in tmp_path.iterdir()] == ["notebooks"]

@@ -180,9 +180,12 @@ class Exercise:
 
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
-        for case, answer in zip(cases, answers, strict=True):
-            if "error" in answer:
-                return no_answer(self, case, **answer["error"])
+        first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
+        if first is not None:  # a simpler case that is wrong says more than a later one that cannot be answered
+            before = self.verdict(cases[:first], answers[:first]) if first else None
+            return (
+                before if before and before.state == WRONG else no_answer(self, cases[first], **answers[first]["error"])
+            )
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)

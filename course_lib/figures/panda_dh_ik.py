@@ -118,7 +118,7 @@ def matches(template, scene_points, T, wrong):
         scenes.append(settings)
         drawn += [mug.trace([pose], name, opacity=0.45), points(seen, 6, colour, name)]
         numbers = {str(k): point for k, point in enumerate(seen)}
-        drawn += scene.labels(numbers, settings, aspect=350 / height, scene=name, gap=0.045)
+        drawn += scene.labels(numbers, settings, aspect=350 / height, scene=name, gap=0.06)
     drawn += [
         points(scene_points[[wrong]], 9, CRIMSON, name),
         line([scene_points[wrong], laid], CRIMSON, 5, name, "dash"),

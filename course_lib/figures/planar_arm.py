@@ -11,9 +11,15 @@ def arm_movie(name, points, times):
     points = np.round(points, 3)
     half = points.shape[1] - 1 + 0.4  # for links of one metre
     way = path(points[:, -1], BLUE, dash="dash")
-    base = path(points[0, :1], BLACK, mode="markers", size=12)
-    moving = [[path(arm, CRIMSON, width=4, mode="lines+markers", size=8)] for arm in points]
+    base = path(points[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"})
+    moving = [[_body(arm)] for arm in points]
     return movie(name, plane_layout(half), [way, base], moving, times)
+
+
+def _body(arm):
+    """An arm as wide links between round joints."""
+    trace = path(arm, CRIMSON, width=12, mode="lines+markers", size=17)
+    return trace.update(marker={"line": {"color": "white", "width": 3}})
 
 
 def arm_ways(contents, every=10):
@@ -26,7 +32,9 @@ def arm_ways(contents, every=10):
         last = len(points) - 1
         for i in [*range(0, last, every), last]:
             look = {"color": CRIMSON if i == last else GREY, "alpha": 0.25 + 0.75 * i / last}
-            ax.plot(*points[i].T, "-o", linewidth=2, markersize=4, **look)
+            ax.plot(
+                *points[i].T, "-o", linewidth=5, markersize=8, markeredgecolor="white", solid_capstyle="round", **look
+            )
         ax.plot(*points[:, -1].T, color=BLUE, linestyle="--", linewidth=2)
         half = points.shape[1] - 1 + 0.3  # for links of one metre
         ax.set(title=title, xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)")
@@ -44,7 +52,7 @@ def descents(runs, target, last=99):
         points = points[: last + 1]
         style = ("-", "--", ":", "-.")[i % 4]
         plane.plot(*points[:, -1].T, color=colour, linestyle=style, linewidth=1.5)
-        plane.plot(*points[-1].T, "-o", color=colour, linewidth=2.5, markersize=4, alpha=0.7)
+        plane.plot(*points[-1].T, "-o", color=colour, linewidth=6, markersize=9, markeredgecolor="white", alpha=0.7)
         miss = np.linalg.norm(points[:, -1] - target, axis=-1)
         error.semilogy(miss, color=colour, linestyle=style, linewidth=2, label=label)
     plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)

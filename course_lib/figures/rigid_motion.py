@@ -21,7 +21,7 @@ def body_movie(name, poses, times):
     """Return the body, outlined in red, moving along its dashed blue path. poses: (n, 3). times: (n,), seconds."""
     way = path(np.round(poses[:, :2], 3), BLUE, dash="dash")
     ends = path(np.round(poses[[0, -1], :2], 3), BLUE, mode="markers")
-    moving = [[path(outline(pose), CRIMSON, width=3)] for pose in poses]
+    moving = [[path(outline(pose), CRIMSON, width=3, fill="toself", fillcolor="#f0b7bd")] for pose in poses]
     return movie(name, plane_layout(HALF), [way, ends], moving, times)
 
 

@@ -57,11 +57,6 @@ def name_at(place, name, colour, scene):
     return go.Scatter3d(**_xyz([place]), mode="text", text=[name], textfont=font, hoverinfo="skip", scene=scene)
 
 
-def named_vector(tip, name, colour, scene):
-    """A thick line from the origin to the tip, and its name just beyond."""
-    return [line([np.zeros(3), tip], colour, 8, scene), name_at(1.18 * np.asarray(tip), name, colour, scene)]
-
-
 def fixed_frame(scene, size):
     """The three grey axes, then their names."""
     axes = [line([np.zeros(3), size * e], GREY, 3, scene) for e in np.eye(3)]

@@ -4,8 +4,11 @@ import numpy as np
 import plotly.graph_objects as go
 from matplotlib.colors import TwoSlopeNorm
 
+from course_lib.figures.solids import Model, Part, scene
+from course_lib.figures.solids.meshes import arrow
+from course_lib.figures.solids.model import AXIS, VIOLET
 from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout, sphere
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, PURPLE, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.rotations import exp_so3
 
 CAMERA = (1.3, 1.0, 0.7)
@@ -113,12 +116,14 @@ def step_map(alphas, epsilons, errors, largest, runs):
 
 
 def _scene(axes, names, drawn, far):
-    reach = max(np.linalg.norm(place) for place in far)
-    layout = space_layout([""], CAMERA, half=1.25 * reach, distance=1.35)
-    for k, name in zip(axes, names, strict=True):
-        end = reach * np.asarray(k)
-        drawn += [line([-end, end], PURPLE, 5, "scene"), name_at(1.08 * end, name, PURPLE, "scene")]
-    return go.Figure(drawn, layout={**layout, "annotations": []})
+    reach = max(np.linalg.norm(point) for point in far)
+    ends = [reach * np.asarray(k) for k in axes]
+    arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends])
+    drawn = [*drawn, arrows.trace([np.eye(4)])]
+    drawn += [name_at(1.1 * end, name, AXIS, "scene") for end, name in zip(ends, names, strict=True)]
+    points = [np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1) for trace in drawn]
+    settings = scene.fitted_scene(np.concatenate(points), CAMERA, fill=0.88)
+    return go.Figure(drawn, layout=scene.layout([settings], height=420))
 
 
 def _turned(k, theta, p):

@@ -26,7 +26,7 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import PLOTLY, with_palette
+from course_lib.figures.display import PLOTLY, smaller_png
 from course_lib.pack.files import write_atomically
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
@@ -231,8 +231,7 @@ async def _draw_still(browser, figure: Figure) -> bytes:
     width, height = size(figure)
     # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
     opts = {"format": "png", "width": width, "height": height, "scale": 1}
-    picture = await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
-    return with_palette(picture, 256)
+    return smaller_png(await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts))
 
 
 # ---- write ----

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.lists import with_a_list
 from course_lib.checks.decomposition_ik.two_links import place
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
@@ -90,114 +91,117 @@ def _nothing(t1, t2):
 
 _FIRST, _BOTH = _link(lambda t1, t2: t1), _link(lambda t1, t2: t1 + t2)
 
-EXERCISE = Exercise(
-    name="fk_2r",
-    points=1,
-    arguments=("theta",),
-    cases=_cases,
-    returns=numbers(lambda theta: theta.shape, _known_form),
-    properties=(
-        Property(
-            "with both angles zero the arm is stretched along x: the end is at (2, 0)",
-            lambda places, theta: np.allclose(places, [2, 0], rtol=0, atol=1e-9),
-            where=lambda theta: theta.size > 0 and not theta.any(),
-        ),
-        Property(
-            "the end is 1 m from the elbow, which is at (cos theta1, sin theta1)",
-            lambda places, theta: np.allclose(
-                np.linalg.norm(_from_elbow(places, theta), axis=-1), 1, rtol=0, atol=1e-9
+EXERCISE = with_a_list(
+    Exercise(
+        name="fk_2r",
+        points=1,
+        arguments=("theta",),
+        cases=_cases,
+        returns=numbers(lambda theta: theta.shape, _known_form),
+        properties=(
+            Property(
+                "with both angles zero the arm is stretched along x: the end is at (2, 0)",
+                lambda places, theta: np.allclose(places, [2, 0], rtol=0, atol=1e-9),
+                where=lambda theta: theta.size > 0 and not theta.any(),
             ),
-            seen=_tell_length,
+            Property(
+                "the end is 1 m from the elbow, which is at (cos theta1, sin theta1)",
+                lambda places, theta: np.allclose(
+                    np.linalg.norm(_from_elbow(places, theta), axis=-1), 1, rtol=0, atol=1e-9
+                ),
+                seen=_tell_length,
+            ),
+            Property(
+                "the second link points in the direction theta1 + theta2: the end is at "
+                "(cos theta1 + cos(theta1 + theta2), sin theta1 + sin(theta1 + theta2))",
+                lambda places, theta: np.allclose(places, place(theta), rtol=0, atol=1e-9),
+                seen=_tell_place,
+            ),
         ),
-        Property(
-            "the second link points in the direction theta1 + theta2: the end is at "
-            "(cos theta1 + cos(theta1 + theta2), sin theta1 + sin(theta1 + theta2))",
-            lambda places, theta: np.allclose(places, place(theta), rtol=0, atol=1e-9),
-            seen=_tell_place,
+        mistakes=(
+            Mistake(
+                "theta2 is counted from the x axis",
+                "theta2 is counted from the first link's direction, so the second link points along theta1 + theta2.",
+                _sum(_FIRST, _link(lambda t1, t2: t2)),
+            ),
+            Mistake(
+                "theta2 is taken off theta1",
+                "Both turn counter-clockwise: the second link points along theta1 + theta2.",
+                _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
+                _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
+            ),
+            Mistake(
+                "the angles are taken for degrees",
+                "Angles are radians everywhere: no np.deg2rad is needed.",
+                lambda theta: place(np.deg2rad(theta)),
+            ),
+            Mistake(
+                "the angles are turned into degrees",
+                "np.cos and np.sin take radians.",
+                lambda theta: place(np.rad2deg(theta)),
+            ),
+            Mistake(
+                "x and y are swapped, or sine and cosine are: the cosines belong to x",
+                "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
+                lambda theta: place(theta)[..., ::-1],
+            ),
+            Mistake(
+                "the second link is missing",
+                "Add cos(theta1 + theta2) to x and sin(theta1 + theta2) to y.",
+                _sum(_FIRST, _nothing),
+            ),
+            Mistake(
+                "the first link is missing",
+                "The second link begins at the elbow, at (cos theta1, sin theta1).",
+                _sum(_nothing, _BOTH),
+            ),
+            Mistake(
+                "y has its sign turned",
+                "Angles turn from x to y: a small theta1 gives a small y above 0.",
+                lambda theta: place(-theta),
+            ),
+            Mistake(
+                "the second link is taken off the first",
+                "Both links add up: the end is elbow + second link.",
+                _sum(_FIRST, _link(lambda t1, t2: t1 + t2 + np.pi)),
+            ),
+            Mistake(
+                "theta1 and theta2 are swapped",
+                "theta[..., 0] is the joint at the base.",
+                lambda theta: place(theta[..., ::-1]),
+            ),
+            Mistake(
+                "theta1 is counted twice",
+                "The second link points along theta1 + theta2.",
+                _sum(_FIRST, _link(lambda t1, t2: 2 * t1 + t2)),
+            ),
+            Mistake(
+                "a link is not 1 m long",
+                "Both links are 1 m: nothing stands before the sines and cosines.",
+                lambda theta: place(theta) / 2,
+                lambda theta: 2 * place(theta),
+            ),
+            Mistake(
+                "x and y are stacked along the first axis and then put into rows",
+                "np.stack([x, y], axis=-1); reshape does not swap axes.",
+                lambda theta: np.moveaxis(place(theta), -1, 0).reshape(theta.shape) if theta.ndim > 1 else place(theta),
+            ),
+        ),
+        library=lambda theta: place(np.asarray(theta, float)),
+        hints=(
+            "The first link ends at the elbow, (cos theta1, sin theta1). Add the second link to it.",
+            "theta2 is counted from the first link, so the second one points in the direction theta1 + theta2.",
+            "t1, t2 = theta[..., 0], theta[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
+            "puts x and y back at the end.",
+        ),
+        forbidden=(
+            "course_lib.arms.SerialArm",
+            "course_lib.arms.planar_arm",
+        ),
+        errors=(
+            ("IndexError", "too many indices", _COLUMNS_ONLY),
+            ("ValueError", "values to unpack", _FIRST_ROWS),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "theta2 is counted from the x axis",
-            "theta2 is counted from the first link's direction, so the second link points along theta1 + theta2.",
-            _sum(_FIRST, _link(lambda t1, t2: t2)),
-        ),
-        Mistake(
-            "theta2 is taken off theta1",
-            "Both turn counter-clockwise: the second link points along theta1 + theta2.",
-            _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
-            _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
-        ),
-        Mistake(
-            "the angles are taken for degrees",
-            "Angles are radians everywhere: no np.deg2rad is needed.",
-            lambda theta: place(np.deg2rad(theta)),
-        ),
-        Mistake(
-            "the angles are turned into degrees",
-            "np.cos and np.sin take radians.",
-            lambda theta: place(np.rad2deg(theta)),
-        ),
-        Mistake(
-            "x and y are swapped, or sine and cosine are: the cosines belong to x",
-            "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
-            lambda theta: place(theta)[..., ::-1],
-        ),
-        Mistake(
-            "the second link is missing",
-            "Add cos(theta1 + theta2) to x and sin(theta1 + theta2) to y.",
-            _sum(_FIRST, _nothing),
-        ),
-        Mistake(
-            "the first link is missing",
-            "The second link begins at the elbow, at (cos theta1, sin theta1).",
-            _sum(_nothing, _BOTH),
-        ),
-        Mistake(
-            "y has its sign turned",
-            "Angles turn from x to y: a small theta1 gives a small y above 0.",
-            lambda theta: place(-theta),
-        ),
-        Mistake(
-            "the second link is taken off the first",
-            "Both links add up: the end is elbow + second link.",
-            _sum(_FIRST, _link(lambda t1, t2: t1 + t2 + np.pi)),
-        ),
-        Mistake(
-            "theta1 and theta2 are swapped",
-            "theta[..., 0] is the joint at the base.",
-            lambda theta: place(theta[..., ::-1]),
-        ),
-        Mistake(
-            "theta1 is counted twice",
-            "The second link points along theta1 + theta2.",
-            _sum(_FIRST, _link(lambda t1, t2: 2 * t1 + t2)),
-        ),
-        Mistake(
-            "a link is not 1 m long",
-            "Both links are 1 m: nothing stands before the sines and cosines.",
-            lambda theta: place(theta) / 2,
-            lambda theta: 2 * place(theta),
-        ),
-        Mistake(
-            "x and y are stacked along the first axis and then put into rows",
-            "np.stack([x, y], axis=-1); reshape does not swap axes.",
-            lambda theta: np.moveaxis(place(theta), -1, 0).reshape(theta.shape) if theta.ndim > 1 else place(theta),
-        ),
-    ),
-    library=lambda theta: place(np.asarray(theta, float)),
-    hints=(
-        "The first link ends at the elbow, (cos theta1, sin theta1). Add the second link to it.",
-        "theta2 is counted from the first link, so the second one points in the direction theta1 + theta2.",
-        "t1, t2 = theta[..., 0], theta[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
-        "puts x and y back at the end.",
-    ),
-    forbidden=(
-        "course_lib.arms.SerialArm",
-        "course_lib.arms.planar_arm",
-    ),
-    errors=(
-        ("IndexError", "too many indices", _COLUMNS_ONLY),
-        ("ValueError", "values to unpack", _FIRST_ROWS),
-    ),
+    position=4,
 )

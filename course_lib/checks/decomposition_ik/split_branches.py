@@ -6,6 +6,7 @@ import numpy as np
 from sklearn.cluster import KMeans
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.lists import with_a_list
 from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
 
@@ -158,145 +159,148 @@ def split_branches(theta):
     return labels if means[0] > means[1] else 1 - labels
 
 
-EXERCISE = Exercise(
-    name="split_branches",
-    points=2,
-    arguments=("theta",),
-    cases=_cases,
-    returns=numbers(
-        lambda theta: (len(theta),),
-        lambda array, theta: _CENTRES if len(theta) > 2 and array.shape == (2, 2) else None,
-    ),
-    properties=(
-        Property(
-            "each label is 0 or 1",
-            lambda labels, theta: np.isin(labels, (0, 1)).all(),
-            seen=lambda labels, theta: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+EXERCISE = with_a_list(
+    Exercise(
+        name="split_branches",
+        points=2,
+        arguments=("theta",),
+        cases=_cases,
+        returns=numbers(
+            lambda theta: (len(theta),),
+            lambda array, theta: _CENTRES if len(theta) > 2 and array.shape == (2, 2) else None,
         ),
-        Property(
-            "with fewer than two different samples there is nothing to split: all labels are 0",
-            lambda labels, theta: not labels.any(),
-            where=lambda theta: not several(theta),
-            mistake=Mistake(
-                "equal samples, or a single one, are not treated apart",
-                "Count the different samples with len(np.unique(theta, axis=0)); for 0 or 1 return zeros.",
+        properties=(
+            Property(
+                "each label is 0 or 1",
+                lambda labels, theta: np.isin(labels, (0, 1)).all(),
+                seen=lambda labels, theta: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+            ),
+            Property(
+                "with fewer than two different samples there is nothing to split: all labels are 0",
+                lambda labels, theta: not labels.any(),
+                where=lambda theta: not several(theta),
+                mistake=Mistake(
+                    "equal samples, or a single one, are not treated apart",
+                    "Count the different samples with len(np.unique(theta, axis=0)); for 0 or 1 return zeros.",
+                ),
+            ),
+            Property(
+                "both labels occur, wherever there are two different samples",
+                lambda labels, theta: labels.any() and not labels.all(),
+                where=several,
+            ),
+            Property(
+                "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
+                "squared distances is the least",
+                _least,
+                seen=lambda labels, theta: (
+                    f"Yours is {within(theta, labels):.4g}, and {within(theta, best_split(theta)):.4g} is possible."
+                ),
+                where=several,
+            ),
+            Property(
+                "cluster 0 is the one whose mean theta2 is the larger",
+                lambda labels, theta: np.array_equal(labels, split(theta)),
+                seen=_means,
+                where=several,
             ),
         ),
-        Property(
-            "both labels occur, wherever there are two different samples",
-            lambda labels, theta: labels.any() and not labels.all(),
-            where=several,
-        ),
-        Property(
-            "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
-            "squared distances is the least",
-            _least,
-            seen=lambda labels, theta: (
-                f"Yours is {within(theta, labels):.4g}, and {within(theta, best_split(theta)):.4g} is possible."
+        mistakes=(
+            Mistake(
+                "there are more than two clusters",
+                "Two elbows, two clusters: KMeans(n_clusters=2).",
+                seen=lambda labels, theta: {0, 1, 2} <= set(labels) <= set(range(9)),
             ),
-            where=several,
-        ),
-        Property(
-            "cluster 0 is the one whose mean theta2 is the larger",
-            lambda labels, theta: np.array_equal(labels, split(theta)),
-            seen=_means,
-            where=several,
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "there are more than two clusters",
-            "Two elbows, two clusters: KMeans(n_clusters=2).",
-            seen=lambda labels, theta: {0, 1, 2} <= set(labels) <= set(range(9)),
-        ),
-        Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, theta: set(labels) == {1, 2}),
-        Mistake(
-            "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
-            "Compare theta[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
-            lambda theta: 1 - split(theta) if several(theta) else None,
-        ),
-        Mistake(
-            "the samples are split by the sign of theta2",
-            "A cell may hold one elbow only, and theta2 has one sign: KMeans still finds two clusters.",
-            lambda theta: theta[:, 1] <= 0 if several(theta) else None,
-            lambda theta: theta[:, 1] > 0 if several(theta) else None,
-            lambda theta: theta[:, 1] <= 0,
-            lambda theta: theta[:, 1] > 0,
-        ),
-        *_clustered(
-            (
-                "the places are clustered, not the joint angles",
-                "Both elbows reach the same places: only theta tells them apart.",
+            Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, theta: set(labels) == {1, 2}),
+            Mistake(
+                "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
+                "Compare theta[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
+                lambda theta: 1 - split(theta) if several(theta) else None,
             ),
-            place,
-            1.1,
+            Mistake(
+                "the samples are split by the sign of theta2",
+                "A cell may hold one elbow only, and theta2 has one sign: KMeans still finds two clusters.",
+                lambda theta: theta[:, 1] <= 0 if several(theta) else None,
+                lambda theta: theta[:, 1] > 0 if several(theta) else None,
+                lambda theta: theta[:, 1] <= 0,
+                lambda theta: theta[:, 1] > 0,
+            ),
+            *_clustered(
+                (
+                    "the places are clustered, not the joint angles",
+                    "Both elbows reach the same places: only theta tells them apart.",
+                ),
+                place,
+                1.1,
+            ),
+            *_clustered(
+                ("only theta1 is looked at", "Both columns of theta go into KMeans, as they are."),
+                lambda theta: theta * [1, 0],
+            ),
+            *_clustered(
+                ("only theta2 is looked at", "Both columns of theta go into KMeans, as they are."),
+                lambda theta: theta * [0, 1],
+            ),
+            *_clustered(
+                ("the angles are scaled before they are clustered", "Both are radians: give theta to KMeans as it is."),
+                _scaled,
+            ),
+            Mistake(
+                "the samples are split at the median of theta1",
+                "KMeans looks at both angles, and sizes may differ.",
+                *_by_limit(0, np.median),
+                lambda theta: theta[:, 0] < np.median(theta[:, 0]) if several(theta) else None,
+            ),
+            Mistake(
+                "the samples are split at the median of theta2",
+                "The clusters need not be of the same size.",
+                *_by_limit(1, np.median),
+                lambda theta: theta[:, 1] < np.median(theta[:, 1]) if several(theta) else None,
+            ),
+            Mistake("the labels are sorted", "Label i belongs to sample i.", lambda theta: np.sort(split(theta))),
+            Mistake(
+                "theta is sorted before it is clustered",
+                "Label i belongs to sample i: leave theta as it is.",
+                lambda theta: split(np.sort(theta, axis=0)) if several(theta) else None,
+                lambda theta: split(theta[np.argsort(theta[:, 0])]) if several(theta) else None,
+                lambda theta: split(theta[np.argsort(theta[:, 1])]) if several(theta) else None,
+            ),
+            Mistake(
+                "the clusters are ordered by theta1",
+                "theta2 is the second column: theta[:, 1].",
+                _numbered(lambda theta, own: theta[own, 0].mean()),
+                _numbered(lambda theta, own: -theta[own, 0].mean()),
+            ),
+            Mistake(
+                "the clusters are ordered by the sum of theta2",
+                "The mean, not the sum: sizes may differ.",
+                _numbered(lambda theta, own: theta[own, 1].sum()),
+            ),
+            Mistake(
+                "the clusters are ordered by their largest or smallest theta2",
+                "The mean theta2 of all samples counts.",
+                _numbered(lambda theta, own: theta[own, 1].max()),
+                _numbered(lambda theta, own: theta[own, 1].min()),
+            ),
+            Mistake(
+                "the clusters are ordered by the size of theta2, without its sign",
+                "Leave abs away.",
+                _numbered(lambda theta, own: np.abs(theta[own, 1]).mean()),
+                _numbered(lambda theta, own: np.abs(theta[own, 1].mean())),
+            ),
+            Mistake(
+                "all samples are in one cluster",
+                "Return labels_ of the KMeans, unless all samples are equal.",
+                seen=lambda labels, theta: several(theta) and (labels == labels[0]).all(),
+            ),
         ),
-        *_clustered(
-            ("only theta1 is looked at", "Both columns of theta go into KMeans, as they are."),
-            lambda theta: theta * [1, 0],
-        ),
-        *_clustered(
-            ("only theta2 is looked at", "Both columns of theta go into KMeans, as they are."),
-            lambda theta: theta * [0, 1],
-        ),
-        *_clustered(
-            ("the angles are scaled before they are clustered", "Both are radians: give theta to KMeans as it is."),
-            _scaled,
-        ),
-        Mistake(
-            "the samples are split at the median of theta1",
-            "KMeans looks at both angles, and sizes may differ.",
-            *_by_limit(0, np.median),
-            lambda theta: theta[:, 0] < np.median(theta[:, 0]) if several(theta) else None,
-        ),
-        Mistake(
-            "the samples are split at the median of theta2",
-            "The clusters need not be of the same size.",
-            *_by_limit(1, np.median),
-            lambda theta: theta[:, 1] < np.median(theta[:, 1]) if several(theta) else None,
-        ),
-        Mistake("the labels are sorted", "Label i belongs to sample i.", lambda theta: np.sort(split(theta))),
-        Mistake(
-            "theta is sorted before it is clustered",
-            "Label i belongs to sample i: leave theta as it is.",
-            lambda theta: split(np.sort(theta, axis=0)) if several(theta) else None,
-            lambda theta: split(theta[np.argsort(theta[:, 0])]) if several(theta) else None,
-            lambda theta: split(theta[np.argsort(theta[:, 1])]) if several(theta) else None,
-        ),
-        Mistake(
-            "the clusters are ordered by theta1",
-            "theta2 is the second column: theta[:, 1].",
-            _numbered(lambda theta, own: theta[own, 0].mean()),
-            _numbered(lambda theta, own: -theta[own, 0].mean()),
-        ),
-        Mistake(
-            "the clusters are ordered by the sum of theta2",
-            "The mean, not the sum: sizes may differ.",
-            _numbered(lambda theta, own: theta[own, 1].sum()),
-        ),
-        Mistake(
-            "the clusters are ordered by their largest or smallest theta2",
-            "The mean theta2 of all samples counts.",
-            _numbered(lambda theta, own: theta[own, 1].max()),
-            _numbered(lambda theta, own: theta[own, 1].min()),
-        ),
-        Mistake(
-            "the clusters are ordered by the size of theta2, without its sign",
-            "Leave abs away.",
-            _numbered(lambda theta, own: np.abs(theta[own, 1]).mean()),
-            _numbered(lambda theta, own: np.abs(theta[own, 1].mean())),
-        ),
-        Mistake(
-            "all samples are in one cluster",
-            "Return labels_ of the KMeans, unless all samples are equal.",
-            seen=lambda labels, theta: several(theta) and (labels == labels[0]).all(),
+        library=split_branches,
+        hints=(
+            "Fewer than two different samples, len(np.unique(theta, axis=0)) < 2: return np.zeros(len(theta), int).",
+            "labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta).",
+            "KMeans may call either cluster 0. Compare theta[labels == 0, 1].mean() with theta[labels == 1, 1].mean().",
+            "Where the first is the smaller one, return 1 - labels.",
         ),
     ),
-    library=split_branches,
-    hints=(
-        "Fewer than two different samples, len(np.unique(theta, axis=0)) < 2: return np.zeros(len(theta), int).",
-        "labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta).",
-        "KMeans may call either cluster 0. Compare theta[labels == 0, 1].mean() with theta[labels == 1, 1].mean().",
-        "Where the first is the smaller one, return 1 - labels.",
-    ),
+    position=0,
 )

@@ -1,9 +1,10 @@
-"""wrap_angle: the same direction, by the number between -pi and pi."""
+"""wrap_angle: the same direction, by the number between -pi and pi, for one angle or an array of them."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import wrap_angle
 
 TURN = 2 * np.pi
@@ -26,15 +27,31 @@ def _cases(rng):
     sizes = rng.uniform([0, np.pi, TURN, 20, 200], [np.pi, TURN, 3 * np.pi, 60, 900])
     near = [sign * angle for angle in (3.1415, 3.1417, 9.4247, 9.4249) for sign in (1, -1)]  # beside pi and 3 pi
     drawn = [float(sign * np.round(size, 2)) for size in sizes for sign in (1, -1)]
-    return [(angle,) for angle in [*named, *exact, *near, *drawn]]
+    arrays = [np.array([1.0, 4.0, -4.0]), np.round(rng.uniform(-40, 40, 5), 2)]
+    return [(angle,) for angle in [*named, *exact, *near, *drawn, *arrays]]
 
 
 def _rounding(angle):
-    return 1e-9 * max(1.0, abs(angle))
+    return 1e-9 * np.maximum(1.0, np.abs(angle))
 
 
 def _same_direction(value, angle):
-    return abs(wrap_angle(value - angle)) <= _rounding(angle)
+    return np.all(np.abs(wrap_angle(value - angle)) <= _rounding(angle))
+
+
+def _entry_by_entry(mistake):
+    """The mistake of one angle, made in each entry of an array."""
+
+    def of_each(formula):
+        def answer(angle):
+            return formula(angle) if np.ndim(angle) == 0 else np.array([formula(entry) for entry in angle])
+
+        return answer
+
+    def seen(value, angle):
+        return any(mistake.seen(*pair) for pair in zip(np.atleast_1d(value), np.atleast_1d(angle), strict=True))
+
+    return Mistake(mistake.name, mistake.hint, *map(of_each, mistake.answers), seen=seen if mistake.seen else None)
 
 
 def _right(angle):
@@ -48,138 +65,144 @@ _ROUGH = ("a rounded number stands for pi", "np.pi has all the digits.")
 _WHOLE = "A whole turn is 2 pi. After half a turn one faces the other way."
 _SIDE = "Backwards there are whole turns too: what becomes of -4, and of 4?"
 
+_ONE_ANGLE_ONLY = Mistake(
+    "the function works for one angle, and not for an array of angles",
+    "`while`, `if` and the functions of math take one number. numpy's round, mod and arctan2 work on whole arrays.",
+)
+_MISTAKES = (
+    Mistake("the angle comes back as it is", "Take off whole turns: 2 pi each.", lambda a: a),
+    Mistake(
+        "only one turn is taken off",
+        "How many whole turns are in 8 pi? And in this angle?",
+        lambda a: a - TURN * (a > np.pi) + TURN * (a < -np.pi),
+    ),
+    Mistake(
+        "the answer lies between 0 and 2 pi",
+        "Add pi before np.mod and take it off afterwards.",
+        lambda a: np.mod(a, TURN),
+    ),
+    Mistake(
+        "the remainder lies between -2 pi and 2 pi",
+        "fmod and int() round towards zero. np.mod and np.round do not.",
+        lambda a: np.fmod(a, TURN),
+        lambda a: np.fmod(a, TURN) or np.sign(a) * min(abs(a), TURN),
+    ),
+    Mistake(
+        "the remainder of a negative angle is taken with its sign",
+        "math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4. Only with the second does the shift by pi work.",
+        lambda a: np.fmod(a + np.pi, TURN) - np.pi,
+        lambda a: np.fmod(a - np.pi, TURN) + np.pi,
+    ),
+    Mistake(
+        "angles below -pi are left as they are",
+        _SIDE,
+        lambda a: _right(a) if a > 0 else a,
+        lambda a: a - TURN * (a > np.pi),
+    ),
+    Mistake(
+        "angles above pi are left as they are",
+        _SIDE,
+        lambda a: _right(a) if a < 0 else a,
+        lambda a: a + TURN * (a < -np.pi),
+    ),
+    Mistake(
+        "pi is added before the remainder is taken, or taken off afterwards, and not both",
+        "np.mod(angle + np.pi, 2 * np.pi) lies between 0 and 2 pi, too far by pi.",
+        lambda a: np.mod(a, TURN) - np.pi,
+        lambda a: np.mod(a + np.pi, TURN),
+    ),
+    Mistake(
+        "the shift by pi has its sign wrong afterwards",
+        "What was added before np.mod is to be taken off after it.",
+        lambda a: np.mod(a + np.pi, TURN) + np.pi,
+    ),
+    Mistake(
+        "half turns are taken off",
+        _WHOLE,
+        lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2,
+        lambda a: np.mod(a, np.pi),
+        lambda a: np.fmod(a, np.pi),
+        lambda a: np.mod(a + np.pi, np.pi) - np.pi,
+        lambda a: a - np.pi * np.round(a / TURN),
+        lambda a: np.arctan(np.tan(a)),
+    ),
+    Mistake(
+        "degrees are used: 180 and 360",
+        "Angles are radians everywhere: a whole turn is 2 pi.",
+        lambda a: np.mod(a + 180, 360) - 180,
+        lambda a: np.rad2deg(_right(a)),
+        lambda a: np.mod(np.rad2deg(a) + 180, 360) - 180,
+        lambda a: _right(np.rad2deg(a)),
+        lambda a: _right(np.deg2rad(a)),
+    ),
+    Mistake(
+        "the sign is lost",
+        "-1 and 1 are two directions. arccos and abs see no difference.",
+        lambda a: abs(_right(a)),
+        lambda a: _right(abs(a)),
+    ),
+    Mistake("the sign is turned", "1.0 comes back as 1.0, not as -1.0.", lambda a: -_right(a)),
+    Mistake(
+        "arcsin of the sine is taken, which ends at a quarter turn",
+        "sin(2) and sin(pi - 2) are the same. np.arctan2 of sine and cosine tells them apart.",
+        lambda a: np.arcsin(np.sin(a)),
+    ),
+    Mistake(
+        "sine and cosine are swapped in arctan2",
+        "np.arctan2(sine, cosine): what goes up comes first.",
+        lambda a: np.arctan2(np.cos(a), np.sin(a)),
+    ),
+    Mistake(
+        "the angle is clipped",
+        "Half a turn is not where a larger angle ends. Take off whole turns.",
+        lambda a: np.clip(a, -np.pi, np.pi),
+    ),
+    Mistake(
+        "the whole turns are added, not taken off",
+        "angle - 2 * np.pi * (how many)",
+        lambda a: a + TURN * np.round(a / TURN),
+    ),
+    Mistake(
+        *_ROUGH,
+        *(lambda a, pi=pi: a - 2 * pi * np.round(a / (2 * pi)) for pi in (3.14, 3.1416, 22 / 7)),
+        *(lambda a, pi=pi: np.mod(a + pi, 2 * pi) - pi for pi in (3.14, 3.1416, 22 / 7)),
+    ),
+    Mistake(
+        "whole turns are still in the answer",
+        "Where does the loop, or the condition, end? No answer may be above pi, nor below -pi.",
+        seen=lambda value, a: abs(value) > np.pi and _same_direction(value, a),
+    ),
+    Mistake(
+        "half turns are taken off",
+        _WHOLE,
+        seen=lambda value, a: abs(abs(wrap_angle(value - a)) - np.pi) < 1e-6,
+    ),
+)
+
 EXERCISE = Exercise(
     name="wrap_angle",
     points=1,
     arguments=("angle",),
     cases=_cases,
-    returns=as_numbers(lambda angle: ()),
+    returns=as_numbers(np.shape),
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",
-            lambda value, angle: abs(value - angle) <= _rounding(angle),
-            where=lambda angle: abs(angle) < np.pi,
+            lambda value, angle: np.all(np.abs(value - angle) <= _rounding(angle)),
+            where=lambda angle: np.all(np.abs(angle) < np.pi),
         ),
         Property(
             "the answer lies between -pi and pi",
-            lambda value, angle: abs(value) <= np.pi + _rounding(angle),
-            seen=lambda value, angle: f"Yours is {value / np.pi:.4g} pi.",
+            lambda value, angle: np.all(np.abs(value) <= np.pi + _rounding(angle)),
+            seen=lambda value, angle: f"Yours is {np.abs(value).max() / np.pi:.4g} pi.",
         ),
         Property(
             "the answer is the same direction: it differs from the angle by whole turns of 2 pi",
             _same_direction,
-            seen=lambda value, angle: f"Yours differs from it by {(value - angle) / TURN:.4g} turns.",
+            seen=lambda value, angle: f"Yours differs from it by {format_tuple((value - angle) / TURN)} turns.",
         ),
     ),
-    mistakes=(
-        Mistake("the angle comes back as it is", "Take off whole turns: 2 pi each.", lambda a: a),
-        Mistake(
-            "only one turn is taken off",
-            "How many whole turns are in 8 pi? And in this angle?",
-            lambda a: a - TURN * (a > np.pi) + TURN * (a < -np.pi),
-        ),
-        Mistake(
-            "the answer lies between 0 and 2 pi",
-            "Add pi before np.mod and take it off afterwards.",
-            lambda a: np.mod(a, TURN),
-        ),
-        Mistake(
-            "the remainder lies between -2 pi and 2 pi",
-            "fmod and int() round towards zero. np.mod and np.round do not.",
-            lambda a: np.fmod(a, TURN),
-            lambda a: np.fmod(a, TURN) or np.sign(a) * min(abs(a), TURN),
-        ),
-        Mistake(
-            "the remainder of a negative angle is taken with its sign",
-            "math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4. Only with the second does the shift by pi work.",
-            lambda a: np.fmod(a + np.pi, TURN) - np.pi,
-            lambda a: np.fmod(a - np.pi, TURN) + np.pi,
-        ),
-        Mistake(
-            "angles below -pi are left as they are",
-            _SIDE,
-            lambda a: _right(a) if a > 0 else a,
-            lambda a: a - TURN * (a > np.pi),
-        ),
-        Mistake(
-            "angles above pi are left as they are",
-            _SIDE,
-            lambda a: _right(a) if a < 0 else a,
-            lambda a: a + TURN * (a < -np.pi),
-        ),
-        Mistake(
-            "pi is added before the remainder is taken, or taken off afterwards, and not both",
-            "np.mod(angle + np.pi, 2 * np.pi) lies between 0 and 2 pi, too far by pi.",
-            lambda a: np.mod(a, TURN) - np.pi,
-            lambda a: np.mod(a + np.pi, TURN),
-        ),
-        Mistake(
-            "the shift by pi has its sign wrong afterwards",
-            "What was added before np.mod is to be taken off after it.",
-            lambda a: np.mod(a + np.pi, TURN) + np.pi,
-        ),
-        Mistake(
-            "half turns are taken off",
-            _WHOLE,
-            lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2,
-            lambda a: np.mod(a, np.pi),
-            lambda a: np.fmod(a, np.pi),
-            lambda a: np.mod(a + np.pi, np.pi) - np.pi,
-            lambda a: a - np.pi * np.round(a / TURN),
-            lambda a: np.arctan(np.tan(a)),
-        ),
-        Mistake(
-            "degrees are used: 180 and 360",
-            "Angles are radians everywhere: a whole turn is 2 pi.",
-            lambda a: np.mod(a + 180, 360) - 180,
-            lambda a: np.rad2deg(_right(a)),
-            lambda a: np.mod(np.rad2deg(a) + 180, 360) - 180,
-            lambda a: _right(np.rad2deg(a)),
-            lambda a: _right(np.deg2rad(a)),
-        ),
-        Mistake(
-            "the sign is lost",
-            "-1 and 1 are two directions. arccos and abs see no difference.",
-            lambda a: abs(_right(a)),
-            lambda a: _right(abs(a)),
-        ),
-        Mistake("the sign is turned", "1.0 comes back as 1.0, not as -1.0.", lambda a: -_right(a)),
-        Mistake(
-            "arcsin of the sine is taken, which ends at a quarter turn",
-            "sin(2) and sin(pi - 2) are the same. np.arctan2 of sine and cosine tells them apart.",
-            lambda a: np.arcsin(np.sin(a)),
-        ),
-        Mistake(
-            "sine and cosine are swapped in arctan2",
-            "np.arctan2(sine, cosine): what goes up comes first.",
-            lambda a: np.arctan2(np.cos(a), np.sin(a)),
-        ),
-        Mistake(
-            "the angle is clipped",
-            "Half a turn is not where a larger angle ends. Take off whole turns.",
-            lambda a: np.clip(a, -np.pi, np.pi),
-        ),
-        Mistake(
-            "the whole turns are added, not taken off",
-            "angle - 2 * np.pi * (how many)",
-            lambda a: a + TURN * np.round(a / TURN),
-        ),
-        Mistake(
-            *_ROUGH,
-            *(lambda a, pi=pi: a - 2 * pi * np.round(a / (2 * pi)) for pi in (3.14, 3.1416, 22 / 7)),
-            *(lambda a, pi=pi: np.mod(a + pi, 2 * pi) - pi for pi in (3.14, 3.1416, 22 / 7)),
-        ),
-        Mistake(
-            "whole turns are still in the answer",
-            "Where does the loop, or the condition, end? No answer may be above pi, nor below -pi.",
-            seen=lambda value, a: abs(value) > np.pi and _same_direction(value, a),
-        ),
-        Mistake(
-            "half turns are taken off",
-            _WHOLE,
-            seen=lambda value, a: abs(abs(wrap_angle(value - a)) - np.pi) < 1e-6,
-        ),
-    ),
+    mistakes=tuple(map(_entry_by_entry, _MISTAKES)),
     library=wrap_angle,
     hints=(
         "How many whole turns are in the angle? angle / (2 pi), rounded to the nearest whole number.",
@@ -187,4 +210,8 @@ EXERCISE = Exercise(
         "Another way: np.mod(angle + np.pi, 2 * np.pi) - np.pi. np.mod is never negative.",
     ),
     forbidden=("course_lib.planar.wrap_angle",),
+    errors=(
+        ("ValueError", "truth value of an array", _ONE_ANGLE_ONLY),
+        ("TypeError", "only 0-dimensional arrays can be converted", _ONE_ANGLE_ONLY),
+    ),
 )

@@ -58,7 +58,7 @@
       elbowRange = elbow;
     }
     if (has("singularity")) {
-      card.range("Drive through a singularity", { min: -100, max: 100, step: 1, value: 100 }, (x) => `elbow ${Math.round(x * 0.9)}°`, (x) => {
+      card.range("Drive through a singularity", { min: -100, max: 100, step: 1, value: Math.round(-meta.q[3] * (200 / Math.PI)) }, (x) => `elbow ${Math.round(x * 0.9)}°`, (x) => {
         const a = (x / 100) * (Math.PI / 2);
         state.q = meta.q.map((q, i) => (i === 1 ? 0.5 : i === 3 ? -a : i === 5 ? 0.6 * a : 0));
         showJoints();

@@ -107,8 +107,8 @@ def box(low, high, bevel=0.15, power=4, n=12):
 
 
 def arrow(start, direction, length, radius, n=6):
-    """Return an arrow; its head is the last quarter."""
-    neck, head = 0.74 * length, 2.3 * radius
+    """Return an arrow; its head is a quarter of it at most."""
+    neck, head = length - min(0.26 * length, 7 * radius), 2.3 * radius
     return revolve(
         start, direction, [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)], n
     )

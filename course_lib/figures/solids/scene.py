@@ -207,7 +207,7 @@ def table(body, centre, radius, height=0.0, thickness=0.03):
     return [Part(body, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))]
 
 
-def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.035):
+def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.05):
     """Return words beside their points, moved in the picture so that they cover neither each other nor other points.
 
     words: {word: (3,)}. settings: the scene's, as fitted_scene returns them. taken: (n, 3), what is not to be covered.
@@ -228,7 +228,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
     placed = []
     for i, point in enumerate(points):
         best, where = -np.inf, point
-        for far in (0.6, 1.0, 1.5):
+        for far in (0.9, 1.3, 1.8):
             for t in np.arange(8) * np.pi / 4:
                 candidate = point + far * step * (wide[i] * np.cos(t) * right + np.sin(t) * up)
                 at = projected(candidate[None], settings, aspect)[0]

@@ -71,7 +71,7 @@ def _distribution(of, graded, students):
     alt = f"Bars: how many students have how many percent of the points. Most, {counts[most]}, have {names[most]}."
     rows = list(zip(names, counts, strict=True))
     caption = "Each student's points, as a share of those of the notebooks that they handed in."
-    return _section("How the points are spread", figure, alt, caption, _table(("points", "students"), rows))
+    return _section("Distribution of the points", figure, alt, caption, _table(("points", "students"), rows))
 
 
 def _hardest(graded):

@@ -123,7 +123,7 @@ def _exercise(exercise):
 def _answer(answer):
     name, points = escaped(answer.question), "" if answer.points is None else f", {answer.points:g} of {answer.of}"
     heading = f'<h2 id="{name}">{escaped(_title(answer))}: {escaped(final_state(answer.state))}{points}</h2>'
-    task = f'\n<p class="task">{escaped(answer.task)}</p>' if answer.task else ""
+    task = f'\n<p class="task">{escaped(answer.task.replace("**", ""))}</p>' if answer.task else ""
     comment = f"\n<p><strong>Comment:</strong> {escaped(answer.comment)}</p>" if answer.comment else ""
     return f"{heading}{task}\n<pre>{escaped(answer.text)}</pre>{comment}"
 

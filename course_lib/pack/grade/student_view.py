@@ -100,8 +100,8 @@ def contents(checks, forbidden):
     for path in PACKAGE.glob("*.py"):
         dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))
         files[f"course_lib/{path.name}"] = without(path, dotted)
-    for path in (PACKAGE / "figures").glob("*.py"):
-        files[f"course_lib/figures/{path.name}"] = FIGURES.encode()
+    for path in (PACKAGE / "figures").rglob("*.py"):
+        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = FIGURES.encode()
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
         files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(library=library).encode()

@@ -63,9 +63,9 @@ def _data(root):
 
 
 def _package(root):
-    """The helper package, less what only make runs."""
+    """The helper package, the settings of JupyterLab among it, less what only make runs."""
     package = root / "course_lib"
-    files = [*package.rglob("*.py"), *package.rglob("*.js")]
+    files = [*package.rglob("*.py"), *package.rglob("*.js"), *package.glob("jupyter/*/*.json")]
     return [path for path in files if path.relative_to(package).parts[0] != "pack"]
 
 

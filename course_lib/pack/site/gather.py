@@ -1,7 +1,8 @@
 """What pages say of the notebooks, read from the notebooks themselves: titles, goals, times, pictures."""
 
+import html
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
@@ -13,13 +14,35 @@ NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine
 
 HOME = """# Robot kinematics
 
-Notebooks that answer: each teaches in small steps (an equation, the lines that compute it, a picture), sets
-exercises that are checked at once, and reproduces the numbers of a published homework report, down to what that
-report got wrong. They are shown here with their results. Figures can be turned, and those that move can be played.
+Notebooks that answer: small steps (an equation, the lines that compute it, a picture), exercises that are checked at
+once, and the numbers of a published homework report, down to what it got wrong.{time}
 
-They are for students of robotics who know some linear algebra and Python, and for whoever teaches them.{time}
+<nav class="first-steps" aria-label="First steps">
+
+{steps}
+
+</nav>
+
+<div class="cards">
 
 {notebooks}
+
+</div>
+
+## Run it yourself
+
+With Python 3.11 or newer and the course's folder,
+
+```
+make lab
+```
+
+opens the notebooks in JupyterLab; the first time it sets up all that they need. Without make, in the same folder:
+
+```
+python -m venv .venv
+.venv/bin/pip install -r environment.txt -e . && .venv/bin/jupyter lab notebooks
+```
 
 {more}
 
@@ -38,8 +61,7 @@ class Notebook:
 
     name: str
     title: str
-    goals: list[str] = field(default_factory=list)
-    needs: str = ""
+    question: str = ""
     hours: int = 0
     picture: str = ""
 
@@ -49,13 +71,10 @@ def read(source: Path, pages: Path) -> Notebook:
     book = nbformat.read(source, as_version=4)
     text = next((cell.source for cell in book.cells if cell.cell_type == "markdown"), "")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
-    goals = re.search(r"^\*\*When you are through, you can\*\*\n\n((?:- .*\n?)+)", text, re.MULTILINE)
-    needs = re.search(r"^\*\*You need\*\*.*(?:\n.+)*", text, re.MULTILINE)
     return Notebook(
         name=source.stem,
         title=title[1] if title else source.stem,
-        goals=goals[1].splitlines() if goals else [],
-        needs=" ".join(needs[0].split()) if needs else "",
+        question=_question(text),
         hours=_hours(text),
         picture=_cover(book, source.name, pages),
     )
@@ -66,20 +85,33 @@ def home(notebooks: list[Notebook], others: list[Path]) -> str:
     hours = [notebook.hours for notebook in notebooks]
     time = f" All together they take about {sum(hours)} hours." if all(hours) else ""
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
+    steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
+    if any(page.stem == "errata" for page in others):
+        steps.append("[What we found wrong in print](errata.ipynb)")
     return HOME.format(
         time=time,
-        notebooks="\n\n".join(map(_entry, notebooks)),
+        steps="\n".join(f"- {step}" for step in steps),
+        notebooks="\n\n".join(map(_card, notebooks)),
         more="## Beside them\n\n" + "\n".join(more) if more else "",
         pages="\n".join([*(notebook.name for notebook in notebooks), *(page.stem for page in others)]),
     )
 
 
-def _entry(notebook: Notebook) -> str:
-    """Return a notebook's part of the home page."""
-    parts = [f"## [{notebook.title}]({notebook.name}.ipynb)", notebook.picture]
-    if notebook.goals:
-        parts += ["When you are through, you can", "\n".join(notebook.goals)]
-    return "\n\n".join(filter(None, [*parts, notebook.needs]))
+def _card(notebook: Notebook) -> str:
+    """Return a notebook's card on the home page: its picture, its title, the question it answers, its hours."""
+    hours = f"About {notebook.hours} hours." if notebook.hours else ""
+    words = " ".join(filter(None, [notebook.question, hours]))
+    # No heading in Markdown: that would begin a section, which ends outside of the card.
+    title = f'<h2><a href="{notebook.name}.html">{html.escape(notebook.title)}</a></h2>'
+    parts = ['<div class="card">', notebook.picture + title, words, "</div>"]
+    return "\n\n".join(filter(None, parts))
+
+
+def _question(text: str) -> str:
+    """Return the first question of a notebook's introduction, or else its first sentence."""
+    introduction = re.sub(r"^#.*\n", "", text.strip()).strip().split("\n\n")[0]
+    sentences = re.split(r"(?<=[.?!])\s+", " ".join(introduction.split()))
+    return next((sentence for sentence in sentences if sentence.endswith("?")), sentences[0])
 
 
 def _hours(text: str) -> int:

@@ -69,13 +69,22 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
     if PLOTLY in output.data:
         alt = alternative(output, place)
         still = picture(output, image, "plotly-still", alt, folder) if image else ""
-        output.data = {"text/html": _figure(output.data[PLOTLY], alt, still)}
+        output.data = {"text/html": _captioned(_figure(output.data[PLOTLY], alt, still), output)}
         counts.figures += 1
     elif image and "text/html" not in output.data:
-        output.data = {"text/html": picture(output, image, "picture", alternative(output, place), folder)}
+        shown = picture(output, image, "picture", alternative(output, place), folder)
+        output.data = {"text/html": _captioned(shown, output)}
         counts.pictures += 1
     elif "text/html" in output.data:
         output.data["text/html"] = mark_dollars(output.data["text/html"])
+
+
+def _captioned(shown: str, output) -> str:
+    """Return a figure with the sentence below it that says what to notice, if its output keeps one."""
+    kept = [output.metadata.get("caption"), *(output.metadata.get(kind, {}).get("caption") for kind in IMAGES)]
+    caption = next(filter(None, kept), None)
+    words = mark_dollars(html.escape(caption, quote=False)) if caption else ""
+    return f"<figure class=\"shown\">{shown}<figcaption>{words}</figcaption></figure>" if caption else shown
 
 
 def mark_dollars(page: str) -> str:

@@ -6,37 +6,44 @@ from course_lib.arms import planar_arm
 
 
 def right_both_angles(theta):
+    theta = np.asarray(theta, float)
     t1, t2 = theta[..., 0], theta[..., 1]
     return np.stack([np.cos(t1) + np.cos(t1 + t2), np.sin(t1) + np.sin(t1 + t2)], axis=-1)
 
 
 def right_running_sum(theta):
+    theta = np.asarray(theta, float)
     angles = np.cumsum(theta, axis=-1)
     return np.array([np.cos(angles).sum(axis=-1), np.sin(angles).sum(axis=-1)]).transpose(*range(1, theta.ndim), 0)
 
 
 def right_complex(theta):
+    theta = np.asarray(theta, float)
     end = np.exp(1j * theta[..., 0]) * (1 + np.exp(1j * theta[..., 1]))
     return np.concatenate([end.real[..., None], end.imag[..., None]], axis=-1)
 
 
 def right_pair_by_pair(theta):
+    theta = np.asarray(theta, float)
     flat = np.reshape(theta, (-1, 2))
     places = [[np.cos(t1) + np.cos(t1 + t2), np.sin(t1) + np.sin(t1 + t2)] for t1, t2 in flat]
     return np.array(places).reshape(np.shape(theta)).tolist() if len(flat) else np.empty(theta.shape)
 
 
 def right_half_angle(theta):
+    theta = np.asarray(theta, float)
     t1, half = theta[..., :1], theta[..., 1:] / 2
     return 2 * np.cos(half) * np.concatenate([np.cos(t1 + half), np.sin(t1 + half)], axis=-1)
 
 
 def right_transposed_all_along(theta):
+    theta = np.asarray(theta, float)
     t1, t2 = theta.T
     return np.array([np.cos(t1) + np.cos(t1 + t2), np.sin(t1) + np.sin(t1 + t2)]).T
 
 
 def right_matrices(theta):
+    theta = np.asarray(theta, float)
     def turn(angle):
         c, s = np.cos(angle), np.sin(angle)
         return np.moveaxis(np.array([[c, -s], [s, c]]), [0, 1], [-2, -1])

@@ -8,6 +8,7 @@ from course_lib.arms import planar_arm
 
 
 def right_kmeans_with_its_labels_flipped(theta):
+    theta = np.asarray(theta, float)
     if len(np.unique(theta, axis=0)) < 2:
         return np.zeros(len(theta), int)
     labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta)
@@ -17,6 +18,7 @@ def right_kmeans_with_its_labels_flipped(theta):
 
 
 def right_order_of_the_centres_as_a_list(theta):
+    theta = np.asarray(theta, float)
     if len({tuple(sample) for sample in theta.tolist()}) < 2:
         return [0 for _ in theta]
     found = KMeans(2, random_state=7).fit(theta)
@@ -25,6 +27,7 @@ def right_order_of_the_centres_as_a_list(theta):
 
 
 def right_own_loop_as_truth_values(theta):
+    theta = np.asarray(theta, float)
     if len(theta) < 2 or np.ptp(theta, axis=0).max() == 0:
         return np.zeros(len(theta), bool)
     far = theta[np.argmax(((theta - theta[0]) ** 2).sum(axis=1))]
@@ -36,6 +39,7 @@ def right_own_loop_as_truth_values(theta):
 
 
 def right_scipys_as_a_column(theta):
+    theta = np.asarray(theta, float)
     if len(theta) == 0 or np.all(theta == theta[0]):
         return np.zeros((len(theta), 1))
     best = min(
@@ -47,6 +51,7 @@ def right_scipys_as_a_column(theta):
 
 
 def right_kmeans_of_unsettled_order(theta):
+    theta = np.asarray(theta, float)
     labels = np.zeros(len(theta), dtype=np.int32)
     if len(theta) > 1 and not np.allclose(theta, theta[0]):
         found = KMeans(n_clusters=2, n_init=10).fit(theta)

@@ -16,7 +16,8 @@ def right_shifted_remainder(angle):
     return (angle + np.pi) % (2 * np.pi) - np.pi
 
 
-def right_loops(angle):
+def wrong_loops(angle):
+    """ValueError"""
     while angle > math.pi:
         angle -= 2 * math.pi
     while angle <= -math.pi:
@@ -28,7 +29,8 @@ def right_sine_and_cosine(angle):
     return np.arctan2([np.sin(angle)], [np.cos(angle)])
 
 
-def right_phase(angle):
+def wrong_phase(angle):
+    """TypeError"""
     return cmath.phase(cmath.exp(1j * angle))
 
 
@@ -36,17 +38,20 @@ def right_mirrored(angle):
     return np.pi - np.mod(np.pi - angle, 2 * np.pi)
 
 
-def right_remainder_of_ieee(angle):
+def wrong_remainder_of_ieee(angle):
+    """TypeError"""
     return math.remainder(angle, math.tau)
 
 
-def right_again_and_again(angle):
+def wrong_again_and_again(angle):
+    """ValueError"""
     if abs(angle) <= np.pi:
         return angle
-    return right_again_and_again(angle - math.copysign(2 * np.pi, angle))
+    return wrong_again_and_again(angle - math.copysign(2 * np.pi, angle))
 
 
-def right_remainder_then_one_turn(angle):
+def wrong_remainder_then_one_turn(angle):
+    """ValueError"""
     angle = np.mod(angle, 2 * np.pi)
     if angle > np.pi:
         angle -= 2 * np.pi

@@ -1,0 +1,187 @@
+"""Toys as Python has them: their models, their words, what a stored notebook and a live one get, what jog answers."""
+
+import json
+
+import nbformat
+import numpy as np
+import pytest
+from helpers import FIGURE
+from nbformat.v4 import new_code_cell, new_notebook
+from numpy.testing import assert_allclose
+
+from course_lib import figures, rigid
+from course_lib.arms import iiwa14, panda, planar_arm
+from course_lib.figures.toys.arms import Answers, jog
+from course_lib.figures.toys.toy import SCRIPTS, is_live, module
+from course_lib.pack.notebooks import run, tidy
+
+ALL = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
+ALL["jog"] = lambda: jog(iiwa14(), lambda q: np.eye(4))
+Q = np.array([0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1])
+
+
+@pytest.fixture(params=ALL)
+def toy(request):
+    return ALL[request.param]()
+
+
+# ---- every toy ----
+
+
+def test_a_toy_is_data_that_its_scripts_can_read(toy):
+    meta = toy.figure.layout.meta["course"]
+    assert meta == json.loads(json.dumps(meta))
+    assert all((SCRIPTS / f"{name}.js").is_file() for name in meta["scripts"])
+    assert f'kinds["{meta["kind"]}"]' in (SCRIPTS / f"{meta['scripts'][-1]}.js").read_text(encoding="utf-8")
+    assert meta["plotly"] is False
+
+
+def test_a_toys_words_are_sentences_and_its_figure_is_light(toy):
+    assert 60 < len(toy.alt) < 1200
+    assert toy.alt.endswith(".")
+    assert len(toy.figure.to_json()) < 150_000
+
+
+def test_a_stored_notebook_gets_the_plain_figure_and_a_live_one_the_widget(toy, monkeypatch):
+    outputs = []
+    monkeypatch.setattr("IPython.display.display", lambda data, raw, metadata: outputs.append(data))
+    monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
+    assert not is_live()
+    toy._ipython_display_()
+    monkeypatch.setenv("JPY_SESSION_NAME", "/home/student/01_rotations.ipynb")
+    toy._ipython_display_()
+    stored, live = outputs
+    assert set(stored) == {FIGURE, "text/plain"}
+    assert set(live) == {"application/vnd.jupyter.widget-view+json", "text/plain"}
+    assert stored["text/plain"] == live["text/plain"] == toy.alt
+    assert stored[FIGURE]["layout"]["meta"]["course"]["kind"] == toy.meta["kind"]
+
+
+def test_a_widgets_module_holds_the_scripts_of_the_page_and_asks_nobody_else(toy):
+    text = module(tuple(toy.meta["scripts"]))
+    for name in toy.meta["scripts"]:
+        assert (SCRIPTS / f"{name}.js").read_text(encoding="utf-8") in text
+    assert "http" not in text.replace("http://www.w3.org/2000/svg", "")
+    assert "import " not in text
+
+
+def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path, monkeypatch):
+    monkeypatch.setenv("JPY_SESSION_NAME", "as if make ran in a notebook of JupyterLab")
+    sources = ["from course_lib import figures", "figures.planar_arm_toy()", "figures.orientation_toy('belt')"]
+    books = []
+    for _ in range(2):
+        book = new_notebook(cells=[new_code_cell(source, id=f"c{i}") for i, source in enumerate(sources)])
+        run(book, tmp_path / "toys.ipynb")
+        tidy(book)
+        books.append(nbformat.writes(book))
+    assert books[0] == books[1]
+    assert "widget" not in books[0]
+    assert books[0].count(FIGURE) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "named"),
+    [
+        ("orientation_toy", {"mode": "gimbal"}, "mode"),
+        ("planar_arm_toy", {"lengths": [1, -1]}, "lengths"),
+        ("planar_arm_toy", {"q": [0.1]}, "q"),
+        ("planar_arm_toy", {"target": [1, np.nan]}, "target"),
+        ("planar_arm_toy", {"step": 7}, "step"),
+        ("planar_arm_toy", {"damping": 0}, "damping"),
+        ("two_poses_toy", {"goal": [1, 2]}, "goal"),
+        ("dead_reckoning_toy", {"dt": 0}, "dt"),
+        ("dead_reckoning_toy", {"plan": [((1, 2), 3)]}, "plan"),
+        ("circles_toy", {"between": 0}, "between"),
+        ("circles_toy", {"p": 181}, "p"),
+        ("cells_toy", {"size": 0.1}, "size"),
+        ("cells_toy", {"lengths": [1, 1, 1]}, "lengths"),
+        ("iiwa_toy", {"q": [0.0]}, "q"),
+        ("panda_toy", {"q": "up"}, "q"),
+    ],
+)
+def test_a_wrong_argument_is_named(name, arguments, named):
+    with pytest.raises(ValueError, match=rf"^{named}\b"):
+        getattr(figures, name)(**arguments)
+
+
+def test_jog_refuses_what_is_no_function_or_pose():
+    with pytest.raises(ValueError, match=r"^fk must be a function"):
+        jog(iiwa14(), np.eye(4))
+    with pytest.raises(ValueError, match=r"^base must be a pose"):
+        jog(iiwa14(), base=2 * np.eye(4))
+
+
+# ---- what jog answers ----
+
+
+def by_screws(screws, M, theta):
+    T = np.eye(4)
+    for screw, angle in zip(screws, theta, strict=True):
+        T = T @ rigid.exp_se3(np.array(screw) * angle)
+    return T @ M
+
+
+def reversed_order(screws, M, theta):
+    return by_screws(screws[::-1], M, theta[::-1])
+
+
+def answer(arm, fk, base=None, q=Q):
+    return Answers(arm, fk, np.eye(4) if base is None else base)({"q": q.tolist()})
+
+
+def test_a_right_function_of_screws_moves_every_body_where_the_library_has_it():
+    arm = iiwa14()
+    found = answer(arm, by_screws)
+    assert found["problem"] is None
+    assert_allclose(found["end"], arm.fk(Q), atol=1e-12)
+    assert_allclose(found["end"], found["right"], atol=1e-12)
+    assert_allclose(np.array(found["bodies"])[1:] @ arm.home[:-1], arm.frames(Q)[:-1], atol=1e-12)
+
+
+def test_a_wrong_function_moves_the_bodies_to_where_it_says():
+    arm = iiwa14()
+    found = answer(arm, reversed_order)
+    assert_allclose(found["end"], reversed_order(arm.screw_axes, arm.home[-1], Q))
+    assert np.abs(np.array(found["end"]) - found["right"]).max() > 0.1
+    assert_allclose(found["bodies"][2], reversed_order(arm.screw_axes[:2], np.eye(4), Q[:2]))
+
+
+def test_a_function_of_angles_may_give_all_frames_in_a_world_or_the_end_alone():
+    arm, base = panda(), rigid.transform(np.eye(3), [-0.2, 0.13, 0.6])
+    q = np.array([0.1, -0.5, 0.2, -2.0, 0.3, 1.4, 0.5])
+    frames = answer(arm, lambda q: base @ arm.frames(q), base, q)
+    assert_allclose(np.array(frames["bodies"])[1:] @ arm.home[:-1], arm.frames(q)[:-1], atol=1e-12)
+    assert_allclose(frames["end"], arm.fk(q), atol=1e-12)
+    alone = answer(arm, lambda q: base @ arm.fk(q), base, q)
+    assert alone["bodies"] is None
+    assert_allclose(alone["end"], arm.fk(q), atol=1e-12)
+
+
+FAILING = [lambda q: q[9], lambda q: None, lambda q: np.zeros(3), lambda q: np.full((4, 4), np.nan)]
+
+
+@pytest.mark.parametrize("broken", FAILING)
+def test_a_function_that_fails_is_reported_and_the_librarys_arm_stays(broken):
+    found = answer(iiwa14(), broken)
+    assert found["end"] is found["bodies"] is None
+    assert found["problem"].split(":")[0] in ("IndexError", "TypeError", "ValueError")
+    json.dumps(found, allow_nan=False)
+
+
+def test_a_function_that_changes_its_arguments_changes_nothing_else():
+    def changes(screws, M, theta):
+        T = by_screws(screws, M, theta)
+        screws[:], M[:], theta[:] = 0, 0, 0
+        return T
+
+    arm = iiwa14()
+    assert_allclose(answer(arm, changes)["end"], arm.fk(Q), atol=1e-12)
+
+
+def test_it_says_whose_function_moves_the_arm():
+    def fk(q):
+        return planar_arm([1, 1]).fk(q)
+
+    assert answer(planar_arm([1, 1]), fk, q=np.zeros(2))["whose"] == "your function"
+    fk.whose = "the library's"
+    assert answer(planar_arm([1, 1]), fk, q=np.zeros(2))["whose"] == "the library's function"

@@ -1,0 +1,161 @@
+"""JupyterLab as a student meets it: make's own command, no question, the toys live, moved by the student's function."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import time
+from pathlib import Path
+from urllib.request import urlopen
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_notebook
+from playwright.sync_api import expect
+
+expect.set_options(timeout=60_000)  # a machine may be busy
+ROOT = Path(__file__).parent.parent
+PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
+SOURCES = (
+    "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
+    "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()",
+    "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, theta, strict=True):\n"
+    "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\nfigures.jog(iiwa14(), reversed_order)",
+    "figures.jog(iiwa14(), lambda q: iiwa14().frames(q))",
+)
+
+
+# How many dots of a canvas are bluish, as the library's pale arm is.
+BLUE_DOTS = """canvas => {
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 200 && data[i + 2] > data[i] + 25 && data[i + 2] > data[i + 1] + 8) count++;
+  }
+  return count;
+}"""
+
+
+def lab_options(makefile):
+    """Of the one command of `make lab` the folder of settings, the options, and the notebook that it opens."""
+    done = subprocess.run(["make", "-n", "-f", makefile, "lab"], cwd=ROOT, capture_output=True, text=True, check=True)
+    shell = done.stdout.replace("\\\n", " ")
+    ((config, command),) = re.findall(r'JUPYTER_CONFIG_PATH="([^$"]*).* -m jupyter lab (.*)', shell)
+    *options, notebook = shlex.split(command)
+    return config, options, notebook
+
+
+def test_both_makefiles_start_jupyterlab_alike_with_a_notebook_that_is_there():
+    ours, students = (lab_options(f) for f in ("Makefile", "course_lib/pack/release/students/Makefile"))
+    assert ours == students
+    assert (ROOT / ours[-1]).is_file()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """JupyterLab in a folder with one notebook, for somebody who never used it before."""
+    folder = tmp_path_factory.mktemp("lab")
+    book = new_notebook(cells=[new_code_cell(source) for source in SOURCES])
+    book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    nbformat.write(book, folder / "toys.ipynb")
+    config, options, _ = lab_options("Makefile")
+    home = {f"JUPYTER_{name}_DIR": str(folder / name.lower()) for name in ("CONFIG", "DATA", "RUNTIME")}
+    home["JUPYTER_CONFIG_PATH"] = str(ROOT / config)
+    options += ["--no-browser", f"--port={PORT}", f"--IdentityProvider.token={TOKEN}"]
+    if hasattr(os, "getuid") and os.getuid() == 0 and "--allow-root" not in options:
+        options.append("--allow-root")
+    with open(folder / "log", "w") as log:
+        command = [sys.executable, "-m", "jupyter", "lab", *options, str(folder / "toys.ipynb")]
+        process = subprocess.Popen(command, stdout=log, stderr=log, cwd=folder, env={**os.environ, **home})
+        try:
+            for _ in range(600):
+                try:
+                    urlopen(f"http://localhost:{PORT}/api?token={TOKEN}", timeout=5).close()
+                    break
+                except OSError:
+                    assert process.poll() is None, (folder / "log").read_text()
+                    time.sleep(0.2)
+            yield f"http://localhost:{PORT}/lab/tree/toys.ipynb?token={TOKEN}"
+        finally:
+            process.terminate()
+            process.wait(30)
+
+
+@pytest.fixture(scope="module")
+def lab(server, browser):
+    context = browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce")
+    page = context.new_page()
+    page.asked = []
+    page.on("request", lambda request: page.asked.append(request.url))
+    page.goto(server)
+    expect(page.locator(".jp-Notebook").first).to_be_visible()
+    expect(page.locator(".jp-Notebook .jp-CodeCell")).to_have_count(len(SOURCES))
+    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached", timeout=60_000)
+    yield page
+    context.close()
+
+
+def output(lab, number):
+    cell = lab.locator(".jp-Notebook .jp-CodeCell").nth(number)
+    cell.scroll_into_view_if_needed()
+    return cell.locator(".jp-OutputArea-output")
+
+
+def test_nothing_is_asked_about_news_and_the_toys_appear(lab):
+    lab.wait_for_timeout(1000)
+    assert lab.locator(".Toastify__toast").all_inner_texts() == []
+    lab.get_by_role("menuitem", name="Run").first.click()
+    lab.get_by_text("Run All Cells", exact=True).click()
+    expect(lab.locator(".course-toy")).to_have_count(len(SOURCES))
+    assert lab.locator(".jp-RenderedPlotly, .js-plotly-plot").count() == 0, "the widget alone, not the still figure too"
+
+
+def test_the_target_is_dragged_and_moved_by_arrow_keys_without_leaving_the_cell(lab):
+    out = output(lab, 0)
+    handle = out.locator(".handle")
+    handle.focus()
+    label = handle.get_attribute("aria-label")
+    lab.keyboard.press("ArrowUp")
+    expect(handle).not_to_have_attribute("aria-label", label)
+    assert handle.evaluate("e => e.ownerDocument.activeElement === e"), "JupyterLab's own keys do not take over"
+    label, place = handle.get_attribute("aria-label"), handle.locator("circle").last.bounding_box()
+    x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+    lab.mouse.move(x, y)
+    lab.mouse.down()
+    lab.mouse.move(x + 40, y - 20, steps=5)
+    lab.mouse.up()
+    expect(handle).not_to_have_attribute("aria-label", label)
+    expect(out.locator("p[role=status]")).to_contain_text("distance left")
+
+
+def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
+    out = output(lab, 1)
+    words = out.locator("p[role=status]")
+    expect(words).to_contain_text("Moved by your function. The pale blue arm is the library's")
+    before = words.inner_text()
+    out.get_by_label("Joint 2", exact=True).focus()
+    for _ in range(5):
+        lab.keyboard.press("ArrowRight")
+    expect(words).not_to_have_text(before)
+    expect(words).to_contain_text("differ by")
+    pale = [one.locator("canvas").evaluate(BLUE_DOTS) for one in (out, output(lab, 2))]
+    assert pale[0] > 500 + 3 * pale[1]
+
+
+def test_a_right_one_moves_the_arm_and_agrees(lab):
+    out = output(lab, 2)
+    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+    canvas = out.locator("canvas")
+    before = canvas.evaluate("c => c.toDataURL()")
+    out.get_by_label("Joint 1", exact=True).focus()
+    for _ in range(5):
+        lab.keyboard.press("ArrowRight")
+    lab.wait_for_timeout(1000)
+    assert canvas.evaluate("c => c.toDataURL()") != before
+    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+
+
+def test_nobody_outside_was_asked(lab):
+    assert len(lab.asked) > 10
+    assert [url for url in lab.asked if not re.match(r"https?://localhost|data:|blob:", url)] == []
