@@ -7,6 +7,8 @@ import numpy as np
 
 from course_lib.figures import poe_kuka_iiwa
 from course_lib.figures.plots import lines, panels
+from course_lib.figures.solids import arm_model, film, link_poses, scene
+from course_lib.figures.space import line
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
 
 # Corners of each arm at joint angles zero, from the base to the flange, and its dimensions in millimetres: the view in
@@ -184,7 +186,7 @@ def _direction(vector):
 
 def wrong_frame(paths, table):
     """Return the paths {label: (n, 3)} of a gripper in the plane of x and z, above a table at height `table` (m)."""
-    fig, (ax,) = plane_figure(7.2, 3.6)
+    fig, (ax,) = plane_figure(6.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
         ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
         ax.plot(*path[-1, [0, 2]], "o", color=colour, markersize=9)
@@ -221,14 +223,17 @@ def arm_with_axes(arm):
     return {"fig": poe_kuka_iiwa.arm_with_axes(arm), "alt": alt}
 
 
-def arm_movie(arm, motion, most=50):
-    """Return the arm moving along a trajectory, in at most so many frames."""
-    shown = np.arange(0, len(motion.t), max(1, int(np.ceil(len(motion.t) / most))))
+def arm_movie(arm, motion, most=40):
+    """Return the arm moving along a trajectory, in at most so many poses, seen along the y axis."""
+    shown = np.unique(np.linspace(0, len(motion.t) - 1, most).astype(int))
     path = arm.fk(motion.q)[..., :3, 3]
     size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
     seconds = motion.t[-1] - motion.t[0]
     alt = f"Moving picture, {seconds:.1f} s: the arm follows the trajectory; its end-effector has {size}."
-    return {"fig": poe_kuka_iiwa.arm_movie("iiwa", arm, motion.q[shown], motion.t[shown]), "alt": alt}
+    model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
+    still = [line(path, BLUE, 5, "scene", "dash")]
+    fig = film("iiwa", model, link_poses(arm, motion.q[shown]), motion.t[shown], still=still, view=(0.1, 1.0, 0.5))
+    return {"fig": fig, "alt": alt}
 
 
 def plane_projections(path):
@@ -268,13 +273,17 @@ def velocities_over_time(t, v):
     contents = {f"{frame}: v (m/s)": {f"v{c}": part[:, i] for i, c in enumerate("xyz")} for frame, part in v.items()}
     speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
     alt = f"Three panels: the components of the linear velocity over time, as each frame sees it: {speeds}."
-    return {"fig": panels(t, contents, xlabel="time (s)"), "alt": alt}
+    fig = panels(t, contents, xlabel="time (s)")
+    fig.set_size_inches(9, 2.8)
+    return {"fig": fig, "alt": alt}
 
 
 def velocities_against_each_other(v):
     """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
     alt = f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}."
-    return {"fig": poe_kuka_iiwa.against_each_other(v), "alt": alt}
+    fig = poe_kuka_iiwa.against_each_other(v)
+    fig.set_size_inches(7.2, 6.4)
+    return {"fig": fig, "alt": alt}
 
 
 def along_the_trajectory(t, series, ylabel):
@@ -285,7 +294,7 @@ def along_the_trajectory(t, series, ylabel):
 
 def singular_values(angles, values, name):
     """Return the smallest singular value over one joint angle, for several configurations {label: (n,)}."""
-    fig, (ax,) = plane_figure(7.2, 3.2)
+    fig, (ax,) = plane_figure(6.4, 3)
     for colour, (label, y) in zip(COLOURS, values.items(), strict=False):
         ax.plot(angles, y, color=colour, linewidth=2, label=label)
     ax.set(xlabel=f"{name} (rad)", ylabel="smallest singular value", ylim=(0, None))

@@ -13,6 +13,7 @@ import asyncio
 import base64
 import json
 import os
+import re
 import sys
 import tempfile
 import time
@@ -84,11 +85,20 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     run(notebook, path)
     without = add_stills(notebook, known, make_stills or draw_stills)
     tidy(notebook)
-    after = nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    after = _short(nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True)) + "\n"
     if after == before:
         return ", unchanged" + without
     write_atomically(path, after)
     return ", written" + without
+
+
+_NUMBER = r"(?:-?[\d.eE+-]+|null)"
+_NUMBERS = re.compile(rf"\[\n\s*{_NUMBER}(?:,\n\s*{_NUMBER})*\n\s*\]")
+
+
+def _short(text):
+    """Return JSON text with each list of numbers on one line: one line a number would double a notebook's size."""
+    return _NUMBERS.sub(lambda found: re.sub(r"\s+", "", found[0]), text)
 
 
 # ---- run ----

@@ -77,13 +77,6 @@ def wrong_blocks_not_joined(T):
     return np.array([[R, np.zeros((3, 3))], [hat(p) @ R, R]])
 
 
-def wrong_column_of_p(T):
-    """unnamed"""
-    A = np.kron(np.eye(2), T[:3, :3])
-    A[3:, :3] = T[:3, 3:]
-    return A
-
-
 def wrong_the_librarys(T):
     """course_lib.rigid.adjoint is called"""
     return rigid.adjoint(T)
