@@ -28,10 +28,12 @@ environment:
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told. It warns of plain-text connections to kernels, and of its
-# own default for an interval, unless these two are set.
+# own default for an interval, unless these two are set. The next two keep it from asking about news and updates.
 lab: environment ## open the notebooks in JupyterLab
 	@$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
-		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 notebooks/
+		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 \
+		--LabApp.news_url=None --LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate \
+		notebooks/01_rotations.ipynb
 
 # One pytest run, whose summary ends the output. With ONLY, one process: what has that in its name takes seconds. Matplotlib builds its font list beforehand, for it
 # tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
@@ -50,9 +52,10 @@ html: environment ## export the notebooks as a static site, build/html/index.htm
 student: environment ## write the release to students, without solutions, build/student.zip
 	@$(PY) -m course_lib.pack.release
 
-grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n), build/grades/
+grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n; DEADLINE=2026-11-30 LATE=10% a day; LMS=canvas ROSTER=file), build/grades/
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") \
-		$(if $(SEED),--seed "$(SEED)") -- "$(SUBMISSIONS)"
+		$(if $(SEED),--seed "$(SEED)") $(if $(DEADLINE),--deadline "$(DEADLINE)") $(if $(LATE),--late "$(LATE)") \
+		$(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") -- "$(SUBMISSIONS)"
 
 notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)

@@ -249,7 +249,10 @@ class GridIK(BaseEstimator):
         """Run forward on a few samples, and refuse one that does not belong to them: every answer would be missing."""
         if self.forward is None:
             return
-        answer = self.forward(theta)
+        try:
+            answer = self.forward(theta)
+        except TypeError as other_arguments:
+            raise ValueError(f"forward must take one array of angles (2, m): {other_arguments}") from other_arguments
         try:
             position, J = answer
         except (TypeError, ValueError) as no_pair:

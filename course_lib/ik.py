@@ -144,6 +144,8 @@ class _Search:
         """Return the best joint angles (m, n) and the steps taken (m,). q0: (m, n), the first starts, or None."""
         if len(self.poses) == 1:
             self._descend_one_by_one(q0)
+            if self.solved[0]:
+                return self.best, self.iterations
             q0 = None
         descents = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
         while len(descents.target):
@@ -238,7 +240,8 @@ class _Descents:
 
 def _cost(error):
     """Return the squared error (N,) of pose errors (6, N), and whether it means that the target is reached; or no N."""
-    angle, distance = (error[:3] ** 2).sum(0), (error[3:] ** 2).sum(0)
+    x, y, z, dx, dy, dz = error * error
+    angle, distance = x + y + z, dx + dy + dz
     reached = (angle <= _REACHED_SQUARED) & (distance <= _REACHED_SQUARED)
     return angle + distance, reached
 
@@ -273,8 +276,10 @@ def _damped_step(J, error, damping):
     """
     k = len(error)
     if error.ndim == 1:
+        A = J @ J.T
+        A.flat[:: k + 1] += damping
         try:
-            return np.linalg.solve(J @ J.T + damping * np.eye(k), error) @ J, True
+            return np.linalg.solve(A, error) @ J, True
         except np.linalg.LinAlgError:
             return np.zeros(J.shape[1]), False
     sound = np.ones(error.shape[1], bool)

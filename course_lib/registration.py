@@ -64,7 +64,8 @@ def register_points(src, dst, weights=None):
     weights = np.ones(n) if weights is None else real_array(weights, "weights", (n,))
     refuse_first(weights < 0, "weights", lambda i: f"must be zero or more; it is {weights[i]:g}")
     few = (weights > 0).sum(-1) < 3
-    refuse_first(few, "weights" if n >= 3 else "src", lambda i: "must leave at least three points: two fix no rotation")
+    reason = "must leave at least three points: two do not determine a rotation"
+    refuse_first(few, "weights" if n >= 3 else "src", lambda i: reason)
     batch = broadcast(src=src.shape[:-2], dst=dst.shape[:-2], weights=weights.shape[:-1])
     weights = weights / weights.max(-1, keepdims=True)
     share = (weights / weights.sum(-1, keepdims=True))[..., None]

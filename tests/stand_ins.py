@@ -13,7 +13,13 @@ case "$*" in
     [ -z "${VENV_SAYS:-}" ] || { echo "$VENV_SAYS"; exit 1; }
     mkdir -p "$3/bin" && cp "$0" "$3/bin/python" ;;
 "-m pip install"*)
-    [ -z "${DIES:-}" ] || kill -9 "$PPID"
+    [ -z "${DIES:-}" ] || { read -r _ _ _ script _ <"/proc/$PPID/stat"; kill -9 "$script" "$PPID"; }
+    case "$*" in *"-r environment.txt"*)
+        echo "Collecting numpy==2.4.6 (from -r environment.txt (line 2))"
+        echo "  Downloading numpy-2.4.6.whl (16 MB)"
+        echo "Collecting scipy<2,>=1.15 (from -r environment.txt (line 3))"
+        echo "Installing collected packages: numpy, scipy" ;;
+    esac
     case "$*" in *"${ONLY:-}"*) [ -z "${PIP_SAYS:-}" ] || { echo "$PIP_SAYS" >&2; exit 1; } ;; esac ;;
 "-m ensurepip") exit "${NO_ENSUREPIP:-0}" ;;
 esac
@@ -23,7 +29,10 @@ UV = """#!/bin/sh
 echo "uv $*" >>"$CALLS"
 case "$1 $2" in
 "venv --python") mkdir -p "$4/bin" && cp "$PYTHON_STAND_IN" "$4/bin/python" ;;
-"pip install") [ -z "${UV_SAYS:-}" ] || { echo "$UV_SAYS" >&2; exit 2; } ;;
+"pip install")
+    [ -z "${UV_SAYS:-}" ] || { echo "$UV_SAYS" >&2; exit 2; }
+    printf 'Resolved 2 packages in 12ms\nDownloading numpy (15.8MiB)\n Downloaded numpy\n' >&2
+    printf 'Installed 2 packages in 40ms\n + numpy==2.4.6\n' >&2 ;;
 "pip compile")
     [ -z "${UV_SAYS:-}" ] || { echo "$UV_SAYS" >&2; exit 2; }
     for last; do :; done

@@ -14,9 +14,13 @@ from numpy.testing import assert_allclose
 from PIL import Image, ImageColor, ImageSequence
 from site_notebooks import HELIX, MOVING, cell, output, write
 
-from course_lib.figures import planar_arm, rigid_motion
+from course_lib.arms import planar_arm as arm_of_links
+from course_lib.figures import planar_arm, rigid_motion, solids
+from course_lib.figures.solids import Part
+from course_lib.figures.solids.meshes import ball
+from course_lib.figures.solids.model import MUG_RED
 from course_lib.figures.style import BLACK, BLUE, CRIMSON
-from course_lib.pack import animations
+from course_lib.pack import animations, film_frames
 
 TIMES = np.linspace(0, 1, 11)
 POSES = np.stack([np.linspace(-6, 6, 11), np.linspace(-5, 2, 11), np.linspace(0, 2, 11)], -1)
@@ -141,6 +145,48 @@ def test_the_frame_shows_the_scene_of_the_figure(movies):
     assert [line.get_linestyle() for line in lines] == ["--", "None", "-"]
 
 
+# ---- in space ----
+
+
+@pytest.fixture(scope="module")
+def solid():
+    """A planar arm in space that swings once, seen from above, with a red ball at its tip."""
+    arm = arm_of_links([0.5, 0.4])
+    q = np.stack([np.linspace(0, 2, 9), 0 * np.arange(9)], -1)
+    model = solids.arm_model(arm, [Part(2, MUG_RED, ball([0.9, 0, 0.1], 0.06))])
+    film = solids.film("swing", model, solids.link_poses(arm, q), np.linspace(0, 2, 9), view=(0.01, -0.01, 1))
+    return q, stored(film)
+
+
+def test_a_film_in_space_is_written_without_a_browser_and_moves_as_its_data_say(solid, tmp_path):
+    q, figure = solid
+    animations.write(figure, tmp_path / "swing.gif", animations.PillowWriter)
+    images, seconds = frames(tmp_path / "swing.gif")
+    assert len(images) == 9
+    assert seconds == pytest.approx(9 * 0.25, abs=0.06)
+    pixels = [np.argwhere((im[..., 0] > 110) & (im[..., 1] < 70) & (im[..., 2] < 90)) for im in images.astype(int)]
+    red = np.array([where.mean(0) for where in pixels])[:, ::-1]
+    true = 0.9 * np.stack([np.cos(q[:, 0]), np.sin(q[:, 0])], -1)
+    # Seen from above, pixels are metres times a scale, a rotation and a shift: perspective bends it a little.
+    moved, drawn = true - true.mean(0), (red - red.mean(0)) * [1, -1]
+    fit, *_ = np.linalg.lstsq(moved, drawn, rcond=None)
+    assert_allclose(moved @ fit, drawn, atol=6)
+    assert np.linalg.svd(fit)[1].min() > 100, "pixels a metre"
+
+
+def test_the_nearest_body_hides_those_behind_it():
+    near, far = (np.array([[-0.8, -0.8, z], [0.8, -0.8, z], [0, 0.8, z]]) for z in (1.0, 0.0))
+    picture, depth = np.zeros((40, 40, 3)), np.full((40, 40), -np.inf)
+    points = np.concatenate([near, far]) * [20, -20, 1] + [20, 20, 0]
+    colours = np.repeat([[255.0, 0, 0], [0, 0, 255]], 3, axis=0)
+    for order in ([[0, 1, 2], [3, 4, 5]], [[3, 4, 5], [0, 1, 2]]):
+        film_frames._fill((picture, depth), points, np.array(order), colours)
+        assert picture[20, 20].tolist() == [255, 0, 0]
+        picture[:], depth[:] = 0, -np.inf
+    film_frames._fill((picture, depth), points, np.array([[0, 2, 1]]), colours)
+    assert not picture.any(), "a face that looks away is not drawn"
+
+
 # ---- with ffmpeg, and before a terminal ----
 
 
@@ -209,7 +255,7 @@ def sentence(capsys, *paths):
     return line
 
 
-def test_figures_that_are_no_movies_in_the_plane_are_left_out(folder, tmp_path, capsys):
+def test_figures_that_are_no_movies_are_left_out(folder, tmp_path, capsys):
     solid = HELIX | {"layout": {"meta": {"movie": "helix", "seconds": 1}}}
     write(tmp_path, "01.ipynb", cell(*[output({FIGURE: figure}) for figure in (HELIX, MOVING, solid)]), cell())
     assert sentence(capsys, tmp_path / "01.ipynb").startswith("No moving picture is stored in these notebooks.")

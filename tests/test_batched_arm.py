@@ -1,4 +1,4 @@
-"""Many postures at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
+"""Many configurations at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
 
 import tracemalloc
 
@@ -22,7 +22,7 @@ ALL["one joint"] = SerialArm.from_screws([[0, -1, 0]], [[1, 2, 3]], np.eye(4))
 METHODS = ["frames", "fk", "space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian"]
 
 
-def postures(arm, *batch):
+def configurations(arm, *batch):
     return np.random.default_rng(1).uniform(-4, 4, (*batch, arm.n))
 
 
@@ -30,7 +30,7 @@ def postures(arm, *batch):
 @pytest.mark.parametrize("name", ALL)
 def test_many_are_what_each_is_alone(name, method):
     of = getattr(ALL[name], method)
-    q = postures(ALL[name], 400)
+    q = configurations(ALL[name], 400)
     assert len(q) > arms._SMALL_BATCH
     alone = np.array([of(one) for one in q])
     assert_allclose(of(q), alone, rtol=0, atol=1e-14)
@@ -42,7 +42,7 @@ def test_many_are_what_each_is_alone(name, method):
     "batch", [(0,), (1,), (0, 7), (3, 1, 2), (arms._SMALL_BATCH,), (arms._SMALL_BATCH + 1,), (20, 1, 5), (CHUNK + 1,)]
 )
 def test_batches_of_any_shape(batch, method):
-    q = postures(SKEW, *batch)
+    q = configurations(SKEW, *batch)
     q.flags.writeable = False
     of = getattr(SKEW, method)
     got, one_by_one = of(q), [of(one) for one in q.reshape(-1, 6)]
@@ -59,13 +59,13 @@ def test_batches_of_any_shape(batch, method):
 def test_arms_of_any_size(scale):
     """What is left out as rounding is small beside the arm, not beside a metre."""
     small = SerialArm.from_screws(SKEW.screw_axes[:, :3], RNG.normal(size=(6, 3)) * scale, np.eye(4))
-    q = postures(small, 2 * arms._SMALL_BATCH)
+    q = configurations(small, 2 * arms._SMALL_BATCH)
     assert_allclose(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], rtol=0, atol=2e-14)
 
 
 def test_a_small_length_beside_long_ones_counts():
     arm = planar_arm([1, 1e-9, 1])
-    q = postures(arm, 2 * arms._SMALL_BATCH)
+    q = configurations(arm, 2 * arms._SMALL_BATCH)
     sums = np.cumsum(q, -1)
     expected = (np.exp(1j * sums) * [1, 1e-9, 1]).sum(-1)
     assert_allclose(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, rtol=0, atol=1e-15)
@@ -73,7 +73,7 @@ def test_a_small_length_beside_long_ones_counts():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_memory_is_at_most_three_times_the_result(method):
-    arm, q = panda(), postures(panda(), 100_000)
+    arm, q = panda(), configurations(panda(), 100_000)
     tracemalloc.start()
     try:
         result = getattr(arm, method)(q)

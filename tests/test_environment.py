@@ -98,6 +98,24 @@ def test_first_call_sets_up_and_second_installs_nothing(machine):
     assert (result.returncode, result.stdout, machine.called()) == (0, "", "")
 
 
+def test_the_set_up_names_its_log_first_and_then_each_package(machine):
+    (machine.folder / "environment.txt").write_text("# the lock\nnumpy==2.4.6\nscipy==1.17.1\n")
+    lines = machine.make("environment").stdout.splitlines()
+    assert lines[0].startswith("Setting up .venv with Python 3.12.2, once: 2 packages. It takes")
+    assert lines[0].endswith("(log: build/setup.log).")
+    assert lines[1:3] == ["  1 of 2: numpy", "  2 of 2: scipy"]
+    assert lines[3].startswith("  All are downloaded. Unpacking them")
+    assert lines[4].startswith("Set up in")
+    assert "Downloading numpy-2.4.6.whl" in machine.log.read_text(), "the log has all of it"
+
+
+def test_the_set_up_with_uv_shows_what_uv_says(machine):
+    machine.install("uv", stand_ins.UV)
+    lines = machine.make("environment").stdout.splitlines()
+    assert lines[1:4] == ["  Resolved 2 packages in 12ms", "  Downloading numpy (15.8MiB)", "  Downloaded numpy"]
+    assert "  Installed 2 packages in 40ms" in lines
+
+
 def test_uv_is_used_where_it_is(machine):
     machine.install("uv", stand_ins.UV)
     assert machine.make("environment").returncode == 0

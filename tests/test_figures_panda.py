@@ -1,11 +1,14 @@
 """The pictures of notebook 5: both conventions on one arm, the null space, registration, and a gripper that grasps."""
 
 import numpy as np
-from helpers import assert_in_scene, places, shown, stored
+from films import Film, assert_in_ranges
+from helpers import places, shown, stored
 
 from course_lib import rigid, rotations
 from course_lib.arms import panda
 from course_lib.figures import panda_dh_ik as figures
+from course_lib.figures import solids
+from course_lib.figures.solids.model import X_RED
 
 ARM = panda()
 BASE = np.array([-0.2, 0.13, 0.6])
@@ -13,62 +16,61 @@ T_W0 = rigid.transform(np.eye(3), BASE)
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 Q = READY + np.random.default_rng(1).uniform(-0.3, 0.3, (4, 7))
 TIMES = np.linspace(0, 3, 4)
+IN_FLANGE = rigid.transform(rotations.rot_z(-np.pi / 4), [0, 0, 0.1034])
 
 
 def pick():
-    """A gripper somewhere above the table, closing; a mug beside it."""
-    grippers = rigid.transform(
-        rotations.rot_x(np.pi) @ rotations.rot_z(np.linspace(0, 1, 4)), np.linspace([0.2, 0, 0.9], [0.3, 0.3, 0.7], 4)
-    )
+    """A gripper above the table, closing; a mug beside it."""
+    frames = T_W0 @ ARM.frames(Q)
+    grippers = frames[:, -1] @ IN_FLANGE
     mugs = rigid.transform(rotations.rot_z(np.linspace(0, 2, 4)), np.linspace([0.2, 0, 0.6], [0.3, 0.3, 0.6], 4))
     openings = np.array([0.08, 0.08, 0.07, 0.07])
-    figure = stored(figures.pick("pick", T_W0 @ ARM.frames(Q), grippers, openings, mugs, TIMES, BASE))
-    return figure, grippers, openings, mugs
+    return stored(figures.pick("pick", frames, grippers, openings, mugs, TIMES, BASE)), grippers, openings, mugs
 
 
-def middle_of(figure):
-    """What was subtracted from every place: the dot of the base tells."""
-    base = next(places(trace) for trace in figure["data"] if trace["mode"] == "markers")
-    return BASE - base[0]
+def bodies_of(frames):
+    return np.concatenate(
+        [np.tile(T_W0, (*frames.shape[:-3], 1, 1, 1)), frames[..., :-1, :, :] @ rigid.inverse(ARM.home[:-1])], -3
+    )
 
 
-def test_both_conventions_stand_on_the_same_arm():
+def test_both_conventions_are_drawn_on_the_same_arm_with_arrows_along_their_axes():
     frames = T_W0 @ ARM.frames(READY)
-    figure = stored(figures.conventions({"modified": frames, "standard": frames[[*range(1, 8), 7]]}, BASE))
-    assert_in_scene(figure)
-    lines = [trace for trace in figure["data"] if trace["mode"] == "lines+markers"]
-    assert [line["scene"] for line in lines] == ["scene", "scene2"]
-    middle = middle_of(figure)
-    for line, shift in zip(lines, (0, 1), strict=True):
-        np.testing.assert_allclose(places(line)[1] + middle, frames[shift, :3, 3], atol=2e-3)
-        np.testing.assert_allclose(places(line)[-1] + middle, frames[-1, :3, 3], atol=2e-3)
+    others = frames[[*range(1, 8), 7]]
+    figure = stored(figures.conventions({"modified": frames, "standard": others}, BASE))
+    arms = [trace for trace in figure["data"] if trace.get("opacity")]
+    assert [arm["scene"] for arm in arms] == ["scene", "scene2"]
+    true = solids.arm_model(ARM).placed(bodies_of(frames))
+    for arm in arms:
+        np.testing.assert_allclose(places(arm), true, atol=2e-4)
+    triads = [t for t in figure["data"] if t["type"] == "mesh3d" and not t.get("opacity") and t["cmax"] < 99]
+    for triad, shown_frames in zip(triads, (frames[:-1], others[:-1]), strict=True):
+        vertices, colours = places(triad), np.array(X_RED) + np.arange(3)
+        from course_lib.pack.film_frames import numbers
+
+        of = numbers(triad["intensity"])
+        for T in shown_frames:
+            for k in range(3):
+                tip = T[:3, 3] + 0.15 * T[:3, k]
+                assert np.linalg.norm(vertices[of == colours[k]] - tip, axis=1).min() < 2e-3
     assert [note["text"] for note in figure["layout"]["annotations"]] == ["modified", "standard"]
 
 
 def test_frames_with_one_origin_are_named_together():
     figure = stored(figures.conventions({"modified": T_W0 @ ARM.frames(READY)}, BASE))
-    names = [trace["text"][0] for trace in figure["data"] if trace["mode"] == "text"]
+    names = [name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]]
     assert names == ["1, 2", "3", "4", "5, 6", "7"]
 
 
-def test_frames_are_drawn_along_their_axes():
-    frames = T_W0 @ ARM.frames(READY)
-    figure = stored(figures.conventions({"modified": frames}, BASE))
-    axes = [trace for trace in figure["data"] if len(trace["x"]) == 21]
-    assert len(axes) == 3
-    for i, trace in enumerate(axes):
-        along = places(trace).reshape(-1, 3, 3)
-        np.testing.assert_allclose(along[:, 1] - along[:, 0], 0.13 * frames[:-1, :3, i], atol=2e-3)
-
-
-def test_the_elbows_path_is_drawn_and_the_arm_stands_where_its_frames_are():
+def test_the_elbows_path_is_drawn_and_the_arm_is_where_its_frames_are():
     frames = T_W0 @ ARM.frames(Q)
     figure = stored(figures.null_space("elbow", frames, TIMES, BASE))
-    assert_in_scene(figure)
-    middle = middle_of(figure)
-    np.testing.assert_allclose(places(figure["data"][0]) + middle, frames[:, 3, :3, 3], atol=2e-3)
-    for shot, at in zip(figure["frames"], frames, strict=True):
-        np.testing.assert_allclose(places(shot["data"][0])[1:] + middle, at[:, :3, 3], atol=2e-3)
+    film = Film(figure)
+    path = next(places(trace) for trace in figure["data"] if trace.get("line", {}).get("dash") == "dash")
+    np.testing.assert_allclose(path / 1000, frames[:, 3, :3, 3], atol=1e-3)
+    np.testing.assert_allclose(film.poses, bodies_of(frames), atol=5e-5)
+    for i in range(len(frames)):
+        assert_in_ranges(film.at(i), figure["layout"]["scene"], 1000)
 
 
 def test_histograms_count_every_target():
@@ -80,45 +82,49 @@ def test_histograms_count_every_target():
     assert set(shown(fig).data) == {"image/png", "text/plain"}
 
 
-def test_the_template_is_laid_on_the_scene_and_the_dropped_match_stands_out():
-    template = np.random.default_rng(2).uniform(-0.03, 0.06, (5, 3))
-    T = rigid.transform(rotations.rot_z(0.7), [0.3, -0.05, 0.6])
-    scene = template @ T[:3, :3].T + T[:3, 3]
-    scene[2] += [0, 0.02, -0.02]
-    figure = stored(figures.matches(template, scene, T, 2))
-    assert_in_scene(figure)
-    seen = [trace for trace in figure["data"] if trace["mode"] == "markers"]
-    own_middle = np.array([0.015, 0, 0.045])
-    middle = (T @ [*own_middle, 1])[:3]
-    np.testing.assert_allclose(places(seen[0]) / 100 + own_middle, template, atol=1e-4)
-    np.testing.assert_allclose(places(seen[1]) / 100 + middle, scene, atol=1e-4)
-    np.testing.assert_allclose(places(seen[2])[0] / 100 + middle, scene[2], atol=1e-4)
-    dashed = next(trace for trace in figure["data"] if trace.get("line", {}).get("dash") == "dash")
-    np.testing.assert_allclose(places(dashed)[1] / 100 + middle, (T @ [*template[2], 1])[:3], atol=1e-4)
+def test_the_mug_is_laid_on_the_scene_and_the_dropped_match_stands_out():
+    template = np.random.default_rng(2).uniform([-0.03, -0.03, 0.015], [0.03, 0.03, 0.075], (7, 3))
+    T = rigid.transform(rotations.rot_z(0.4), [0.4, 0.1, 0.6])
+    seen = template @ T[:3, :3].T + T[:3, 3]
+    seen[2] += 0.03
+    figure = stored(figures.matches(template, seen, T, 2))
+    dots = [places(trace) for trace in figure["data"] if trace.get("mode") == "markers"]
+    for drawn, true in zip(dots, (template, seen, seen[[2]]), strict=True):
+        np.testing.assert_allclose(drawn, true, atol=6e-4)
+    one, other = [places(trace) for trace in figure["data"] if trace["type"] == "mesh3d"]
+    np.testing.assert_allclose(other, one @ T[:3, :3].T + T[:3, 3], atol=2e-4)
+    dashed = next(places(trace) for trace in figure["data"] if trace.get("line", {}).get("dash") == "dash")
+    np.testing.assert_allclose(dashed, [seen[2], (T @ [*template[2], 1])[:3]], atol=6e-4)
 
 
-def test_fingers_stand_as_far_apart_as_the_gripper_is_open():
+def test_fingers_are_as_far_apart_as_the_gripper_is_open():
     figure, grippers, openings, _ = pick()
-    assert_in_scene(figure)
-    middle = middle_of(figure)
-    for shot, T, opening in zip(figure["frames"], grippers, openings, strict=True):
-        fork = places(shot["data"][1]) + middle
-        np.testing.assert_allclose(np.linalg.norm(fork[0] - fork[-1]), opening, atol=2e-3)
-        np.testing.assert_allclose((fork[0] + fork[-1]) / 2, T[:3, 3], atol=2e-3)
-        np.testing.assert_allclose(fork[-1] - fork[0], opening * T[:3, 1], atol=2e-3)
-        assert (T[:3, 2] @ (fork[0] - fork[1])) > 0.04  # the fingers point where the gripper reaches
+    film = Film(figure)
+    np.testing.assert_allclose(film.poses[:, :8], bodies_of(T_W0 @ ARM.frames(Q)), atol=5e-5)
+    for i, (T, opening) in enumerate(zip(grippers, openings, strict=True)):
+        at = film.at(i)
+        left, right = (((at[film.of_body == k] - T[:3, 3]) @ T[:3, :3])[:, 1] for k in (9, 10))
+        assert min(right) - max(left) == np.clip(min(right) - max(left), opening - 2e-3, opening + 2e-3)
+        assert abs(min(right) + max(left)) < 1e-3, "in the middle"
+        depth = ((at[(film.of_body == 9)] - T[:3, 3]) @ T[:3, :3])[:, 2]
+        assert depth.min() < -0.03 < 0 < depth.max(), "they reach from the palm to the mug"
+        assert_in_ranges(at, figure["layout"]["scene"], 1000)
+
+
+def test_the_palm_is_on_the_flange():
+    figure, grippers, _, _ = pick()
+    film = Film(figure)
+    palm = film.bodies[8]
+    np.testing.assert_allclose(palm[:, 2].min(), -0.1034, atol=1e-3)
+    np.testing.assert_allclose(film.poses[:, 8], grippers, atol=5e-5)
 
 
 def test_the_mug_moves_as_it_is_told():
     figure, _, _, mugs = pick()
-    middle = middle_of(figure)
-    for shot, T in zip(figure["frames"], mugs, strict=True):
-        outline = places(shot["data"][2]) + middle
-        own = (outline - T[:3, 3]) @ T[:3, :3]
-        round_about = np.hypot(own[:, 0], own[:, 1])
-        assert np.isclose(np.nanmin(own[:, 2]), 0, atol=2e-3)
-        assert np.isclose(np.nanmax(own[:, 2]), 0.09, atol=2e-3)
-        assert np.isclose(np.nanmin(round_about), 0.035, atol=2e-3)
-        handle = own[np.nanargmax(round_about)]
-        assert handle[0] > 0.06
-        assert abs(handle[1]) < 2e-3
+    film = Film(figure)
+    np.testing.assert_allclose(film.poses[:, 11], mugs, atol=5e-5)
+    mug = film.bodies[11]
+    assert np.ptp(mug[:, 2]) == np.clip(np.ptp(mug[:, 2]), 0.089, 0.091)
+    handle = mug[np.hypot(mug[:, 0], mug[:, 1]).argmax()]
+    assert handle[0] > 0.06
+    assert abs(handle[1]) < 0.01

@@ -1,12 +1,13 @@
-"""The pictures of notebook 4: the arm stands where forward kinematics puts it, in every frame."""
+"""The pictures of notebook 4: the arm is where forward kinematics puts it, in every frame."""
 
 import numpy as np
-from helpers import assert_in_scene, places, shown, stored
+from films import Film, assert_in_ranges
+from helpers import places, shown, stored
 
 from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa as figures
-from course_lib.figures.style import BLUE, GREEN
+from course_lib.figures import solids
 
 ARM = iiwa14()
 Q = np.array([2.2, 0.7, 0, -1.3, 0, 0.5, 0]) + np.random.default_rng(1).uniform(-0.7, 0.7, (5, 7))
@@ -17,23 +18,19 @@ def movie():
     return stored(figures.arm_movie("iiwa", ARM, Q, TIMES))
 
 
-def test_the_arm_stands_where_forward_kinematics_puts_it():
+def test_the_arm_is_where_forward_kinematics_puts_it():
     figure = movie()
-    assert_in_scene(figure)
+    film = Film(figure)
     assert len(figure["frames"]) == len(Q)
-    middle = places(figure["data"][1])[0]  # the base
-    for frame, q in zip(figure["frames"], Q, strict=True):
-        joints = places(frame["data"][0]) - middle
-        np.testing.assert_allclose(joints[1:], ARM.frames(q)[:, :3, 3], atol=2e-3)
-        for i in range(3):
-            axes = places(frame["data"][1 + i]).reshape(-1, 3, 3) - middle
-            np.testing.assert_allclose(axes[:, 1] - axes[:, 0], 0.12 * ARM.frames(q)[:, :3, i], atol=2e-3)
+    np.testing.assert_allclose(film.poses, solids.link_poses(ARM, Q), atol=5e-5)
+    for i in range(len(Q)):
+        np.testing.assert_allclose(film.frame(i), film.at(i), atol=1e-3)
+        assert_in_ranges(film.at(i), figure["layout"]["scene"], 1000)
 
 
-def test_the_hands_path_is_drawn_through_all_samples():
-    figure = movie()
-    path, base = places(figure["data"][0]), places(figure["data"][1])
-    np.testing.assert_allclose(path - base, ARM.fk(Q)[:, :3, 3], atol=2e-3)
+def test_the_end_effectors_path_is_drawn_through_all_samples():
+    path = next(places(trace) for trace in movie()["data"] if len(trace["x"]) == len(Q))
+    np.testing.assert_allclose(path / 1000, ARM.fk(Q)[:, :3, 3], atol=1e-3)
 
 
 def test_a_movie_in_space_is_drawn_anew_in_every_frame():
@@ -43,26 +40,22 @@ def test_a_movie_in_space_is_drawn_anew_in_every_frame():
     assert [step["label"] for step in slider["steps"]] == ["0.00", "0.50", "1.00", "1.50", "2.00"]
 
 
-def test_axes_are_drawn_through_their_joints():
-    figure = stored(figures.arm_with_axes(ARM))
-    assert_in_scene(figure)
-    names = [trace["text"][0] for trace in figure["data"] if trace["mode"] == "text"]
-    assert names == list("1234567xy")
-    lines = [places(trace) for trace in figure["data"] if trace["mode"] == "lines" and len(trace["x"]) == 2]
-    for line, frame, direction in zip(lines, ARM.home, ARM.screw_axes[:, :3], strict=False):
-        along = line[1] - line[0]
-        np.testing.assert_allclose(np.cross(along, direction), 0, atol=2e-3)
-        np.testing.assert_allclose(line[0] + [0, 0, 0.66], frame[:3, 3], atol=2e-3)
-        assert along @ direction > 0
-    drawn = {trace["text"][0]: trace["textfont"]["color"] for trace in figure["data"] if trace["mode"] == "text"}
-    assert [drawn[name] for name in "1234567"] == [BLUE, GREEN, BLUE, GREEN, BLUE, GREEN, BLUE]  # as in any frame
+def test_joint_axes_are_numbered_at_zero_and_elsewhere():
+    for q, names in ((None, ["1, 3, 5, 7", "2", "4", "6"]), (Q[0], list("1234567"))):
+        figure = stored(figures.arm_with_axes(ARM, q))
+        assert [name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]] == names
 
 
-def test_a_screw_is_drawn_along_its_way():
+def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
     way = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
     figure = stored(figures.screw_motion(way, np.array([0.5, 0, 0]), np.array([0.0, 0, 1])))
     drawn = next(places(trace) for trace in figure["data"] if len(trace["x"]) == 30)
     np.testing.assert_allclose(drawn, way[:, :3, 3], atol=2e-3)
+    mesh = places(next(trace for trace in figure["data"] if trace["type"] == "mesh3d" and trace["cmax"] < 99))
+    for k in (0, 9, 19, 29):
+        for axis in range(3):
+            tip = way[k, :3, 3] + 0.3 * np.ptp(way[:, :3, 3], axis=0).max() * way[k, :3, axis]
+            assert np.linalg.norm(mesh - tip, axis=1).min() < 1e-3
 
 
 def test_plain_pictures_show_the_pairs_that_their_axes_name():

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from grade_stand_in import result
 
-from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.jobs import ungraded_result
 from course_lib.pack.grade.marks import (
@@ -23,7 +22,7 @@ from course_lib.pack.grade.marks import (
     read_marks,
 )
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals_text
+from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals, totals_text
 from course_lib.pack.release.stubs import PROMPT
 
 
@@ -60,7 +59,7 @@ class Class:
         return read_table(grades_text(self.everything, self.marks_of))
 
     def totals(self):
-        return read_table(totals_text(self.everything, self.marks_of))
+        return read_table(totals_text(totals(self.everything, self.marks_of)))
 
 
 @pytest.fixture
@@ -147,6 +146,17 @@ def test_no_cell_begins_as_a_formula_does(text):
     assert cell_text(cell(text)) == " ".join(text.replace("\x00", "").split()) or text[0].isspace()
 
 
+@pytest.mark.parametrize("separator", [";", "; ", "\t", "\n", ";;"])
+def test_no_part_of_a_cell_begins_as_a_formula_does_under_another_separator(separator):
+    for text in (f"a{separator}=1+1", f"a{separator}@SUM(A1){separator}-2", f"={separator}=1"):
+        written = cell(text, lines=True)
+        parts = [part.lstrip() for part in written.replace("\n", ";").replace("\t", ";").split(";")]
+        assert [part for part in parts if part and part[0] in "=+-@"] == []
+        assert cell(written, lines=True) == written
+        assert cell_text(written) == text
+    assert cell("a; b\nc") == "a; b c"
+
+
 def test_other_cells_stay_as_they_are():
     for text in "R^T", "a = b", "'quoted'", "Zoë", "1.5", "":
         assert cell(text) == cell_text(cell(text)) == text
@@ -164,7 +174,7 @@ def test_what_cannot_be_written_or_read_is_left_out(path):
     assert (row["student"], row["release"]) == ("'=anna", "'-1")
     assert row["message"].startswith("'=m")
     assert len(row["message"]) < 1100
-    assert written.questions()[0]["answer"] == "? x[31m \n=1"
+    assert written.questions()[0]["answer"] == "? x[31m \n'=1"
     assert written.totals()[0]["student"] == "'=anna"
 
 
@@ -251,7 +261,7 @@ def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
 def test_an_unanswered_question_has_nothing_to_be_read(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
-    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", NOT_ATTEMPTED)] * 2
+    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
 
 
 def test_a_copied_line_takes_no_mark_away(path):

@@ -48,7 +48,7 @@ def test_far_more_exact_than_the_report(report, forward, xy):
 
 @EVERY_QUERY
 @pytest.mark.parametrize(("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)])
-def test_nearly_every_posture_is_found_and_no_other(forward, share, off, xy):
+def test_nearly_every_solution_is_found_and_no_other(forward, share, off, xy):
     got, true = fitted(forward).predict(xy), in_range(closed_form(xy))
     found, exists = ~np.isnan(got[..., 0]), ~np.isnan(true[..., 0])
     assert (found & exists).sum() >= share * exists.sum()
@@ -233,6 +233,7 @@ XY, THETA = (array[:100] for array in SAMPLES)
         ({"cells": (3.0, 3)}, r"cells\[0\] must be a whole number from 1"),
         ({"forward": 3}, "forward must be a function"),
         ({"forward": lambda theta: None}, "forward must return a pair"),
+        ({"forward": lambda: None}, "forward must take one array"),
         ({"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
         ({"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
         ({"forward": lambda theta: planar_forward(np.rad2deg(theta))}, "forward must lead from theta to xy; it misses"),

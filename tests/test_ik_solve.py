@@ -16,8 +16,8 @@ def reachable(arm, n, seed=0):
 
 def apart(T, target):
     """Metres and radians between poses, by other means than the library's."""
-    turn = np.swapaxes(T[..., :3, :3], -1, -2) @ target[..., :3, :3]
-    off = np.linalg.norm(turn - np.eye(3), axis=(-2, -1))
+    R = np.swapaxes(T[..., :3, :3], -1, -2) @ target[..., :3, :3]
+    off = np.linalg.norm(R - np.eye(3), axis=(-2, -1))
     return np.linalg.norm(T[..., :3, 3] - target[..., :3, 3], axis=-1), 2 * np.arcsin(np.minimum(off / np.sqrt(8), 1))
 
 
@@ -70,7 +70,7 @@ def test_an_unreachable_target_ends_nearby_and_says_so():
     assert (found.q <= arm.limits[:, 1]).all()
 
 
-def test_a_target_that_only_a_posture_beyond_the_limits_reaches_is_not_reached():
+def test_a_target_that_only_joint_angles_beyond_the_limits_reaches_is_not_reached():
     free = panda()
     narrow = SerialArm(free.screw_axes, free.home, np.tile([-0.1, 0.1], (7, 1)))
     found = solve(narrow, free.fk([0.5, 0.4, 0.3, -1.5, 0.2, 1.5, 0.1]), np.random.default_rng(3), starts=10)
@@ -126,7 +126,7 @@ def test_joints_without_limits():
     assert solve(arm, reachable(iiwa14(), 20), np.random.default_rng(7)).success.all()
 
 
-def test_an_arm_that_cannot_turn_its_hand_freely_says_what_it_reached():
+def test_an_arm_without_six_degrees_of_freedom_says_what_it_reached():
     arm = planar_arm([1, 1, 1])
     inside, tilted = arm.fk([0.3, 0.5, -0.4]), rigid.transform(rotations.rot_x(0.5), [2.0, 0.5, 0])
     found = solve(arm, [inside, tilted], np.random.default_rng(8), starts=10)
@@ -161,7 +161,7 @@ def test_bad_input_is_refused_by_name(change, name):
 def test_no_more_starts_and_steps_than_allowed():
     far = rigid.transform(np.eye(3), [3.0, 0, 0.333])
     for starts, steps in [(1, 1), (1, 30), (3, 5), (40, 4), (300, 2)]:
-        # Two targets share what is under way; from each start a step at least is taken.
+        # Two targets are searched together; each start takes at least one step.
         found = solve(panda(), [far, far], np.random.default_rng(1), starts=starts, steps=steps)
         assert (found.iterations <= starts * steps).all()
         assert (found.iterations >= starts).all()
@@ -217,7 +217,7 @@ def test_a_step_solves_its_equations():
 def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     rng = np.random.default_rng(6)
     J, error, q = rng.normal(size=(6, 7, 1)), rng.normal(size=(6, 1)), np.zeros((7, 1))
-    wanted = np.sign(J[:, 0].T @ error)[0, 0]  # which way joint 1 would go
+    wanted = np.sign(J[:, 0].T @ error)[0, 0]  # the direction in which joint 1 would go
     low, high = np.full((7, 1), -np.inf), np.full((7, 1), np.inf)
     (high if wanted > 0 else low)[0] = 0
     moved = ik._step_within_limits(q, J, error, (error**2).sum(0), low, high)[:, 0]
@@ -238,7 +238,7 @@ def columns_and_position(T):
 
 
 def test_the_pose_error_is_the_same_in_both_layouts():
-    """Also at half a turn and near it, and for no turn at all."""
+    """Also at an angle of pi and near it, and for no rotation at all."""
     rng = np.random.default_rng(5)
     angles = np.concatenate([rng.uniform(0, np.pi, 200), np.pi - 10.0 ** -np.arange(1, 17), [np.pi, 0, 1e-9, 1e-200]])
     axes = rng.normal(size=(len(angles), 3))
@@ -268,14 +268,14 @@ def test_poses_anywhere_end_in_finite_numbers():
 def test_the_pose_error_leads_from_one_pose_to_the_other():
     T, target = pose_samples(3)(np.random.default_rng(8), (2, 1000))
     left = pose_error(T, target)
-    turned = rotations.exp_so3(left[:, :3]) @ T[:, :3, :3]
-    np.testing.assert_allclose(turned, target[:, :3, :3], atol=1e-13)
+    rotated = rotations.exp_so3(left[:, :3]) @ T[:, :3, :3]
+    np.testing.assert_allclose(rotated, target[:, :3, :3], atol=1e-13)
     np.testing.assert_allclose(T[:, :3, 3] + left[:, 3:], target[:, :3, 3], atol=1e-13)
     assert np.linalg.norm(left[:, :3], axis=-1).max() <= np.pi + 1e-12
 
 
 def test_the_pose_error_belongs_to_the_geometric_jacobian():
     arm, rng = panda(), np.random.default_rng(9)
-    q, way = rng.uniform(*arm.limits.T, (100, 7)), 1e-6 * rng.normal(size=(100, 7))
-    moved = (arm.geometric_jacobian(q) @ way[..., None])[..., 0]
-    np.testing.assert_allclose(pose_error(arm.fk(q - way / 2), arm.fk(q + way / 2)), moved, atol=1e-13)
+    q, change = rng.uniform(*arm.limits.T, (100, 7)), 1e-6 * rng.normal(size=(100, 7))
+    moved = (arm.geometric_jacobian(q) @ change[..., None])[..., 0]
+    np.testing.assert_allclose(pose_error(arm.fk(q - change / 2), arm.fk(q + change / 2)), moved, atol=1e-13)

@@ -28,8 +28,8 @@ def close(got, expected, atol=1e-14):
     assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-def turned(theta, v):
-    """Return the vector v (..., 2) turned by theta (...): multiplied by a complex number of length one."""
+def rotated(theta, v):
+    """Return the vector v (..., 2) rotated by theta (...): multiplied by a complex number of length one."""
     z = (v[..., 0] + 1j * v[..., 1]) * np.exp(1j * np.asarray(theta))
     return np.stack([z.real, z.imag], -1)
 
@@ -66,7 +66,7 @@ def test_pose_matrix_turns_and_then_moves():
     close(pose_matrix([10, 20, -PI / 2]) @ [2, 5, 1], [15, 18, 1])
     pose, point = np.random.default_rng(1).normal(size=(2, 50, 3))
     got = (pose_matrix(pose) @ [[[x], [y], [1]] for x, y, _ in point])[..., 0]
-    close(got[:, :2], turned(pose[:, 2], point[:, :2]) + pose[:, :2])
+    close(got[:, :2], rotated(pose[:, 2], point[:, :2]) + pose[:, :2])
     assert (got[:, 2] == 1).all()
 
 

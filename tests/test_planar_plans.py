@@ -17,8 +17,8 @@ def close(got, expected, atol=1e-14):
     assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-def turned(theta, v):
-    """Return the vector v (2,) turned by theta: multiplied by a complex number of length one."""
+def rotated(theta, v):
+    """Return the vector v (2,) rotated by theta: multiplied by a complex number of length one."""
     z = (v[0] + 1j * v[1]) * np.exp(1j * theta)
     return np.array([z.real, z.imag])
 
@@ -29,7 +29,7 @@ def integrated(start, plan):
     for (vx, vy, omega), duration in plan:
 
         def rate(t, p, v=(vx, vy), omega=omega):
-            return [*turned(p[2], v), omega]
+            return [*rotated(p[2], v), omega]
 
         pose = scipy.integrate.solve_ivp(rate, (0, duration), pose, "DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
     return pose
@@ -63,7 +63,7 @@ def euler(start, plan, dt):
         left = duration
         while left > 1e-9:
             step = min(dt, left)
-            pose = pose + step * np.array([*turned(pose[2], (vx, vy)), omega])
+            pose = pose + step * np.array([*rotated(pose[2], (vx, vy)), omega])
             poses.append(pose)
             left -= step
     return np.array(poses)
@@ -77,7 +77,7 @@ def test_euler_step_by_step(dt):
 def test_euler_is_exact_without_turning():
     plan = [((1.0, -0.5, 0), 0.77), ((0, 2.0, 0), 0.3)]
     close(propagate_body(START, plan, 0.1), propagate_body_exact(START, plan, 0.1))
-    close(propagate_body(START, plan, 0.1)[-1, :2], START[:2] + turned(2.0, [0.77, -0.385 + 0.6]))
+    close(propagate_body(START, plan, 0.1)[-1, :2], START[:2] + rotated(2.0, [0.77, -0.385 + 0.6]))
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from course_lib.pack.release.__main__ import main
-from course_lib.pack.release.bundle import write_zip
+from course_lib.pack.release.bundle import release_date, write_zip
 
 ROOT = Path(__file__).parents[1]
 PARTS = ["course_lib", "notebooks", "environment.txt", "pyproject.toml"]
@@ -29,6 +29,14 @@ def released(root, output):
         files = {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
         (top,) = {name.split("/")[0] for name in archive.namelist()}
     return files, top
+
+
+@pytest.fixture(scope="module", autouse=True)
+def dated():
+    """A date for all releases of this file: copies of the project have no commits to take one from."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("SOURCE_DATE_EPOCH", "1795340000")
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -122,8 +130,23 @@ def test_same_tree_same_bytes_and_another_tree_another_number(zipped, release, t
         entries = archive.infolist()
     assert [entry.filename for entry in entries] == sorted(entry.filename for entry in entries)
     assert {(e.date_time, e.external_attr >> 16, e.create_system) for e in entries} == {
-        ((2000, 1, 1, 0, 0, 0), 0o100644, 3)
+        ((2026, 11, 22, 9, 33, 20), 0o100644, 3)
     }
+
+
+def test_the_files_carry_the_date_of_the_last_commit(tmp_path, monkeypatch):
+    monkeypatch.delenv("SOURCE_DATE_EPOCH")
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    assert release_date(tmp_path) == (2000, 1, 1, 0, 0, 0)
+    when = {"GIT_COMMITTER_DATE": "2026-11-20T10:00:00+02:00", "GIT_CONFIG_GLOBAL": os.devnull}
+    for name in ("AUTHOR", "COMMITTER"):
+        when |= {f"GIT_{name}_NAME": "a", f"GIT_{name}_EMAIL": "a@example.org"}
+    (tmp_path / "file").write_text("")
+    for command in ("init -q", "add file", "commit -q -m one"):
+        subprocess.run(["git", *command.split()], cwd=tmp_path, env={**os.environ, **when}, check=True)
+    assert release_date(tmp_path) == (2026, 11, 20, 8, 0, 0)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
+    assert release_date(tmp_path) == (1980, 1, 1, 0, 0, 0)
 
 
 # ---- what it takes to install ----
@@ -248,5 +271,5 @@ def test_an_interrupted_writing_leaves_the_old_zip(tmp_path, monkeypatch):
 
     monkeypatch.setattr(zipfile.ZipFile, "writestr", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        write_zip(zipped, {"a": b"1"})
+        write_zip(zipped, {"a": b"1"}, (2026, 1, 1, 0, 0, 0))
     assert zipped.read_bytes() == b"the old one"

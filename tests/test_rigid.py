@@ -36,8 +36,8 @@ def close(got, expected, atol=1e-14):
 def twist_of(matrix):
     """Return the twist whose matrix this is, (omega, v)."""
     n = matrix.shape[-1] - 1
-    turn = [matrix[..., 1, 0]] if n == 2 else [matrix[..., 2, 1], matrix[..., 0, 2], matrix[..., 1, 0]]
-    return np.concatenate([np.stack(turn, -1), matrix[..., :n, n]], -1)
+    omega = [matrix[..., 1, 0]] if n == 2 else [matrix[..., 2, 1], matrix[..., 0, 2], matrix[..., 1, 0]]
+    return np.concatenate([np.stack(omega, -1), matrix[..., :n, n]], -1)
 
 
 @st.composite
@@ -72,9 +72,9 @@ def test_transform_has_its_parts_in_their_places(n):
     assert transform(R[:0], p).shape == (0, 5, n + 1, n + 1)
 
 
-def test_transform_turns_and_then_moves():
-    quarter_turn = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
-    assert (transform(quarter_turn, [10, 20, 30]) @ [1, 0, 0, 1]).tolist() == [10, 21, 30, 1]
+def test_transform_rotates_and_then_moves():
+    quarter = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    assert (transform(quarter, [10, 20, 30]) @ [1, 0, 0, 1]).tolist() == [10, 21, 30, 1]
     assert (transform([[0, -1], [1, 0]], [10, 20]) @ [1, 0, 1]).tolist() == [10, 21, 1]
 
 
@@ -151,7 +151,7 @@ def test_adjoint(case):
 
 
 def test_adjoint_of_a_pure_translation():
-    """The point of a body that turns about the z axis at x = -2 moves along y; omega comes first in a twist."""
+    """The point of a body that rotates about the z axis at x = -2 moves along y; omega comes first in a twist."""
     T = transform(np.eye(3), [2, 0, 0])
     assert (adjoint(T) @ [0, 0, 1, 0, 0, 0]).tolist() == [0, 0, 1, 0, -2, 0]
     assert (adjoint(transform(np.eye(2), [2, 0])) @ [1, 0, 0]).tolist() == [1, 0, -2]
@@ -185,18 +185,18 @@ def test_exp_without_turning_is_a_translation(n):
 
 
 @EITHER
-@pytest.mark.parametrize("turns", [1e2, 1e8, 1e16, 1e52, 1e104, 1e156, 1e300])
-def test_exp_of_many_turns_stays_near_the_circle(n, turns):
-    """Following v while turning at `turns` moves along a circle of radius |v| / turns, and along the axis."""
-    twist = np.array([turns, 1.0, 0.0]) if n == 2 else np.array([0.0, 0.0, turns, 1.0, 0.0, 0.5])
+@pytest.mark.parametrize("rate", [1e2, 1e8, 1e16, 1e52, 1e104, 1e156, 1e300])
+def test_exp_of_many_revolutions_stays_near_the_circle(n, rate):
+    """Following v while rotating at `rate` moves along a circle of radius |v| / rate, and along the axis."""
+    twist = np.array([rate, 1.0, 0.0]) if n == 2 else np.array([0.0, 0.0, rate, 1.0, 0.0, 0.5])
     p = EXP[n](twist)[:n, n]
-    assert np.linalg.norm(p[:2]) <= 2 / turns + 1e-15
+    assert np.linalg.norm(p[:2]) <= 2 / rate + 1e-15
     close(p[2:], [0.5][: n - 2], 1e-15)
 
 
 @EITHER
 def test_exp_of_a_known_motion(n):
-    """A quarter turn about a centre one metre to the left ends one metre ahead and one to the left."""
+    """A rotation by 90 degrees about a centre one metre to the left ends one metre ahead and one to the left."""
     quarter = np.pi / 2
     if n == 2:
         close(exp_se2([quarter, quarter, 0]), [[0, -1, 1], [1, 0, 1], [0, 0, 1]])
@@ -205,8 +205,8 @@ def test_exp_of_a_known_motion(n):
 
 
 @EITHER
-def test_log_at_half_a_turn(n):
-    """Half a turn has two logarithms; each must lead back, for poses whose rotation is exact in floats."""
+def test_log_at_pi(n):
+    """A rotation by pi has two logarithms; each must lead back, for poses whose rotation is exact in floats."""
     for k in range(n if n == 3 else 1):
         T = np.diag([-1.0, -1, 1]) if n == 2 else np.diag([*np.where(np.arange(3) == k, 1.0, -1), 1])
         T[:n, n] = [1, -2, 3][:n]
@@ -215,7 +215,7 @@ def test_log_at_half_a_turn(n):
         close(scipy.linalg.expm(twist_matrix(twist)), T)
 
 
-def test_log_se2_at_half_a_turn_is_plus_pi():
+def test_log_se2_at_pi_is_plus_pi():
     """omega lies in (-pi, pi], whichever zero sin(pi) is rounded to."""
     for sine in (0.0, -0.0, 1.2e-16, -1.2e-16):
         assert log_se2([[-1, -sine, 1], [sine, -1, 2], [0, 0, 1]])[0] == np.pi

@@ -32,7 +32,7 @@ def close(got, expected, atol=1e-14):
     assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-# hat, vee, turns about one axis, exp ----------------------------------------------------------------------------------
+# hat, vee, rotations about one axis, exp ----------------------------------------------------------------------------
 
 
 def test_hat_is_the_cross_product():
@@ -71,8 +71,8 @@ def test_turns_about_one_axis(rot, axis, image_of):
 def test_exp_turns_by_any_angle():
     w = np.random.default_rng(1).normal(size=(100, 3)) * np.linspace(0, 10, 100)[:, None]
     close(exp_so3(w), scipy.linalg.expm(cross_matrix(w)), 1e-12)
-    for turns in (1e2, 1e8, 1e16, 1e155, 1e308):  # the sine of any float is exact; the axis is left as it was
-        close(exp_so3([0, -turns, 0]), rotations.rot_y(-turns))
+    for angle in (1e2, 1e8, 1e16, 1e155, 1e308):  # the sine of any float is exact; the axis is left as it was
+        close(exp_so3([0, -angle, 0]), rotations.rot_y(-angle))
 
 
 @pytest.mark.parametrize("axis", AXES, ids=str)
@@ -121,7 +121,7 @@ def test_each_branch_of_matrix_to_quaternion(largest):
 @pytest.mark.parametrize("axis", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 3, -4), (3, 0, -4), (3, -4, 0)], ids=str)
 @pytest.mark.parametrize("sign", [1, -1])
 def test_sign_of_a_quaternion(axis, sign):
-    """w >= 0, and at half a turn the first entry that is not 0 is positive; 0 is not -0."""
+    """w >= 0, and at an angle of pi the first entry that is not 0 is positive; 0 is not -0."""
     axis = np.array(axis) / np.linalg.norm(axis)
     q = matrix_to_quaternion(2 * np.outer(sign * axis, sign * axis) - np.eye(3))
     assert q[0] == 0
@@ -196,12 +196,12 @@ def _shear(d, n):
 @pytest.mark.parametrize("n", [2, 3])
 @pytest.mark.parametrize("tol", [1e-9, 1e-6, 0.01, 0.3])
 def test_is_so_is_within_tol_in_every_entry(n, tol):
-    turn = rotation_samples(n)(np.random.default_rng(4), ())
+    R0 = rotation_samples(n)(np.random.default_rng(4), ())
     within = 0.99 * tol if n == 2 else 0.6 * tol  # det R is off by half as much again in space
-    for R in (turn @ _stretch(within, n), turn @ _stretch(-within, n), turn @ _shear(0.9 * tol, n)):
+    for R in (R0 @ _stretch(within, n), R0 @ _stretch(-within, n), R0 @ _shear(0.9 * tol, n)):
         assert is_so(R, tol)
         assert not is_so(R * np.where(np.arange(n) == 0, -1, 1), tol)
-    for R in (turn @ _stretch(1.01 * tol, n), turn @ _stretch(-1.01 * tol, n), turn @ _shear(1.01 * tol, n)):
+    for R in (R0 @ _stretch(1.01 * tol, n), R0 @ _stretch(-1.01 * tol, n), R0 @ _shear(1.01 * tol, n)):
         assert not is_so(R, tol)
 
 

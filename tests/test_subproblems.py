@@ -25,22 +25,22 @@ def dot(a, b):
     return (a * b).sum(-1)
 
 
-def turn(k, theta, p):
-    """Return p turned about k by theta: Rodrigues' formula, without the library."""
+def rotate(k, theta, p):
+    """Return p rotated about k by theta: Rodrigues' formula, without the library."""
     k, c, s = unit(np.asarray(k, float)), np.cos(theta)[..., None], np.sin(theta)[..., None]
     return c * p + s * np.cross(k, p) + (1 - c) * dot(k, p)[..., None] * k
 
 
 def apart(a, b):
-    """Return by how much angles differ, whole turns aside."""
+    """Return by how much angles differ, whole revolutions aside."""
     return np.abs(np.angle(np.exp(1j * (a - b))))
 
 
-def flags(turns, exact, count, free):
-    assert (turns.exact == exact).all()
-    assert (turns.count == count).all()
-    assert (turns.free == free).all()
-    assert ((turns.theta > -PI) & (turns.theta <= PI)).all()
+def flags(found, exact, count, free):
+    assert (found.exact == exact).all()
+    assert (found.count == count).all()
+    assert (found.free == free).all()
+    assert ((found.theta > -PI) & (found.theta <= PI)).all()
 
 
 def random_vectors(n, seed, size=N):
@@ -53,36 +53,36 @@ def random_angles(seed, size=N):
     return np.random.default_rng(seed).uniform(-PI, PI, size)
 
 
-def residual1(turns, k, p, q):
-    return np.linalg.norm(turn(k, turns.theta, p) - q, axis=-1) / np.linalg.norm(p, axis=-1)
+def residual1(found, k, p, q):
+    return np.linalg.norm(rotate(k, found.theta, p) - q, axis=-1) / np.linalg.norm(p, axis=-1)
 
 
-def residual2(turns, k1, k2, p1, p2):
+def residual2(found, k1, k2, p1, p2):
     """Return (..., 2), the distance left by each answer as a share of the point's from the origin."""
-    left = [turn(k1, turns.theta[..., i, 0], p1) - turn(k2, turns.theta[..., i, 1], p2) for i in (0, 1)]
+    left = [rotate(k1, found.theta[..., i, 0], p1) - rotate(k2, found.theta[..., i, 1], p2) for i in (0, 1)]
     return np.linalg.norm(np.stack(left, -2), axis=-1) / np.linalg.norm(p1, axis=-1)[..., None]
 
 
-def residual3(turns, k, p, q, d):
+def residual3(found, k, p, q, d):
     largest = np.maximum(np.linalg.norm(p, axis=-1), np.linalg.norm(q, axis=-1))
-    got = [np.linalg.norm(turn(k, turns.theta[..., i], p) - q, axis=-1) for i in (0, 1)]
+    got = [np.linalg.norm(rotate(k, found.theta[..., i], p) - q, axis=-1) for i in (0, 1)]
     return np.abs(np.stack(got, -1) - d[..., None]) / largest[..., None]
 
 
-def residual4(turns, k, h, p, d):
-    got = np.stack([dot(h, turn(k, turns.theta[..., i], p)) for i in (0, 1)], -1)
+def residual4(found, k, h, p, d):
+    got = np.stack([dot(h, rotate(k, found.theta[..., i], p)) for i in (0, 1)], -1)
     return np.abs(got - d[..., None]) / (np.linalg.norm(p, axis=-1) * np.linalg.norm(h, axis=-1))[..., None]
 
 
 # Random cases, made from known angles ---------------------------------------------------------------------------------
-# A known angle is found as exactly as the problem says what it is: times the change that a turn makes, to rounding.
+# A known angle is found as exactly as the problem says what it is: times the change that a rotation makes, to rounding.
 
 
 def test_subproblem1():
     (k, p), theta = random_vectors(2, 0), random_angles(1)
-    got = subproblem1(k, p, turn(k, theta, p))
+    got = subproblem1(k, p, rotate(k, theta, p))
     flags(got, True, 1, False)
-    assert residual1(got, k, p, turn(k, theta, p)).max() < 1e-12
+    assert residual1(got, k, p, rotate(k, theta, p)).max() < 1e-12
     radius = np.linalg.norm(np.cross(unit(k), unit(p)), axis=-1)
     assert (apart(got.theta, theta) * radius).max() < 1e-14
 
@@ -90,7 +90,7 @@ def test_subproblem1():
 def test_subproblem0():
     (k, p), theta = random_vectors(2, 2), random_angles(3)
     p = np.cross(k, p)
-    got = subproblem0(k, p, turn(k, theta, p))
+    got = subproblem0(k, p, rotate(k, theta, p))
     flags(got, True, 1, False)
     assert apart(got.theta, theta).max() < 1e-14
     slightly = p[:9] + 1e-10 * np.linalg.norm(p[:9], axis=-1, keepdims=True) * unit(k[:9])
@@ -99,8 +99,8 @@ def test_subproblem0():
 
 def test_subproblem2():
     (k1, k2, p1), theta1, theta2 = random_vectors(3, 4), random_angles(5), random_angles(6)
-    meeting = turn(k1, theta1, p1)
-    p2 = turn(k2, -theta2, meeting)
+    meeting = rotate(k1, theta1, p1)
+    p2 = rotate(k2, -theta2, meeting)
     got = subproblem2(k1, k2, p1, p2)
     flags(got, True, 2, False)
     assert residual2(got, k1, k2, p1, p2).max() < 1e-12
@@ -112,13 +112,13 @@ def test_subproblem2():
     n = unit(np.cross(k1, k2))
     mirrored = meeting - 2 * dot(n, meeting)[:, None] * n
     other = np.where((off[:, 0] < off[:, 1])[:, None], got.theta[:, 1], got.theta[:, 0])
-    missed = np.linalg.norm(turn(k1, other[:, 0], p1) - mirrored, axis=-1) / np.linalg.norm(p1, axis=-1)
+    missed = np.linalg.norm(rotate(k1, other[:, 0], p1) - mirrored, axis=-1) / np.linalg.norm(p1, axis=-1)
     assert (missed * crossing).max() < 1e-13
 
 
 def test_subproblem3():
     (k, p, q), theta = random_vectors(3, 7), random_angles(8)
-    moved = turn(k, theta, p)
+    moved = rotate(k, theta, p)
     d = np.linalg.norm(moved - q, axis=-1)
     got = subproblem3(k, p, q, d)
     assert (got.count == 2).mean() > 0.9999  # one point may be small beside the other
@@ -132,7 +132,7 @@ def test_subproblem3():
 
 def test_subproblem4():
     (k, p, h), theta = random_vectors(3, 9), random_angles(10)
-    moved = turn(k, theta, p)
+    moved = rotate(k, theta, p)
     d = dot(h, moved)
     got = subproblem4(k, h, p, d)
     flags(got, True, 2, False)
@@ -143,7 +143,7 @@ def test_subproblem4():
 
 
 def symmetric_about(theta, k, p, q):
-    """Assert that the two answers lie as far on either side of the turn that brings p over to q."""
+    """Assert that the two answers lie as far on either side of the angle that aligns p with q."""
     middle = subproblem1(k, p, q).theta
     assert apart(theta.sum(-1), 2 * middle).max() < 1e-10
     assert (theta[:, 0] != theta[:, 1]).all()
@@ -155,7 +155,7 @@ def symmetric_about(theta, k, p, q):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_parallel_axes_leave_one_turn_free(sign):
     (k, p1), theta = random_vectors(2, 11, 1000), random_angles(12, 1000)
-    k2, p2 = sign * 3 * k, turn(k, theta, p1)
+    k2, p2 = sign * 3 * k, rotate(k, theta, p1)
     got = subproblem2(k, k2, p1, p2)
     flags(got, True, 1, True)
     assert residual2(got, k, k2, p1, p2).max() < 1e-13
@@ -167,8 +167,8 @@ def test_parallel_axes_leave_one_turn_free(sign):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_nearly_parallel_axes(angle, sign):
     (k1, p1, other), (theta1, theta2) = random_vectors(3, 13, 1000), random_angles(14, (2, 1000))
-    k2 = sign * turn(unit(np.cross(k1, other)), np.full(1000, angle), k1)
-    p2 = turn(k2, theta2, turn(k1, theta1, p1))
+    k2 = sign * rotate(unit(np.cross(k1, other)), np.full(1000, angle), k1)
+    p2 = rotate(k2, theta2, rotate(k1, theta1, p1))
     got = subproblem2(k1, k2, p1, p2)
     assert got.exact.all()
     assert not got.free.any()
@@ -191,8 +191,8 @@ def test_points_on_the_axis_leave_the_turn_free():
         flags(subproblem4(k, EX, on, dot(EX, on)), True, 1, True)
         flags(subproblem4(k, on, EX, dot(EX, on)), True, 1, True)
         flags(subproblem4(k, on, EX, dot(EX, on) + 1e-3), False, 1, True)
-        for turns in (subproblem1(k, on, EX), subproblem3(k, on, EX, 9), subproblem4(k, EX, on, 9)):
-            assert (turns.theta == 0).all()
+        for found in (subproblem1(k, on, EX), subproblem3(k, on, EX, 9), subproblem4(k, EX, on, 9)):
+            assert (found.theta == 0).all()
     for p1, p2, exact in [(EZ, tilted, True), (tilted, EX, False), (EZ, EX, False), (-EZ, tilted, False)]:
         got = subproblem2(EZ, EY if exact else EX, p1, p2 if not exact else EX)
         flags(got, exact, 1, True)
@@ -238,7 +238,7 @@ def test_scales_change_nothing(name, scale):
 
 def test_sizes_far_from_each_other():
     (k, p, h), theta = random_vectors(3, 16, 1000), random_angles(17, 1000)
-    d = dot(h, turn(k, theta, p))
+    d = dot(h, rotate(k, theta, p))
     expected = subproblem4(k, h, p, d)
     for a, b in [(1e-200, 1e150), (1e200, 1e-300), (1e-150, 1e-150), (1e150, 1e150)]:
         got = subproblem4(k, a * h, b * p, a * b * d)

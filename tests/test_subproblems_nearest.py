@@ -16,7 +16,7 @@ from test_subproblems import (
     residual2,
     residual3,
     residual4,
-    turn,
+    rotate,
     unit,
 )
 
@@ -48,18 +48,18 @@ def test_subproblem1_comes_nearest():
     k, p, q = random_vectors(3, 20, 300)
     got = subproblem1(k, p, q)
     flags(got, False, 1, False)
-    searched(lambda t: distance(turn(k[:, None], t, p[:, None]), q[:, None]), got.theta)
+    searched(lambda t: distance(rotate(k[:, None], t, p[:, None]), q[:, None]), got.theta)
 
 
 @pytest.mark.parametrize("why", ["negative", "too small", "too large"])
 def test_subproblem3_comes_nearest(why):
     k, p, q = random_vectors(3, 21, 300)
-    grid = distance(turn(k[:, None], np.broadcast_to(GRID, (300, 3600)), p[:, None]), q[:, None])
+    grid = distance(rotate(k[:, None], np.broadcast_to(GRID, (300, 3600)), p[:, None]), q[:, None])
     d = {"negative": -grid.min(-1), "too small": 0.7 * grid.min(-1), "too large": 1.3 * grid.max(-1)}[why]
     got = subproblem3(k, p, q, d)
     flags(got, False, 1, False)
     assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
-    searched(lambda t: np.abs(distance(turn(k[:, None], t, p[:, None]), q[:, None]) - d[:, None]), got.theta[:, 0])
+    searched(lambda t: np.abs(distance(rotate(k[:, None], t, p[:, None]), q[:, None]) - d[:, None]), got.theta[:, 0])
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -69,7 +69,7 @@ def test_subproblem4_comes_nearest(sign):
     got = subproblem4(k, h, p, d)
     flags(got, False, 1, False)
     assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
-    searched(lambda t: np.abs(dot(h[:, None], turn(k[:, None], t, p[:, None])) - d[:, None]), got.theta[:, 0])
+    searched(lambda t: np.abs(dot(h[:, None], rotate(k[:, None], t, p[:, None])) - d[:, None]), got.theta[:, 0])
 
 
 # Two turns ------------------------------------------------------------------------------------------------------------
@@ -80,7 +80,7 @@ def nearest_pair(k1, k2, p1, p2):
     centre, reach = np.zeros(2), PI
     for n in (240, 121, 121, 121, 121):
         theta1, theta2 = centre[:, None] + reach * np.linspace(-1, 1, n)
-        left = distance(turn(k1, theta1, p1)[:, None], turn(k2, theta2, p2))
+        left = distance(rotate(k1, theta1, p1)[:, None], rotate(k2, theta2, p2))
         i, j = np.unravel_index(left.argmin(), left.shape)
         centre, reach = np.array([theta1[i], theta2[j]]), 12 * reach / n
     return centre, left.min()
@@ -91,7 +91,7 @@ def against_the_search(k1, k2, p1, p2):
     got = subproblem2(k1, k2, p1, p2)
     for i in range(len(k1)):
         best, least = nearest_pair(k1[i], k2[i], p1[i], p2[i])
-        ends = [(turn(k1[i], a, p1[i]), turn(k2[i], b, p2[i])) for a, b in got.theta[i]]
+        ends = [(rotate(k1[i], a, p1[i]), rotate(k2[i], b, p2[i])) for a, b in got.theta[i]]
         left = [distance(*end) for end in ends]
         size = np.linalg.norm(p1[i]) + np.linalg.norm(p2[i])
         assert max(left) <= least + 1e-13 * size
@@ -122,7 +122,7 @@ def test_circles_that_miss():
 def test_points_not_equally_far_out():
     k1, k2, p1 = random_vectors(3, 24, 60)
     theta = np.random.default_rng(25).uniform(-PI, PI, (2, 60))
-    p2 = turn(k2, -theta[1], turn(k1, theta[0], p1))
+    p2 = rotate(k2, -theta[1], rotate(k1, theta[0], p1))
     got = against_the_search(k1, k2, p1, 1.5 * p2)
     flags(got, False, 2, False)
     assert_allclose(got.theta, subproblem2(k1, k2, p1, p2).theta, rtol=0, atol=1e-9)
@@ -156,10 +156,10 @@ def test_circles_that_just_touch(off, count, exact):
     for a, b, c in [(0.5, 0.7, 1.2), (2.0, 0.8, 1.2)]:  # beside one another, one inside the other
         k2 = np.array([np.sin(c), 0, np.cos(c)])
         b = b - off
-        p1 = turn(EZ, np.array(0.3), np.array([np.sin(a), 0, np.cos(a)]))
-        p2 = turn(k2, np.array(-0.9), np.array([np.sin(c - b), 0, np.cos(c - b)]))
+        p1 = rotate(EZ, np.array(0.3), np.array([np.sin(a), 0, np.cos(a)]))
+        p2 = rotate(k2, np.array(-0.9), np.array([np.sin(c - b), 0, np.cos(c - b)]))
         if a > c:
-            p2 = turn(k2, np.array(-0.9), np.array([np.sin(c + b), 0, np.cos(c + b)]))
+            p2 = rotate(k2, np.array(-0.9), np.array([np.sin(c + b), 0, np.cos(c + b)]))
         got = subproblem2(EZ, k2, p1, p2)
         flags(got, exact, count, False)
         assert_allclose(got.theta, [[-0.3, 0.9]] * 2, rtol=0, atol=3 * np.sqrt(abs(off)) + 1e-14)
@@ -170,7 +170,7 @@ def test_circles_that_just_touch(off, count, exact):
 
 @pytest.mark.parametrize(("off", "count", "exact"), JUST)
 def test_spheres_and_planes_that_just_touch(off, count, exact):
-    p, q = np.array([3.0, 0, 1]), turn(EZ, np.array(0.4), np.array([2.0, 0, -1]))
+    p, q = np.array([3.0, 0, 1]), rotate(EZ, np.array(0.4), np.array([2.0, 0, -1]))
     farthest, nearest = np.hypot(5, 2), np.hypot(1, 2)
     off = 3 * off
     for got, theta in [
@@ -188,7 +188,7 @@ def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
     """The farthest and the nearest a turn can bring a point, as computed: exact, once, and the known angle."""
     k, p = random_vectors(2, 28, 2000)
     theta = np.random.default_rng(29).uniform(-PI, PI, 2000)
-    q = turn(k, theta, p)
+    q = rotate(k, theta, p)
     got = subproblem3(k, p, q, 0)
     flags(got, True, 1, False)
     radius = np.linalg.norm(np.cross(unit(k), unit(p)), axis=-1)
@@ -216,11 +216,11 @@ def test_answers_solve_the_problem_however_small_its_angles():
     small = rng.choice([0, 1, -1], (2, 50_000)) * 10 ** rng.uniform(-17, 0, (2, 50_000))
     theta1, theta2 = np.where(rng.random((2, 50_000)) < 0.5, small, rng.uniform(-PI, PI, (2, 50_000)))
     p = near(k, rng)
-    moved = turn(k, theta1, p)
+    moved = rotate(k, theta1, p)
     got = subproblem1(k, p, moved)
     assert got.exact.all()
     assert residual1(got, k, p, moved).max() < 5e-14
-    for q in (near(k, rng), turn(k, theta2, p), other):
+    for q in (near(k, rng), rotate(k, theta2, p), other):
         d = np.linalg.norm(moved - q, axis=-1)
         got = subproblem3(k, p, q, d)
         assert got.exact.all()
@@ -229,7 +229,7 @@ def test_answers_solve_the_problem_however_small_its_angles():
         assert got.exact.all()
         assert residual4(got, k, q, p, dot(q, moved)).max() < 5e-14
     for k2, p1 in [(near(k, rng), p), (other, p), (near(k, rng), other)]:
-        p2 = turn(k2, theta2, turn(k, theta1, p1))
+        p2 = rotate(k2, theta2, rotate(k, theta1, p1))
         got = subproblem2(k, k2, p1, p2)
         assert got.exact.all()
         assert residual2(got, k, k2, p1, p2).max() < 5e-14

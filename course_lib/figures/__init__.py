@@ -1,6 +1,31 @@
-"""Every picture of the course. Each function returns a figure; show puts it into the notebook."""
+"""Every picture of the course. Each function returns a figure; show puts it into the notebook.
+
+The toys, figures to take by the hand, show themselves as the last line of a cell. They load plotly, so they are
+imported when first used.
+"""
 
 from course_lib.figures.display import show
 from course_lib.figures.plots import lines, panels
 
+_TOYS = (
+    "cells_toy",
+    "circles_toy",
+    "dead_reckoning_toy",
+    "iiwa_toy",
+    "jog",
+    "orientation_toy",
+    "panda_toy",
+    "planar_arm_toy",
+    "two_poses_toy",
+)
+
 __all__ = ["lines", "panels", "show"]
+__all__ += _TOYS
+
+
+def __getattr__(name):
+    if name in _TOYS:
+        from course_lib.figures import toys
+
+        return getattr(toys, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

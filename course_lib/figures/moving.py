@@ -1,4 +1,4 @@
-"""Moving pictures, in the plane or in space: plotly frames with play, pause and a slider, which need no kernel."""
+"""Films in the plane, and the controls of all films: plotly frames with play, pause and a slider, without a kernel."""
 
 import plotly.graph_objects as go
 
@@ -38,29 +38,33 @@ def movie(name, layout, still, moving, times):
     name: what its file is called where it is written as an animation. still: traces. moving: a list of traces for each
     time. times: (n,), seconds; it plays in real time.
     """
-    n, first = len(times), len(still)
+    first = len(still)
     traces = list(range(first, first + len(moving[0])))
     # Frames say only where: the looks are those of the first.
-    solid = moving[0][0].type == "scatter3d"
-    axes = "xyz" if solid else "xy"
-    where = [[type(trace)(**{c: trace[c] for c in axes}) for trace in shown] for shown in moving]
-    frames = [go.Frame(data=shown, traces=traces, name=str(i)) for i, shown in enumerate(where)]
-    pace = {"frame": {"duration": 1000 * (times[-1] - times[0]) / (n - 1), "redraw": solid}, "fromcurrent": True}
-    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": solid}, "transition": {"duration": 0}}
+    where = [[type(trace)(x=trace.x, y=trace.y) for trace in shown] for shown in moving]
+    fig = go.Figure([*still, *moving[0]], layout=layout)
+    fig.frames = [go.Frame(data=shown, traces=traces, name=str(i)) for i, shown in enumerate(where)]
+    add_controls(fig, times, redraw=False)
+    fig.layout.meta = {"movie": name, **fig.layout.meta}
+    return fig
+
+
+def add_controls(fig, times, *, redraw):
+    """Add to a figure with a frame for each time the button, the slider and the room for them.
+
+    redraw: whether plotly draws the whole figure at each frame, as scenes in space need it.
+    """
+    seconds = float(times[-1] - times[0])
+    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}
+    pace = {"frame": {"duration": 1000 * seconds / (len(times) - 1), "redraw": redraw}, "fromcurrent": True}
     pace["transition"] = {"duration": 0}
-    margin = layout["margin"]
-    fig = go.Figure(
-        [*still, *moving[0]],
-        layout={**layout, "meta": {"movie": name, "seconds": float(times[-1] - times[0]), "controls": _CONTROLS}},
-    )
-    fig.frames = frames
     fig.update_layout(
-        height=layout["height"] + _CONTROLS,
-        margin={**margin, "b": margin["b"] + _CONTROLS},
+        height=fig.layout.height + _CONTROLS,
+        margin_b=fig.layout.margin.b + _CONTROLS,
         updatemenus=[_buttons(pace, at_once)],
         sliders=[_slider([f"{t:.2f}" for t in times], at_once)],
+        meta={"seconds": seconds, "controls": _CONTROLS},
     )
-    return fig
 
 
 def _buttons(pace, at_once):

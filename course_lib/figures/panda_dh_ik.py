@@ -3,43 +3,82 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures import serial_arm
-from course_lib.figures.moving import movie
-from course_lib.figures.space import line, name_at, points, scene_name, space_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, PURPLE, plane_figure
+from course_lib import rigid
+from course_lib.arms import panda
+from course_lib.figures.solids import Model, Part, arm_model, film, meshes, scene, shells
+from course_lib.figures.solids.model import MUG_RED, STEEL
+from course_lib.figures.space import line, points
+from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, plane_figure
+from course_lib.rotations import rot_z
 
-_CAMERA = (1.3, -1.5, 0.7)
-_BESIDE = [0.05, 0.05, 0.05]  # to the right as seen from there, and a little up: where a frame's number stands
-_FINGER = 0.045  # metres, the length of a finger
-_RADIUS, _HEIGHT = 0.035, 0.09  # of the mug
+_VIEW = (1.3, -1.5, 0.7)
 
 
 def conventions(contents, base):
-    """Return the same arm side by side, with the frames 1 to n of different conventions.
+    """Return the Panda side by side, seen through, with the frames 1 to n of different conventions.
 
-    contents: {title: frames (n + 1, 4, 4), the end's last}. base: (3,), where the arm stands.
+    Parameters
+    ----------
+    contents : dict
+        {title: frames (n + 1, 4, 4) in the world, the end-effector's last}. The first title's are those of
+        `arms.panda()`: the arm is drawn where they are.
+    base : array_like, shape (3,)
+        Where the arm stands.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    everything = np.concatenate([frames[:, :3, 3] for frames in contents.values()])
-    middle = (np.minimum(base, everything.min(0)) + np.maximum(base, everything.max(0))) / 2
-    layout = space_layout(list(contents), _CAMERA, half=0.62, height=440, distance=1.3)
-    drawn = []
+    arm, base = panda(), np.asarray(base, float)
+    poses = _bodies(next(iter(contents.values())), base)
+    model, share = arm_model(arm), 1 / len(contents)
+    vertices = model.placed(poses)
+    height, drawn, scenes = 440, [], []
+    aspect = 700 * share / height
     for i, frames in enumerate(contents.values()):
-        frames, scene = frames.copy(), scene_name(i)
-        frames[:, :3, 3] -= middle
-        drawn += [
-            serial_arm.arm_line([base - middle, *frames[:, :3, 3]], scene, 8),
-            points([base - middle], 8, BLACK, scene),
-        ]
-        drawn += serial_arm.frame_axes(frames[:-1], 0.13, 5, scene)
-        drawn += _numbers(frames[:-1], scene)
-    return go.Figure(drawn, layout=layout)
+        name = "scene" if i == 0 else f"scene{i + 1}"
+        shown = [T for k, T in enumerate(frames[:-1]) if not any(np.allclose(T, other) for other in frames[:k])]
+        triads = Model.of([part for k in range(len(shown)) for part in scene.triad(k, np.eye(4), 0.15)])
+        words = _numbers(frames[:-1])
+        reach = np.concatenate([vertices, triads.placed(shown), scene.rim(vertices, base[2])])
+        settings = scene.fitted_scene(reach, _VIEW, aspect=aspect, domain=(i * share, (i + 1) * share))
+        scenes.append(settings)
+        drawn += [*scene.floor(vertices, height=base[2], scene=name), triads.trace(shown, name)]
+        drawn.append(model.trace(poses, name, opacity=0.4))
+        drawn += scene.labels(
+            words, settings, [T[:3, 3] + 0.15 * T[:3, j] for T in shown for j in range(3)], aspect=aspect, scene=name
+        )
+    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(contents)))
 
 
 def null_space(name, frames, times, base):
-    """Return the arm moving while its hand holds still, with the path of joint 4, the elbow. frames: (m, 8, 4, 4)."""
-    middle = base + np.array([0.2, 0, 0.45])
-    look = {"traced": 3, "middle": middle, "half": 0.62, "camera": (1.1, -1.6, 0.9), "distance": 1.2}
-    return serial_arm.arm_movie(name, frames, times, base=base, **look)
+    """Return a film of the Panda that moves while its end-effector holds still, with the path of its elbow.
+
+    Parameters
+    ----------
+    name : str
+        What its file is called where it is written as an animation.
+    frames : array_like, shape (m, 8, 4, 4)
+        Poses of the frames of `arms.panda()` in the world.
+    times : array_like, shape (m,)
+        Seconds.
+    base : array_like, shape (3,)
+        Where the arm stands.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+    """
+    arm = panda()
+    flange = arm.home[-1]
+    tip = flange @ _about_z(-np.pi / 4) @ rigid.transform(np.eye(3), [0, 0, 0.1034])
+    model = arm_model(
+        arm,
+        shells.gripper(7, tip)
+        + [part.moved(tip @ _along_y(side * 0.03)) for side in (-1, 1) for part in shells.finger(7, -side)],
+    )
+    elbow = line(frames[:, 3, :3, 3], BLUE, 5, "scene", "dash")
+    return film(name, model, _bodies(frames, base), times, still=[elbow], view=(1.1, -1.6, 0.9), ground=base[2])
 
 
 def iterations(counts, most):
@@ -52,73 +91,97 @@ def iterations(counts, most):
     return fig
 
 
-def matches(template, scene, T, wrong):
+def matches(template, scene_points, T, wrong):
     """Return a mug's key points in its own frame, and those seen in the scene with the mug laid on them.
 
-    template, scene: (n, 3). T: (4, 4), the mug's pose by registration. wrong: which match was dropped.
+    Parameters
+    ----------
+    template, scene_points : array_like, shape (n, 3)
+        Metres.
+    T : array_like, shape (4, 4)
+        The mug's pose by registration.
+    wrong : int
+        Which match was dropped; it is drawn in red, with a dashed line to where it should be.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    layout = space_layout(["template", "scene"], (1.2, -1.3, 0.8), half=8.5, height=420, distance=1.5)
-    drawn = []
-    for i, (seen, pose, colour) in enumerate(((template, np.eye(4), BLUE), (scene, T, GREEN))):
-        name, middle = scene_name(i), (pose @ [0.015, 0, 0.045, 1])[:3]
-        outline, dots = 100 * (_mug(pose) - middle), 100 * (seen - middle)  # centimetres
-        drawn += [line(outline, "#b8b8b8", 3, name), points(dots, 6, colour, name)]
-        for k, place in enumerate(dots):
-            drawn.append(name_at(np.add(place, [0, 0, 0.9]), str(k), CRIMSON if k == wrong else BLACK, name))
-    laid = 100 * (template[wrong] @ T[:3, :3].T + T[:3, 3] - middle)
-    drawn += [points(dots[[wrong]], 8, CRIMSON, name), line([dots[wrong], laid], CRIMSON, 4, name, "dash")]
-    return go.Figure(drawn, layout=layout)
+    mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
+    laid = template[wrong] @ T[:3, :3].T + T[:3, 3]
+    for i, (seen, pose, colour) in enumerate(((template, np.eye(4), BLUE), (scene_points, T, GREEN))):
+        name = "scene" if i == 0 else f"scene{i + 1}"
+        reach = np.concatenate([mug.placed([pose]), seen, [laid] if i else seen])
+        settings = scene.fitted_scene(
+            reach, (1.2, -1.3, 0.8), aspect=350 / height, fill=0.85, domain=(i / 2, (i + 1) / 2)
+        )
+        scenes.append(settings)
+        drawn += [mug.trace([pose], name, opacity=0.45), points(seen, 6, colour, name)]
+        numbers = {str(k): point for k, point in enumerate(seen)}
+        drawn += scene.labels(numbers, settings, aspect=350 / height, scene=name, gap=0.045)
+    drawn += [
+        points(scene_points[[wrong]], 9, CRIMSON, name),
+        line([scene_points[wrong], laid], CRIMSON, 5, name, "dash"),
+    ]
+    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"]))
 
 
 def pick(name, frames, grippers, openings, mugs, times, base):
-    """Return the arm picking a mug up and putting it down.
+    """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
-    frames: (m, 8, 4, 4) of the arm. grippers: (m, 4, 4), the pose between the fingertips. openings: (m,), metres
-    between them. mugs: (m, 4, 4). base: (3,), where the arm stands: on the table's level.
+    Parameters
+    ----------
+    name : str
+        What its file is called where it is written as an animation.
+    frames : array_like, shape (m, 8, 4, 4)
+        Poses of the frames of `arms.panda()` in the world.
+    grippers : array_like, shape (m, 4, 4)
+        The pose between the fingertips: z away from the arm, the fingers move along y.
+    openings : array_like, shape (m,)
+        Metres between the fingertips.
+    mugs : array_like, shape (m, 4, 4)
+        Poses of the mug: the middle of its bottom, the handle along x.
+    times : array_like, shape (m,)
+        Seconds.
+    base : array_like, shape (3,)
+        Where the arm stands: on the table.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    middle = base + np.array([0.32, 0.05, 0.27])
-    still = [line(_table(base) - middle, "#b8b8b8", 4, "scene"), points([base - middle], 9, BLACK, "scene")]
-    still.append(line(grippers[:, :3, 3] - middle, BLUE, 3, "scene", "dash"))
-    moving = [
-        [
-            serial_arm.arm_line(np.array([base, *at[:, :3, 3]]) - middle),
-            line(_gripper(gripper, opening) - middle, PURPLE, 8, "scene"),
-            line(_mug(mug) - middle, CRIMSON, 4, "scene"),
-        ]
-        for at, gripper, opening, mug in zip(frames, grippers, openings, mugs, strict=True)
-    ]
-    return movie(name, serial_arm.scene_for_movie((0.9, -1.6, 0.75), 0.55, 1.35), still, moving, times)
+    arm, base = panda(), np.asarray(base, float)
+    length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
+    parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
+    model = arm_model(arm, [*parts, Part(11, MUG_RED, meshes.mug())])
+    pads = [grippers @ _along_y(side * np.asarray(openings) / 2) for side in (-1, 1)]
+    poses = np.concatenate([_bodies(frames, base), np.stack([grippers, *pads, mugs], 1)], 1)
+    vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
+    centre, radius = scene.floor_size(vertices)
+    edge = Model.of(scene.table(0, centre, radius, base[2]))
+    still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, "scene", "dash")]
+    return film(name, model, poses, times, still=still, points=edge.vertices, view=(0.9, -1.6, 0.75), ground=base[2])
 
 
-def _numbers(frames, scene):
-    """The number of each frame beside it; those of frames with one origin stand together."""
-    places = {}
-    for i, place in enumerate(np.round(frames[:, :3, 3], 3), 1):
-        places.setdefault(tuple(place), []).append(str(i))
-    return [name_at(np.add(place, _BESIDE), ", ".join(names), BLACK, scene) for place, names in places.items()]
+def _bodies(frames, base):
+    """The poses (..., 8, 4, 4) of the Panda's bodies, from those of its frames and from where it stands."""
+    moved = frames[..., :-1, :, :] @ rigid.inverse(panda().home[:-1])
+    stands = np.broadcast_to(rigid.transform(np.eye(3), base), (*moved.shape[:-3], 1, 4, 4))
+    return np.concatenate([stands, moved], -3)
 
 
-def _mug(T):
-    """The outline of a mug, (n, 3), its bottom's middle at T's origin and its handle along T's x; NaN lifts the pen."""
-    around = np.linspace(0, 2 * np.pi, 25)
-    ring = _RADIUS * np.stack([np.cos(around), np.sin(around), 0 * around], -1)
-    up = np.array([0, 0, _HEIGHT])
-    half = np.linspace(-np.pi / 2, np.pi / 2, 9)
-    handle = np.stack([_RADIUS + 0.03 * np.cos(half), 0 * half, 0.05 + 0.025 * np.sin(half)], -1)
-    walls = [np.array([foot, foot + up]) for foot in ring[:-1:6]]
-    gap = np.full((1, 3), np.nan)
-    outline = np.concatenate([np.concatenate([piece, gap]) for piece in (ring, ring + up, handle, *walls)])
-    return outline @ T[:3, :3].T + T[:3, 3]
+def _numbers(frames):
+    """Where the number of each frame belongs; those of frames with one origin stand together."""
+    names = {}
+    for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
+        names.setdefault(tuple(point), []).append(str(i))
+    return {", ".join(numbers): point for point, numbers in names.items()}
 
 
-def _gripper(T, opening):
-    """A bar and two fingers along T's z, that many metres apart along T's y; their tips beside T's origin."""
-    y, z = opening / 2, _FINGER
-    fork = np.array([[0, -y, 0], [0, -y, -z], [0, 0, -z], [0, 0, -2 * z], [0, 0, -z], [0, y, -z], [0, y, 0]])
-    return fork @ T[:3, :3].T + T[:3, 3]
+def _about_z(angle):
+    return rigid.transform(rot_z(angle), np.zeros(3))
 
 
-def _table(base):
-    """The edge of the table's top, on the level of the base."""
-    corners = [[0.2, -0.25], [0.7, -0.25], [0.7, 0.5], [0.2, 0.5], [0.2, -0.25]]
-    return base + np.array([[x, y, 0] for x, y in corners])
+def _along_y(y):
+    """The translation by y along the y axis."""
+    return rigid.transform(np.eye(3), np.stack([0 * np.asarray(y), y, 0 * np.asarray(y)], -1))

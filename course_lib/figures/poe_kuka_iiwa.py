@@ -3,50 +3,85 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures import serial_arm
-from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, PURPLE, plane_figure
+from course_lib.figures.solids import Model, Part, arm_model, draw, film, link_poses, scene
+from course_lib.figures.solids.meshes import arrow
+from course_lib.figures.solids.model import VIOLET
+from course_lib.figures.space import line
+from course_lib.figures.style import BLUE, COLOURS, CRIMSON, plane_figure
 
-CAMERA = (1.2, 1.4, 0.6)
-_REACH = 0.75  # metres from the middle of the picture to its sides
-_MIDDLE = np.array([-0.2, 0.2, 0.6])  # of the iiwa and its path
+VIEW = (1.2, 1.4, 0.6)
 
 
 def screw_motion(way, through, axis):
-    """Return a frame moving along a screw. way: (n, 4, 4). The axis: a point (3,) and a direction (3,)."""
-    layout = space_layout([""], (1.4, 0.9, 0.6), half=1.35, distance=1.5)
-    drawn = [*fixed_frame("scene", 0.5), line(way[:, :3, 3], BLUE, 6, "scene")]
-    drawn.append(line([through - 0.4 * axis, through + 1.1 * axis], PURPLE, 5, "scene"))
-    drawn += serial_arm.frame_axes(way[[0, len(way) // 3, 2 * len(way) // 3, -1]], 0.35, 6)
-    drawn.append(name_at(through + 1.2 * axis, "S", PURPLE, "scene"))
-    return go.Figure(drawn, layout={**layout, "annotations": []})
+    """Return a frame at several instants of its motion along a screw, and the path of its origin.
 
+    Parameters
+    ----------
+    way : array_like, shape (n, 4, 4)
+        The frame's poses.
+    through, axis : array_like, shape (3,)
+        A point on the screw axis and its direction.
 
-def arm_with_axes(arm, size=0.35):
-    """Return the arm, all joints at zero, as a line through its joints, with the axis of each joint.
-
-    An axis along x, y or z has that axis's colour, as in all frames.
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    layout = space_layout([""], CAMERA, half=_REACH, distance=1.5)
-    middle = np.array([0, 0, 0.66])
-    places = arm.home[:, :3, 3] - middle
-    drawn = [line([-middle, *places], GREY, 5, "scene"), points(places, 5, BLACK, "scene")]
-    colours = [FRAME_COLOURS[np.abs(direction).argmax()] for direction in arm.screw_axes[:, :3]]
-    for i, (place, direction) in enumerate(zip(places, arm.screw_axes[:, :3], strict=False)):
-        along = abs(direction @ (places[i + 1] - places[0])) > 0.9 * np.linalg.norm(places[i + 1] - places[0])
-        tip = place + (0.5 if along else 1.0) * size * direction
-        beside = [0.0, 0.1, 0.0] if along else 0.15 * size * direction  # the arm itself hides what is along it
-        drawn.append(line([place, tip], colours[i], 9 if along else 6, "scene"))
-        drawn.append(name_at(tip + beside, f"{i + 1}", colours[i], "scene"))
-    for name, e in zip("xy", 0.45 * np.eye(3), strict=False):  # z runs up the arm
-        drawn += [line([-middle, e - middle], GREY, 3, "scene"), name_at(1.08 * e - middle, name, GREY, "scene")]
-    return go.Figure(drawn, layout={**layout, "annotations": []})
+    way, through, axis = (np.asarray(a, float) for a in (way, through, axis))
+    axis = axis / np.linalg.norm(axis)
+    path = way[:, :3, 3]
+    along = (path - through) @ axis
+    size = max(np.ptp(path, axis=0).max(), 0.1)
+    foot = through + (min(along.min(), 0) - 0.05 * size) * axis
+    length = np.ptp(np.r_[along, 0]) + 0.45 * size
+    shown = way[np.linspace(0, len(way) - 1, 4).astype(int)]
+    parts = [part for k in range(4) for part in scene.triad(k, np.eye(4), 0.3 * size)]
+    model = Model.of([*parts, Part(4, VIOLET, arrow(foot, axis, length, 0.008 * size))])
+    poses = np.concatenate([shown, np.eye(4)[None]])
+    vertices = model.placed(poses)
+    ground = vertices[:, 2].min()
+    words = {"S": foot + length * axis, **{f"{k + 1}": pose[:3, 3] for k, pose in enumerate(shown)}}
+    settings = scene.fitted_scene(np.concatenate([vertices, path, scene.rim(vertices, ground)]), (1.4, 0.9, 0.6))
+    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6, "scene"), model.trace(poses)]
+    drawn += scene.labels(words, settings, path)
+    return go.Figure(drawn, layout=scene.layout([settings], height=420))
+
+
+def arm_with_axes(arm, q=None):
+    """Return an arm with its joint axes, dashed and numbered; an arrowhead shows where each points.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    q : array_like, shape (n,), optional
+        Joint angles, radians; all zero if not given.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+    """
+    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW)
 
 
 def arm_movie(name, arm, q, times):
-    """Return the arm moving: a line through its joints, a small frame at each, and the hand's path. q: (m, n)."""
-    look = {"middle": _MIDDLE, "half": _REACH, "camera": CAMERA}
-    return serial_arm.arm_movie(name, arm.frames(q), times, base=np.zeros(3), traced=-1, **look)
+    """Return a film of an arm, with the path of its end-effector.
+
+    Parameters
+    ----------
+    name : str
+        What its file is called where it is written as an animation.
+    arm : SerialArm
+    q : array_like, shape (m, n)
+        Joint angles, radians.
+    times : array_like, shape (m,)
+        Seconds.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+    """
+    model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
+    path = line(arm.fk(q)[:, :3, 3], BLUE, 5, "scene", "dash")
+    return film(name, model, link_poses(arm, q), times, still=[path], view=VIEW)
 
 
 def plane_projections(path):

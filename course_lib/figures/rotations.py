@@ -3,8 +3,13 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.space import fixed_frame, line, named_vector, points, scene_name, segments, space_layout, sphere
-from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, PURPLE, RED, plane_figure
+from course_lib.figures.solids import Model, Part, scene
+from course_lib.figures.solids.meshes import arrow, box
+from course_lib.figures.solids.model import BLACK as BLACK_PART
+from course_lib.figures.solids.model import STEEL, VIOLET, WHITE, X_RED
+from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, space_layout, sphere
+from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
+from course_lib.rigid import transform
 from course_lib.rotations import exp_so3
 
 
@@ -15,41 +20,75 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
     """
     fig = go.Figure(layout=space_layout(list(samples), camera))
     for i, R in enumerate(samples.values()):
-        scene = scene_name(i)
+        name = scene_name(i)
         foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
-        fig.add_trace(go.Surface(**sphere(0.97), scene=scene))
-        fig.add_traces(fixed_frame(scene, 1.2))
-        fig.add_trace(points(foot, 1.8, BLACK, scene))
-        fig.add_trace(segments(foot, tip, BLUE, 2.5, scene))
+        fig.add_trace(go.Surface(**sphere(0.97), scene=name))
+        fig.add_traces(fixed_frame(name, 1.2))
+        fig.add_trace(points(foot, 1.8, BLACK, name))
+        fig.add_trace(segments(foot, tip, BLUE, 2.5, name))
     return fig
 
 
-def frames(rotations, camera=(1.35, 1.1, 0.8)):
-    """Return the axes of rotated frames, side by side: x orange, y green, z blue; the fixed frame's are thin and grey.
+def frames(rotations, view=(1.35, 1.1, 0.8)):
+    """Return a box with its frame at several orientations, side by side: x red, y green, z blue; the fixed axes grey.
 
-    rotations: {title: R (3, 3)}.
+    Parameters
+    ----------
+    rotations : dict
+        {title: R (3, 3)}.
+    view : array_like, shape (3,)
+        The direction to the eye.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    fig = go.Figure(layout=space_layout(list(rotations), camera, half=1.6, height=320))
+    block = Part(0, WHITE, box([-0.42, -0.28, -0.14], [0.42, 0.28, 0.14], 0.25, n=16))
+    fixed = [Part(1, STEEL, arrow(np.zeros(3), e, 1.25, 0.012)) for e in np.eye(3)]
+    model = Model.of([block, *scene.triad(0, np.eye(4), 1.0, 0.045), *fixed])
+    share, height, drawn, scenes = 1 / len(rotations), 320, [], []
+    reach = np.concatenate([1.3 * np.eye(3), -1.1 * np.eye(3)])  # of every orientation: all to one scale
     for i, R in enumerate(rotations.values()):
-        fig.add_traces(fixed_frame(scene_name(i), 1.0)[:3])
-        for j, (colour, name) in enumerate(zip(FRAME_COLOURS, "xyz", strict=True)):
-            fig.add_traces(named_vector(R[:, j], name, colour, scene_name(i)))
-    return fig
+        poses = [transform(R, np.zeros(3)), np.eye(4)]
+        aspect = 700 * share / height
+        scenes.append(scene.fitted_scene(reach, view, aspect=aspect, fill=0.9, domain=(i * share, (i + 1) * share)))
+        drawn.append(model.trace(poses, scene_name(i)))
+        for name, colour, tip in zip("xyz", FRAME_COLOURS, np.asarray(R).T, strict=True):
+            drawn += scene.labels(
+                {name: tip}, scenes[-1], [tip * 0.9], colour=colour, aspect=aspect, scene=scene_name(i)
+            )
+    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(rotations)))
 
 
-def turning_point(w, p, exp=exp_so3, camera=(1.3, 1.0, 0.7)):
-    """Return the way of the point p under exp(t w), t from 0 to 1, about the axis w.
+def turning_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
+    """Return the path of the point p under exp(t w), t from 0 to 1, about the axis w.
 
-    w: (3,) rotation vector. p: (3,). exp: the exponential that draws it.
+    Parameters
+    ----------
+    w : array_like, shape (3,)
+        Rotation vector, radians.
+    p : array_like, shape (3,)
+    exp : callable
+        The exponential that draws it: w -> R.
+    view : array_like, shape (3,)
+        The direction to the eye.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
-    way = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
+    path = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
     n = w / np.linalg.norm(w)
-    fig = go.Figure(layout=space_layout([f"about the axis w by {np.linalg.norm(w):.2f} rad"], camera))
-    fig.add_traces(fixed_frame("scene", 1.0))
-    fig.add_trace(line(way, BLUE, 6, "scene"))
-    fig.add_traces(named_vector(1.1 * n, "w", PURPLE, "scene"))
-    fig.add_traces(named_vector(way[0], "p", BLACK, "scene") + named_vector(way[-1], "R p", RED, "scene"))
-    return fig
+    arrows = [(VIOLET, 1.25 * n), (BLACK_PART, path[0]), (X_RED, path[-1])]
+    parts = [Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10)) for colour, tip in arrows]
+    parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
+    model = Model.of(parts)
+    vertices = model.placed([np.eye(4)])
+    settings = scene.fitted_scene(np.concatenate([vertices, path]), view, fill=0.88)
+    words = {"w": 1.25 * n, "p": path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
+    title = f"about the axis w by {np.linalg.norm(w):.2f} rad"
+    drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6, "scene"), *scene.labels(words, settings, path)]
+    return go.Figure(drawn, layout=scene.layout([settings], height=420, titles=[title]))
 
 
 def angle_histogram(samples):

@@ -2,7 +2,7 @@
 
     python -m course_lib.pack.animations notebooks/*.ipynb
 
-What is written is what a notebook's outputs show: run it and save it first. Pictures in the plane only.
+What is written is what a notebook's outputs show: run it and save it first.
 """
 
 import argparse
@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from tqdm import tqdm
 
 from course_lib.figures.display import PLOTLY
+from course_lib.pack import film_frames
 
 FOLDER = Path("build/animations")
 _DASHES = {"dash": "--", "dot": ":", "solid": "-"}
@@ -36,9 +37,10 @@ def main(arguments=None):
     FOLDER.mkdir(parents=True, exist_ok=True)
     writers = {".gif": PillowWriter} | ({".mp4": FFMpegWriter} if FFMpegWriter.isAvailable() else {})
     for movie in movies:
+        drawn = _drawn(movie)
         for ending, writer in writers.items():
             path = FOLDER / f"{movie['layout']['meta']['movie']}{ending}"
-            write(movie, path, writer)
+            write(movie, path, writer, drawn)
             print(path)
     if len(writers) == 1:
         print("No MP4: ffmpeg was not found.")
@@ -46,23 +48,41 @@ def main(arguments=None):
 
 
 def stored_movies(notebook):
-    """Return the figures, as plotly's JSON, that figures.moving.movie made and the outputs hold, in the plane."""
+    """Return the figures, as plotly's JSON, that figures.moving.movie or solids.film made and outputs hold."""
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
     movies = [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
-    return [figure for figure in movies if all(trace["type"] == "scatter" for trace in figure["data"])]
+    return [m for m in movies if _is_film(m) or all(trace["type"] == "scatter" for trace in m["data"])]
 
 
-def write(movie, path, writer_class):
+def write(movie, path, writer_class, drawn=None):
     """Write one movie to `path`, frame by frame, with a bar that shows how far it is."""
-    fig, lines = draw(movie)
-    frames = movie["frames"]
-    writer = writer_class(fps=(len(frames) - 1) / movie["layout"]["meta"]["seconds"])
+    fig, show, frames = drawn or _drawn(movie)
+    writer = writer_class(fps=(frames - 1) / movie["layout"]["meta"]["seconds"])
     with writer.saving(fig, str(path), dpi=100):
-        for frame in tqdm(frames, desc=path.name, unit="frame", leave=False, disable=None):
-            for number, place in zip(frame["traces"], frame["data"], strict=True):
-                lines[number].set_data(place["x"], place["y"])
+        for i in tqdm(range(frames), desc=path.name, unit="frame", leave=False, disable=None):
+            show(i)
             writer.grab_frame(facecolor="white")
+
+
+def _drawn(movie):
+    return film_frames.draw(movie) if _is_film(movie) else _plane_frames(movie)
+
+
+def _is_film(movie):
+    return movie["layout"]["meta"].get("course", {}).get("kind") == "film"
+
+
+def _plane_frames(movie):
+    """A figure, a function that shows the frame i in it, and how many frames there are."""
+    fig, lines = draw(movie)
+
+    def show(i):
+        frame = movie["frames"][i]
+        for number, where in zip(frame["traces"], frame["data"], strict=True):
+            lines[number].set_data(where["x"], where["y"])
+
+    return fig, show, len(movie["frames"])
 
 
 def draw(movie):

@@ -39,6 +39,41 @@ logged() {
     "$@" >>"$log" 2>&1
 }
 
+# ---- what is going on ----
+
+with_progress() { # run an installer: all it says goes to the log, and each package to the terminal
+    echo "\$ $*" >>"$log"
+    rm -f build/status
+    {
+        "$@" 2>&1
+        echo "$?" >build/status
+    } | progress
+    return "$(cat build/status 2>/dev/null || echo 1)"
+}
+
+progress() { # count the packages in what pip or uv says; the shell's own read, for awk may wait for more input
+    total=$(grep -c '^[a-zA-Z0-9]' environment.txt)
+    count=0
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >>"$log"
+        case $line in
+        Collecting\ *) # pip, one package after the other
+            count=$((count + 1))
+            name=${line#Collecting }
+            tell "  $count of $total: ${name%%[ =<>!~;(]*}"
+            ;;
+        'Installing collected packages'*) tell "  All are downloaded. Unpacking them, which is the slower half ..." ;;
+        Downloading\ * | ' Downloaded '*) [ -z "$uv" ] || tell "  ${line# }" ;;
+        Resolved\ * | Prepared\ * | Installed\ *) tell "  $line" ;;
+        esac
+    done
+    [ ! -t 1 ] || printf '\r\033[K'
+}
+
+tell() { # on a terminal in one line that changes, elsewhere a line each
+    if [ -t 1 ]; then printf '\r\033[K%.78s' "$1"; else echo "$1"; fi
+}
+
 # ---- what went wrong ----
 
 log_ends_with() { # the last lines only: earlier ones may tell of troubles that passed
@@ -121,9 +156,9 @@ install() {
     # To compile one of these takes a Fortran compiler and an hour: say at once that it is not made for this Python.
     set -- --only-binary numpy --only-binary scipy --only-binary scikit-learn --only-binary matplotlib "$@"
     if [ -n "$uv" ]; then
-        logged uv pip install --python "$venv/bin/python" "$@"
+        with_progress uv pip install --python "$venv/bin/python" "$@"
     else
-        logged "$venv/bin/python" -m pip install "$@"
+        with_progress "$venv/bin/python" -m pip install --progress-bar off "$@"
     fi
 }
 
@@ -141,7 +176,7 @@ install_all() {
 }
 
 update() {
-    echo "Bringing $venv up to date ..."
+    echo "Bringing $venv up to date (log: $log) ..."
     version=$("$venv/bin/python" -c 'import platform; print(platform.python_version())')
     logged rm -f "$made_from" "$left_out" || explain
     # uv makes environments without pip, and may be gone by now
@@ -158,7 +193,8 @@ make_afresh() {
     else
         need_python
     fi
-    echo "Setting up $venv with Python $version (about a minute, once) ..."
+    echo "Setting up $venv with Python $version, once: $(grep -c '^[a-zA-Z0-9]' environment.txt) packages. It takes" \
+        "seconds to a minute with uv and one to ten minutes with pip, by network and machine (log: $log)."
     logged rm -rf "$venv" || explain
     if [ -n "$uv" ]; then
         logged uv venv --python "${python:-$version}" "$venv"

@@ -112,6 +112,7 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     with tempfile.TemporaryDirectory() as profile:
         # A profile of its own: the author's start-up files and settings change outputs.
         environment = {**os.environ, "IPYTHONDIR": profile}
+        environment.pop("JPY_SESSION_NAME", None)  # set where make runs inside JupyterLab: toys would be widgets
         with client.setup_kernel(env=environment):
             number = 0
             for index, cell in enumerate(notebook.cells):

@@ -58,7 +58,7 @@ def _cases(rng):
     cases = [_spoilt(rng, spoil) for spoil in spoils]
     cases.append(_spoilt(rng, spoils[2], 5, 2))
     at_the_limit = _motion(rng, 4)
-    at_the_limit[1][2] = LIMITS[:, 1]
+    at_the_limit[1][2], at_the_limit[1][3] = LIMITS.T
     shifted = _motion(rng, 5)
     return [*cases, at_the_limit, (shifted[0] - 3.0, *shifted[1:]), _motion(rng, 1), _spoilt(rng, spoils[9], 1)]
 

@@ -3,10 +3,16 @@
 from course_lib.checks.notebook import namespace
 
 EXERCISES = (
+    "rotate_point",
+    "compose",
     "exp_so3",
+    "test_log_so3",
     "log_so3",
+    "euler_angles",
+    "quaternion_product",
     "quaternion_to_matrix",
     "matrix_to_quaternion",
+    "slerp",
     "nearest_so",
     "nearest_quaternion",
     "nearest_se",

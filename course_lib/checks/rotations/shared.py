@@ -70,3 +70,11 @@ def distances(R, M):
         f"Yours lies at distance {np.linalg.norm(M - R):.4f} (Frobenius norm), the nearest at "
         f"{np.linalg.norm(M - nearest_so(M)):.4f}."
     )
+
+
+CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
+
+
+def hamilton_product(p, q):
+    """Return the product of two quaternions (w, x, y, z)."""
+    return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])

@@ -15,7 +15,7 @@
   window.course.kinds["film"] = (live, meta) => {
     const { pose, interpolate, placed, localVertices } = window.course.motion;
     const { times, counts, trace } = meta;
-    const poses = meta.poses.map((bodies) => bodies.map(pose));
+    const poses = meta.rotations.map((bodies, i) => bodies.map((w, body) => pose(w, meta.positions[i][body])));
     // Plotly keeps what it was given; a film that comes near again is drawn where it was left.
     const { x, y, z } = live.data[trace];
     meta.local = meta.local || localVertices({ x: [...x], y: [...y], z: [...z] }, counts, poses[0]);
@@ -62,7 +62,7 @@
     const nextFrame = () => new Promise((done) => requestAnimationFrame(done)); // none comes while the page is hidden
     function setPlaying(run) {
       playing = run;
-      meta.paused = run === null;
+      meta.plays = run !== null;
       button.textContent = run ? "Pause" : "Play";
     }
     async function play() {
@@ -86,12 +86,13 @@
     const watch = new IntersectionObserver((entries) => (isVisible = entries[entries.length - 1].isIntersecting));
     watch.observe(live);
 
-    const stands = meta.paused === undefined && window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-    setPlaying(null);
-    if (stands || meta.wasPaused) show(meta.at);
-    else play();
+    const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (meta.plays === undefined ? !still : meta.plays) play();
+    else {
+      setPlaying(null);
+      show(meta.at);
+    }
     return () => {
-      meta.wasPaused = playing === null;
       stopped = true;
       playing = null;
       watch.disconnect();

@@ -1,9 +1,10 @@
-// The kinematics that the toys need: rotations, screw motions, serial arms, damped steps. Vectors are arrays, matrices
-// arrays of rows, poses 4 x 4; radians and metres. The same functions as in course_lib (rotations, rigid, arms), with
-// which tests compare them. Runs in a browser and in node.
+// The kinematics that the toys need on top of motion.js: rotations, planar motions, Jacobians, damped steps. Vectors are
+// arrays, matrices arrays of rows, poses 4 x 4; radians and metres. The same functions as in course_lib (rotations, rigid,
+// arms), with which tests compare them. Runs in a browser and in node.
 globalThis.course = globalThis.course || { kinds: {} };
 globalThis.course.kinematics = (() => {
   "use strict";
+  const motion = globalThis.course.motion;
   const eye = (n) => Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => (i === j ? 1 : 0)));
   const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
   const norm = (a) => Math.hypot(...a);
@@ -18,11 +19,9 @@ globalThis.course.kinematics = (() => {
 
   // ---- rotations ----
 
-  // Rodrigues' formula about a unit axis; 1 - cos by half the angle, which keeps its digits at small angles.
-  function rotation(axis, angle) {
-    const W = hat(axis), W2 = times(W, W), s = Math.sin(angle), c = 2 * Math.sin(angle / 2) ** 2;
-    return eye(3).map((row, i) => row.map((x, j) => x + s * W[i][j] + c * W2[i][j]));
-  }
+  const matrix = (T) => [T.slice(0, 4), T.slice(4, 8), T.slice(8, 12), [0, 0, 0, 1]]; // of the 12 numbers of motion.js
+  const flat = (T) => T.slice(0, 3).flat();
+  const rotation = (axis, angle) => rotationOf(matrix(motion.exp([...scale(axis, angle), 0, 0, 0])));
   // Unit quaternion (w, x, y, z) of an angle about a unit axis, not reduced: 2 pi gives -1.
   const quaternion = (axis, angle) => [Math.cos(angle / 2), ...scale(axis, Math.sin(angle / 2))];
   const multiply = ([a, ...u], [b, ...v]) => [a * b - dot(u, v), ...add(add(scale(v, a), scale(u, b)), cross(u, v))];
@@ -42,18 +41,7 @@ globalThis.course.kinematics = (() => {
   const rotationOf = (T) => T.slice(0, 3).map((row) => row.slice(0, 3));
   const positionOf = (T) => T.slice(0, 3).map((row) => row[3]);
   const move = (T, p) => add(apply(rotationOf(T), p), positionOf(T));
-  function inverse(T) {
-    const R = transpose(rotationOf(T));
-    return pose(R, scale(apply(R, positionOf(T)), -1));
-  }
-  // The exponential of a unit screw axis (omega, v) times an angle.
-  function expScrew(S, angle) {
-    const omega = S.slice(0, 3), v = S.slice(3), W = hat(omega), W2 = times(W, W);
-    const c = 2 * Math.sin(angle / 2) ** 2;
-    const d = Math.abs(angle) < 1e-3 ? angle ** 3 * (1 / 6 - angle ** 2 / 120) : angle - Math.sin(angle);
-    const p = add(add(scale(v, angle), apply(W, v), c), apply(W2, v), d);
-    return pose(rotation(omega, angle), p);
-  }
+  const inverse = (T) => matrix(motion.inverse(flat(T)));
   // Planar poses are (x, y, theta). The twist (omega, vx, vy) in the body's frame that leads from A to B in unit time.
   function logPlanar(A, B) {
     const turn = B[2] - A[2], omega = Math.atan2(Math.sin(turn), Math.cos(turn));
@@ -76,13 +64,36 @@ globalThis.course.kinematics = (() => {
     return [A[0] + c * x - s * y, A[1] + s * x + c * y];
   };
 
+  // Euler's poses of a plan of body velocities [[vx, vy, omega], seconds], and the exact ones, at the same times.
+  function propagate(start, plan, dt) {
+    const euler = [start], exact = [start];
+    plan.forEach(([[vx, vy, omega], seconds]) => {
+      const steps = Math.ceil((seconds / dt) * (1 - 1e-12)), from = exact[exact.length - 1];
+      for (let k = 1; k <= steps; k++) {
+        const elapsed = k < steps ? k * dt : seconds, h = elapsed - (k - 1) * dt;
+        const [x, y, theta] = euler[euler.length - 1], c = Math.cos(theta), s = Math.sin(theta);
+        euler.push([x + h * (c * vx - s * vy), y + h * (s * vx + c * vy), theta + h * omega]);
+        exact.push(expPlanar(from, [omega * elapsed, vx * elapsed, vy * elapsed]));
+      }
+    });
+    return { euler, exact };
+  }
+  // Where the circles of the unit vectors p1 about k1 and p2 about k2 meet: two points, one or none.
+  function meetings(k1, k2, p1, p2) {
+    const c = dot(k1, k2), h1 = dot(k1, p1), h2 = dot(k2, p2), n = cross(k1, k2), s2 = dot(n, n);
+    if (s2 < 1e-20) return [];
+    const a = (h1 - h2 * c) / s2, b = (h2 - h1 * c) / s2, rest = 1 - a * a - b * b - 2 * a * b * c;
+    if (rest < -1e-12) return [];
+    const foot = add(scale(k1, a), k2, b), g = Math.sqrt(Math.max(0, rest) / s2);
+    return g < 1e-9 ? [foot] : [add(foot, n, g), add(foot, n, -g)];
+  }
+  // The angle about the unit axis k that takes p to q, both on one circle about it.
+  const angleAbout = (k, p, q) => Math.atan2(dot(k, cross(p, q)), dot(p, q) - dot(k, p) * dot(k, q));
+
   // ---- serial arms: {screws: n x 6, home: n + 1 poses} ----
 
   // The poses that the product of exponentials gives each body: the base, then one after each joint.
-  function bodies(arm, q) {
-    let T = eye(4);
-    return [T, ...q.map((angle, i) => (T = times(T, expScrew(arm.screws[i], angle))))];
-  }
+  const bodies = (arm, q) => motion.chain(arm.screws, q).map(matrix);
   const frames = (arm, q) => {
     const moved = bodies(arm, q);
     return arm.home.map((M, i) => times(moved[Math.min(i + 1, q.length)], M));
@@ -106,6 +117,14 @@ globalThis.course.kinematics = (() => {
     return [q.map((_, i) => P[i][1] - y), q.map((_, i) => x - P[i][0])];
   }
 
+  // The joint angles of a planar arm with two links that reach a point, theta2 >= 0; null out of reach.
+  function twoLink([l1, l2], [x, y]) {
+    const c = (x * x + y * y - l1 * l1 - l2 * l2) / (2 * l1 * l2);
+    if (Math.abs(c) > 1) return null;
+    const theta2 = Math.acos(c);
+    return [Math.atan2(y, x) - Math.atan2(l2 * Math.sin(theta2), l1 + l2 * c), theta2];
+  }
+
   // ---- linear algebra ----
 
   // Solve A x = b by elimination with pivots.
@@ -127,6 +146,11 @@ globalThis.course.kinematics = (() => {
   function dampedStep(J, e, damping) {
     const A = times(J, transpose(J)).map((row, i) => row.map((x, j) => (i === j ? x + damping : x)));
     return apply(transpose(J), solve(A, e));
+  }
+  // The plane z = a + b x + c y nearest to points (x, y) with heights z: (a, b, c).
+  function fitPlane(points, z) {
+    const A = points.map(([x, y]) => [1, x, y]), At = transpose(A);
+    return solve(times(At, A), apply(At, z));
   }
   // Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations.
   function eigen(A) {
@@ -167,14 +191,30 @@ globalThis.course.kinematics = (() => {
   // The error (rotation vector, translation) from the pose T to the pose target, along the axes of the base.
   function poseError(T, target) {
     const R = times(rotationOf(target), transpose(rotationOf(T)));
-    const w = [R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]], sine = norm(w) / 2;
-    const angle = Math.atan2(sine, (R[0][0] + R[1][1] + R[2][2] - 1) / 2);
-    return [...scale(w, sine > 1e-12 ? angle / (2 * sine) : 0.5), ...add(positionOf(target), positionOf(T), -1)];
+    return [...motion.rotationVector(flat(pose(R, [0, 0, 0]))), ...add(positionOf(target), positionOf(T), -1)];
+  }
+  // The bodies of a plotly mesh (as course_lib.figures.solids draws them, at the poses `at`), each in its own frame at
+  // q = 0: {vertices, faces, colours, bodies, palette}. counts: how many vertices each body has.
+  function meshOf(trace, counts, at) {
+    const sizes = { i1: Int8Array, u1: Uint8Array, i2: Int16Array, u2: Uint16Array, i4: Int32Array, u4: Uint32Array, f4: Float32Array, f8: Float64Array };
+    const read = (values) => values.bdata // plotly packs numpy's arrays
+      ? Array.from(new sizes[values.dtype](Uint8Array.from(atob(values.bdata), (letter) => letter.charCodeAt(0)).buffer)) : values;
+    const [x, y, z, i, j, k, tints] = ["x", "y", "z", "i", "j", "k", "intensity"].map((name) => read(trace[name]));
+    const own = motion.localVertices({ x, y, z }, counts, at.map(flat));
+    return {
+      vertices: own.x.map((value, n) => [value, own.y[n], own.z[n]]),
+      faces: i.map((a, n) => [a, j[n], k[n]]),
+      colours: i.map((a) => tints[a]),
+      bodies: counts.flatMap((count, body) => Array(count).fill(body)),
+      palette: trace.colorscale.filter((_, n) => n % 2).map(([, colour]) => colour),
+    };
   }
 
   return {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, rotation, quaternion, multiply, fromEuler,
-    toEuler, pose, rotationOf, positionOf, move, inverse, expScrew, logPlanar, expPlanar, pole, bodies, frames,
-    geometricJacobian, planarPoints, planarJacobian, solve, dampedStep, eigen, nullVector, poseError,
+    toEuler, pose, rotationOf, positionOf, move, inverse, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames,
+   
+    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, fitPlane, eigen, nullVector, poseError,
+    meshOf,
   };
 })();

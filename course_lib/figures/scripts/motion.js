@@ -9,9 +9,10 @@
 //      "counts": [140, 212, ...],          how many of its vertices belong to each body, in order
 //      ...}                                what the kind needs besides
 //
-// A film has "times": [t0, t1, ...] in seconds and "poses": [[[w1, w2, w3, p1, p2, p3], ... a body], ... a time]:
-// the rotation vector and the position of each body. The vertices in the trace are those at the first pose, so that
-// no second array of vertices is needed: `localVertices` takes them back to the frames of their bodies.
+// A film has "times": [t0, t1, ...] in seconds, and for each time and body a rotation vector and a position:
+// "rotations": [[[w1, w2, w3], ... a body], ... a time] and "positions" likewise. The vertices in the trace are those
+// at the first time, so that no second array of them is needed: `localVertices` takes them back to the frames of
+// their bodies.
 // A toy has its model instead, for example "screws": [[w, v], ...] for `chain`, whose poses are those of the bodies
 // relative to where they are at q = 0, body 0 standing still.
 //
@@ -107,10 +108,10 @@
   // From A to B along one screw: at share 0 the first, at 1 the second.
   const interpolate = (A, B, share) => multiply(A, exp(log(multiply(inverse(A), B)).map((x) => share * x)));
 
-  // Rotation vector and position, as films have them, to a pose.
-  function pose([w1, w2, w3, p1, p2, p3]) {
-    const T = exp([w1, w2, w3, 0, 0, 0]);
-    [T[3], T[7], T[11]] = [p1, p2, p3];
+  // The pose of a rotation vector and a position.
+  function pose(w, p) {
+    const T = exp([...w, 0, 0, 0]);
+    [T[3], T[7], T[11]] = p;
     return T;
   }
 

@@ -30,8 +30,10 @@
     lathe(T, [[radius - width, -width], [radius, -width], [radius, width], [radius - width, width]], colour, body, n, true);
   const drum = (T, radius, half, colour, body = 0, n = 20) =>
     lathe(T, [[0, -half], [radius, -half], [radius, half], [0, half]], colour, body, n);
-  const ball = (T, radius, colour, body = 0, n = 14) =>
-    lathe(T, Array.from({ length: 9 }, (_, i) => [radius * Math.sin((Math.PI * i) / 8), -radius * Math.cos((Math.PI * i) / 8)]), colour, body, n);
+  const ball = (T, radius, colour, body = 0, n = 14) => {
+    const rows = Math.round(n / 2);
+    return lathe(T, Array.from({ length: rows + 1 }, (_, i) => [radius * Math.sin((Math.PI * i) / rows), -radius * Math.cos((Math.PI * i) / rows)]), colour, body, n);
+  };
   function join(meshes) {
     const all = { vertices: [], faces: [], colours: [], bodies: [] };
     meshes.forEach((mesh) => {

@@ -7,7 +7,8 @@
   const BALL = S.ball(K.eye(4), 1, 0, 0, 18);
 
   globalThis.course.kinds["toy:arm"] = (host, meta, figure, kernel) => {
-    const { arm, mesh, limits, names = [] } = meta, has = (part) => meta.parts.includes(part), n = arm.screws.length;
+    const { arm, limits, names = [] } = meta, mesh = K.meshOf(figure.data[meta.trace], meta.counts, K.bodies(arm, meta.q)), 
+      has = (part) => meta.parts.includes(part), n = arm.screws.length;
     const state = meta.state || (meta.state = { q: [...meta.q], axes: true, velocity: true, force: false, frames: has("frames") ? 0 : null });
     const card = P.card(host, meta.title);
     const view = P.space(card.views, { radius: meta.reach, centre: meta.centre, azimuth: -1.0, elevation: meta.elevation, label: meta.title, meta: state, redraw: () => schedule() });

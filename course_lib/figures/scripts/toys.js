@@ -10,9 +10,9 @@ font:14px/1.45 system-ui,sans-serif;border-radius:.25rem;color-scheme:light}
 .course-toy *{box-sizing:border-box}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
 .course-toy svg,.course-toy canvas{display:block;width:100%;background:#f7f8fa;border-radius:.25rem}
-.course-toy .row{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
-.course-toy .row label{flex:0 0 9.5em}.course-toy .row input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
-.course-toy .row output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+.course-toy .setting{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
+.course-toy .setting label{flex:0 0 9.5em}.course-toy .setting input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
+.course-toy .setting output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
 .course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid #555;border-radius:.25rem;background:#f2f2f2;color:#222}
 .course-toy button[aria-pressed=true]{background:#d9e8f3;border-color:#0072B2}
@@ -21,8 +21,8 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
 .course-toy p{margin:.4rem 0 0}.course-toy :focus-visible{outline:3px solid #0b5fff;outline-offset:2px}
 .course-toy .handle{cursor:grab;touch-action:none;outline:none}.course-toy .handle .ring{opacity:0}
 .course-toy .handle:focus .ring{opacity:1}
-@media(max-width:480px){.course-toy .row{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .row label{flex:1 1 55%}
-.course-toy .row input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}}`;
+@media(max-width:480px){.course-toy .setting{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .setting label{flex:1 1 55%}
+.course-toy .setting input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}}`;
 
   function element(name, attributes, parent, text) {
     const made = document.createElement(name);
@@ -55,7 +55,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
       root, views, controls,
       // A labelled range. write(value) -> words; change(value) is called while it moves.
       range(label, { min, max, step, value }, write, change) {
-        const row = element("div", { class: "row" }, controls), text = element("label", {}, row, label);
+        const row = element("div", { class: "setting" }, controls), text = element("label", {}, row, label);
         const input = element("input", { type: "range", min, max, step }, row), output = element("output", {}, row);
         text.append(" ");
         input.id = `toy-${Math.random().toString(36).slice(2)}`;
@@ -201,8 +201,9 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
     }
     const FAR = 5; // the eye's distance in radii
     function project(p) {
-      const d = K.add(p, centre, -1), z = K.dot(d, eyeZ), s = (0.5 * Math.min(size, tall) * 0.98 * FAR) / (FAR * radius - z);
-      return [size / 2 + s * K.dot(d, eyeX), tall / 2 - s * K.dot(d, eyeY), z];
+      const x = p[0] - centre[0], y = p[1] - centre[1], w = p[2] - centre[2];
+      const z = x * eyeZ[0] + y * eyeZ[1] + w * eyeZ[2], s = (0.49 * Math.min(size, tall) * FAR) / (FAR * radius - z);
+      return [size / 2 + s * (x * eyeX[0] + y * eyeX[1]), tall / 2 - s * (x * eyeY[0] + y * eyeY[1] + w * eyeY[2]), z];
     }
     const put = (depth, paint) => items.push([depth, paint]);
     const api = {
@@ -219,22 +220,28 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
       },
       // Faces of a mesh {vertices, faces, colours (index of the palette for each face), bodies (of each vertex)}.
       mesh(mesh, poses, palette, opacity = 1) {
-        const at = mesh.vertices.map((v, i) => K.move(poses[mesh.bodies[i]], v)), flat = at.map(project);
-        const tints = palette.map(rgb);
+        const rows = poses.map((T) => T.slice(0, 3).flat()), tints = palette.map(rgb), n = mesh.vertices.length;
+        const at = new Array(n), flat = new Array(n);
+        for (let i = 0; i < n; i++) { // written out: this is where the time goes
+          const T = rows[mesh.bodies[i]], [x, y, z] = mesh.vertices[i];
+          at[i] = [T[0] * x + T[1] * y + T[2] * z + T[3], T[4] * x + T[5] * y + T[6] * z + T[7], T[8] * x + T[9] * y + T[10] * z + T[11]];
+          flat[i] = project(at[i]);
+        }
         mesh.faces.forEach(([a, b, c], k) => {
-          const [A, B, C] = [flat[a], flat[b], flat[c]];
-          const area = (B[0] - A[0]) * (C[1] - A[1]) - (B[1] - A[1]) * (C[0] - A[0]);
-          if (area >= 0) return; // seen from behind; the screen's y points down
+          const A = flat[a], B = flat[b], C = flat[c];
+          if ((B[0] - A[0]) * (C[1] - A[1]) - (B[1] - A[1]) * (C[0] - A[0]) >= 0) return; // seen from behind; y points down
+          const [px, py, pz] = at[a], ux = at[b][0] - px, uy = at[b][1] - py, uz = at[b][2] - pz;
+          const vx = at[c][0] - px, vy = at[c][1] - py, vz = at[c][2] - pz;
+          const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx, m = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
+          const lit = Math.max(0, nx * LIGHT[0] + ny * LIGHT[1] + nz * LIGHT[2]), front = Math.max(0, nx * eyeZ[0] + ny * eyeZ[1] + nz * eyeZ[2]);
+          const bright = 0.5 + (0.5 * lit + 0.08 * front) / m, [red, green, blue] = tints[mesh.colours[k]];
           put((A[2] + B[2] + C[2]) / 3, () => {
-            const n = K.cross(K.add(at[b], at[a], -1), K.add(at[c], at[a], -1)), m = K.norm(n) || 1;
-            const bright = 0.5 + 0.5 * Math.max(0, K.dot(n, LIGHT) / m) + 0.08 * Math.max(0, K.dot(n, eyeZ) / m);
-            const tint = tints[mesh.colours[k]].map((x) => Math.min(255, Math.round(x * bright)));
             context.globalAlpha = opacity;
-            context.fillStyle = context.strokeStyle = `rgb(${tint})`;
-            context.lineWidth = opacity < 1 ? 0.01 : 0.8; // closes the seams between faces
+            context.fillStyle = context.strokeStyle = `rgb(${Math.min(255, bright * red) | 0},${Math.min(255, bright * green) | 0},${Math.min(255, bright * blue) | 0})`;
             context.beginPath();
             context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.lineTo(C[0], C[1]);
-            context.closePath(); context.fill(); context.stroke();
+            context.closePath(); context.fill();
+            if (opacity === 1) { context.lineWidth = 0.8; context.stroke(); } // closes the seams between faces
             context.globalAlpha = 1;
           });
         });

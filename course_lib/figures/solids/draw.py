@@ -5,7 +5,7 @@ import plotly.graph_objects as go
 
 from course_lib import rigid
 from course_lib.figures.solids import scene as around
-from course_lib.figures.solids.model import Model
+from course_lib.figures.solids.model import AXIS, VIOLET, Model, Part
 from course_lib.figures.solids.shells import shell
 
 
@@ -74,21 +74,22 @@ def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=
     parts = list(extra)
     if end_frame:
         parts += around.triad(arm.n, arm.home[-1], 0.17 * size)
+    full = arm_model(arm, parts)
+    whole = full.placed(poses)
     if base_frame:
         centre, radius = around.floor_size(vertices)
         corner = rigid.transform(np.eye(3), [*beside(centre, radius, view), ground])
         parts += around.triad(0, corner, 0.17 * size)
-    model = arm_model(arm, parts)
-    shown = model.placed(poses)
-    traces = [*around.floor(vertices, height=ground), model.trace(poses)]
-    points, words = [shown, around.rim(vertices, ground)], {}
+    traces, points, words = around.floor(vertices, height=ground), [around.rim(vertices, ground)], {}
     if axes:
-        lines, words = around.joint_axes(arm, poses, vertices, bare.bodies, beyond=0.15 * size)
-        traces += lines
-        dashes = np.stack([lines[0][c] for c in "xyz"], -1)
+        dashes, heads, words = around.joint_axes(arm, poses, whole, full.bodies, beyond=0.15 * size)
+        traces.append(around.dashed(dashes))
         points += [np.array(list(words.values())), dashes[~np.isnan(dashes[:, 0])]]
+        parts += [Part(0, VIOLET, head) for head in heads]  # body 0 stands: these are where they are drawn
+    model = arm_model(arm, parts)
+    points.append(model.placed(poses))
     settings = around.fitted_scene(np.concatenate(points), view)
-    traces += around.labels(words, settings, vertices[::25], colour=around.AXIS)
+    traces += [model.trace(poses), *around.labels(words, settings, whole[::12], colour=AXIS)]
     return go.Figure(traces, layout=around.layout([settings], height=height))
 
 

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.solids.meshes import joined
-from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, PURPLE, RED
+from course_lib.figures.solids.meshes import Mesh, joined
+from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, RED
 
+AXIS = "#7a1fa2"  # of joint axes: darker than the purple of plots
 # Colours by index. In a mesh that is one number for each vertex, where a colour would take nine characters.
 PALETTE = [
     "#d3d7db",
@@ -21,7 +22,7 @@ PALETTE = [
     GREEN,
     BLUE,
     CRIMSON,
-    PURPLE,
+    AXIS,
     GREY,
 ]
 SILVER, ORANGE, DARK, WHITE, BLACK, STEEL, LIGHT_BLUE, X_RED, Y_GREEN, Z_BLUE, MUG_RED, VIOLET, PLAIN = range(13)
@@ -37,7 +38,11 @@ class Part:
 
     body: int
     colour: int
-    mesh: object
+    mesh: Mesh
+
+    def moved(self, pose):
+        """Return the part moved by a pose (4, 4) in the frame of its body."""
+        return Part(self.body, self.colour, self.mesh.moved(pose))
 
 
 @dataclass(frozen=True)

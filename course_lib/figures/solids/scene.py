@@ -3,12 +3,12 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.solids.meshes import arrow, box, revolve
-from course_lib.figures.solids.model import STEEL, WHITE, X_RED, Part, coordinates
+from course_lib.figures.solids.meshes import arrow, revolve
+from course_lib.figures.solids.model import AXIS, WHITE, X_RED, Part, coordinates
+from course_lib.figures.solids.shells import joint_points
 from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 
 _FIELD_OF_VIEW = np.tan(np.pi / 8)  # plotly's: 45 degrees from top to bottom
-AXIS = "#7a1fa2"  # of joint axes: darker than the palette's purple
 _FLOOR, _SHADOW, _GRID = "#eceef1", "#6b727b", "#c3c8ce"
 VIEW = (1.05, -1.3, 0.55)  # from where one looks, unless a picture says otherwise
 
@@ -36,7 +36,7 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
     points = np.asarray(points, float).reshape(-1, 3)
     low, high = points.min(0), points.max(0)
     size = max(high - low)
-    low, high = low - 0.02 * size, high + 0.02 * size
+    low, high = low - 0.15 * size, high + 0.15 * size  # plotly clips what is outside, labels too
     scale = 1 / max(high - low)
     p = (points - (low + high) / 2) * scale
     axes = camera_axes(view)
@@ -131,32 +131,67 @@ def rim(vertices, height=0.0):
     return np.stack([centre[0] + radius * np.cos(t), centre[1] + radius * np.sin(t), np.full(24, height)], -1)
 
 
-def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16, scene="scene"):
-    """Return the joint axes as dashes on both sides of the bodies that they pass through, numbered.
+def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
+    """Return what shows the joint axes outside the bodies that they pass through: dashes, arrowheads and numbers.
 
-    poses: (n + 1, 4, 4), of the bodies. vertices: (m, 3), bodies: (m,), of the posed model.
+    Parameters
+    ----------
+    arm : SerialArm
+    poses : array_like, shape (n + 1, 4, 4)
+        Of the arm's bodies.
+    vertices, bodies : ndarray, shapes (m, 3) and (m,)
+        Of the model at these poses.
+    beyond : float
+        How far an axis reaches beyond the bodies, metres.
+
+    Returns
+    -------
+    dashes : ndarray, shape (k, 3)
+        Ends of dashes, with a row of NaN after each pair.
+    heads : list of Mesh
+        At the end to which the axis points.
+    words : dict
+        Where each number stands; axes on one line share one name, such as "1, 3, 5, 7".
     """
-    from course_lib.figures.solids.shells import joint_points
-
-    dashes, names, ends = [], [], []
     moved = poses[1:]
     p = (moved[:, :3, :3] @ joint_points(arm)[..., None])[..., 0] + moved[:, :3, 3]
     w = (moved[:, :3, :3] @ arm.screw_axes[:, :3, None])[..., 0]
-    for i, (point, axis) in enumerate(zip(p, w, strict=True)):
-        own = vertices[(bodies == i) | (bodies == i + 1)] - point
+    dashes, heads, words, left = [], [], {}, list(range(len(p)))
+    while left:
+        i = left[0]
+        point, axis = p[i], w[i]
+        group = [j for j in left if _on_one_line(point, axis, p[j], w[j], 1e-6 + 1e-3 * beyond)]
+        left = [j for j in left if j not in group]
+        carried = np.isin(bodies, [body for j in group for body in (j, j + 1)])
+        if len(group) > 1:
+            carried[:] = True  # the bodies between them, too
+        own = vertices[carried] - point
         t = own @ axis
         near = t[np.linalg.norm(own - t[:, None] * axis, axis=1) < 0.45 * beyond]
         low, high = (near.min(), near.max()) if len(near) else (0, 0)
         for start, sign in ((low, -1), (high, 1)):
-            for a in np.arange(0.03, 1, 0.27):
-                dashes += [point + (start + sign * s * beyond) * axis for s in (a, a + 0.17)] + [np.full(3, np.nan)]
-        ends.append(point + (high + 1.06 * beyond) * axis)
-        names.append(str(i + 1))
+            for share in np.arange(0.03, 0.9, 0.27):
+                dashes += [point + (start + sign * s * beyond) * axis for s in (share, share + 0.17)] + [
+                    np.full(3, np.nan)
+                ]
+        for sign in {float(np.sign(w[j] @ axis)) for j in group}:
+            foot = point + ((high if sign > 0 else low) + sign * beyond) * axis
+            heads.append(
+                revolve(foot, sign * axis, [(0.055 * beyond, 0), (0.055 * beyond, 0), (0.001, 0.2 * beyond)], 8)
+            )
+        words[", ".join(str(j + 1) for j in group)] = point + (high + 1.25 * beyond) * axis
+    return np.array(dashes), heads, words
+
+
+def _on_one_line(point, axis, other, direction, near):
+    parallel = np.linalg.norm(np.cross(axis, direction)) < 1e-6
+    return parallel and np.linalg.norm(np.cross(axis, other - point)) < near
+
+
+def dashed(points, scene="scene"):
+    """Return the trace of the dashes of joint_axes."""
     look = {"color": AXIS, "width": 5}
-    lines = go.Scatter3d(
-        **coordinates(dashes), mode="lines", line=look, hoverinfo="skip", scene=scene, connectgaps=False
-    )
-    return [lines], dict(zip(names, ends, strict=True))
+    return go.Scatter3d(**coordinates(points), mode="lines", line=look, hoverinfo="skip", scene=scene)
 
 
 def triad(body, pose, size, radius=None):
@@ -165,12 +200,11 @@ def triad(body, pose, size, radius=None):
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]
 
 
-def table(body, low, high, thickness=0.03):
-    """Return a table whose top is between two corners (2,), at height 0 of its body's frame."""
-    top = box([*low, -thickness], [*high, 0], 0.06, 12, 16)
-    x, y = (np.array(low) + high) / 2
-    leg = revolve([x, y, -0.3], [0, 0, 1], [(0.05, 0), (0.05, 0.3 - thickness)], 12)
-    return [Part(body, WHITE, top), Part(body, STEEL, leg)]
+def table(body, centre, radius, height=0.0, thickness=0.03):
+    """Return the edge of a round table under the floor of that size: a Part of a body that stands."""
+    low, high, r = -thickness, -0.006 * radius, radius
+    edge = [(0.97 * r, low), (r, low + 0.2 * thickness), (r, high), (0.99 * r, high)]
+    return [Part(body, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))]
 
 
 def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.035):
@@ -184,7 +218,10 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
     right, up, _ = camera_axes(eye - centre)
     metres = np.ptp(settings["xaxis"]["range"]) / settings["aspectratio"]["x"]
     step = gap * metres * np.linalg.norm(eye - centre) * 2 * _FIELD_OF_VIEW
+    ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
+    at_eye = ranges.mean(1) + eye * metres
     points = np.array(list(words.values()), float)
+    wide = [1 + 0.25 * (len(word) - 1) for word in words]
     occupied = list(projected(points, settings, aspect))
     if len(taken):
         occupied += list(projected(np.asarray(taken), settings, aspect))
@@ -193,7 +230,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
         best, where = -np.inf, point
         for far in (0.6, 1.0, 1.5):
             for t in np.arange(8) * np.pi / 4:
-                candidate = point + far * step * (np.cos(t) * right + np.sin(t) * up)
+                candidate = point + far * step * (wide[i] * np.cos(t) * right + np.sin(t) * up)
                 at = projected(candidate[None], settings, aspect)[0]
                 others = np.array(occupied[:i] + occupied[i + 1 :] + placed + placed)
                 apart = min(np.linalg.norm(others - at, axis=1).min() if len(others) else 1, 2.2 * gap)
@@ -201,10 +238,19 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
                 if score > best + 1e-9:
                     best, where, spot = score, candidate, at
         placed.append(spot)
-        points[i] = where
+        # Towards the eye, so that no body hides it; where it is seen stays the same.
+        points[i] = where + 0.12 * metres / np.linalg.norm(towards := at_eye - where) * towards
     font = {"color": colour, "size": size}
     return [
-        go.Scatter3d(**coordinates(points), mode="text", text=list(words), textfont=font, hoverinfo="skip", scene=scene)
+        go.Scatter3d(
+            **coordinates(points),
+            mode="text",
+            textposition="middle center",
+            text=list(words),
+            textfont=font,
+            hoverinfo="skip",
+            scene=scene,
+        )
     ]
 
 

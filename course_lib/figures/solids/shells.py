@@ -27,25 +27,28 @@ def joint_points(arm):
     return np.cross(w, v) + (w * arm.home[:-1, :3, 3]).sum(-1, keepdims=True) * w
 
 
-def gripper(body, flange, size=0.105, angle=-np.pi / 4):
-    """Return a parallel gripper without its fingers, on a flange (4, 4) whose z axis points away from the arm."""
-    pose = flange @ _about_z(angle)
-    s = size
-    plate = box([-0.3 * s, -0.3 * s, 0], [0.3 * s, 0.3 * s, 0.1 * s], 0.1, 2).moved(pose)
-    palm = box([-0.3 * s, -0.98 * s, 0.08 * s], [0.3 * s, 0.98 * s, 0.62 * s], 0.35, 3.2).moved(pose)
+def gripper(body, tip, length=0.1034):
+    """Return a parallel gripper without its fingers.
+
+    tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along y. length: metres
+    from the flange to there.
+    """
+    s = length / 1.06
+    plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(tip)
+    palm = box([-0.3 * s, -0.98 * s, 0.08 * s - length], [0.3 * s, 0.98 * s, 0.62 * s - length], 0.35, 3.2).moved(tip)
     return [Part(body, DARK, plate), Part(body, WHITE, palm)]
 
 
-def fingers(bodies, size=0.105):
-    """Return two fingers, each a body of its own: its frame is at the fingertip's pad, z outwards, y to the other one.
+def finger(body, side, length=0.1034):
+    """Return a finger whose pad lies at the origin of its frame, with the gripped thing at its `side`: 1 for y > 0."""
+    s = length / 1.06
+    block = _between([-0.11 * s, 0, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s])
+    pad = _between([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s])
+    return [Part(body, DARK, block), Part(body, BLACK, pad)]
 
-    The pads touch where the origins of both frames meet.
-    """
-    s, parts = size, []
-    for body in bodies:
-        parts.append(Part(body, DARK, box([-0.11 * s, -0.2 * s, -0.5 * s], [0.11 * s, 0.02 * s, -0.26 * s], 0.1, n=8)))
-        parts.append(Part(body, BLACK, box([-0.1 * s, -0.12 * s, -0.28 * s], [0.1 * s, 0, 0.06 * s], 0.2, n=8)))
-    return parts
+
+def _between(one, other):
+    return box(np.minimum(one, other), np.maximum(one, other), 0.15, n=8)
 
 
 def _iiwa(arm):
@@ -296,8 +299,3 @@ def _of_screws(arm):
         along = (end - p[-1]) / spans[-1]
         parts.append(Part(n, DARK, drum(end, along, 0.7 * radii[-1], 0.25 * radii[-1])))
     return parts
-
-
-def _about_z(angle):
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])

@@ -3,13 +3,11 @@
 import inspect
 
 import numpy as np
-import plotly.graph_objects as go
 
 from course_lib.arguments import real_array
 from course_lib.arms import iiwa14, panda
-from course_lib.figures.space import space_layout
-from course_lib.figures.style import FRAME_COLOURS
-from course_lib.figures.toys.bodies import arm_mesh, body_poses, posed
+from course_lib.figures.solids import Model, arm_model, draw, link_poses
+from course_lib.figures.solids.scene import triad
 from course_lib.figures.toys.toy import Toy
 from course_lib.rigid import inverse, is_se
 
@@ -87,8 +85,8 @@ def jog(arm, fk=None, *, q=None, base=None):
     arm : SerialArm
         The arm that is drawn, and the library's answer.
     fk : callable, optional
-        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4). Its
-        attribute ``whose``, if it has one, says whose it is. None for the library's own.
+        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4).
+        Its attribute ``whose``, if it has one, says whose it is. None for the library's own.
     q : array_like, shape (n,), optional
         Joint angles at the start, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
     base : array_like, shape (4, 4), optional
@@ -118,7 +116,9 @@ def jog(arm, fk=None, *, q=None, base=None):
     base = np.eye(4) if base is None else real_array(base, "base", (4, 4))
     if not is_se(base):
         raise ValueError("base must be a pose (rigid.nearest_se gives one near it)")
-    alt = f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
+    alt = (
+        f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
+    )
     answer = None if fk is None else Answers(arm, fk, base)
     return _arm_toy(arm, q, ["axes"], alt, f"An arm with {arm.n} joints", answer)
 
@@ -178,7 +178,6 @@ def _arm_toy(arm, q, parts, alt, title, answer=None, **more):
     q = real_array(q, "q", (arm.n,))
     if q.shape != (arm.n,):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
-    mesh = arm_mesh(arm)
     limits = np.clip(arm.limits, -np.pi, np.pi)
     points = np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]])
     reach = np.linalg.norm(np.diff(points, axis=0), axis=-1).sum()
@@ -188,29 +187,22 @@ def _arm_toy(arm, q, parts, alt, title, answer=None, **more):
         "title": title,
         "parts": parts,
         "arm": {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()},
-        "mesh": mesh,
+        "counts": arm_model(arm).counts,
         "limits": limits.tolist(),
         "q": q.tolist(),
-        "reach": 0.62 * reach if not flat else 0.8 * reach,
+        "reach": 0.58 * reach if not flat else 0.8 * reach,
         "elevation": 0.9 if flat else 0.3,
-        "centre": [0.0, 0.0, 0.0 if flat else low + 0.38 * reach],
+        "centre": [0.0, 0.0, 0.0 if flat else low + 0.44 * reach],
         **more,
     }
-    return Toy("arm", model, _still(arm, mesh, q, model), alt, answer)
+    figure, model["trace"] = _still(arm, q, 0.17 * model["reach"])
+    return Toy("arm", model, figure, alt, answer)
 
 
-def _still(arm, mesh, q, model):
-    x, y, z = np.round(posed(mesh, body_poses(arm, q)) - model["centre"], 3).T
-    i, j, k = np.transpose(mesh["faces"])
-    colours = [mesh["palette"][c] for c in mesh["colours"]]
-    light = {"ambient": 0.55, "diffuse": 0.55, "specular": 0.15, "roughness": 0.5}
-    body = go.Mesh3d(x=x, y=y, z=z, i=i, j=j, k=k, facecolor=colours, lighting=light, hoverinfo="skip")
-    T = arm.fk(q)
-    drawn = [body]
-    for axis, colour in zip(T[:3, :3].T, FRAME_COLOURS, strict=True):
-        ends = np.stack([T[:3, 3], T[:3, 3] + 0.18 * model["reach"] * axis]) - model["centre"]
-        a, b, c = np.round(ends, 3).T
-        line = {"color": colour, "width": 6}
-        drawn.append(go.Scatter3d(x=a, y=b, z=c, mode="lines", line=line, hoverinfo="skip"))
-    layout = space_layout([""], (0.6, -1.3, 0.5), half=1.05 * model["reach"], height=480, distance=1.35)
-    return go.Figure(drawn, layout={**layout, "annotations": [], "showlegend": False})
+def _still(arm, q, size):
+    """Return the arm at q with the end-effector's frame, and the number of the trace that is the arm's bodies."""
+    figure = draw(arm, q, end_frame=False, base_frame=False)
+    bodies = len(arm_model(arm).vertices)
+    (number,) = (i for i, t in enumerate(figure.data) if t.type == "mesh3d" and len(t.x) == bodies)
+    frame = Model.of(triad(arm.n, arm.home[-1], size))
+    return figure.add_trace(frame.trace(link_poses(arm, q))), number

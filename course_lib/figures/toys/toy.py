@@ -6,6 +6,7 @@ the toy in place of the figure; in JupyterLab a widget with the same scripts doe
 figure alone, which shows the toy at its start, without kernel or script.
 """
 
+import json
 import os
 from functools import cache
 from pathlib import Path
@@ -13,7 +14,7 @@ from pathlib import Path
 from course_lib.figures.display import show
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
-CORE = ("kinematics", "toys", "shapes")
+CORE = ("motion", "kinematics", "toys", "shapes")
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """
 export default { render({ model, el }) {
@@ -22,7 +23,7 @@ export default { render({ model, el }) {
   model.on("msg:custom", (message) => answers.forEach((hear) => hear(message)));
   const kernel = { ask: (question) => model.send(question), hear: (answer) => answers.add(answer) };
   el.setAttribute("aria-label", model.get("alt"));
-  return globalThis.course.kinds[meta.kind](el, meta, null, model.get("answers") ? kernel : null);
+  return globalThis.course.kinds[meta.kind](el, meta, model.get("figure"), model.get("answers") ? kernel : null);
 } };
 """
 
@@ -64,7 +65,12 @@ class Toy:
 
     def widget(self):
         """Return the toy as a widget for JupyterLab, which loads the same scripts as the page."""
-        widget = _widget_class()(_esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt)
+        widget = _widget_class()(
+            _esm=module(tuple(self.meta["scripts"])),
+            meta=self.meta,
+            figure=json.loads(self.figure.to_json()),
+            alt=self.alt,
+        )
         if self.answer is not None:
             widget.answers = True
             widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
@@ -96,6 +102,7 @@ def _widget_class():
 
         _esm = traitlets.Unicode().tag(sync=True)
         meta = traitlets.Dict().tag(sync=True)
+        figure = traitlets.Dict().tag(sync=True)
         alt = traitlets.Unicode().tag(sync=True)
         answers = traitlets.Bool(False).tag(sync=True)
 

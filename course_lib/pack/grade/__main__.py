@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import functools
+import os
 import secrets
 import sys
 from collections import Counter
@@ -11,20 +12,22 @@ from pathlib import Path
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find
+from course_lib.pack.grade.deadline import DeadlineUnclear, read_deadline
 from course_lib.pack.grade.feedback import write_feedback
+from course_lib.pack.grade.gradebook import IDENTITY, RosterUnreadable, gradebook_text, read_roster
 from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
 from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
-from course_lib.pack.grade.sandbox import notice
-from course_lib.pack.grade.submission import grade
-from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals_text
+from course_lib.pack.grade.sandbox import notice, remove_old_folders
+from course_lib.pack.grade.submission import grade as grade_one
+from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals, totals_text
 
 
-def main(arguments=None, grade=grade):
-    """Grade; return 1 with a plain sentence where that fails. grade: what grades one submission."""
+def main(arguments=None, grade=None):
+    """Grade; return 1 with a plain sentence if that fails. grade: what grades one submission, in tests."""
     chosen = _parser().parse_args(arguments)
     try:
         _grade(chosen, grade)
-    except (GradingStopped, MarksUnreadable) as error:
+    except (GradingStopped, MarksUnreadable, RosterUnreadable, DeadlineUnclear) as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
     except OSError as error:
@@ -42,6 +45,10 @@ def _parser():
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
     parser.add_argument("--jobs", default="-1", help="how many at once; one for each processor if not given")
     parser.add_argument("--scheduler", default="", help="address of a Dask cluster that does the work, tcp://...")
+    parser.add_argument("--lms", default="", help="also write the totals for this platform: canvas, moodle, gradescope")
+    parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
+    parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
+    parser.add_argument("--late", default="", help="what late ones lose: none, or percent of the points a day")
     parser.add_argument("--seed", help="of the cases that are asked; drawn once and kept if not given")
     return parser
 
@@ -49,13 +56,17 @@ def _parser():
 def _grade(chosen, grade):
     output, submissions = chosen.output, _submissions(chosen)
     jobs, given = _whole_number("JOBS", chosen.jobs), _whole_number("SEED", chosen.seed)
+    deadline, roster = read_deadline(chosen.deadline, chosen.late), _roster(chosen)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
         seed = _seed(output / "seed", given)
+        hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
+        grade = grade or functools.partial(grade_one, hidden=hidden)
+        remove_old_folders()
         print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
-        _write(output, graded_files(outcomes))
+        _write(output, graded_files(outcomes, deadline), chosen.lms, roster)
 
 
 def _submissions(chosen):
@@ -74,6 +85,15 @@ def _submissions(chosen):
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
     return found
+
+
+def _roster(chosen):
+    """The roster's rows, or None; says what of the platform's settings cannot be used."""
+    if chosen.lms and chosen.lms not in IDENTITY:
+        raise GradingStopped(f"LMS={chosen.lms} is none of {', '.join(IDENTITY)}.")
+    if chosen.roster and not chosen.lms:
+        raise GradingStopped("ROSTER= has no meaning without LMS=.")
+    return read_roster(Path(chosen.roster)) if chosen.roster else None
 
 
 def _whole_number(name, typed):
@@ -117,7 +137,7 @@ def _seed(path, given):
 # ---- what is written ----
 
 
-def _write(output, everything):
+def _write(output, everything, platform, roster):
     rows = read_marks(output / "questions.csv")  # again: somebody may have typed marks meanwhile
 
     @functools.cache
@@ -132,10 +152,17 @@ def _write(output, everything):
     listed = [(each.student, each.notebook, answer) for each in everything for answer in its_marks(each)]
     write_atomically(output / "questions.csv", marks_text(listed, rows))
     write_atomically(output / "grades.csv", grades_text(everything, its_marks))
-    write_atomically(output / "totals.csv", totals_text(everything, its_marks))
+    points = totals(everything, its_marks)
+    write_atomically(output / "totals.csv", totals_text(points))
+    missing = []
+    if platform:
+        text, missing = gradebook_text(platform, points, roster)
+        write_atomically(output / f"{platform}.csv", text)
     write_feedback(output / "feedback", everything, its_marks)
     write_atomically(output / "class.html", class_page(everything, its_marks))
     print(_summary(output, everything, listed))
+    if missing:
+        print(f"Not in the roster, and so not in {output / f'{platform}.csv'}: {', '.join(missing)}.")
 
 
 def _summary(output, everything, listed):

@@ -2,6 +2,7 @@
 
 import io
 import re
+import statistics
 import textwrap
 import warnings
 from collections import Counter
@@ -18,37 +19,42 @@ COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: 
 
 def class_page(everything, marks_of):
     """Return the page, from what tables.handed gives."""
-    of, students, waiting = totals(everything, marks_of)
-    graded = [each for each in everything if each.graded and not each.superseded_by and each.student]
-    said = f"{count_noun(len(students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
-    if unreadable := sum(each.unreadable for each in graded):
-        said += f", {unreadable} of them unreadable and without points"
-    left = sum(waiting.values())
+    found = totals(everything, marks_of)
+    counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
+    graded = [each for each in counting if each.graded and not each.unreadable]
+    said = f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
+    if missed := len(counting) - len(graded):
+        said += f", {missed} more handed in but refused or unreadable (in no mean below)"
+    left = sum(found.waiting.values())
     said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
-    parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(of, students)]
-    parts += [_distribution(of, students), _hardest(graded), _mistakes(graded)]
+    parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(found.of, counting, graded, found.students)]
+    parts += [_distribution(found.of, graded, found.students), _hardest(graded), _mistakes(graded)]
     return page("The class", "\n".join(part for part in parts if part))
 
 
 # ---- what the page shows ----
 
 
-def _notebooks(of, students):
+def _notebooks(of, counting, graded, students):
+    """How many handed in each notebook, and the points of those that could be graded."""
     rows = []
     for notebook, most in of.items():
-        points = sorted(line[notebook] for line in students.values() if notebook in line)
-        middle = (points[(len(points) - 1) // 2] + points[len(points) // 2]) / 2
-        rows.append((notebook, len(points), f"{sum(points) / len(points):.1f}", f"{middle:g}", most))
-    return _table(("notebook", "handed in", "mean", "median", "of"), rows)
+        handed_in = len({each.student for each in counting if each.notebook == notebook})
+        points = [students[student][notebook] for student in {e.student for e in graded if e.notebook == notebook}]
+        mean, median = (f"{statistics.mean(points):.1f}", f"{statistics.median(points):g}") if points else ("", "")
+        rows.append((notebook, handed_in, len(points), mean, median, most))
+    return _table(("notebook", "handed in", "graded", "mean", "median", "of"), rows)
 
 
-def _distribution(of, students):
-    """How many students have how much of the points of the notebooks that they handed in."""
-    shares = []
-    for line in students.values():
-        most = sum(of.get(notebook, 0) for notebook in line)
+def _distribution(of, graded, students):
+    """How many students have how much of the points of the notebooks of theirs that could be graded."""
+    shares, pairs = [], {}
+    for each in graded:
+        pairs.setdefault(each.student, set()).add(each.notebook)
+    for student, notebooks in pairs.items():
+        most = sum(of.get(notebook, 0) for notebook in notebooks)
         if most:
-            shares.append(sum(line.values()) / most)
+            shares.append(sum(students[student][notebook] for notebook in notebooks) / most)
     if not shares:
         return ""
     counts = [0] * 10
@@ -64,7 +70,8 @@ def _distribution(of, students):
     most = max(range(10), key=lambda i: counts[i])
     alt = f"Bars: how many students have how many percent of the points. Most, {counts[most]}, have {names[most]}."
     rows = list(zip(names, counts, strict=True))
-    return _section("How the points are spread", figure, alt, _table(("points", "students"), rows))
+    caption = "Each student's points, as a share of those of the notebooks that they handed in."
+    return _section("How the points are spread", figure, alt, caption, _table(("points", "students"), rows))
 
 
 def _hardest(graded):
@@ -92,7 +99,8 @@ def _hardest(graded):
     alt = f"Bars: what came of the exercises, hardest first. {hardest} is right for {states[hardest][RIGHT]} "
     alt += f"of {states[hardest].total()}."
     rows = [(name, *(states[name][state] for state in COLOURS)) for name in order]
-    return _section("Hardest exercises", figure, alt, _table(("exercise", *STATES.values()), rows))
+    caption = f"The exercises that fewest solved, at most {MOST} of them."
+    return _section("Hardest exercises", figure, alt, caption, _table(("exercise", *STATES.values()), rows))
 
 
 def _mistakes(graded):
@@ -115,7 +123,8 @@ def _mistakes(graded):
     most = count_noun(counts[order[0]], "student")
     alt = f"Bars: how many made each mistake, most frequent first. {most}: {order[0]}."
     rows = [(name, counts[name]) for name in order]
-    return _section("Most frequent mistakes", figure, alt, _table(("mistake", "students"), rows))
+    caption = f"The mistakes that the checks recognized, at most {MOST} of them."
+    return _section("Most frequent mistakes", figure, alt, caption, _table(("mistake", "students"), rows))
 
 
 def _short(text):
@@ -164,11 +173,14 @@ def _svg(figure):
     return text.replace(INK, "currentColor").strip()
 
 
-def _section(title, figure, alt, table):
+def _section(title, figure, alt, caption, table):
+    """A picture with a caption, words for whoever does not see it, and its numbers."""
     label = escaped(alt)
     svg = _svg(figure).replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1)
     numbers = f"<details>\n<summary>The numbers</summary>\n{table}\n</details>"
-    return f"<h2>{escaped(title)}</h2>\n<figure>\n{svg}\n<figcaption>{label}</figcaption>\n</figure>\n{numbers}"
+    return (
+        f"<h2>{escaped(title)}</h2>\n<figure>\n{svg}\n<figcaption>{escaped(caption)}</figcaption>\n</figure>\n{numbers}"
+    )
 
 
 def _table(columns, rows):

@@ -1,11 +1,12 @@
 """A page for each submission that tells its student what was found. All text from submissions is escaped."""
 
 import html
+import re
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import file_names
-from course_lib.pack.grade.tables import clean, count_noun
+from course_lib.pack.grade.tables import clean, count_noun, final_state, lateness
 
 LONGEST = 100_000  # characters of one message or answer
 MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
@@ -32,6 +33,7 @@ pre {{ background: var(--soft); padding: 0.6rem 0.8rem; margin: 0.4rem 0;
 figure {{ margin: 1rem 0; }}
 svg {{ max-width: 100%; height: auto; }}
 .good {{ color: var(--good); }} .bad {{ color: var(--bad); }} .none {{ color: var(--none); }}
+.task {{ white-space: pre-wrap; }}
 .problem {{ border-left: 0.3rem solid var(--bad); padding-left: 0.8rem; }}
 </style>
 </head>
@@ -71,7 +73,9 @@ def feedback_page(each, answers):
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
     if each.graded:
         later = f", {count_noun(waiting, 'written answer')} still to be read" if waiting else ""
-        body.append(f"<p><strong>{each.points + read:g} of {each.of} points</strong>{later}</p>")
+        points = (each.points + read) * each.share
+        body.append(f"<p><strong>{points:.4g} of {each.of} points</strong>{later}</p>")
+        body.append(f'<p class="problem">{escaped(lateness(each))}</p>' if lateness(each) else "")
     body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
     body.append(_overview(each.result["exercises"], answers))
     body += [_exercise(exercise) for exercise in each.result["exercises"] if exercise["message"]]
@@ -86,11 +90,14 @@ def _overview(exercises, answers):
     if not exercises and not answers:
         return ""
     lines = [(e["exercise"], e["state"], e["points"], e["of"], e["message"]) for e in exercises]
-    lines += [(a.question, a.state, "" if a.points is None else f"{a.points:g}", a.of, a.text) for a in answers]
+    lines = [(name, final_state(state), *rest) for name, state, *rest in lines]
+    lines += [
+        (_title(a), final_state(a.state), "" if a.points is None else f"{a.points:g}", a.of, a.text) for a in answers
+    ]
     rows = []
     for name, state, points, of, more in lines:
         mark, colour = _mark(state)
-        name = f'<a href="#{escaped(name)}">{escaped(name)}</a>' if more else escaped(name)
+        name = f'<a href="#{escaped(name.partition(" ")[0])}">{escaped(name)}</a>' if more else escaped(name)
         numbers = f'<td class="number">{points}</td><td class="number">{of}</td>'
         rows.append(f'<tr><td>{name}</td><td class="{colour}">{mark} {escaped(state)}</td>{numbers}</tr>')
     head = '<tr><th>exercise</th><th>state</th><th class="number">points</th><th class="number">of</th></tr>'
@@ -98,20 +105,27 @@ def _overview(exercises, answers):
 
 
 def _mark(state):
-    return MARKS.get(state, ("·", "none"))
+    return MARKS.get(state, ("○", "none") if state == final_state(NOT_ATTEMPTED) else ("·", "none"))
+
+
+def _title(answer):
+    """The name of a question with the letter that stands before it in the notebook: explain_frame (B)."""
+    letter = re.match(r"\W*([A-Z])\.", answer.task)
+    return f"{answer.question} ({letter[1]})" if letter else answer.question
 
 
 def _exercise(exercise):
     name, points = escaped(exercise["exercise"]), f"{exercise['points']} of {exercise['of']}"
-    heading = f'<h2 id="{name}">{name}: {escaped(exercise["state"])}, {points}</h2>'
+    heading = f'<h2 id="{name}">{name}: {escaped(final_state(exercise["state"]))}, {points}</h2>'
     return f"{heading}\n<pre>{escaped(exercise['message'])}</pre>"
 
 
 def _answer(answer):
     name, points = escaped(answer.question), "" if answer.points is None else f", {answer.points:g} of {answer.of}"
-    heading = f'<h2 id="{name}">{name}: {escaped(answer.state)}{points}</h2>'
-    comment = f"\n<p>{escaped(answer.comment)}</p>" if answer.comment else ""
-    return f"{heading}\n<pre>{escaped(answer.text)}</pre>{comment}"
+    heading = f'<h2 id="{name}">{escaped(_title(answer))}: {escaped(final_state(answer.state))}{points}</h2>'
+    task = f'\n<p class="task">{escaped(answer.task)}</p>' if answer.task else ""
+    comment = f"\n<p><strong>Comment:</strong> {escaped(answer.comment)}</p>" if answer.comment else ""
+    return f"{heading}{task}\n<pre>{escaped(answer.text)}</pre>{comment}"
 
 
 # ---- all of them ----

@@ -44,7 +44,8 @@ def course_hash():
     return digest.hexdigest()[:12]
 
 
-ABOUT_RESULTS = ("collect", "jobs", "tables", "marks", "feedback", "class_page", "__main__")
+ABOUT_RESULTS = ("collect", "platforms", "jobs", "tables", "marks", "deadline", "gradebook", "feedback", "class_page")
+ABOUT_RESULTS += ("__main__",)
 
 
 def result_name(submission, content, seed):

@@ -4,7 +4,7 @@ import csv
 import hashlib
 import io
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.notebook_file import UNREADABLE
@@ -23,7 +23,7 @@ class MarksUnreadable(Exception):
 class MarkedAnswer:
     """A written answer and what the reader gave for it; points is None until then.
 
-    wrong: why a mark that was typed is none; only the reader sees that.
+    wrong: why a mark that was typed is none; only the reader sees that. task: the question itself.
     """
 
     question: str
@@ -34,6 +34,7 @@ class MarkedAnswer:
     points: float | None = None
     comment: str = ""
     wrong: str = ""
+    task: str = ""
 
     @property
     def told(self):
@@ -77,6 +78,10 @@ def read_marks(path):
 
 def mark_answer(question, student, notebook, rows):
     """Return the MarkedAnswer for one of a result's questions. rows: what read_marks gives."""
+    return replace(_marked(question, student, notebook, rows), task=str(question.get("task", "")))
+
+
+def _marked(question, student, notebook, rows):
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
     if text.strip() in ("", PROMPT):

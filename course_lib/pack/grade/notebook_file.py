@@ -134,6 +134,11 @@ def defines(sources, name):
     return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
 
 
+DYNAMIC = (
+    r"\b(exec|eval|globals|locals|vars|setattr|get_ipython|builtins|import_module)\b|__dict__|import \*|%run|%load"
+)
+
+
 def may_bind(sources, name):
     """Return whether the cells may bind this name when they are run as a whole: a guess, to save time by.
 
@@ -141,7 +146,7 @@ def may_bind(sources, name):
     """
     if not name:
         return False
-    if any(re.search(r"\b(exec|globals|setattr)\b|%run|%load", source) for source in sources):
+    if any(re.search(DYNAMIC, source) for source in sources):
         return True
     for line in _lines_with(sources, name):
         first, last = re.search(rf"\b{name}\b", line), line.rfind(name)

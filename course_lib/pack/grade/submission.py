@@ -182,7 +182,8 @@ def ask(sandbox, run, exercise, final, left_out):
         reason = f"{verdict.reason}\nA cell that it may need was left out: {left_out}.".strip()
         verdict = replace(verdict, state=ERROR, reason=reason)
     if verdict.state == NOT_ATTEMPTED:
-        return Outcome(verdict, frozenset() if final else frozenset({WHOLE}))
+        bound_somehow = not final and notebook_file.may_bind(run.sources, exercise.name)
+        return Outcome(verdict, frozenset({WHOLE}) if bound_somehow else frozenset())
     elsewhere = notebook_file.may_bind(run.sources, student.missing)
     return Outcome(verdict, frozenset({ALONE, WHOLE} if elsewhere else {ALONE}))
 
@@ -265,7 +266,8 @@ def _result(notebook, release, course, problems, outcomes, cells):
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
     questions = course.questions if course else ()
     found["questions"] = [
-        {"question": q.name, "of": q.points, "text": notebook_file.answer(q, cells or [])[:100_000]} for q in questions
+        {"question": q.name, "of": q.points, "task": q.after, "text": notebook_file.answer(q, cells or [])[:100_000]}
+        for q in questions
     ]
     if cells is None:
         for question in found["questions"]:

@@ -3,8 +3,9 @@
 import csv
 import io
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
+from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
@@ -14,15 +15,24 @@ LONGEST_ANSWER = 30_000  # what a cell of a spreadsheet holds
 FORMULA = (
     "=+-@\uff1d\uff0b\uff0d\uff20"  # what a spreadsheet may take for the beginning of a formula, also in wide letters
 )
+# A program that takes semicolons, tabs or line ends for the border of two cells finds a beginning there too.
+INSIDE = re.compile(rf"([;\t\n]\s*)(?=[{re.escape(FORMULA)}])")
+MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 
 
 @dataclass(frozen=True)
 class GradedFile:
-    """A submission with its result. superseded_by: the place of the file that counts in its stead, or ""."""
+    """A submission with its result.
+
+    superseded_by: the place of the file that counts instead of it, or "". days_late: after the deadline. share: of its
+    points that it keeps then.
+    """
 
     submission: Submission
     result: dict
     superseded_by: str = ""
+    days_late: int = 0
+    share: float = 1.0
 
     @property
     def student(self):
@@ -50,19 +60,37 @@ class GradedFile:
         return sum(each["of"] for each in [*self.result["exercises"], *self.result["questions"]])
 
 
-def graded_files(outcomes):
+def final_state(state):
+    """Return a state as it reads after the hand-in: nothing is attempted yet any more."""
+    return "not attempted" if state == NOT_ATTEMPTED else state
+
+
+def graded_files(outcomes, deadline=None):
     """Return the GradedFiles by student and notebook; of several for one notebook the one with most points counts."""
-    all_of_them = sorted((GradedFile(*outcome) for outcome in outcomes), key=_order)
+    all_of_them = sorted((_graded_file(*outcome, deadline) for outcome in outcomes), key=_order)
     best = {}
     for each in all_of_them:
         best.setdefault((each.student, each.notebook), []).append(each)
     for group, several in best.items():
-        best[group] = max(several, key=lambda each: (each.graded, each.points))  # the first of equals
+        best[group] = max(several, key=lambda each: (each.graded, each.points * each.share))  # the first of equals
     return [
         each if (winner := best[each.student, each.notebook]) is each or not each.student or not each.graded
-        else GradedFile(each.submission, each.result, winner.submission.place)
+        else replace(each, superseded_by=winner.submission.place)
         for each in all_of_them
     ]  # fmt: skip
+
+
+def _graded_file(submission, result, deadline):
+    days = deadline.days_late(submission.modified) if deadline else 0
+    return GradedFile(submission, result, "", days, deadline.share_left(days) if deadline else 1.0)
+
+
+def lateness(each):
+    """Return in words that a file was late and what it lost for that, or ""."""
+    if each.days_late:
+        lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
+        return f"Handed in {count_noun(each.days_late, 'day')} late.{lost}"
+    return "The learning platform marked it as late." if each.submission.late else ""
 
 
 def _order(each):
@@ -85,43 +113,67 @@ def _lines(each, marks_of):
     if each.superseded_by:
         yield "", "", "", "not count_noun", f"Another file of this notebook counts: {each.superseded_by}."
         return
+    if each.graded and (late := lateness(each)):
+        yield "", "", "", "late", late
     for problem in each.result["problems"]:
         if each.graded:
             yield "", "", "", "note", problem
         else:
             yield "", 0, "", each.result["state"], f"{each.submission.place}: {problem}"
     for exercise in each.result["exercises"]:
-        yield tuple(exercise[name] for name in ("exercise", "points", "of", "state", "message"))
+        name, points, of = (exercise[key] for key in ("exercise", "points", "of"))
+        yield name, points, of, final_state(exercise["state"]), exercise["message"]
     for answer in marks_of(each):
         points = "" if answer.points is None else answer.points
-        yield answer.question, points, answer.of, answer.told, answer.comment
+        yield answer.question, points, answer.of, final_state(answer.told), answer.comment
+
+
+@dataclass(frozen=True)
+class Totals:
+    """The points of a class.
+
+    of: {notebook: points there are}. students: {student: {notebook: points}}. waiting: {student: answers to be read}.
+    late: {(student, notebook): days}. platform_ids: {student: the learning platform's number}.
+    """
+
+    of: dict = field(default_factory=dict)
+    students: dict = field(default_factory=dict)
+    waiting: dict = field(default_factory=dict)
+    late: dict = field(default_factory=dict)
+    platform_ids: dict = field(default_factory=dict)
 
 
 def totals(everything, marks_of):
-    """Return {notebook: points there are}, {student: {notebook: points}} and {student: answers to be read}."""
-    of, students, waiting = {}, {}, {}
-    for each in everything:
+    """Return the Totals, with what late files lose taken off."""
+    of, found = {}, Totals()
+    for each in sorted(everything, key=lambda each: each.student):
         if each.superseded_by or not each.student:
             continue
         answers = marks_of(each)
-        line = students.setdefault(each.student, {})
+        line = found.students.setdefault(each.student, {})
         points = each.points + sum(answer.points or 0 for answer in answers)
-        line[each.notebook] = line.get(each.notebook, 0) + points
+        line[each.notebook] = line.get(each.notebook, 0) + _rounded(points * each.share)
         of[each.notebook] = max(of.get(each.notebook, 0), each.of)
         unread = sum(answer.points is None for answer in answers)
-        waiting[each.student] = waiting.get(each.student, 0) + unread
-    of = {notebook: of[notebook] for notebook in sorted(of) if of[notebook]}
-    return of, {student: students[student] for student in sorted(students)}, waiting
+        found.waiting[each.student] = found.waiting.get(each.student, 0) + unread
+        found.late[each.student, each.notebook] = each.days_late
+        if each.submission.platform_id:
+            found.platform_ids[each.student] = each.submission.platform_id
+    return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
 
 
-def totals_text(everything, marks_of):
+def _rounded(points):
+    """Points to a hundredth: what Canvas keeps of them."""
+    return round(points, 2) if points != int(points) else int(points)
+
+
+def totals_text(found):
     """Return totals.csv: a line a student, empty where a notebook was not handed in."""
-    of, students, waiting = totals(everything, marks_of)
     rows = []
-    for student, points in students.items():
-        each = [points.get(notebook, "") for notebook in of]
-        rows.append([student, *each, sum(points.values()), sum(of.values()), waiting[student]])
-    columns = ["student", *of, "total", "of", "to be read"]
+    for student, points in found.students.items():
+        each = [points.get(notebook, "") for notebook in found.of]
+        rows.append([student, *each, sum(points.values()), sum(found.of.values()), found.waiting[student]])
+    columns = ["student", *found.of, "total", "of", "to be read"]
     return table_text([cell(name) for name in columns], [[cell(value) for value in row] for row in rows])
 
 
@@ -154,11 +206,13 @@ def cell(value, lines=False):
     if not lines:
         text = " ".join(text.split())
         text = text if len(text) <= LONGEST else text[:LONGEST] + " ..."
-    return f"'{text}" if text.lstrip()[:1] and text.lstrip()[:1] in FORMULA else text
+    text = f"'{text}" if text.lstrip()[:1] and text.lstrip()[:1] in FORMULA else text
+    return INSIDE.sub(r"\1'", text)
 
 
 def cell_text(text):
     """Return what was meant by a cell: the text without the mark that cell() may have put before it."""
+    text = MARKED_INSIDE.sub(r"\1", text)
     return text[1:] if text[:1] == "'" and text[1:].lstrip()[:1] in tuple(FORMULA) else text
 
 

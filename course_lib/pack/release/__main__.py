@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from course_lib.pack.release import ReleaseError
-from course_lib.pack.release.bundle import collect, named, write_zip
+from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 
 
 def main(arguments=None):
@@ -15,7 +15,7 @@ def main(arguments=None):
     chosen = parser.parse_args(arguments)
     try:
         release, files = named(collect(chosen.root))
-        write_zip(chosen.output, files)
+        write_zip(chosen.output, files, release_date(chosen.root))
     except (ReleaseError, OSError) as error:
         print(f"No release was written. {error}", file=sys.stderr)
         return 1

@@ -1,9 +1,13 @@
 """What goes to students, by rules: nothing here is a second copy of a file of the project."""
 
+import contextlib
 import hashlib
 import importlib.metadata
 import io
+import os
 import re
+import subprocess
+import time
 import tomllib
 import zipfile
 from pathlib import Path
@@ -61,7 +65,8 @@ def _data(root):
 def _package(root):
     """The helper package, less what only make runs."""
     package = root / "course_lib"
-    return [path for path in package.rglob("*.py") if path.relative_to(package).parts[0] != "pack"]
+    files = [*package.rglob("*.py"), *package.rglob("*.js")]
+    return [path for path in files if path.relative_to(package).parts[0] != "pack"]
 
 
 def _as_they_are(folder, paths):
@@ -132,12 +137,28 @@ def named(files):
     }
 
 
-def write_zip(path, files):
-    """Write a zip that is the same bytes for the same files: no clock, no user, no order of a file system."""
+def release_date(root):
+    """Return the date (year, month, day, hour, minute, second) that the files of a release carry, in UTC.
+
+    It is the date of the project's last commit, so that the same commit gives the same bytes; SOURCE_DATE_EPOCH in the
+    environment goes before it, and without either it is the first of January 2000.
+    """
+    seconds = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if not seconds.isdigit():
+        with contextlib.suppress(OSError):
+            command = ["git", "-C", str(root), "log", "-1", "--format=%ct", "--", "."]
+            seconds = subprocess.run(command, capture_output=True, text=True).stdout.strip()
+    if not seconds.isdigit():
+        return (2000, 1, 1, 0, 0, 0)
+    return time.gmtime(max(int(seconds), 315532800))[:6]  # a zip knows no date before 1980
+
+
+def write_zip(path, files, date):
+    """Write a zip that is the same bytes for the same files and date: no clock, no user, no order of a file system."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:  # stored: how far it can be pressed differs between zlibs
         for name in sorted(files):
-            entry = zipfile.ZipInfo(name, date_time=(2000, 1, 1, 0, 0, 0))
+            entry = zipfile.ZipInfo(name, date_time=date)
             entry.create_system, entry.external_attr = 3, 0o100644 << 16  # as if from Unix, also on Windows
             archive.writestr(entry, files[name])
     write_atomically(path, content.getvalue(), mode=0o644)

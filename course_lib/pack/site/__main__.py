@@ -12,6 +12,7 @@ NEEDED = [
     "myst_nb",
     "sphinx_book_theme",
     "sphinx-mathjax-offline",
+    "py_mini_racer",
     "plotly",
     "bs4",
     "PIL",
@@ -37,7 +38,7 @@ def main() -> int:
 
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if missing:
-        names = ", ".join(name.replace("_", "-") for name in missing)
+        names = ", ".join(name.removeprefix("py_").replace("_", "-") for name in missing)
         print(f"The site needs {names}, which this Python lacks. `make html` installs them.", file=sys.stderr)
         return 1
 

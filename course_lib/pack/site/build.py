@@ -1,6 +1,5 @@
 """Build the site: prepare copies of the notebooks, let Sphinx make pages of them, put these in place."""
 
-import importlib.util
 import re
 import shutil
 import subprocess
@@ -9,9 +8,11 @@ import tempfile
 from pathlib import Path
 
 import course_lib.figures
-from course_lib.pack.site import gather, sections
+from course_lib.pack.site import gather, search, sections
 from course_lib.pack.site.downloads import offer
 from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site.finish import finish
+from course_lib.pack.site.packages import folder
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
 from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
@@ -49,10 +50,9 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"), single)
-        # Source maps serve the theme's own authors; its translations, pages in other languages than ours.
-        for source_map in site.rglob("*.map"):
-            source_map.unlink()
-        shutil.rmtree(site / "_static/locales")
+        if not single:
+            search.write(site)
+        finish(site)
         if single:
             make_single(site)
         sign(site, source)
@@ -90,21 +90,13 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
-    """Put our style and scripts, MathJax and (if a figure needs it) plotly.js into `static`."""
+    """Put our style and scripts and (if a figure needs it) plotly.js into `static`."""
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
     (static / "figures").mkdir()
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
-    # Of MathJax's many files this one is enough: all of TeX in, SVG out, its letters inside.
-    mathjax = _package("sphinx-mathjax-offline") / "static" / "mathjax" / "tex-svg-full.js"
-    shutil.copy(mathjax, static / "mathjax.js")
     if with_plotly:
-        shutil.copy(_package("plotly") / "package_data" / "plotly.min.js", static)
-
-
-def _package(name: str) -> Path:
-    """Return the folder of an installed package."""
-    return Path(importlib.util.find_spec(name).submodule_search_locations[0])
+        shutil.copy(folder("plotly") / "package_data" / "plotly.min.js", static)
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:

@@ -1,9 +1,12 @@
 """Sphinx's settings; ``build`` copies this file beside the prepared notebooks."""
 
+import html
 import re
 
 from docutils import nodes
 from sphinx.util import logging
+
+from course_lib.pack.site import formulas, search
 
 project = "Robot kinematics"
 html_title = project
@@ -22,34 +25,17 @@ myst_heading_slug_func = "course_lib.pack.site.prepare.heading_anchor"
 myst_dmath_double_inline = True
 myst_dmath_allow_labels = False
 
-mathjax_path = "mathjax.js"
-mathjax3_config = {
-    "tex": {
-        # HTML outputs may hold $…$, which JupyterLab typesets; Sphinx itself writes \( … \).
-        "inlineMath": [["\\(", "\\)"], ["$", "$"]],
-        # An unknown macro is then an error, which the tests find, rather than a name in red.
-        "packages": {"[-]": ["noundefined"]},
-    },
-    # MyST adds these classes by itself; text_html is ours, for HTML outputs.
-    "options": {
-        "processHtmlClass": "tex2jax_process|mathjax_process|math|text_html",
-        # The menu's speech and zoom would look for files that are not shipped.
-        "enableMenu": False,
-    },
-}
-myst_update_mathjax = False
+html_math_renderer = "built"  # below
 
 html_theme = "sphinx_book_theme"
 html_static_path = ["_static"]
-html_css_files = ["site.css"]
+html_css_files = ["icons.css", "site.css"]
 html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
-# The search page would fetch every page it lists, which a browser refuses for a file on disk.
-html_show_search_summary = False
 html_theme_options = {
     "use_download_button": False,
     "home_page_in_toc": True,
@@ -64,21 +50,9 @@ html_theme_options = {
 html_sidebars = {"**": [] if tags.has("single") else ["search-button-field.html", "sbt-sidebar-nav.html"]}  # noqa: F821
 
 
-def check_formulas(app, document):
-    """Warn of formulas that no browser can set, and of dollars that did not become one."""
+def find_dollars(app, document):
+    """Warn of dollars that did not become a formula."""
     logger = logging.getLogger(__name__)
-    for node in document.findall(lambda n: isinstance(n, nodes.math | nodes.math_block)):
-        text = re.sub(r"\\\\|\\[{}]", "", node.astext())
-        begun = re.findall(r"\\begin\{([^}]*)\}", text)
-        ended = re.findall(r"\\end\{([^}]*)\}", text)
-        left, right = (len(re.findall(rf"\\{side}(?![A-Za-z])", text)) for side in ("left", "right"))
-        problem = (
-            (text.count("{") != text.count("}") and "braces do not match")
-            or (sorted(begun) != sorted(ended) and r"\begin and \end do not match")
-            or (left != right and r"\left and \right do not match")
-        )
-        if problem:
-            logger.warning("formula: %s: %s", problem, " ".join(node.astext().split())[:70], location=node)
     for node in document.findall(nodes.Text):
         inside = (nodes.FixedTextElement, nodes.literal, nodes.math, nodes.math_block, nodes.raw)
         if isinstance(node.parent, inside) or isinstance(node.parent.parent, inside):
@@ -107,8 +81,38 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
+    if pagename == "search":
+        app.add_js_file(search.NAME, loading_method="defer")
+        app.add_js_file("search.js", loading_method="defer")
     if figures:
         app.add_js_file("figures.js", loading_method="defer")
+
+
+def set_formula(translator, node):
+    """Write a formula as HTML, or warn of one that cannot be set."""
+    display = isinstance(node, nodes.math_block)
+    text = node.astext()
+    # Lines outside of any environment need one; amsmath's own come with theirs.
+    if display and r"\\" in text and not node.get("no-wrap", node.get("nowrap")):
+        text = rf"\begin{{split}}{text}\end{{split}}"
+    try:
+        made = formulas.typeset(text, display)
+    except formulas.FormulaError as error:
+        logging.getLogger(__name__).warning("formula: %s: %s", error, " ".join(text.split())[:70], location=node)
+        made = ""
+    translator.body.append(made)
+    raise nodes.SkipNode
+
+
+def _in_output(found):
+    return formulas.typeset(html.unescape(found[1]))
+
+
+def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
+    """Typeset what JupyterLab would in HTML outputs, and put the letters of all formulas on the page once."""
+    body = re.sub(r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", ""))
+    if letters := formulas.letters_of(body + (context.get("toc") or "")):
+        context["body"] = letters + body
 
 
 def name_what_is_folded(app, pagename, templatename, context, doctree):
@@ -117,9 +121,25 @@ def name_what_is_folded(app, pagename, templatename, context, doctree):
         context["body"] = context["body"].replace(' aria-label="Toggle hidden content"', "")
 
 
+def use_own_search(app):
+    """Leave out Sphinx's search, which finds pages only: to show more it would fetch them, refused from a folder."""
+    app.builder.search = False
+
+
+def search_page(app):
+    """Yield the page of the search, unless pages stand alone."""
+    if not app.tags.has("single"):
+        yield "search", {"title": "Search", "body": search.PAGE}, "page.html"
+
+
 def setup(app):
     """Register the functions above."""
-    app.connect("doctree-read", check_formulas)
+    app.connect("builder-inited", use_own_search)
+    app.connect("html-collect-pages", search_page)
+    app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
+    app.add_html_math_renderer("built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None))
+    app.connect("html-page-context", set_formulas_in_outputs)
+    app.connect("build-finished", lambda app, error: formulas.close())
     app.connect("html-page-context", name_what_is_folded)
     app.connect("html-page-context", load_scripts_where_needed)

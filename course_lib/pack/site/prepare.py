@@ -74,6 +74,18 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
     elif image and "text/html" not in output.data:
         output.data = {"text/html": picture(output, image, "picture", alternative(output, place), folder)}
         counts.pictures += 1
+    elif "text/html" in output.data:
+        output.data["text/html"] = mark_dollars(output.data["text/html"])
+
+
+def mark_dollars(page: str) -> str:
+    """Return HTML in which formulas, which JupyterLab sets where it finds dollars, are marked for Sphinx to set.
+
+    What stands in code, and in attributes, is left as it is.
+    """
+    parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
+    parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]
+    return "".join(parts)
 
 
 def alternative(output, place: str) -> str:

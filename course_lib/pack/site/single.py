@@ -8,9 +8,9 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup
 
-# What serves to find other pages, and the theme's icons, which the styles have as letters too.
+# What serves to find other pages.
 LEFT_OUT = """link[rel=search], link[rel=next], link[rel=prev], link[rel=preload], .search-button, .primary-toggle,
-#pst-search-dialog, #pst-primary-sidebar-modal, script[src*='fontawesome']"""
+#pst-search-dialog, #pst-primary-sidebar-modal"""
 
 
 def make_single(site: Path) -> None:

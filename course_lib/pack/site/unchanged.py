@@ -6,12 +6,13 @@ from pathlib import Path
 
 import course_lib
 
+TOOLS = ("sphinx", "myst-nb", "sphinx-book-theme", "sphinx-mathjax-offline", "mini-racer", "plotly", "nbformat")
 MADE_FROM = ".made-from"  # in the site's folder: what it was made from, and what was made
 
 
 def made_from(notebooks: Path, *settings) -> str:
     """Return a hash of all that a site depends on: the notebooks' folder, this package, the generator, settings."""
-    tools = [f"{name} {version(name)}" for name in ("sphinx", "myst-nb", "sphinx-book-theme", "plotly", "nbformat")]
+    tools = [f"{name} {version(name)}" for name in TOOLS]
     contents = [_contents(folder) for folder in (notebooks, Path(course_lib.__file__).parent)]
     return hashlib.sha256(repr([contents, tools, settings]).encode()).hexdigest()
 

@@ -18,16 +18,39 @@
 // What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code.
 (() => {
   "use strict";
-  const WIDE = ".math, mjx-container, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure";
+  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure";
   const reach = () =>
     document.querySelectorAll(WIDE).forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
       else part.removeAttribute("tabindex");
     });
-  window.addEventListener("load", async () => {
-    if (window.MathJax) await window.MathJax.startup.promise;
-    reach();
-  });
+  window.addEventListener("load", reach);
   window.addEventListener("resize", reach);
   document.addEventListener("toggle", reach, true); // what was folded shut had no width
+})();
+
+// Who comes from the search finds the words marked, also in what is folded shut.
+(() => {
+  "use strict";
+  const wanted = (new URLSearchParams(location.search).get("mark") || "").split(/\s+/).filter(Boolean);
+  if (!wanted.length) return;
+  const pattern = new RegExp(`(${wanted.map((word) => word.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).join("|")})`, "i");
+  window.addEventListener("DOMContentLoaded", () => {
+    const section = document.getElementById(decodeURIComponent(location.hash.slice(1))) || document.querySelector("article");
+    const walk = document.createTreeWalker(section, NodeFilter.SHOW_TEXT, (node) =>
+      pattern.test(node.data) && !node.parentElement.closest("script, style, svg, .math, .plotly-figure")
+        ? NodeFilter.FILTER_ACCEPT
+        : NodeFilter.FILTER_REJECT);
+    const found = [];
+    while (walk.nextNode()) found.push(walk.currentNode);
+    found.forEach((node) => {
+      const parts = node.data.split(pattern).map((part, i) =>
+        i % 2 ? Object.assign(document.createElement("mark"), { textContent: part }) : part);
+      const folded = node.parentElement.closest("details");
+      if (folded) folded.open = true;
+      node.replaceWith(...parts);
+    });
+    const first = section.querySelector("mark");
+    if (first) first.scrollIntoView({ block: "center" });
+  });
 })();

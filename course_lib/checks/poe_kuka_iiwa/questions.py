@@ -1,0 +1,61 @@
+"""Predictions of notebook 4: what the next cell will show."""
+
+from course_lib.checks.prediction import Prediction
+
+PREDICTIONS = (
+    Prediction(
+        "wheel",
+        "c",
+        {
+            "a": "The axle stands still, but v is not its velocity: v belongs to the point at the origin of the frame.",
+            "b": "That is the speed of a point of the rim. v belongs to the point of the wheel, imagined large, "
+            "that is at "
+            "the origin now.",
+            "c": "The point at the origin is 1 m from the axle, so it moves at 2 m/s. No part of the wheel need "
+            "be there.",
+        },
+    ),
+    Prediction(
+        "tiny",
+        "b",
+        {
+            "a": "For 1e-4 and more that is so. But 1 - cos(a) is computed as the difference of two numbers near "
+            "1, and "
+            "the smaller a is, the fewer digits are left.",
+            "b": "Below 1e-8, cos(a) is 1 for a computer, and 1 - cos(a) is 0: nothing is left of that part of p.",
+            "c": "Rounding does not raise an error, and nothing is divided by 0 here: the wrong number looks "
+            "like any other.",
+        },
+    ),
+    Prediction(
+        "last_joint",
+        "a",
+        {
+            "a": "Column i depends on the joints before joint i only. No column comes after the last one.",
+            "b": "Column 7 is the axis of joint 7, and a joint does not move its own axis.",
+            "c": "Joint 7 moves the end-effector, but the space Jacobian says where the axes are, not the "
+            "end-effector.",
+        },
+    ),
+    Prediction(
+        "straight_wrist",
+        "a",
+        {
+            "a": "Axes 5 and 7 on one line are one axis too many. But there are seven joints for six velocities: "
+            "the rank "
+            "stays 6 as long as the seventh can take over.",
+            "b": "That would be so for an arm of six joints. This one has a seventh, which helps out.",
+            "c": "Two columns become equal. That costs at most one rank, and not even that here.",
+        },
+    ),
+    Prediction(
+        "after_a_round",
+        "b",
+        {
+            "a": "The end-effector is back, but many joint angles give the same position: four degrees of "
+            "freedom are left.",
+            "b": "At each instant the smallest joint velocity is chosen. Nothing makes these choices add up to zero.",
+            "c": "The joint velocities are continuous, and so are the angles: nothing jumps.",
+        },
+    ),
+)

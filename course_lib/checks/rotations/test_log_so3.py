@@ -1,0 +1,88 @@
+"""test_log_so3: a test that tells right logarithms of rotations from wrong ones."""
+
+import numpy as np
+
+from course_lib.checks.write_test import Version, WriteTest
+from course_lib.rotations import log_so3, matrix_to_quaternion
+
+
+def _angle(R):
+    return np.linalg.norm(log_so3(R))
+
+
+def _half_turn(R):
+    return _angle(R) > np.pi - 1e-9
+
+
+def _other_sign(R):
+    return -log_so3(R) if _half_turn(R) else log_so3(R)
+
+
+def _by_quaternion(R):
+    q = matrix_to_quaternion(R)
+    sine = np.linalg.norm(q[1:])
+    return 2 * np.arctan2(sine, q[0]) / sine * q[1:] if sine > 0 else np.zeros(3)
+
+
+def _rounded(R):
+    return log_so3(R) * (1 + 1e-12)
+
+
+def _if(where, otherwise):
+    """Right but where where(R): there otherwise(w, R) is returned."""
+
+    def version(R):
+        w = log_so3(R)
+        return otherwise(w, R) if where(R) else w
+
+    return version
+
+
+def _long_way(w):
+    angle = np.linalg.norm(w)
+    return w * (angle - 2 * np.pi) / angle if angle > 0 else w
+
+
+def _wrong(kind, version):
+    return Version(kind, version, False)
+
+
+EXERCISE = WriteTest(
+    name="test_log_so3",
+    points=3,
+    arguments=("log_so3",),
+    cases=None,
+    returns=None,
+    properties=(),
+    mistakes=(),
+    shapes=((3, 3),),
+    versions=(
+        Version("that is the library's", log_so3, True),
+        Version("that goes by the quaternion", _by_quaternion, True),
+        Version("that takes the other axis at half turns", _other_sign, True),
+        Version("that differs by rounding", _rounded, True),
+        Version("that returns lists", lambda R: log_so3(R).tolist(), True),
+        _wrong("whose sign is wrong", lambda R: -log_so3(R)),
+        _wrong("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
+        _wrong("that lacks a factor 1/2", lambda R: 2 * log_so3(R)),
+        _wrong("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
+        _wrong("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
+        _wrong("that always returns zero", lambda R: np.zeros(3)),
+        _wrong("that takes the long way round", lambda R: _long_way(log_so3(R))),
+        _wrong(
+            "that is wrong only beyond a quarter turn",
+            _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),
+        ),
+        _wrong("that is wrong only at half turns", _if(_half_turn, lambda w, R: np.zeros(3))),
+        _wrong("that loses signs at half turns", _if(_half_turn, lambda w, R: np.abs(w))),
+        _wrong("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
+        _wrong("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
+    ),
+    hints=(
+        "You need no right logarithm to compare with: the exponential of the answer has to be R again.",
+        "Which rotations are special? Try the identity, small angles, angles beyond a quarter turn, half turns about "
+        "axes of every sign. The exponential cannot see whether the shortest vector is returned: its length can.",
+        "Make R = exp_so3(w) for several vectors w; return False as soon as np.allclose(exp_so3(answer), R) fails or "
+        "the answer is longer than pi, and True at the end. np.asarray turns a list into an array.",
+    ),
+)

@@ -1,0 +1,85 @@
+"""Films of rigid bodies: their poses travel, and a page computes the vertices from them."""
+
+import numpy as np
+import plotly.graph_objects as go
+
+from course_lib.figures import moving
+from course_lib.figures.solids import scene as around
+from course_lib.rotations import log_so3
+
+_LAB_FRAMES = 20  # for JupyterLab, which plays vertices: 14 KB each for an arm
+_MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
+
+
+def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0, fitted=True):
+    """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in some twenty frames.
+
+    Parameters
+    ----------
+    name : str
+        What its file is called where it is written as an animation.
+    model : Model
+    poses : array_like, shape (m, bodies, 4, 4)
+    times : array_like, shape (m,)
+        Seconds; it plays in real time.
+    still : sequence of plotly traces
+        What does not move, besides the floor.
+    points : array_like, shape (n, 3)
+        What else is to be seen.
+    view : array_like, shape (3,)
+        The direction to the eye.
+    height : int
+        Pixels, without the controls.
+    ground : float or None
+        The height of the floor, metres; None for no floor.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+        Lengths in millimetres. `layout.meta.course` is what scripts/motion.js says of films.
+    """
+    poses, times = np.asarray(poses, float), np.asarray(times, float)
+    shown = np.unique(np.linspace(0, len(times) - 1, min(_LAB_FRAMES, len(times))).astype(int))
+    vertices = model.placed(poses[shown])
+    everything = [vertices.reshape(-1, 3), np.asarray(points, float).reshape(-1, 3)]
+    still = list(still)
+    if ground is not None:
+        few = vertices[:, ::7].reshape(-1, 3)  # the shadow of all frames
+        still = [*around.floor(few, height=ground), *still]
+        everything.append(around.rim(few, ground))
+    settings = around.fitted_scene(np.concatenate(everything), view)
+    fig = go.Figure([*still, model.trace(poses[0])], layout=around.layout([settings], height=height))
+    _in_millimetres(fig)
+    trace = len(still)
+    kind = "i2" if np.abs(vertices).max() < 32 else "i4"
+    at = np.round(_MILLIMETRES * vertices + 3.1e-4).astype(kind)
+    fig.frames = [
+        go.Frame(
+            data=[{"type": "mesh3d", **dict(zip("xyz", np.ascontiguousarray(v.T), strict=True))}],
+            traces=[trace],
+            name=str(i),
+        )
+        for i, v in enumerate(at)
+    ]
+    course = {
+        "kind": "film",
+        "scripts": ["motion", "film"],
+        "trace": trace,
+        "counts": model.counts,
+        "times": [round(float(t), 4) for t in times - times[0]],
+        # Two arrays, for show rounds each to its own largest number.
+        "rotations": (np.round(log_so3(poses[..., :3, :3]) + 3.1e-7, 5) + 0.0).tolist(),
+        "positions": (np.round(_MILLIMETRES * poses[..., :3, 3] + 3.1e-4, 2) + 0.0).tolist(),
+    }
+    moving.add_controls(fig, times[shown], redraw=True)
+    fig.layout.meta = {**fig.layout.meta, "movie": name, "course": course}
+    return fig
+
+
+def _in_millimetres(fig):
+    for trace in fig.data:
+        for c in "xyz":
+            trace[c] = [None if np.isnan(value) else round(_MILLIMETRES * value, 1) for value in trace[c]]
+    for c in "xyz":
+        axis = fig.layout.scene[f"{c}axis"]
+        axis.range = [_MILLIMETRES * value for value in axis.range]

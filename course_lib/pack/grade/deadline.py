@@ -1,0 +1,63 @@
+"""Hand-ins after the deadline: how many days late a file is, and what it loses for that."""
+
+import math
+from dataclasses import dataclass
+from datetime import datetime
+
+DAY = 86_400
+
+
+class DeadlineUnclear(Exception):
+    """The deadline or its rule cannot be understood; the text says why."""
+
+
+@dataclass(frozen=True)
+class Deadline:
+    """When hand-ins are due, in seconds since 1970, and how many percent of its points a file loses a day."""
+
+    when: float
+    percent: float = 0
+
+    def days_late(self, modified):
+        """Return how many days after the deadline a file was written last: 0, or begun days."""
+        return 0 if modified is None or modified <= self.when else math.ceil((modified - self.when) / DAY)
+
+    def share_left(self, days):
+        """Return the share of its points, 0 to 1, that a file keeps."""
+        return max(0.0, 1 - self.percent / 100 * days)
+
+
+def read_deadline(when, rule):
+    """Return the Deadline that was typed, or None if none was.
+
+    Parameters
+    ----------
+    when : str
+        A date, or a date and a time, of this machine's time zone unless it names another; "" for no deadline.
+    rule : str
+        What a late file loses: "none", or percent of its points for each begun day, as "10" or "10%".
+
+    Examples
+    --------
+    >>> read_deadline("2026-11-30 18:00", "10%").percent
+    10.0
+    >>> read_deadline("", "") is None
+    True
+    """
+    if not when:
+        if rule not in ("", "none"):
+            raise DeadlineUnclear(f"LATE={rule} has no meaning without DEADLINE=.")
+        return None
+    try:
+        moment = datetime.fromisoformat(when)
+    except ValueError:
+        raise DeadlineUnclear(f"DEADLINE={when} is no date: write 2026-11-30 or '2026-11-30 18:00'.") from None
+    if len(when) <= 10:  # a date alone: its whole day counts
+        moment = moment.replace(hour=23, minute=59, second=59)
+    try:
+        percent = 0.0 if rule in ("", "none") else float(rule.strip().removesuffix("%"))
+    except ValueError:
+        percent = math.nan
+    if not 0 <= percent <= 100:
+        raise DeadlineUnclear(f"LATE={rule} is neither none nor a number of percent a day from 0 to 100.")
+    return Deadline(moment.timestamp(), percent)

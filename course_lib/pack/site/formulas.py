@@ -1,0 +1,101 @@
+"""Formulas as pictures with words, made when the site is built: MathJax runs here, not in the reader's browser."""
+
+import html
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+from py_mini_racer import MiniRacer
+
+from course_lib.pack.site.packages import folder
+
+PARTS = ("loader", "core", "adaptors/liteDOM", "input/tex-full", "output/svg", "output/svg/fonts/tex")
+
+# An unknown macro or a wrong brace is an error, rather than a name in red: so without two of the packages.
+SET_UP = r"""
+const _ = MathJax._, adaptor = _.adaptors.liteAdaptor.liteAdaptor();
+_.handlers.html_ts.RegisterHTMLHandler(adaptor);
+const packages = _.input.tex.AllPackages.AllPackages.filter((name) => name !== "noundefined" && name !== "noerrors");
+const tex = new _.input.tex_ts.TeX({ packages });
+const svg = new _.output.svg_ts.SVG({ fontCache: "global", font: new _.output.svg.fonts.tex_ts.TeXFont() });
+const page = _.mathjax.mathjax.document("", { InputJax: tex, OutputJax: svg });
+const visitor = new _.core.MmlTree.SerializedMmlVisitor.SerializedMmlVisitor();
+function set(text, display) {
+  const made = page.convert(text, { display, em: 16, ex: 8, containerWidth: 1280 });
+  return JSON.stringify([adaptor.innerHTML(made), visitor.visitTree(tex.mathNode)]);
+}
+const letters = () => adaptor.innerHTML(svg.fontCache.getCache());
+0"""
+
+WIDE = 30  # ex; about 250 pixels
+LETTER = re.compile(r'href="#(MJX-[^"]+)"')
+
+
+class FormulaError(ValueError):
+    """A formula that MathJax cannot set; the text says why."""
+
+
+@cache
+def _mathjax() -> MiniRacer:
+    """Return MathJax in an engine of its own; one for a process, since it takes half a second to start."""
+    files = folder("sphinx-mathjax-offline") / "static" / "mathjax"
+    engine = MiniRacer()
+    engine.eval("globalThis.MathJax = { loader: { load: [] } }; 0")
+    for part in PARTS:
+        engine.eval(Path(files, f"{part}.js").read_text(encoding="utf-8") + "\n;0")
+    engine.eval(SET_UP)
+    return engine
+
+
+def close() -> None:
+    """End the engine, if there is one: without it Python would wait for its thread at the end."""
+    if _mathjax.cache_info().currsize:
+        _mathjax().close()
+        _mathjax.cache_clear()
+        typeset.cache_clear()
+
+
+@cache
+def typeset(text: str, display: bool = False) -> str:
+    """Return HTML for a formula: a picture, and the same as MathML for those who do not see it.
+
+    Parameters
+    ----------
+    text
+        The formula in TeX, without dollars.
+    display
+        Whether it stands on a line of its own.
+
+    Raises
+    ------
+    FormulaError
+        If MathJax does not understand the formula; the message is MathJax's own.
+    """
+    picture, mathml = json.loads(_mathjax().eval(f"set({json.dumps(text)}, {json.dumps(display)})"))
+    error = re.search(r'<merror data-mjx-error="([^"]*)"', mathml)
+    if error:
+        raise FormulaError(html.unescape(error[1]))
+    # What serves MathJax's own menu, and a line of no width around each letter.
+    picture = re.sub(r' (?:data-[a-z-]+|role|xmlns:xlink|xmlns)="[^"]*"', "", picture).replace("xlink:href", "href")
+    picture = picture.replace(' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"')
+    picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
+    mathml = re.sub(r"\n\s*", "", mathml)
+    made = f'{picture}<span class="assistive">{mathml}</span>'
+    if display:
+        return f'<div class="math">{made}</div>'
+    # On a phone a wide one is scrolled: then its box stands on the line, and not the letters in it.
+    depth = re.search(r"vertical-align: ([^;]*);", picture)[1]
+    width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
+    wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
+    return f'<span class="math{wide}">{made}</span>'
+
+
+def letters_of(page: str) -> str:
+    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas."""
+    used = dict.fromkeys(LETTER.findall(page))
+    if not used:
+        return ""
+    outlines = dict(re.findall(r'(?=<path id="([^"]+)")(<path .*?</path>)', _mathjax().eval("letters()")))
+    paths = "".join(outlines[name] for name in sorted(used))
+    return f'<svg class="letters" aria-hidden="true"><defs>{paths}</defs></svg>'

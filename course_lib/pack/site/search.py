@@ -1,0 +1,53 @@
+"""The search: an index of sections, and the page that looks into it. It works from a folder, with the network off."""
+
+import html
+import json
+import re
+from pathlib import Path
+
+NAME = "sections.js"
+PAGE = """<section id="search"><h1>Search</h1>
+<noscript><p>The search needs JavaScript. The pages of the course are listed at the side.</p></noscript>
+<form class="search" role="search"><label for="search-words">Words to find in all sections</label>
+<input type="search" id="search-words" name="q" autocomplete="off" spellcheck="false"></form>
+<p id="search-count" role="status"></p>
+<ol id="search-results"></ol></section>"""
+
+SECTION = re.compile(r'<section [^>]*?id="([^"]+)">')
+HEADING = re.compile(r"<h([1-6])>(.*?)</h\1>", re.DOTALL)
+# What is not read as text: formulas are pictures and MathML, data of figures, and the sign beside each heading.
+SILENT = re.compile(
+    r"<(script|style|svg|summary)\b.*?</\1>|<a class=\"headerlink\".*?</a>|<section class=\"no-search\".*?</section>",
+    re.DOTALL,
+)
+
+
+def write(site: Path) -> None:
+    """Write the index of all pages of a site: page, its title, section, its heading, its words."""
+    entries = []
+    for page in sorted(site.glob("*.html")):
+        if page.name != "search.html":
+            entries += _sections(page)
+    lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in entries)
+    (site / "_static" / NAME).write_text(f"window.courseSections = [\n{lines}\n];\n", encoding="utf-8")
+
+
+def _sections(page: Path) -> list[list[str]]:
+    """Return [page, title, section's id, heading, words] for each section of a page."""
+    article = re.search(r"<article.*?>(.*)</article>", page.read_text(encoding="utf-8"), re.DOTALL)
+    if not article:
+        return []
+    parts = SECTION.split(article[1])
+    found, title = [], ""
+    for name, body in zip(parts[1::2], parts[2::2], strict=True):
+        heading = HEADING.search(body)
+        words = _words(heading[2]) if heading else ""
+        title = title or words
+        found.append([page.name, title, name, words, _words(HEADING.sub("", body, count=1))])
+    return found
+
+
+def _words(page: str) -> str:
+    """Return what is read of a part of a page, on one line."""
+    text = re.sub(r"<[^>]*>", " ", re.sub(r"</?(?:span|m[a-z]+|em|strong|code|a)\b[^>]*>", "", SILENT.sub(" ", page)))
+    return " ".join(html.unescape(text).split())

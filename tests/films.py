@@ -1,0 +1,42 @@
+"""Stored films of rigid bodies, read for the tests: poses and vertices of each body at each time, in metres."""
+
+import numpy as np
+
+from course_lib import rigid
+from course_lib.pack.film_frames import numbers, vertices
+from course_lib.rotations import exp_so3
+
+
+class Film:
+    """A stored film: poses (m, bodies, 4, 4) and `bodies`, the vertices of each in its own frame."""
+
+    def __init__(self, figure):
+        self.figure, self.course = figure, figure["layout"]["meta"]["course"]
+        self.poses = rigid.transform(exp_so3(self.course["rotations"]), np.array(self.course["positions"]) / 1000)
+        self.mesh = figure["data"][self.course["trace"]]
+        self.of_body = np.repeat(np.arange(len(self.course["counts"])), self.course["counts"])
+        back = rigid.inverse(self.poses[0])
+        self.bodies = [moved(back[k], vertices(self.mesh)[self.of_body == k] / 1000) for k in range(len(back))]
+
+    def at(self, i):
+        """The vertices (n, 3) at the time i."""
+        return np.concatenate([moved(T, body) for T, body in zip(self.poses[i], self.bodies, strict=True)])
+
+    def frame(self, i):
+        """The vertices (n, 3) that JupyterLab shows in its frame i."""
+        data = self.figure["frames"][i]["data"][0]
+        return np.stack([numbers(data[c]) for c in "xyz"], -1) / 1000
+
+
+def moved(T, points):
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def assert_in_ranges(points, scene, unit=1.0):
+    """Assert that points (n, 3) are inside the ranges of a scene, outside of which plotly clips, and in its picture."""
+    from course_lib.figures.solids.scene import projected
+
+    ranges = np.array([scene[f"{c}axis"]["range"] for c in "xyz"]) / unit
+    assert (points.min(0) > ranges[:, 0]).all()
+    assert (points.max(0) < ranges[:, 1]).all()
+    assert np.abs(projected(points * unit, scene)).max() < 1

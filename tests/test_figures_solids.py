@@ -1,0 +1,208 @@
+"""Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, whole and light."""
+
+import json
+
+import numpy as np
+import pytest
+from films import Film, assert_in_ranges
+from helpers import places, shown, stored
+from numpy.testing import assert_allclose
+
+from course_lib import rigid
+from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
+from course_lib.figures import solids
+from course_lib.figures.solids import meshes, scene, shells
+from course_lib.figures.solids.model import PALETTE, X_RED, Part
+from course_lib.rotations import random_rotations
+
+NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
+RNG = np.random.default_rng(7)
+
+
+def random_arm(n, rng):
+    omega, points = rng.normal(size=(n, 3)), np.cumsum(rng.normal(scale=0.3, size=(n, 3)), 0)
+    return SerialArm.from_screws(omega, points, rigid.transform(random_rotations(1, rng)[0], points[-1] + 0.2))
+
+
+ARMS = NAMED | {
+    "planar": planar_arm([1, 0.8, 0.5]),
+    "one joint": planar_arm([0.3]),
+    **{f"random {n}": random_arm(n, RNG) for n in (1, 2, 4, 6, 9)},
+}
+
+
+def body(figure):
+    """The trace of the arm, and the vertices (m, 3)."""
+    trace = next(t for t in figure.data if t.type == "mesh3d" and t.cmax == len(PALETTE) - 0.5)
+    return trace, np.stack([trace.x, trace.y, trace.z], -1)
+
+
+# ---- any arm ----
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_any_arm_is_drawn_whole_with_few_vertices_in_one_mesh(name):
+    arm = ARMS[name]
+    q = np.random.default_rng(1).uniform(-2, 2, arm.n)
+    figure = solids.draw(arm, q, axes=True)
+    trace, vertices = body(figure)
+    assert np.isfinite(vertices).all()
+    assert len(vertices) <= 2000
+    bare = solids.arm_model(arm)
+    assert len(bare.vertices) <= 1650, "the arm without frames and arrowheads"
+    assert max(trace.i.max(), trace.j.max(), trace.k.max()) == len(vertices) - 1
+    settings = figure.layout.scene.to_plotly_json()
+    everything = np.concatenate([np.stack([t.x, t.y, t.z], -1).astype(float) for t in figure.data])
+    assert_in_ranges(everything[~np.isnan(everything[:, 0])], settings)
+    assert len(json.dumps(stored(figure))) < 150_000
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_body_fills_at_least_half_of_the_height_or_width(name):
+    arm = ARMS[name]
+    figure = solids.draw(arm, np.full(arm.n, 0.3), base_frame=False, end_frame=False)
+    _, vertices = body(figure)
+    extent = np.ptp(scene.projected(vertices, figure.layout.scene.to_plotly_json()), axis=0)
+    assert extent.max() > 1, "of the 2 from edge to edge"
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_bodies_move_with_their_joints_and_the_last_with_the_end_effector(name):
+    arm = ARMS[name]
+    q = np.random.default_rng(2).uniform(-2, 2, (3, arm.n))
+    poses = solids.link_poses(arm, q)
+    assert_allclose(poses[:, 0], np.broadcast_to(np.eye(4), (3, 4, 4)))
+    assert_allclose(poses[:, -1] @ arm.home[-1], arm.fk(q), atol=1e-12)
+    model = solids.arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.2))
+    placed = model.placed(poses)
+    ends = arm.fk(q)
+    for k in range(3):
+        arrow = (model.bodies == arm.n) & (model.colours == X_RED + k)
+        tip = np.flatnonzero(arrow)[-1]  # the point that closes it
+        assert_allclose(placed[:, tip], ends[:, :3, 3] + 0.2 * ends[:, :3, k], atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_every_moving_joint_has_a_drum_on_its_screw_axis(name):
+    arm = ARMS[name]
+    points, axes = shells.joint_points(arm), arm.screw_axes[:, :3]
+    assert_allclose(np.cross(points, axes), arm.screw_axes[:, 3:], atol=1e-9)
+    parts = shells.shell(arm)
+    for i, (point, axis) in enumerate(zip(points, axes, strict=True)):
+        assert any(_is_round_about(part.mesh.vertices, point, axis) for part in parts if part.body in (i, i + 1)), i + 1
+
+
+def _is_round_about(vertices, point, axis):
+    """Whether a mesh is a surface of revolution about an axis: few radii, and its middle on the axis."""
+    across = vertices - point - ((vertices - point) @ axis)[:, None] * axis
+    radii = np.unique(np.round(np.linalg.norm(across, axis=1), 8))
+    return np.linalg.norm(across.mean(0)) < 1e-9 and len(radii) < len(vertices) / 5
+
+
+def test_meshes_are_closed_and_their_faces_look_outwards():
+    bent = meshes.tube([[0, 0, 0], [0, 0, 1], [0.4, 0, 1.6]], [0.2, 0.1, 0.2])
+    every = [
+        bent, meshes.drum([1, 0, 0], [0, 1, 0], 0.3, 0.2), meshes.ring([0, 0, 0], [1, 1, 0], 1, 0.1),
+        meshes.box([-1, -2, -3], [1, 2, 3]), meshes.arrow([0, 0, 0], [1, 0, 0], 1, 0.05), meshes.ball([0, 0, 1], 0.5),
+        meshes.capsule([0, 0, 0], [1, 2, 3], 0.3), meshes.mug(),
+    ]  # fmt: skip
+    for mesh in every:
+        # A closed surface bounds a volume, which does not depend on where it stands: the divergence theorem.
+        volumes = [_volume(mesh.moved(rigid.transform(np.eye(3), p))) for p in ([0, 0, 0], [3, -2, 1])]
+        assert volumes[0] == pytest.approx(volumes[1], rel=1e-9)
+        assert volumes[0] > 0
+
+
+def _volume(mesh):
+    a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+
+# ---- what stands around ----
+
+
+def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
+    arm, q = panda(), np.array([0.1, -0.8, 0.2, -2.4, 0, 1.6, 0.8])
+    model, poses = solids.arm_model(arm), solids.link_poses(arm, q)
+    dashes, heads, words = scene.joint_axes(arm, poses, model.placed(poses), model.bodies)
+    assert list(words) == list("1234567")
+    ends = dashes.reshape(-1, 3, 3)[:, :2]
+    lines = rigid.adjoint(poses[1:]) @ arm.screw_axes[..., None]  # the screw axes at q
+    for (a, b), screw in zip(ends, np.repeat(lines[..., 0], len(ends) // 7, 0), strict=True):
+        assert_allclose(np.cross(a, screw[:3]), screw[3:], atol=1e-9)
+        assert_allclose(np.cross(b, screw[:3]), screw[3:], atol=1e-9)
+    for head, screw in zip(heads, lines[..., 0], strict=True):
+        foot, tip = head.vertices[-2:]
+        assert (tip - foot) @ screw[:3] > 0.02
+
+
+def test_axes_on_one_line_share_a_name():
+    arm = iiwa14()
+    model, poses = solids.arm_model(arm), solids.link_poses(arm, np.zeros(7))
+    _, heads, words = scene.joint_axes(arm, poses, model.placed(poses), model.bodies)
+    assert list(words) == ["1, 3, 5, 7", "2", "4", "6"]
+    assert len(heads) == 4
+
+
+def test_labels_stand_apart_in_the_picture_even_when_their_points_do_not():
+    points = {name: np.array([0, 0.001 * k, 0]) for k, name in enumerate("abcde")}
+    settings = scene.fitted_scene([[-1, -1, 0], [1, 1, 1]])
+    (trace,) = scene.labels(points, settings)
+    drawn = scene.projected(places(trace.to_plotly_json()), settings)
+    apart = np.linalg.norm(drawn[:, None] - drawn, axis=-1) + 9 * np.eye(5)
+    assert apart.min() > 0.03, "about the size of a letter"
+
+
+@pytest.mark.parametrize("aspect", [0.5, 1, 2])
+def test_the_camera_shows_every_point_as_large_as_it_can(aspect):
+    points = np.random.default_rng(3).normal(size=(50, 3)) * [3, 1, 0.2] + [10, 0, 5]
+    seen = scene.projected(points, scene.fitted_scene(points, (1, 2, 0.7), aspect=aspect, fill=0.9), aspect)
+    assert np.abs(seen).max() == pytest.approx(0.9, abs=0.02)
+    assert_allclose(seen.max(0), -seen.min(0), atol=0.02, err_msg="in the middle")
+
+
+def test_a_shadow_is_darkest_below_the_body():
+    column = np.random.default_rng(4).uniform([-0.05, -0.05, 0], [0.05, 0.05, 0.5], (400, 3))
+    disc, grid = scene.floor(column, radius=0.6, centre=(0.0, 0.0))
+    assert np.hypot(disc.x[disc.intensity.argmax()], disc.y[disc.intensity.argmax()]) < 0.12
+    assert disc.intensity[-32:].max() < 0.2 * disc.intensity.max()
+    assert np.nanmax(np.hypot(grid.x, grid.y)) < 0.6
+
+
+# ---- films ----
+
+
+def test_a_film_holds_poses_and_light_frames():
+    arm = iiwa14()
+    q = np.linspace(-0.5, 1, 41)[:, None] * np.ones(7)
+    figure = stored(solids.film("swing", solids.arm_model(arm), solids.link_poses(arm, q), np.linspace(0, 4, 41)))
+    film = Film(figure)
+    assert_allclose(film.poses, solids.link_poses(arm, q), atol=2e-4)
+    model = solids.arm_model(arm)
+    assert film.course["counts"] == model.counts
+    shown_times = np.linspace(0, 40, 20).astype(int)
+    assert len(figure["frames"]) == 20
+    for i, k in enumerate(shown_times):
+        true = model.placed(solids.link_poses(arm, q[k]))
+        assert_allclose(film.frame(i), true, atol=6e-4)
+        assert_allclose(film.at(k), true, atol=6e-4)
+        assert_in_ranges(true, figure["layout"]["scene"], 1000)
+    assert len(json.dumps(figure)) < 400_000
+    assert len(json.dumps(film.course)) < 60_000
+
+
+def test_a_film_is_the_same_on_machines_whose_last_bits_differ():
+    arm = panda()
+    q = np.linspace(-0.5, -0.2, 5)[:, None] * np.ones(7)
+    both = [
+        shown(solids.film("x", solids.arm_model(arm), solids.link_poses(arm, q * shake), np.linspace(0, 4, 5))).data
+        for shake in (1, 1 + 1e-15)
+    ]
+    assert json.dumps(both[0]) == json.dumps(both[1])
+
+
+def test_parts_of_a_body_keep_their_colour_and_order():
+    one, two = meshes.ball([0, 0, 0], 1), meshes.ball([0, 0, 0], 2)
+    model = solids.Model.of([Part(1, 3, one), Part(0, 5, two)])
+    assert model.counts == [len(two.vertices), len(one.vertices)]
+    assert_allclose(np.linalg.norm(model.vertices[model.colours == 5], axis=1).max(), 2)

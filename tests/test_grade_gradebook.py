@@ -1,0 +1,180 @@
+"""Totals as learning platforms take them, rosters that name the students, and hand-ins after the deadline."""
+
+import csv
+import io
+import os
+from datetime import datetime
+
+import pytest
+from grade_stand_in import grade, hand_in
+
+from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.deadline import DAY, Deadline, DeadlineUnclear, read_deadline
+from course_lib.pack.grade.gradebook import Roster, RosterUnreadable, gradebook_text, read_roster
+from course_lib.pack.grade.tables import Totals
+
+POINTS = Totals(
+    of={"01_rotations": 12, "02_rigid_motion": 15},
+    students={"doejane_1234": {"01_rotations": 7.5}, "al": {"01_rotations": 12, "02_rigid_motion": 0}},
+    waiting={"doejane_1234": 0, "al": 0},
+    late={("doejane_1234", "01_rotations"): 2, ("al", "01_rotations"): 0, ("al", "02_rigid_motion"): 0},
+    platform_ids={"doejane_1234": "1234"},
+)
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
+    Points Possible,,,,,10
+"Doe, Jane",1234,u-1,jane,Kinematics,9
+"Bo, Al",1235,u-2,al,Kinematics,8
+"""
+MOODLE = """First name;Last name;ID number;Email address
+Jane;Doe;1234;jane@example.org
+Al;Bö;1235;al@example.org
+"""
+
+
+def rows(text):
+    return list(csv.reader(io.StringIO(text)))
+
+
+@pytest.fixture
+def roster(tmp_path):
+    def write(text):
+        path = tmp_path / "roster.csv"
+        path.write_text(text, encoding="utf-8-sig")
+        return read_roster(path)
+
+    return write
+
+
+def test_canvas_takes_its_five_columns_and_a_row_of_points(roster):
+    text, missing = gradebook_text("canvas", POINTS, roster(CANVAS))
+    assert missing == []
+    assert rows(text) == [
+        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "01_rotations", "02_rigid_motion"],
+        ["    Points Possible", "", "", "", "", "12", "15"],
+        ["Bo, Al", "1235", "u-2", "al", "Kinematics", "12", "0"],
+        ["Doe, Jane", "1234", "u-1", "jane", "Kinematics", "7.5", ""],
+    ]
+
+
+def test_without_a_roster_canvas_has_the_numbers_of_its_own_files():
+    text, _ = gradebook_text("canvas", POINTS)
+    assert rows(text)[2:] == [
+        ["al", "", "", "al", "", "12", "0"],
+        ["doejane_1234", "1234", "", "", "", "7.5", ""],
+    ]
+
+
+def test_moodle_takes_whatever_identifies_the_user(roster):
+    text, _ = gradebook_text("moodle", POINTS)
+    assert rows(text)[0][:3] == ["Username", "ID number", "Email address"]
+    assert rows(text)[1] == ["al", "", "", "", "", "12", "0"]
+    names = Totals(POINTS.of, {"Jane Doe": {"01_rotations": 3}, "Al Bö": {}, "Eve": {}}, {}, {}, {})
+    text, missing = gradebook_text("moodle", names, roster(MOODLE))
+    assert rows(text)[1:] == [
+        ["", "1234", "jane@example.org", "Jane", "Doe", "3", ""],
+        ["", "1235", "al@example.org", "Al", "Bö", "", ""],
+    ]
+    assert missing == ["Eve"]
+
+
+def test_gradescopes_columns_hold_the_most_points_and_the_lateness():
+    text, _ = gradebook_text("gradescope", POINTS)
+    assert rows(text)[0][4:7] == ["01_rotations", "01_rotations - Max Points", "01_rotations - Lateness (H:M:S)"]
+    assert rows(text)[2] == ["", "", "doejane_1234", "", "7.5", "12", "48:00:00", "", "15", ""]
+
+
+def test_a_student_is_found_by_number_by_address_or_by_name_and_never_by_half(roster):
+    found = Roster(roster(MOODLE + "Jane;Roe;1236;roe@example.org\nAl;Bo;1237;other@example.org\n"))
+    assert found.find("x", "1235")["Email address"] == "al@example.org"
+    assert found.find("JANE@example.org")["ID number"] == "1234"
+    assert found.find("doe jane")["ID number"] == "1234"
+    assert found.find("Jane") is None
+    assert found.find("Al Bo") is None, "two students whose names differ in an accent only"
+
+
+@pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
+def test_what_is_no_roster_is_told(roster, text):
+    with pytest.raises(RosterUnreadable, match="is no roster"):
+        roster(text)
+
+
+# ---- deadlines ----
+
+
+def test_days_count_from_the_moment_after_the_deadline():
+    deadline = Deadline(1000 * DAY, percent=20)
+    late = [deadline.days_late(1000 * DAY + seconds) for seconds in (-5, 0, 1, DAY, DAY + 1, 9 * DAY)]
+    assert late == [0, 0, 1, 1, 2, 9]
+    assert [deadline.share_left(days) for days in (0, 1, 5, 9)] == [1, 0.8, 0, 0]
+    assert deadline.days_late(None) == 0
+
+
+def test_a_date_counts_to_its_end_and_a_time_to_the_second():
+    for typed, moment in [
+        ("2026-11-30", datetime(2026, 11, 30, 23, 59, 59)),
+        ("2026-11-30 18:00", datetime(2026, 11, 30, 18)),
+        ("2026-11-30T18:00+00:00", datetime.fromisoformat("2026-11-30T18:00+00:00")),
+    ]:
+        assert read_deadline(typed, "").when == moment.timestamp()
+    assert read_deadline("2026-11-30", "none").percent == 0
+
+
+@pytest.mark.parametrize(
+    ("when", "rule"), [("soon", ""), ("2026-13-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")]
+)
+def test_what_is_no_deadline_is_called_as_it_was_typed(when, rule):
+    with pytest.raises(DeadlineUnclear, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
+        read_deadline(when, rule)
+
+
+# ---- the command ----
+
+
+def written(folder, *options):
+    assert main([str(folder / "in"), "--output", str(folder / "out"), "--jobs", "1", *options], grade=grade) == 0
+    return folder / "out"
+
+
+def test_late_files_lose_what_the_rule_says_and_are_not_graded_again(tmp_path, capsys):
+    late = hand_in(tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""])
+    hand_in(tmp_path / "in", "bo_1235_98_01_rotations.ipynb", points=[2, 2])
+    deadline = datetime(2026, 11, 30, 18).timestamp()
+    for path in (tmp_path / "in").iterdir():
+        os.utime(path, (deadline, deadline + (DAY + 5 if path == late else 0)))
+    (tmp_path / "roster.csv").write_text(CANVAS)
+    out = written(tmp_path, "--lms", "canvas")
+    first = {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()}
+    assert "1234,,,,4" in (out / "canvas.csv").read_text()
+    assert "late,The learning platform marked it as late." in (out / "grades.csv").read_text()
+    out = written(tmp_path, *("--lms", "canvas", "--roster", str(tmp_path / "roster.csv")),
+                  *("--deadline", "2026-11-30 18:00", "--late", "10%"))  # fmt: skip
+    assert {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()} == first
+    assert '"Doe, Jane",1234,u-1,jane,Kinematics,3.2' in (out / "canvas.csv").read_text()
+    assert '"Bo, Al",1235,u-2,al,Kinematics,4' in (out / "canvas.csv").read_text()
+    assert "late,Handed in 2 days late. 20 % of its points are taken off." in (out / "grades.csv").read_text()
+    page = (out / "feedback/doejane_1234/01_rotations.html").read_text()
+    assert "<strong>3.2 of 6 points</strong>" in page
+    assert "Handed in 2 days late. 20 % of its points are taken off." in page
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--lms", "blackboard"), "LMS=blackboard is none of canvas, moodle, gradescope."),
+        (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
+        (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
+        (("--deadline", "soon"), "DEADLINE=soon is no date: write 2026-11-30 or '2026-11-30 18:00'."),
+    ],
+)
+def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, capsys, options, said):
+    hand_in(tmp_path / "in", "anna_01_rotations.ipynb", points=[2])
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *options], grade=grade) == 1
+    assert capsys.readouterr().err == f"Grading stopped. {said}\n"
+    assert not (tmp_path / "out").exists()
+
+
+def test_who_is_not_in_the_roster_is_named(tmp_path, capsys):
+    hand_in(tmp_path / "in", "eve_01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(CANVAS)
+    out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
+    assert f"Not in the roster, and so not in {out / 'canvas.csv'}: eve." in capsys.readouterr().out

@@ -1,0 +1,123 @@
+"""The instructor's guide is followed literally: every command of it, in order, in a copy of the project."""
+
+import csv
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from hostile.build import book, cell
+
+ROOT = Path(__file__).parents[1]
+GUIDE = ROOT / "course_lib/pack/README.md"
+TOO_LONG = ("make test",)  # it runs this very test
+NOTEBOOK = "01_rotations"
+WRAPPER = """#!/bin/sh
+unset PYTHONSAFEPATH
+PYTHONPATH='{copy}' exec '{python}' "$@"
+"""
+
+
+def commands():
+    """The indented lines of the guide that call make, in order."""
+    return re.findall(r"^ {4}(make .*)$", GUIDE.read_text(encoding="utf-8"), re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    """A copy of the project with one notebook, whose environment is this one and counts as set up."""
+    folder = tmp_path_factory.mktemp("project")
+    ignore = shutil.ignore_patterns("__pycache__", "0[2-6]_*.ipynb", "checkpoints")
+    for name in ("course_lib", "notebooks"):
+        shutil.copytree(ROOT / name, folder / name, ignore=ignore)
+    for name in ("Makefile", "environment.txt", "pyproject.toml"):
+        shutil.copy(ROOT / name, folder)
+    python = folder / ".venv/bin/python"
+    python.parent.mkdir(parents=True)
+    python.write_text(WRAPPER.format(copy=folder, python=sys.executable))
+    python.chmod(0o755)
+    made_from = (
+        f"{folder.resolve()}\n" + (folder / "environment.txt").read_text() + (folder / "pyproject.toml").read_text()
+    )
+    (folder / ".venv/made-from").write_text(made_from)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def followed(copy, solutions):
+    """Follow the guide; return {command: the process that ended}."""
+    first, *right = solutions(NOTEBOOK)
+    written = cell("Because.", "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})
+    for path, sources in {
+        "doe jane/01_rotations.ipynb": [first, *right],
+        "bo_1235_98_01_rotations.ipynb": [first],
+    }.items():
+        file = copy / "handed_in" / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(book(cells=[cell(source) for source in sources] + [written]))
+    (copy / "roster.csv").write_text(
+        'Student,ID,SIS User ID,SIS Login ID,Section\n"Doe, Jane",1234,u1,jane,A\n"Bo, Al",1235,u2,al,A\n'
+    )
+    done = {}
+    for command in commands():
+        if command in TOO_LONG:
+            continue
+        if command in done:  # the second time, after marking
+            mark(copy / "build/grades/questions.csv")
+        done[command] = subprocess.run(["sh", "-c", command], cwd=copy, capture_output=True, text=True, timeout=600)
+        assert done[command].returncode == 0, f"{command}\n{done[command].stdout}\n{done[command].stderr}"
+    return done
+
+
+def mark(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row |= {"mark": "2", "comment": "Well said."}
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def table(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_guide_names_the_commands_of_a_course(followed):
+    assert {command.split()[1] for command in commands()} == {"test", "student", "grade", "html"}
+    assert len(commands()) > len(followed) >= 5
+
+
+def test_the_release_is_there(copy, followed):
+    assert (copy / "build/student.zip").stat().st_size > 10_000
+
+
+def test_marks_typed_between_two_runs_count(copy, followed):
+    totals = {row["student"]: row for row in table(copy / "build/grades/totals.csv")}
+    assert {row["to be read"] for row in totals.values()} == {"0"}
+    of = int(totals["bo_1235"]["of"])
+    assert totals["bo_1235"][NOTEBOOK] == "2"
+    assert float(totals["doe jane"][NOTEBOOK]) == of - 4, "all but two of the three written answers"
+    assert "Well said." in (copy / "build/grades/feedback/doe jane/01_rotations.html").read_text()
+
+
+def test_the_gradebook_has_the_rosters_students(copy, followed):
+    rows = table(copy / "build/grades/canvas.csv")
+    assert [(row["Student"].strip(), row["ID"]) for row in rows] == [
+        ("Points Possible", ""), ("Bo, Al", "1235"), ("Doe, Jane", "1234")
+    ]  # fmt: skip
+
+
+def test_the_pages_are_there(copy, followed):
+    assert (copy / "build/html/index.html").is_file()
+
+
+def test_the_guide_is_short_and_plain():
+    text = GUIDE.read_text(encoding="utf-8")
+    assert len(text.split()) <= 900
+    assert max(map(len, text.splitlines())) <= 120

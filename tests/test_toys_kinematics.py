@@ -1,0 +1,229 @@
+"""What the toys' scripts compute is what the library computes: 100 random inputs each, to 1e-9."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from playwright._impl._driver import compute_driver_executable
+from scipy.spatial.transform import Rotation
+
+from course_lib import ik, rigid, rotations
+from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
+from course_lib.figures.toys.toy import SCRIPTS
+from course_lib.planar import interpolate_body_screw, pose_matrix, propagate_body, propagate_body_exact
+from course_lib.subproblems import subproblem2
+
+N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
+NODE = Path(compute_driver_executable()[0])  # the one that playwright brings
+
+
+def js(name, cases):
+    """What one function of the scripts answers to each case (a tuple of its arguments)."""
+    asked = [[name, [np.asarray(x).tolist() if isinstance(x, np.ndarray) else x for x in case]] for case in cases]
+    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js", SCRIPTS / "kinematics.js"]
+    done = subprocess.run(command, input=json.dumps(asked), capture_output=True, text=True, check=True)
+    answers = json.loads(done.stdout)
+    assert len(answers) == len(cases)
+    return answers
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(18)
+
+
+def unit_axes(rng, n=N):
+    axes = rng.normal(size=(n, 3))
+    return axes / np.linalg.norm(axes, axis=-1, keepdims=True)
+
+
+def angles(rng):
+    """Small ones, pi, full turns and any."""
+    few = [0.0, 1e-12, 1e-8, 1e-4, 1e-3, np.pi, np.pi - 1e-9, -np.pi, 2 * np.pi]
+    return np.r_[few, rng.uniform(-7, 7, N - len(few))]
+
+
+def a_model(arm):
+    return {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()}
+
+
+def some_arm(rng):
+    home = rigid.transform(rotations.random_rotations(1, rng)[0], rng.normal(size=3))
+    return SerialArm.from_screws(rng.normal(size=(5, 3)), rng.normal(size=(5, 3)), home)
+
+
+# ---- rotations ----
+
+
+def test_a_rotation_is_that_of_its_axis_and_angle(rng):
+    axes, turns = unit_axes(rng), angles(rng)
+    found = js("rotation", list(zip(axes, turns, strict=True)))
+    assert_allclose(found, rotations.exp_so3(turns[:, None] * axes), **CLOSE)
+
+
+def test_a_quaternion_is_that_of_its_axis_and_angle_and_changes_sign_after_a_full_turn(rng):
+    axes, turns = unit_axes(rng), angles(rng)
+    q = np.array(js("quaternion", list(zip(axes, turns, strict=True))))
+    assert_allclose(rotations.quaternion_to_matrix(q), rotations.exp_so3(turns[:, None] * axes), **CLOSE)
+    after = np.array(js("quaternion", list(zip(axes, turns + 2 * np.pi, strict=True))))
+    assert_allclose(after, -q, **CLOSE)
+
+
+def test_a_product_of_quaternions_is_that_of_their_rotations(rng):
+    p, q = rotations.random_quaternions(N, rng), rotations.random_quaternions(N, rng)
+    product = np.array(js("multiply", list(zip(p, q, strict=True))))
+    matrices = rotations.quaternion_to_matrix(p) @ rotations.quaternion_to_matrix(q)
+    assert_allclose(rotations.quaternion_to_matrix(product), matrices, **CLOSE)
+
+
+def test_euler_angles_lead_to_their_rotation_and_back_also_in_gimbal_lock(rng):
+    R = rotations.random_rotations(N, rng)
+    R[:4] = rotations.rot_z(0.4) @ rotations.rot_y(np.array([1, -1, 1, -1]) * np.pi / 2) @ rotations.rot_x(0.3)
+    found = np.array(js("toEuler", [(matrix,) for matrix in R]))
+    assert_allclose(Rotation.from_euler("ZYX", found).as_matrix(), R, **CLOSE)
+    assert_allclose(js("fromEuler", [(row,) for row in found]), R, **CLOSE)
+    assert_allclose(found[4:], Rotation.from_matrix(R[4:]).as_euler("ZYX"), **CLOSE)
+
+
+# ---- planar motions ----
+
+
+def planar_poses(rng):
+    A, B = (np.c_[rng.uniform(-4, 4, (N, 2)), rng.uniform(-3, 3, N)] for _ in range(2))
+    B[:5, 2] = A[:5, 2] + [0, 1e-12, 1e-6, 1e-4, -1e-3]
+    return A, B
+
+
+def test_the_twist_between_two_poses_and_where_it_leads(rng):
+    A, B = planar_poses(rng)
+    twists = np.array(js("logPlanar", list(zip(A, B, strict=True))))
+    assert_allclose(twists, rigid.log_se2(np.linalg.inv(pose_matrix(A)) @ pose_matrix(B)), **CLOSE)
+    reached = np.array(js("expPlanar", list(zip(A, twists, strict=True))))
+    assert_allclose(pose_matrix(reached), pose_matrix(B), **CLOSE)
+
+
+def test_half_way_along_the_screw_is_where_the_library_has_it(rng):
+    A, B = planar_poses(rng)
+    twists = np.array(js("logPlanar", list(zip(A, B, strict=True)))) / 2
+    half = np.array(js("expPlanar", list(zip(A, twists, strict=True))))
+    assert_allclose(pose_matrix(half), pose_matrix(interpolate_body_screw(A, B, 3)[:, 1]), **CLOSE)
+
+
+def test_the_pole_stays_where_it_is_and_a_translation_has_none(rng):
+    A, B = planar_poses(rng)
+    A, B = A[5:], B[5:]
+    twists = js("logPlanar", list(zip(A, B, strict=True)))
+    poles = np.array(js("pole", list(zip(A, twists, strict=True))))
+    motion = pose_matrix(B) @ np.linalg.inv(pose_matrix(A))
+    moved = (motion @ np.c_[poles, np.ones(len(poles))][..., None])[:, :2, 0]
+    assert_allclose(moved, poles, rtol=1e-9, atol=1e-9)
+    assert js("pole", [([0, 0, 1], [0, 1, 2])]) == [None]
+
+
+def test_dead_reckoning_by_euler_and_exactly(rng):
+    cases = []
+    for _ in range(N):
+        plan = [[rng.normal(size=3).tolist(), t] for t in rng.uniform(0.1, 2, 3)]
+        cases.append((rng.normal(size=3), plan, float(rng.uniform(0.05, 0.6))))
+    cases[0] = (np.zeros(3), [[[1, 0, 0], 2.1]], 0.3)  # 2.1 / 0.3 is a hair above 7
+    for (start, plan, dt), found in zip(cases, js("propagate", cases), strict=True):
+        assert_allclose(found["euler"], propagate_body(start, plan, dt), **CLOSE)
+        assert_allclose(found["exact"], propagate_body_exact(start, plan, dt), **CLOSE)
+
+
+# ---- circles ----
+
+
+def test_circles_meet_where_subproblem_2_says_or_not_at_all(rng):
+    k1, k2, p1, p2 = (unit_axes(rng) for _ in range(4))
+    found = js("meetings", list(zip(k1, k2, p1, p2, strict=True)))
+    right = subproblem2(k1, k2, p1, p2)
+    assert [len(points) > 0 for points in found] == right.exact.tolist()
+    assert 20 < right.exact.sum() < 80
+    for i in np.flatnonzero(right.exact):
+        expected = rotations.exp_so3(right.theta[i, :, :1] * k1[i]) @ p1[i]
+        by_x = np.argsort(expected[:, 0]), np.argsort(np.array(found[i])[:, 0])
+        assert_allclose(np.array(found[i])[by_x[1]], expected[by_x[0]], **CLOSE)
+        turns = js("angleAbout", [(k1[i], p1[i], m) for m in found[i]])
+        assert_allclose(rotations.exp_so3(np.outer(turns, k1[i])) @ p1[i], found[i], **CLOSE)
+
+
+# ---- arms ----
+
+
+@pytest.mark.parametrize("which", ["iiwa", "panda", "random", "planar"])
+def test_frames_and_jacobian_of_an_arm(which, rng):
+    arms = {"iiwa": iiwa14(), "panda": panda(), "random": some_arm(rng), "planar": planar_arm([1, 0.5])}
+    arm = arms[which]
+    q = rng.uniform(-np.pi, np.pi, (N, arm.n))
+    q[0] = 0
+    cases = [(a_model(arm), angles) for angles in q]
+    assert_allclose(js("frames", cases), arm.frames(q), **CLOSE)
+    assert_allclose(js("geometricJacobian", cases), arm.geometric_jacobian(q), **CLOSE)
+
+
+def test_a_planar_arms_points_and_jacobian(rng):
+    lengths, q = rng.uniform(0.3, 2, (N, 3)), rng.uniform(-4, 4, (N, 3))
+    points, jacobians = (js(name, list(zip(lengths, q, strict=True))) for name in ("planarPoints", "planarJacobian"))
+    for row, angles, P, J in zip(lengths, q, points, jacobians, strict=True):
+        arm = planar_arm(row)
+        assert_allclose(P, arm.frames(angles)[:, :2, 3], **CLOSE)
+        assert_allclose(J, arm.position_jacobian(angles)[:2], **CLOSE)
+
+
+def test_the_two_link_arm_reaches_what_it_can(rng):
+    lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
+    found = js("twoLink", list(zip(lengths, points, strict=True)))
+    r = np.linalg.norm(points, axis=-1)
+    within = (np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))
+    assert [theta is not None for theta in found] == within.tolist()
+    for row, point, theta in zip(lengths, points, found, strict=True):
+        if theta is not None:
+            assert theta[1] >= 0
+            assert_allclose(planar_arm(row).fk(theta)[:2, 3], point, **CLOSE)
+
+
+def test_a_damped_step_is_that_of_least_squares(rng):
+    J, e, damping = rng.normal(size=(N, 2, 4)), rng.normal(size=(N, 2)), rng.uniform(0.01, 3, N)
+    J[:10, 1] = 2 * J[:10, 0]  # singular
+    steps = js("dampedStep", list(zip(J, e, damping, strict=True)))
+    for j, error, eps, step in zip(J, e, damping, steps, strict=True):
+        stacked = np.vstack([j, np.sqrt(eps) * np.eye(4)])
+        assert_allclose(step, np.linalg.lstsq(stacked, np.r_[error, np.zeros(4)])[0], **CLOSE)
+
+
+def test_eigenvalues_and_vectors_of_symmetric_matrices(rng):
+    A = rng.normal(size=(N, 3, 5))
+    A[:5, 2] = A[:5, 1]  # a flat ellipsoid
+    A = A @ np.swapaxes(A, 1, 2)
+    for matrix, found in zip(A, js("eigen", [(matrix,) for matrix in A]), strict=True):
+        assert_allclose(found["values"], np.linalg.eigvalsh(matrix)[::-1], **CLOSE)
+        V = np.array(found["vectors"])
+        assert_allclose(matrix @ V.T, V.T * found["values"], **CLOSE)
+        assert_allclose(V @ V.T, np.eye(3), **CLOSE)
+
+
+def test_the_null_vector_leaves_the_panda_where_it_is(rng):
+    arm = panda()
+    q = rng.uniform(*arm.limits.T, (N, 7))
+    J = arm.geometric_jacobian(q)
+    found = np.array(js("nullVector", [(matrix,) for matrix in J]))
+    assert_allclose((J @ found[..., None])[..., 0], 0, **CLOSE)
+    assert_allclose(np.linalg.norm(found, axis=-1), 1, **CLOSE)
+
+
+def test_a_pose_error_is_the_librarys(rng):
+    R = rotations.random_rotations(2 * N, rng)
+    T = rigid.transform(R, rng.normal(size=(2 * N, 3)))
+    T[N, :3, :3] = T[0, :3, :3]
+    errors = js("poseError", list(zip(T[:N], T[N:], strict=True)))
+    assert_allclose(errors, ik.pose_error(T[:N], T[N:]), **CLOSE)
+
+
+def test_a_plane_is_the_one_nearest_to_its_points(rng):
+    points, heights = rng.normal(size=(N, 12, 2)), rng.normal(size=(N, 12))
+    for p, z, found in zip(points, heights, js("fitPlane", list(zip(points, heights, strict=True))), strict=True):
+        assert_allclose(found, np.linalg.lstsq(np.c_[np.ones(12), p], z)[0], **CLOSE)
