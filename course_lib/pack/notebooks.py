@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import base64
+import io
 import json
 import os
 import sys
@@ -24,6 +25,7 @@ from jupyter_client.kernelspec import KernelSpecManager
 from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from PIL import Image
 
 from course_lib.figures.display import PLOTLY
 from course_lib.pack.files import write_atomically
@@ -221,7 +223,15 @@ async def _draw_still(browser, figure: Figure) -> bytes:
     width, height = size(figure)
     # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
     opts = {"format": "png", "width": width, "height": height, "scale": 1}
-    return await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts)
+    return few_colours(await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts))
+
+
+def few_colours(picture: bytes) -> bytes:
+    """Return a PNG with 128 colours: a quarter of the bytes, and the shades of a solid body still run smoothly."""
+    smaller = io.BytesIO()
+    reduced = Image.open(io.BytesIO(picture)).convert("RGB").quantize(128, dither=Image.Dither.NONE)
+    reduced.save(smaller, "PNG", optimize=True)
+    return smaller.getvalue()
 
 
 # ---- write ----
