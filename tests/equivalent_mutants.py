@@ -10,7 +10,7 @@ REASONS = {
     ),
     "vector": "a vector has no transpose in numpy: it stays as it is",
     "sign": "cos(-a) = cos(a); zeros, nan and lengths have no sign that shows, and a sign before both factors is none",
-    "either sign": "q and -q are the same rotation, and the task takes either",
+    "either sign": "q and -q are the same rotation, a singular vector has two signs, and either is right",
     "another sample": "a test that asks other rotations, or with another tolerance, tells right from wrong as well",
     "half turn": "at half a turn either sign of the axis is right, and R + I is symmetric",
     "bound": (
@@ -31,7 +31,6 @@ REASONS = {
     "any point": (
         "any point on an axis is right, and any configuration of the family, and so is any pose that a test asks about"
     ),
-    "either sign": "a singular vector has two signs, and either is right",
     "rows": "as many rows differ from each other, and of an empty array none",
 }
 
@@ -244,12 +243,49 @@ EQUIVALENT = {
         "return np.linalg.norm(np.asarray(xy)[:, None] - fk_2r(angles), axis=-1)": "same place",
         "return np.linalg.norm(fk_2r(angles) - np.asarray(xy)[:, None], axis=-1.1)": "same place",
     },
+    "find_signs": {
+        "for signs in itertools.product([-1, 1], repeat=len(table)):": "order",
+        "worst = max(np.abs(T - pose).max(), worst)": "order",
+        "worst = max(worst, np.abs(pose - T).max())": "order",
+        "if worst <= least:": "touching",
+    },
+    "test_pose_error": {
+        "random = np.random.default_rng(2)": "free choice",
+        "for angle in (-1e-05, 0.3, 2.0, 3.1):": "free choice",
+        "for angle in (1e-05, 0.3, -2.0, 3.1):": "free choice",
+        "R = T[:3, :3] @ rotations.exp_so3(angle * axis / np.linalg.norm(axis))": "free choice",
+        "R = rotations.exp_so3(angle / axis / np.linalg.norm(axis)) @ T[:3, :3]": "free choice",
+        "R = rotations.exp_so3(angle * axis * np.linalg.norm(axis)) @ T[:3, :3]": "free choice",
+        "if not np.allclose(reached, target, atol=1e-09) or np.linalg.norm(e[3:]) >= np.pi:": "free choice",
+    },
+    "reached_targets": {
+        "e = -ik.pose_error(panda.fk(q), targets)": "sign",
+        "q = q0": "same place",
+        "q = np.zeros((7,)) + q0": "same place",
+        "return (np.linalg.norm(e.reshape(-1, 2, 3), axis=-2) < 0.001).all(axis=1)": "unasked",
+        "return (np.linalg.norm(e.reshape(-1, 2, 3), axis=2) <= 0.001).all(axis=1)": "touching",
+    },
+    "null_space_step": {
+        "return q + (q_middle - q) @ (gain * projector)": "transposed",
+    },
+    "bounded_step": {
+        "A = np.vstack([J, -(np.sqrt(eps) * np.eye(n))])": "sign",
+        "... bounds=(-bound, bound), tol=1.1000000000000002e-12).x ...": "free choice",
+        "return lsq_linear(A, np.append(v, np.zeros(n)), bounds=(-bound, bound), tol=-1e-12).x": "free choice",
+    },
     "register_points": {
-        "B = (w[:, None] * (dst + middle_dst)).T @ (src - middle_src)": "mean",
-        "B = (w[:, None] * (dst - middle_dst)).T @ (src + middle_src)": "mean",
+        "B = (w[:, None] * (dst + c_dst)).T @ (src - c_src)": "mean",
+        "B = (w[:, None] * (dst - c_dst)).T @ (src + c_src)": "mean",
         "R = U @ np.diag([1, 1, np.linalg.det(U.T @ Vt)]) @ Vt": "transposed",
-        "B = (w[:, None] * dst).T @ (src - middle_src)": "mean",
-        "B = (w[:, None] * (dst - middle_dst)).T @ src": "mean",
+        "B = (w[:, None] * dst).T @ (src - c_src)": "mean",
+        "B = (w[:, None] * (dst - c_dst)).T @ src": "mean",
+    },
+    "good_matches": {
+        "gaps = -(src @ T[:3, :3].T + T[:3, 3] - dst)": "sign",
+        "gaps = dst - (src @ T[:3, :3].T + T[:3, 3])": "order",
+        "good = np.linalg.norm(gaps, axis=1.1) < tol": "same place",
+        "good = np.linalg.norm(gaps, axis=1) <= tol": "touching",
+        "if good.sum() >= best.sum():": "touching",
     },
     "panda_ik": {
         "random = np.random.default_rng(1)": "free choice",

@@ -9,7 +9,7 @@ from test_bank import FILES, exercise_of
 
 from course_lib import rigid
 from course_lib.checks import poe_kuka_iiwa as check
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
+from course_lib.checks.exercise import RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import describe
 
 EXP = check.exp_se3.exercise

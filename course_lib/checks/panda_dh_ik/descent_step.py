@@ -103,7 +103,7 @@ EXERCISE = Exercise(
     ),
     hints=(
         "Take T and T_target with the same position and different orientations. What should the upper half of e be?",
-        "The translation of T T_target^-1 says how the point at the world's origin moves, not the end-effector's origin.",
+        "The translation of T T_target^-1 says how the point at the world's origin moves, not the end-effector's.",
         "e is what pose_error(T, T_target) returns, and it already leads to the target.",
     ),
     library=right,

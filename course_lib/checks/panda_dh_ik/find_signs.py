@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.panda_dh_ik.shared import modified, standard
+from course_lib.checks.panda_dh_ik.shared import standard
 from course_lib.checks.vocabulary import negated
 from course_lib.rotations import exp_so3
 
@@ -14,10 +14,10 @@ _WHOLE_POSE = "The last joint may rotate the end-effector without moving it: com
 _EVERY = "A pattern may fit one configuration by chance: it has to fit all of them."
 
 
-def _end(table, q, convention=standard):
+def _end(table, q):
     T = np.eye(4)
     for row, theta in zip(table, q, strict=True):
-        T = T @ convention(*row, theta)
+        T = T @ standard(*row, theta)
     return T
 
 
@@ -25,21 +25,21 @@ def _patterns(table):
     return np.array(list(itertools.product([1, -1], repeat=len(table))))
 
 
-def _gaps(table, q, poses, convention=standard):
+def _gaps(table, q, poses):
     """Return the largest difference of each pattern and configuration in position and orientation, (2^n, m, 2)."""
-    gap = np.array([[_end(table, signs * angles, convention) for angles in q] for signs in _patterns(table)]) - poses
+    gap = np.array([[_end(table, signs * angles) for angles in q] for signs in _patterns(table)]) - poses
     return np.stack([np.abs(gap[..., :3, 3]).max(-1), np.abs(gap[..., :3, :3]).max((-1, -2))], -1)
 
 
-def _chosen(by, convention=standard):
+def _chosen(by):
     """Return an answer: the pattern that by(gaps) (2^n,) makes least; the first of those that are alike."""
-    return lambda table, q, poses: _patterns(table)[np.argmin(np.round(by(_gaps(table, q, poses, convention)), 9))]
+    return lambda table, q, poses: _patterns(table)[np.argmin(np.round(by(_gaps(table, q, poses)), 9))]
 
 
 right = _chosen(lambda gaps: gaps.max((1, 2)))
 
 
-def _case(rng, n, first_zero=False, noise=0.0):
+def _case(rng, n, zero=None, noise=0.0):
     """Return a table, configurations, and the poses that they have if some joints are counted the other way.
 
     The last row has a = 0, so that no position shows which way the last joint rotates.
@@ -51,7 +51,8 @@ def _case(rng, n, first_zero=False, noise=0.0):
         signs = rng.choice([-1, 1], n)
         signs[-1] = -1
         q = np.round(rng.uniform(0.4, 1.4, (3, n)) * rng.choice([-1, 1], (3, n)), 2)
-        q[0] *= not first_zero
+        if zero is not None:
+            q[zero] = 0  # which fits any pattern
         poses = np.array([_end(table, signs * angles) for angles in q])
         if noise:
             poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
@@ -62,9 +63,9 @@ def _case(rng, n, first_zero=False, noise=0.0):
 
 def _cases(rng):
     quarter = np.pi / 2
-    table, q = np.array([[0.5, quarter, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.8], [-0.6, 1.1]])
+    table, q = np.array([[0.5, quarter, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
     simple = table, q, np.array([_end(table, [1, -1] * angles) for angles in q])
-    return [simple, _case(rng, 3), _case(rng, 3, first_zero=True), _case(rng, 4), _case(rng, 4, noise=1e-4)]
+    return [simple, _case(rng, 3), _case(rng, 3, zero=0), _case(rng, 3, zero=-1), _case(rng, 4, noise=1e-4)]
 
 
 def _seen(answer, table, q, poses):
@@ -95,12 +96,8 @@ EXERCISE = Exercise(
             "the worst pattern is chosen", "The smallest difference wins.", _chosen(lambda gaps: -gaps.max((1, 2)))
         ),
         Mistake("only positions are compared", _WHOLE_POSE, _chosen(lambda gaps: gaps[..., 0].max(1))),
+        Mistake("only the last configuration is compared", _EVERY, _chosen(lambda gaps: gaps[:, -1].max(1))),
         Mistake("only the first configuration is compared", _EVERY, _chosen(lambda gaps: gaps[:, 0].max(1))),
-        Mistake(
-            "the table is read in the modified convention",
-            "The task gives a standard table.",
-            _chosen(lambda gaps: gaps.max((1, 2)), modified),
-        ),
         negated(right, "all signs are the other way round", "1 means: as the table says."),
         Mistake("no joint is counted the other way", "Try all patterns.", lambda table, *rest: np.ones(len(table))),
         Mistake("all joints are counted the other way", "Try all patterns.", lambda table, *rest: -np.ones(len(table))),

@@ -167,10 +167,10 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Three matches fix a pose. If all three are good, the other good ones agree with it; if one is wrong, hardly any.",
+        "Three matches fix a pose. If all three are good, the other good ones agree; if one is wrong, hardly any.",
         "For each triple of itertools.combinations(range(n), 3): register it, and count the matches within tol.",
-        "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the triple; keep the mask "
-        "with the largest sum.",
+        "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the triple. "
+        "Keep the mask with the largest sum.",
     ),
     library=right,
 )

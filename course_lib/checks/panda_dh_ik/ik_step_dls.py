@@ -253,7 +253,7 @@ EXERCISE = Exercise(
     ),
     library=step_of,
     alike=_alike,
-    forbidden=("course_lib.ik.damped_path", "course_lib.ik._step"),
+    forbidden=("course_lib.ik.damped_path",),
     errors=(
         ("LinAlgError", "Singular", _SINGULAR),
         ("LinAlgError", "square", _NOT_SQUARE),

@@ -127,7 +127,7 @@ EXERCISE = Exercise(
     hints=(
         "The pseudoinverse J^+ gives the shortest joint motion for a motion of the end-effector. J^+ J takes out of "
         "any joint motion the part that moves the end-effector.",
-        "The step is gain (I - J^+ J)(q_middle - q). numpy has the pseudoinverse: np.linalg.pinv, at singularities too.",
+        "The step is gain (I - J^+ J)(q_middle - q). np.linalg.pinv has the pseudoinverse, at singularities too.",
         "q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)",
     ),
     library=right,

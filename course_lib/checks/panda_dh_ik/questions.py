@@ -7,16 +7,16 @@ PREDICTIONS = (
         "one_sign",
         "c",
         {
-            "a": "A joint angle of 2.1 rad enters the wrong joint motion here: no calibration error is that large.",
-            "b": "That is what a wrong length does. A wrong sign rotates everything beyond the joint to the other side.",
-            "c": "Yes: everything beyond the elbow folds to the other side, and the table is in its way.",
+            "a": "A few millimetres come from a misprinted length or a bad calibration. A sign is a different kind of error.",
+            "b": "Centimetres come from a wrong length. A wrong sign rotates all that is beyond the joint the other way.",
+            "c": "Yes: the arm is mirrored at the height of its shoulder. What was to be above is below, and so is the gripper.",
         },
     ),
     Prediction(
         "pairing",
         "b",
         {
-            "a": "At the target both errors are 0, so it can stop there. Far from it the two differ by more than scale.",
+            "a": "At the target both errors are 0, so it can stop there. Before that, they point in different directions.",
             "b": "Yes: near the target the wrong error still leads downhill often enough, if the steps are tiny. Long "
             "steps follow the wrong direction far.",
             "c": "Both methods use the error as a direction. Which of them trusts it over a longer distance?",
@@ -27,7 +27,7 @@ PREDICTIONS = (
         "a",
         {
             "a": "Yes: a success rate says as much about the targets as about the method. Always state both.",
-            "b": "The method is the same, but a descent from the start has to pass limits and local minima on long ways.",
+            "b": "The method is the same, but on its way to a far target it meets more limits and local minima.",
             "c": "Near targets need few small steps. What should stop a descent there?",
         },
     ),
@@ -37,8 +37,8 @@ PREDICTIONS = (
         {
             "a": "The target moves smoothly, but one direction needs ever faster joints close to the singularity.",
             "b": "At the singularity itself a direction is missing. Just before it, what is 1 / s for a small s?",
-            "c": "Yes: 1 / s grows without bound. Damping replaces it by s / (s^2 + eps), and pays with an error of the "
-            "path.",
+            "c": "Yes: 1 / s grows without bound. Damping replaces it by s / (s^2 + eps), and pays by leaving "
+            "the path.",
         },
     ),
     Prediction(

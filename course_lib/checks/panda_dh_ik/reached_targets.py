@@ -17,7 +17,7 @@ def _errors(q, targets):
 
 
 def _descended(targets, q0, eps, steps, clip="each", sign=1):
-    """Return the errors (steps + 1, n, 6) before each step and after the last; clip: "each" step, at the "end", or not."""
+    """Return the errors (steps + 1, n, 6), those after the last step included; clip: "each" step, at the "end"."""
     q, seen = np.broadcast_to(q0, (len(targets), 7)), []
     for _ in range(steps):
         e = _errors(q, targets)
@@ -108,7 +108,7 @@ EXERCISE = Exercise(
             mistake=Mistake("errors or counts are returned", "Compare the lengths of both halves of e with 1e-3."),
         ),
         Property(
-            "a target is reached if damped steps, each clipped to the limits, bring both halves of its error below 1e-3",
+            "a target is reached if damped steps, each clipped to the limits, bring both parts of its error below 1e-3",
             lambda found, *case: (found == right(*case)).all(),
             seen=lambda found, *case: (
                 f"In yours {int(found.sum())} of {len(found)} are reached; {int(right(*case).sum())} are."

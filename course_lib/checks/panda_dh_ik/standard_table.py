@@ -77,7 +77,7 @@ EXERCISE = Exercise(
         truncated(converted),
     ),
     hints=(
-        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X stands beside Z_1 now?",
+        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X is beside Z_1 now?",
         "The column d stays. The columns a and alpha move up by one row, and the last row gets zeros.",
         "np.column_stack([np.roll(table[:, 0], -1), np.roll(table[:, 1], -1), table[:, 2]])",
     ),

@@ -67,10 +67,10 @@ EXERCISE = WriteTest(
     mistakes=(),
     hints=(
         "You need no right version to compare with: an error is right if applying it to T gives T_target.",
-        "Applying it means: add the first half to the position, and multiply the rotation by exp([phi]) on the left. Try "
-        "several pairs: small angles, large ones, and positions far from the origin.",
-        "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] is to be close to T_target[:3, :3], and "
-        "the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose with atol=1e-8.",
+        "Applying it means: add the first half to the position, and multiply the rotation by exp([phi]) on the left. "
+        "Try several pairs: small angles, large ones, and positions far from the origin.",
+        "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] is to be close to T_target[:3, :3], "
+        "and the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose with atol=1e-8.",
     ),
     shapes=((4, 4), (4, 4)),
     versions=(
