@@ -76,6 +76,30 @@ def turns_on_sphere(tracks):
     )
 
 
+def columns_and_ellipse(points, J, scale=0.3):
+    """Return {"fig", "alt"}: a planar arm, the columns of its Jacobian as arrows, and the manipulability ellipse.
+
+    points: (n + 1, 2), base first. J: (2, n). scale: metres drawn for one metre of J.
+    """
+    fig, (ax,) = plane_figure(6.0, 4.6)
+    ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
+    tip = points[-1]
+    for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
+        ax.annotate("", tip + scale * column, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2})
+        ax.annotate(f"$J_{j + 1}$", tip + scale * column * 1.08, color=colour, ha="center", va="center")
+    U, s, _ = np.linalg.svd(J)
+    t = np.linspace(0, 2 * np.pi, 121)
+    ax.plot(*(tip[:, None] + scale * U @ (s[:, None] * [np.cos(t), np.sin(t)])), color=BLACK, linewidth=1.5)
+    ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
+    ax.margins(0.12)
+    alt = (
+        f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
+        + ", ".join(f"{length:.1f}" for length in np.linalg.norm(J, axis=0))
+        + f" m show the Jacobian's columns; an ellipse with half axes of {s[0]:.1f} and {s[1]:.1f} m surrounds the tip."
+    )
+    return {"fig": fig, "alt": alt}
+
+
 def gains(epsilons, values):
     """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
 

@@ -59,7 +59,7 @@ def _reciprocals(b):
 
 EXERCISE = Exercise(
     name="inverse_rate_matrix",
-    points=1,
+    points=2,
     arguments=("b",),
     cases=_cases,
     returns=numbers(lambda b: (3, 3)),
@@ -91,7 +91,7 @@ EXERCISE = Exercise(
         Mistake("A itself is returned", "From omega back to the rates: A^-1.", rates),
         Mistake(
             "each entry is inverted by itself",
-            "The inverse of a matrix is np.linalg.inv(A), not 1 / A or A**-1.",
+            "The inverse of a matrix is another matrix than that of the reciprocals 1 / A.",
             _reciprocals,
         ),
         Mistake(
@@ -137,8 +137,11 @@ EXERCISE = Exercise(
     ),
     library=_right,
     hints=(
-        "numpy inverts matrices: np.linalg.inv. Your rate_matrix makes the matrix.",
-        "By hand: A^-1 = adj(A) / det A, with det A = -sin b2.",
-        "To test it: rate_matrix(b) @ inverse_rate_matrix(b) is np.eye(3), to rounding.",
+        "Take Ry(b1) out: A = Ry(b1) [e_y, e_x, Rx(b2) e_y]. On the right, two columns hold zeros and ones only.",
+        "Solve [e_y, e_x, Rx(b2) e_y] x = u entry by entry: first x3, from the entry with sin b2. Then "
+        "u = Ry(-b1) omega.",
+        "To test it: rate_matrix(b) @ inverse_rate_matrix(b) is the identity, to rounding.",
+        "Rows 1 to 3: (-s1 c2 / s2, 1, -c1 c2 / s2), (c1, 0, -s1), (s1 / s2, 0, c1 / s2).",
     ),
+    forbidden=tuple(f"numpy.linalg.{name}" for name in ("inv", "pinv", "solve", "lstsq")),
 )

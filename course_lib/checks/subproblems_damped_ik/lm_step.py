@@ -248,5 +248,6 @@ EXERCISE = Exercise(
         "The matrix is J.T @ J + eps * np.eye(4), the right side J.T @ e.",
         "q - alpha * np.linalg.solve(matrix, right side): a new array, so that q stays as it is.",
     ),
+    errors=(("LinAlgError", "ingular", _EVERY_ENTRY[0]),),
     forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )

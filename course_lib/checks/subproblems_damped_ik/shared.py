@@ -105,12 +105,12 @@ def where_two(count, misses, *mistakes):
     return tuple(Mistake(mistake.name, mistake.hint, seen=limited(mistake.seen)) for mistake in mistakes)
 
 
-def all_of_them(equation, one, misses, tell, count, none):
+def all_of_them(equation, one, misses, tell, count, none, touch=()):
     """Return the properties of a list of all solutions.
 
     equation: "each theta ...", what one solution does. one: what one is called. misses(solution, *arguments): how far
     beside the mark it ends; tell(solution, *arguments): the same in words. count(*arguments): 2, 1 where two meet in
-    one, or 0. none: the properties where it is 0.
+    one, or 0. none: the properties where it is 0; touch: further ones where it is 1.
     """
 
     def solved(within):
@@ -131,7 +131,7 @@ def all_of_them(equation, one, misses, tell, count, none):
             f"each {one} stands in the list once",
             lambda found, *case: len(found) == 2,
             where=lambda *case: count(*case) == 2,
-            mistake=Mistake("a solution is given twice", "A whole turn more or less makes no other solution."),
+            mistake=Mistake("a solution is given twice", "A multiple of 2 pi more or less makes no other solution."),
         ),
         *none,
         Property(
@@ -140,6 +140,7 @@ def all_of_them(equation, one, misses, tell, count, none):
             seen,
             where=lambda *case: count(*case) == 1,
         ),
+        *touch,
     )
 
 

@@ -13,6 +13,10 @@ from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobi
 _TIPS = Mistake(
     "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
 )
+_WRAPPED = Mistake(
+    "the angles are wrapped, so that they jump by 2 pi",
+    "The way of a joint is its angle over time, without jumps: keep the angles as the steps make them.",
+)
 _TRANSPOSED = Mistake("the transpose is returned", "One row for each step, one column for each joint: np.array(...).T.")
 _NUMBERS = Mistake("one number is kept for each step", "Keep q itself, all four angles, after each step.")
 
@@ -30,6 +34,7 @@ def _cases(rng):
         for alpha, eps, steps in ((0.5, 1.0, 2), (0.2, 0.5, 10), (0.8, 5.0, 7), (1.0, 0.1, 20), (0.4, 20.0, 12))
     ]
     reached = rng.uniform(0.3, 1.2, 4)
+    drawn.append((np.array([0.2, 3.5, 3.0, -4.0]), [1, 1], 0.2, 2.0, 3))  # angles beyond pi
     ends = [(reached, tip(reached), 0.2, 2.0, 5), (drawn[0][0], drawn[0][1], 0.3, 1.0, 0)]
     return [(q0, np.array(target, float), alpha, eps, steps) for q0, target, alpha, eps, steps in named + drawn + ends]
 
@@ -60,6 +65,12 @@ def _way(q0, target, alpha, eps, steps):
 def _steps_that_fit(way, *rest):
     """Whether each row comes of the row before it by a step."""
     return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(way)]
+
+
+def _is_unwrapped(way, q0, *rest):
+    """Whether each row, right up to multiples of 2 pi, is where the step leads."""
+    wanted = [np.asarray(q0, float), *(step(before, *rest[:3]) for before in way[:-1])]
+    return np.abs(way - wanted).max() < 1
 
 
 def _begins(way, q0, target, alpha, eps, steps):
@@ -167,6 +178,11 @@ EXERCISE = Exercise(
             lambda way, q0, target, alpha, eps, steps: (
                 f"With steps = {steps} that is {steps + 1}. Yours has {len(way)}."
             ),
+        ),
+        Property(
+            "no angle jumps by 2 pi: the way of a joint has no gaps",
+            _is_unwrapped,
+            mistake=_WRAPPED,
         ),
     ),
     mistakes=(

@@ -1,4 +1,4 @@
-"""subproblem2: the turns about two axes that bring two points together."""
+"""subproblem2: the rotations about two axes that bring two points together."""
 
 import numpy as np
 
@@ -81,6 +81,8 @@ def _cases(rng):
     apart = [(Z, X, np.array([0.0, 1, 3]), np.array([3.0, -1, 0])), _apart(rng, 0.4, 1), _apart(rng, -0.2, -1)]
     apart += [_around(rng, 1.01, 0.3)]
     touching = [(Z, X, np.array([0.0, 4, 3]), np.array([4.0, 3, 0])), _around(rng, 1.0, 2.0)]
+    # Just apart, by more than rounding in any formula and by less than the 1e-9 that the task calls touching.
+    touching += [_around(rng, 1 + 1e-12, 2.0), _around(rng, 1 + 1e-12, 0.5)]
     return meeting + other_length + apart + touching
 
 
@@ -174,13 +176,13 @@ def _with_foot(foot):
 
 _ONE = "pair"
 _NEGATED = (
-    "theta2 has the other sign: it turns the meeting point to p2",
-    "Here R(k1, theta1) p1 = R(k2, theta2) p2: theta2 turns p2 onto the meeting point. In R(-theta2) R(theta1) p1 = p2 "
+    "theta2 has the other sign: it rotates the meeting point to p2",
+    "Here R(k1, theta1) p1 = R(k2, theta2) p2: theta2 rotates p2 to the meeting point. In R(-theta2) R(theta1) p1 = p2 "
     "it stands on the other side.",
 )
 
 
-def _solutions(k1, k2, p1, p2):
+def solutions(k1, k2, p1, p2):
     """All solutions as the exercise asks for them; none where there is only a nearest one."""
     answers = subproblem2(k1, k2, p1, p2)
     return list(answers.theta[: answers.count]) if answers.exact else []
@@ -200,7 +202,7 @@ EXERCISE = Exercise(
         _count,
         none=(
             Property(
-                "the list is empty where p1 and p2 are not equally far from the origin: no turn changes a length",
+                "the list is empty where p1 and p2 are not equally far from the origin: no rotation changes a length",
                 _is_empty,
                 _gap_of_the_first,
                 where=lambda *case: not _same_length(*case),
@@ -216,7 +218,19 @@ EXERCISE = Exercise(
                 where=lambda *case: _same_length(*case) and _count(*case) == 0,
                 mistake=Mistake(
                     "a pair is returned where there is none",
-                    "Where Pythagoras leaves less than nothing for the part along k1 x k2, the circles do not meet.",
+                    "If c^2 is negative by more than rounding, the circles do not meet.",
+                ),
+            ),
+        ),
+        touch=(
+            Property(
+                "where the circles touch, the list holds the one pair",
+                lambda pairs, *case: len(pairs) > 0,
+                where=lambda *case: _count(*case) == 1,
+                mistake=Mistake(
+                    "circles that touch are taken for circles that miss",
+                    "There c^2 is 0, and rounding may make it slightly negative: the task says from where on it is "
+                    "negative.",
                 ),
             ),
         ),
@@ -242,7 +256,7 @@ EXERCISE = Exercise(
         ),
         *mended(_NEGATED, _misses, lambda pair: pair * [1, -1]),
         *mended(
-            ("theta1 has the other sign", "theta1 turns p1 onto the meeting point, not back."),
+            ("theta1 has the other sign", "theta1 rotates p1 onto the meeting point, not back."),
             _misses,
             lambda pair: pair * [-1, 1],
         ),
@@ -260,7 +274,7 @@ EXERCISE = Exercise(
         *predicted(
             (
                 "the axes are taken to be perpendicular",
-                "z = a k1 + b k2 + g (k1 x k2) has k1 . z = a + b (k1 . k2): two equations for a and b.",
+                "z = a k1 + b k2 + c (k1 x k2) has k1 . z = a + b (k1 . k2): two equations for a and b.",
             ),
             _with_foot(lambda c, h1, h2: (h1, h2)),
             _through(lambda c, h1, h2, size: (h1, h2, size**2 - h1**2 - h2**2)),
@@ -268,7 +282,7 @@ EXERCISE = Exercise(
         *predicted(
             (
                 "Pythagoras is used with a wrong length: the part along k1 x k2 is not what is left of |p1|^2",
-                "|z|^2 = a^2 + b^2 + 2 a b (k1 . k2) + g^2 |k1 x k2|^2, and |z| = |p1|.",
+                "|z|^2 = |a k1 + b k2|^2 + c^2 |k1 x k2|^2, and |z| = |p1|.",
             ),
             _with_rest(lambda a, b, c, size, h1, h2: _rest(a, b, c, size)),
             _with_rest(lambda a, b, c, size, h1, h2: (size**2 - a * a - b * b) / (1 - c * c)),
@@ -283,7 +297,7 @@ EXERCISE = Exercise(
         ),
         *predicted(
             (
-                "a and b of the meeting point z = a k1 + b k2 +- g (k1 x k2) are wrong",
+                "a and b of the meeting point z = a k1 + b k2 +- c (k1 x k2) are wrong",
                 "They come from two equations: k1 . z = k1 . p1 and k2 . z = k2 . p2.",
             ),
             _with_foot(lambda c, h1, h2: _foot(c, h2, h1)),
@@ -293,13 +307,14 @@ EXERCISE = Exercise(
             _with_foot(lambda c, h1, h2: tuple(x * np.sqrt(1 - c * c) for x in _foot(c, h1, h2))),
         ),
     ),
-    library=_solutions,
+    library=solutions,
     hints=(
         "p1 runs on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
         "k1 . z = k1 . p1 and k2 . z = k2 . p2.",
-        "Write z = a k1 + b k2 + g n with n = k1 x k2. With c = k1 . k2: a + b c = k1 . p1 and a c + b = k2 . p2.",
-        "Pythagoras: g^2 |n|^2 = |p1|^2 - (a^2 + b^2 + 2 a b c). Less than zero: no solution, so an empty list. "
-        "Also where |p1| and |p2| differ.",
+        "Write z = a k1 + b k2 + c (k1 x k2). The two heights are two linear equations for a and b; the text has their "
+        "matrix.",
+        "Pythagoras gives c^2, as in the text. If it is clearly negative there is no solution: an empty list. Also "
+        "if |p1| and |p2| differ.",
         "For each of the two z: theta1 = subproblem1(k1, p1, z), theta2 = subproblem1(k2, p2, z).",
     ),
     forbidden=("course_lib.subproblems.subproblem2",),

@@ -1,4 +1,4 @@
-"""subproblem3: the turns about an axis that bring one point to a given distance from another."""
+"""subproblem3: the rotations about an axis that bring one point to a given distance from another."""
 
 import numpy as np
 
@@ -147,7 +147,7 @@ EXERCISE = Exercise(
                 where=lambda *case: _count(*case) == 0,
                 mistake=Mistake(
                     "an angle is returned where there is none",
-                    "Where the cosine leaves [-1, 1], or d'^2 is below zero, no turn does it. Clipping hides that.",
+                    "Where the cosine leaves [-1, 1], or d'^2 is below zero, no rotation does it. Clipping hides that.",
                 ),
             ),
         ),
@@ -209,11 +209,9 @@ EXERCISE = Exercise(
     ),
     library=_solutions,
     hints=(
-        "Only what lies across the axis turns. The heights along k stay: they use up (k . (p - q))^2 of d^2.",
-        "d'^2 = d^2 - (k . (p - q))^2 is what is left across the axis. Below zero: an empty list. d < 0: likewise.",
-        "In the triangle across the axis the law of cosines gives the angle between R p' and q': "
-        "cos = (|p'|^2 + |q'|^2 - d'^2) / (2 |p'| |q'|). Out of [-1, 1]: an empty list.",
-        "theta = subproblem1(k, p, q) +- arccos(cos): one solution to each side of q.",
+        "Square both sides of |R p - q| = d. Which terms depend on theta?",
+        "Only q . R p does: it must be a certain height of R p along q. Squaring loses the sign of d: look at d first.",
+        "That is subproblem 4 with h = q and the height (|p|^2 + |q|^2 - d^2) / 2.",
     ),
     forbidden=("course_lib.subproblems.subproblem3",),
 )

@@ -1,4 +1,4 @@
-"""subproblem4: the turns about an axis that bring a point to a given height along a direction."""
+"""subproblem4: the rotations about an axis that bring a point to a given height along a direction."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from course_lib.subproblems import subproblem4
 
 
 def _reachable(rng, aside, middle, size):
-    """A direction h, a point p, and the height at which p has turned `aside` beyond h."""
+    """A direction h, a point p, and the height at which p is rotated `aside` beyond h."""
     k = unit(rng)
     h, p = size * off_axis(k, rng), off_axis(k, rng)
     h = turned(k, angle_about(k, h, p) + middle, h)
@@ -95,6 +95,12 @@ def _by_cosine(offset, swing=None, middle=None):
     return angles
 
 
+def _wave(k, h, A, p, e):
+    """The angles of somebody who solves A cos(theta) + B sin(theta) = e."""
+    B = h @ np.cross(k, p)
+    return either_side(np.arctan2(B, A), e / np.hypot(A, B))
+
+
 def _right_offset(d, kh, kp):
     return d - kh * kp
 
@@ -140,7 +146,7 @@ EXERCISE = Exercise(
                 where=lambda *case: _count(*case) == 0,
                 mistake=Mistake(
                     "an angle is returned where there is none",
-                    "Where the cosine leaves [-1, 1], no turn does it. Clipping hides that.",
+                    "Where the cosine leaves [-1, 1], no rotation does it. Clipping hides that.",
                 ),
             ),
         ),
@@ -153,18 +159,21 @@ EXERCISE = Exercise(
         *predicted(
             (
                 "the height along the axis is forgotten",
-                "(k . h)(k . p) of the height never changes. Take it off d before you divide.",
+                "(k . h)(k . p) of the height never changes: d and h . p both contain it.",
             ),
             _by_cosine(lambda d, kh, kp: d),
+            lambda k, h, p, d: _wave(k, h, h @ p, p, d),
             _by_cosine(lambda d, kh, kp: d, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
         ),
         *predicted(
             (
                 "the height along the axis is taken off wrongly",
-                "h . R p = (k . h)(k . p) + |h'| |p'| cos(angle), with the parts h' and p' across the axis.",
+                "The constant (k . h)(k . p) is subtracted twice: from d, giving e, and from h . p, giving A.",
             ),
             _by_cosine(lambda d, kh, kp: d + kh * kp),
             _by_cosine(lambda d, kh, kp: d - kh),
+            lambda k, h, p, d: _wave(k, h, h @ p, p, d - (k @ h) * (k @ p)),
+            lambda k, h, p, d: _wave(k, h, h @ p + (k @ h) * (k @ p), p, d - (k @ h) * (k @ p)),
             _by_cosine(lambda d, kh, kp: d - kp),
         ),
         *predicted(
@@ -202,10 +211,10 @@ EXERCISE = Exercise(
     ),
     library=_solutions,
     hints=(
-        "Split h and p into parts along k and across it: h . R p = (k . h)(k . p) + h' . R p'.",
-        "h' . R p' = |h'| |p'| cos(angle between R p' and h'): that gives the cosine. Out of [-1, 1]: an empty list.",
-        "theta = subproblem1(k, p, h) +- arccos(cosine): one solution to each side of h.",
-        "Or by components: h' . R p' = A cos(theta) + B sin(theta), with A = h' . p' and B = h . (k x p).",
+        "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the constant, A and B first.",
+        "Then r and phi from A and B, and e from d and the constant. If |e| > r there is no solution: an empty list.",
+        "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same distance from it.",
+        "theta = phi + arccos(e / r) and theta = phi - arccos(e / r), with r = np.hypot(A, B).",
     ),
     forbidden=("course_lib.subproblems.subproblem4",),
 )

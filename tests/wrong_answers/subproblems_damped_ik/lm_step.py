@@ -269,3 +269,9 @@ def wrong_the_librarys_arm(q, target, alpha, eps):
     """course_lib.arms.planar_arm is called"""
     J = arms.planar_arm(np.ones(4)).position_jacobian(q)[:2]
     return q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ (tip(q) - target))
+
+
+def wrong_eps_added_to_every_entry_and_solved(q, target, alpha, eps):
+    """Singular"""
+    J = planar_jacobian(q)
+    return q - alpha * np.linalg.solve(J.T @ J + eps, J.T @ (tip(q) - target))

@@ -50,13 +50,13 @@ def right_recursive(q0, target, alpha, eps, steps):
     return [list(q0), *right_recursive(lm_step(q0, target, alpha, eps), target, alpha, eps, steps - 1)]
 
 
-def right_stacked_and_wrapped(q0, target, alpha, eps, steps):
+def right_stacked(q0, target, alpha, eps, steps):
     way = np.reshape(q0, (1, 4))
     for _ in range(steps):
         q = way[-1]
         J = planar_jacobian(q)
         step = alpha * J.T @ np.linalg.inv(J @ J.T + eps * np.eye(2)) @ (tip(q) - target)
-        way = np.concatenate([way, [(q - step + np.pi) % (2 * np.pi) - np.pi]])
+        way = np.concatenate([way, [q - step]])
     return way
 
 
@@ -325,3 +325,11 @@ def wrong_the_librarys(q0, target, alpha, eps, steps):
 def wrong_the_librarys_with_its_arm(q0, target, alpha, eps, steps):
     """course_lib.arms.planar_arm is called"""
     return ik.damped_path(arms.planar_arm([1, 1, 1, 1]), q0, target, alpha, eps, steps)
+
+
+def wrong_wrapped(q0, target, alpha, eps, steps):
+    """the angles are wrapped"""
+    way = [np.array(q0, float)]
+    for _ in range(steps):
+        way.append((lm_step(way[-1], target, alpha, eps) + np.pi) % (2 * np.pi) - np.pi)
+    return np.array(way)

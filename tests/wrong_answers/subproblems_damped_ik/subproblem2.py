@@ -30,10 +30,10 @@ def right_textbook(k1, k2, p1, p2):
         return []
     a, b = foot(k1, k2, p1, p2)
     square = rest(k1, k2, p1, p2)
-    if square < 0:
+    if square < -1e-9 * (p1 @ p1):
         return []
     found = []
-    for g in (np.sqrt(square), -np.sqrt(square)):
+    for g in (np.sqrt(max(square, 0)), -np.sqrt(max(square, 0))):
         z = a * k1 + b * k2 + g * np.cross(k1, k2)
         found.append((turn(k1, p1, z), turn(k2, p2, z)))
     return found
@@ -45,7 +45,7 @@ def right_solve_in_a_frame(k1, k2, p1, p2):
     n = np.cross(k1, k2)
     z0 = np.linalg.lstsq(np.array([k1, k2]), np.array([k1 @ p1, k2 @ p2]), rcond=None)[0]
     left = p1 @ p1 - z0 @ z0
-    if left < -1e-12:
+    if left < -1e-9 * (p1 @ p1):
         return np.array([])
     step = np.sqrt(max(left, 0)) * n / np.linalg.norm(n)
     return np.array([[turn(k1, p1, z), turn(k2, p2, z) - 2 * np.pi] for z in (z0 - step, z0 + step)])
@@ -56,9 +56,9 @@ def right_by_subproblem_four(k1, k2, p1, p2):
     A = -k2 @ np.cross(k1, np.cross(k1, p1))
     B = k2 @ np.cross(k1, p1)
     C = k2 @ p2 - (k1 @ k2) * (k1 @ p1)
-    if abs(np.linalg.norm(p1) / np.linalg.norm(p2) - 1) > 1e-6 or abs(C) > np.hypot(A, B):
+    if abs(np.linalg.norm(p1) / np.linalg.norm(p2) - 1) > 1e-6 or abs(C) > (1 + 1e-9) * np.hypot(A, B):
         return ()
-    middle, aside = math.atan2(B, A), math.acos(C / math.hypot(A, B))
+    middle, aside = math.atan2(B, A), math.acos(max(-1, min(1, C / math.hypot(A, B))))
     pairs = []
     for theta1 in (middle + aside, middle - aside):
         pairs.append([theta1, float(turn(k2, p2, exp_so3(theta1 * k1) @ p1))])
@@ -281,3 +281,9 @@ def wrong_second_is_the_negative(k1, k2, p1, p2):
 def wrong_the_librarys(k1, k2, p1, p2):
     """course_lib.subproblems.subproblem2 is called"""
     return subproblems.subproblem2(k1, k2, p1, p2).theta
+
+
+def wrong_touching_circles_missed(k1, k2, p1, p2):
+    """circles that touch are taken for circles that miss"""
+    a, b = foot(k1, k2, p1, p2)
+    return _through(a, b, rest(k1, k2, p1, p2), k1, k2, p1, p2)

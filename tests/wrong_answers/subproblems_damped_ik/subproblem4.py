@@ -248,3 +248,21 @@ def wrong_arctan_of_the_quotient(k, h, p, d):
 def wrong_the_librarys(k, h, p, d):
     """course_lib.subproblems.subproblem4 is called"""
     return subproblems.subproblem4(k, h, p, d).theta
+
+
+def wrong_A_with_the_constant(k, h, p, d):
+    """the height along the axis is taken off wrongly"""
+    A, B, constant = h @ p, h @ np.cross(k, p), (k @ h) * (k @ p)
+    r, phi = np.hypot(A, B), np.arctan2(B, A)
+    if abs(d - constant) > r:
+        return []
+    return [phi + np.arccos((d - constant) / r), phi - np.arccos((d - constant) / r)]
+
+
+def wrong_no_constant_at_all(k, h, p, d):
+    """the height along the axis is forgotten"""
+    A, B = h @ p, h @ np.cross(k, p)
+    r, phi = np.hypot(A, B), np.arctan2(B, A)
+    if abs(d) > r:
+        return []
+    return [phi + np.arccos(d / r), phi - np.arccos(d / r)]

@@ -1,0 +1,55 @@
+"""The predictions of notebook 3: which choice is right, and what to say to each."""
+
+from course_lib.checks.prediction import Prediction
+
+PREDICTIONS = (
+    Prediction(
+        "circles",
+        "a",
+        {
+            "a": "Yes. Along the arc from k1 to k2 the two circles reach 30 and 30 degrees far; 10 degrees remain "
+            "between them.",
+            "b": "They would touch if the two angles added up to the 70 degrees between the axes. 30 + 30 is less.",
+            "c": "For that the circles have to overlap: their angles would have to add up to more than 70 degrees.",
+        },
+    ),
+    Prediction(
+        "wrist_rates",
+        "c",
+        {
+            "a": "One joint has to follow a direction that is nearly lost. Look at the determinant, -sin b2.",
+            "b": "The largest rate is inversely proportional to sin b2, not to its square root.",
+            "c": "Yes: 1/sin(0.01) is 100. And the axis that needs it is not even far from the desired one.",
+        },
+    ),
+    Prediction(
+        "race",
+        "b",
+        {
+            "a": "It takes few steps once it is near. But what does its first step do from here, with s2 near zero?",
+            "b": "Yes: it is the only one of the three whose step is bounded and that is fast in both directions.",
+            "c": "Its step size has to suit the largest singular value; in the direction of the smallest one it is "
+            "then slow.",
+        },
+    ),
+    Prediction(
+        "too_large",
+        "b",
+        {
+            "a": "Overshooting by less than the error itself would converge. At 2.8 the factor of s1 is below -1.",
+            "b": "Yes: beside the target each step multiplies the error along s1 by less than -1. Far from it, where J "
+            "changes, it stays somewhere.",
+            "c": "The damping bounds each step, so the joint angles do not run away. But bounded is not convergent.",
+        },
+    ),
+    Prediction(
+        "paths",
+        "c",
+        {
+            "a": "Compare with the numbers: from 2 to 50 the path of the tip gets longer.",
+            "b": "For the joints it is the other way round: what a strong damping saves is joint motion.",
+            "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
+            "measure.",
+        },
+    ),
+)

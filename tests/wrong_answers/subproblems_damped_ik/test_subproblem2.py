@@ -1,0 +1,120 @@
+"""What students write for test_subproblem2(subproblem2)."""
+
+import numpy as np
+
+from course_lib import subproblems
+from course_lib.rotations import exp_so3
+
+ex, ey, ez = np.eye(3)
+
+
+def rotate(k, theta, p):
+    return exp_so3(theta * k) @ p
+
+
+def unit(v):
+    return np.array(v) / np.linalg.norm(v)
+
+
+def _problems():
+    rng = np.random.default_rng(5)
+    for _ in range(12):
+        k1, k2, z = unit(rng.normal(size=3)), unit(rng.normal(size=3)), 3 * rng.normal(size=3)
+        a, b = rng.uniform(-3, 3, 2)
+        yield k1, k2, rotate(k1, -a, z), rotate(k2, -b, z)
+
+
+def _solves(pair, k1, k2, p1, p2):
+    return np.allclose(rotate(k1, pair[0], p1), rotate(k2, pair[1], p2), atol=1e-8)
+
+
+def right_by_the_meeting_point(subproblem2):
+    for k1, k2, p1, p2 in _problems():
+        pairs = np.array(subproblem2(k1, k2, p1, p2))
+        if pairs.shape != (2, 2) or not all(_solves(pair, k1, k2, p1, p2) for pair in pairs):
+            return False
+        if np.allclose(rotate(k1, pairs[0, 0], p1), rotate(k1, pairs[1, 0], p1)):
+            return False
+        if len(subproblem2(k1, k2, p1, 2 * p2)) > 0:
+            return False
+    return len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
+
+
+def right_against_the_library(subproblem2):
+    for case in _problems():
+        mine = np.exp(1j * subproblems.subproblem2(*case).theta)
+        theirs = np.exp(1j * np.array(subproblem2(*case)))
+        if theirs.shape != (2, 2) or not (np.allclose(theirs, mine) or np.allclose(theirs, mine[::-1])):
+            return False
+    no_length = len(subproblem2(ex, ey, ez, 2 * ez)) == 0
+    return no_length and len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
+
+
+def right_with_asserts(subproblem2):
+    for k1, k2, p1, p2 in _problems():
+        (a, b), (c, d) = subproblem2(k1, k2, p1, p2)
+        assert _solves((a, b), k1, k2, p1, p2)
+        assert _solves((c, d), k1, k2, p1, p2)
+        assert abs(np.exp(1j * a) - np.exp(1j * c)) > 1e-6
+        assert not len(subproblem2(k1, k2, 1.1 * p1, p2))
+    assert not len(subproblem2(ez, ex, np.array([0.1, 0, 1]), np.array([1, 0.1, 0])))
+    return True
+
+
+def wrong_always_true(subproblem2):
+    """accepts everything"""
+    return True
+
+
+def wrong_always_false(subproblem2):
+    """refuses everything"""
+    return False
+
+
+def wrong_it_runs(subproblem2):
+    """accepts everything"""
+    subproblem2(*next(_problems()))
+    return True
+
+
+def wrong_at_most_two_pairs(subproblem2):
+    """accepts everything"""
+    return len(subproblem2(*next(_problems()))) <= 2
+
+
+def wrong_exactly_equal(subproblem2):
+    """refuses everything"""
+    return all(
+        np.array_equal(rotate(case[0], pair[0], case[2]), rotate(case[1], pair[1], case[3]))
+        for case in _problems()
+        for pair in [*subproblem2(*case), (0, 0)]
+    )
+
+
+def wrong_one_pair_expected(subproblem2):
+    """refuses everything"""
+    return np.shape(subproblem2(*next(_problems()))) == (2,)
+
+
+def wrong_returns_the_pairs(subproblem2):
+    """another form"""
+    return subproblem2(*next(_problems()))
+
+
+def wrong_returns_the_gap(subproblem2):
+    """another form"""
+    return "right" if len(subproblem2(*next(_problems()))) == 2 else "wrong"
+
+
+def wrong_only_what_is_returned_is_tested(subproblem2):
+    """unnamed"""
+    return all(_solves(pair, *case) for case in _problems() for pair in subproblem2(*case))
+
+
+def wrong_empty_lists_not_tested(subproblem2):
+    """unnamed"""
+    for case in _problems():
+        pairs = subproblem2(*case)
+        if len(pairs) != 2 or not all(_solves(pair, *case) for pair in pairs):
+            return False
+    return True
