@@ -33,14 +33,14 @@ def cells():
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     copy = tmp_path_factory.mktemp("course")
-    for name in ("course_lib", "notebooks", "tests", "pyproject.toml", "Makefile", "README.md"):
+    for name in ("course_lib", "notebooks", "tests", "pyproject.toml", "environment.txt", "Makefile", "README.md", ".gitignore"):
         source = ROOT / name
         ignored = shutil.ignore_patterns("__pycache__", ".ipynb_checkpoints")
         shutil.copytree(source, copy / name, ignore=ignored) if source.is_dir() else shutil.copy(source, copy / name)
     return copy
 
 
-def test(course, only, *paths):
+def run_tests(course, only, *paths):
     """Run what `make test ONLY=...` runs, in the copy."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", only, *(paths or ["tests"])]
     outside = {key: value for key, value in os.environ.items() if not key.startswith("PYTEST")}
@@ -63,10 +63,10 @@ def test_a_new_exercise_passes_all_that_is_asked_of_it(course):
         cell.execution_count = 1
     notebook.cells[first:first] = added
     nbformat.write(notebook, path)
-    code, said = test(course, "unhat")
+    code, said = run_tests(course, "unhat")
     assert code == 0, said[-3000:]
     assert re.search(r"unhat\s+4\s+4\s+3", said), "the table of the bank"
-    code, said = test(course, "poe_kuka_iiwa and (task or names)", "tests/test_notebooks.py", "tests/test_bank.py")
+    code, said = run_tests(course, "poe_kuka_iiwa and (task or names)", "tests/test_notebooks.py", "tests/test_bank.py")
     assert code == 0, said[-3000:]
 
 
@@ -85,7 +85,7 @@ def test_a_new_notebook_is_released_graded_and_checked(course):
         cell.source = cell.source.replace("unhat", "joint_torques")
         cell.metadata.nbgrader["grade_id"] = cell.metadata.nbgrader["grade_id"].replace("unhat", "joint_torques")
     nbformat.write(new_notebook(cells=written), course / "notebooks/07_statics.ipynb")
-    code, said = test(course, "statics", "tests/test_bank.py", "tests/test_mutants.py")
+    code, said = run_tests(course, "statics", "tests/test_bank.py", "tests/test_mutants.py")
     assert code == 0, said[-3000:]
     script = (
         "from course_lib.pack.grade.notebook_file import courses\n"
