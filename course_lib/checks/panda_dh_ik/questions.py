@@ -7,16 +7,16 @@ PREDICTIONS = (
         "one_sign",
         "c",
         {
-            "a": "A few millimetres come from a misprinted length or a bad calibration. A sign is a different kind of error.",
-            "b": "Centimetres come from a wrong length. A wrong sign rotates all that is beyond the joint the other way.",
-            "c": "Yes: the arm is mirrored at the height of its shoulder. What was to be above is below, and so is the gripper.",
+            "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
+            "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
+            "c": "Yes: the arm is mirrored at the height of its shoulder. What was to be above is below.",
         },
     ),
     Prediction(
         "pairing",
         "b",
         {
-            "a": "At the target both errors are 0, so it can stop there. Before that, they point in different directions.",
+            "a": "At the target both errors are 0, so it can stop there. Before that, they differ in direction.",
             "b": "Yes: near the target the wrong error still leads downhill often enough, if the steps are tiny. Long "
             "steps follow the wrong direction far.",
             "c": "Both methods use the error as a direction. Which of them trusts it over a longer distance?",

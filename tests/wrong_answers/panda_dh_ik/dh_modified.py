@@ -90,8 +90,3 @@ def wrong_pair_for_the_pose(a, alpha, d, theta):
 def wrong_the_librarys(a, alpha, d, theta):
     """course_lib.arms.SerialArm is called"""
     return arms.SerialArm.from_dh([arms.DHRow(a, alpha, d, theta)]).fk([0.0])
-
-
-def wrong_sines_of_squares(a, alpha, d, theta):
-    """unnamed"""
-    return _x(a, alpha**2) @ _z(d, theta**2)

@@ -78,11 +78,6 @@ def wrong_angles_wrapped_to_a_half_turn(a, alpha, d, theta):
     return right_two_halves(a, alpha % np.pi, d, theta % np.pi)
 
 
-def wrong_sines_of_squares(a, alpha, d, theta):
-    """unnamed"""
-    return _z(d, theta**2) @ _x(a, alpha**2)
-
-
 def wrong_the_librarys(a, alpha, d, theta):
     """course_lib.arms.SerialArm is called"""
     return arms.SerialArm.from_dh([arms.DHRow(a, alpha, d, theta)], "standard").fk([0.0])
