@@ -60,7 +60,7 @@ def wrong_M_changed(screws, M, q):
 
 
 def wrong_screws_changed(screws, M, q):
-    """UFuncTypeError"""
+    """screws is changed in place"""
     T = np.eye(4)
     for i in range(len(q)):
         screws[i] *= q[i]
@@ -83,18 +83,6 @@ def wrong_list_shared_by_all_calls(screws, M, q, turns=[]):
     for S, angle in zip(screws, q):
         turns.append(exp_se3(S * angle))
     return reduce(np.matmul, turns) @ M
-
-
-class _Arm:
-    axes = [np.array([0, 0, 1.0, 0, 0, 0])] * 7
-
-
-def wrong_pops_from_a_list_of_the_class(screws, M, q):
-    """IndexError"""
-    T = M
-    for angle in q[::-1]:
-        T = exp_se3(_Arm.axes.pop(-1) * angle) @ T
-    return T
 
 
 def wrong_pops_from_an_array(screws, M, q):
