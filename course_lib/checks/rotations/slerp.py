@@ -97,6 +97,11 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
+            "nearly equal rotations are taken for equal",
+            "The arc is short, but t still divides it.",
+            seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3,
+        ),
+        Mistake(
             "the longer arc is taken",
             "q1 and -q1 are the same rotation: which of them is nearer to q0?",
             lambda q0, q1, t: _along(q0, q1, t),
@@ -117,11 +122,6 @@ EXERCISE = Exercise(
             "t runs from q1 to q0",
             "At t = 0 the answer is q0.",
             lambda q0, q1, t: slerp(q0, q1, 1 - t),
-        ),
-        Mistake(
-            "nearly equal rotations are taken for equal",
-            "The arc is short, but t still divides it.",
-            seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3,
         ),
         Mistake(
             "t is not used",

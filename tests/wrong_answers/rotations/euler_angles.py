@@ -106,5 +106,5 @@ def wrong_degrees(R):
 
 
 def wrong_math_domain(R):
-    """ValueError"""
+    """near gimbal lock the formula for the exact lock is used too soon"""
     return [math.atan2(R[2, 1], R[2, 2]), math.asin(-1.0000001 * R[2, 0]), math.atan2(R[1, 0], R[0, 0])]
