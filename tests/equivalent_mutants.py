@@ -8,6 +8,7 @@ REASONS = {
     "transposed": (
         "the number is the same for the transpose: its shape or length here, R R^T = 1 as R^T R = 1, det R^T = det R"
     ),
+    "symmetric": "the matrix is its own transpose",
     "vector": "a vector has no transpose in numpy: it stays as it is",
     "sign": "cos(-a) = cos(a); zeros, nan and lengths have no sign that shows, and a sign before both factors is none",
     "either sign": "q and -q are the same rotation, a singular vector has two signs, and either is right",
@@ -308,18 +309,42 @@ EQUIVALENT = {
         "q_across = q - k": "axis part",
     },
     "subproblem2": {
-        "if c_squared <= 0:": "touching",
         "if abs(np.linalg.norm(p2) - np.linalg.norm(p1)) > 1e-09:": "order",
-        "a, b = np.linalg.solve([[1, m], [m, 1]], [k1 @ p1, p2 @ k2])": "order",
-        "z = flat - c * n": "order",
         "if abs(np.linalg.norm(p1) - np.linalg.norm(p2)) >= 1e-09:": "bound",
         "if abs(np.linalg.norm(p1) - np.linalg.norm(p2)) > 1.1000000000000001e-09:": "rounding",
+        "n = np.cross(k2, k1)": "order",
+        "if c_squared <= -1e-09 * (p1 @ p1):": "bound",
+        "if c_squared < -1.1000000000000001e-09 * (p1 @ p1):": "rounding",
+        "c = np.sqrt(max(0, c_squared))": "order",
+    },
+    "test_subproblem2": {
+        "draw = np.random.default_rng(2)": "any point",
+        "k1, k2 = (unit(k2), unit(k1))": "any point",
+        "k1, k2 = (-unit(k1), unit(k2))": "any point",
+        "k1, k2 = (unit(k1), unit(-k2))": "any point",
+        "a, b = draw.uniform(-3.3000000000000003, 3, 2)": "any point",
+        "p1, p2 = (rotate(k1, a, z), rotate(-k2, b, z))": "any point",
+        "if len(pairs) != 2 or not np.allclose(second, first) or np.allclose(*first):": "order",
+        "if len(subproblem2(k1, k2, p1, -2 * p2)) > 0:": "any point",
+        "if len(subproblem2(k1, k2, p1, 2 / p2)) > 0:": "any point",
+        "far_apart = (-unit([0.1, 0, 1]), unit([1, 0.1, 0]))": "any point",
+        "far_apart = (unit([0.1, 0, 2]), unit([1, 0.1, 0]))": "any point",
+        "far_apart = (unit([0.1, 0, 1]), unit([-1, 0.1, 0]))": "any point",
     },
     "subproblem3": {
-        "if r == 0 or abs(height - constant) >= r:": "touching",
         "if d <= 0:": "touching",
-        "if r == 0 or abs(constant - height) > r:": "order",
-        "if abs(height - constant) > r:": "unasked",
+    },
+    "arm_angles": {
+        "distance = np.linalg.norm(SHOULDER - center)": "order",
+    },
+    "six_axis_ik": {
+        "center = motion[:3, :3] @ WRIST.T + motion[:3, 3]": "vector",
+        "for b in euler_yxy(SWAP.T @ W @ SWAP.T):": "symmetric",
+        "for b in euler_yxy(SWAP @ W @ SWAP):": "symmetric",
+    },
+    "step_limit": {
+        "largest = -np.linalg.svd(J, compute_uv=False)[0]": "sign",
+        "largest = np.linalg.svd(-J, compute_uv=False)[0]": "sign",
     },
     "subproblem4": {
         "if r == 0 or abs(d - constant) >= r:": "touching",
@@ -332,10 +357,6 @@ EQUIVALENT = {
         "b2 = np.arctan2(sign * sine, R.T[1, 1])": "transposed",
         "b1 = np.arctan2(sign * R[0, 1], sign * R[2, 1])": "unasked",
         "b1 = np.arctan2(sign * R[0, 1], sign * R[2, 1]) if sine >= 0 else 0.0": "unasked",
-    },
-    "rate_matrix": {
-        "c1, s1 = (np.cos(-b[0]), np.sin(b[0]))": "sign",
-        "c2, s2 = (np.cos(-b[1]), np.sin(b[1]))": "sign",
     },
     "planar_jacobian": {
         "links = np.array([-np.sin(angles), np.cos(-angles)])": "sign",

@@ -82,7 +82,7 @@ def _cases(rng):
     apart += [_around(rng, 1.01, 0.3)]
     touching = [(Z, X, np.array([0.0, 4, 3]), np.array([4.0, 3, 0])), _around(rng, 1.0, 2.0)]
     # Just apart, by more than rounding in any formula and by less than the 1e-9 that the task calls touching.
-    touching += [_around(rng, 1 + 1e-12, 2.0), _around(rng, 1 + 1e-12, 0.5)]
+    touching += [_around(rng, 1 + 1e-12, 2.0), _around(rng, 1 + 1e-12, 0.5), _around(rng, 1 + 1e-12, 300.0)]
     return meeting + other_length + apart + touching
 
 

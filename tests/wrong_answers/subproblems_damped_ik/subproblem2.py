@@ -287,3 +287,10 @@ def wrong_touching_circles_missed(k1, k2, p1, p2):
     """circles that touch are taken for circles that miss"""
     a, b = foot(k1, k2, p1, p2)
     return _through(a, b, rest(k1, k2, p1, p2), k1, k2, p1, p2)
+
+
+def wrong_tolerance_without_a_scale(k1, k2, p1, p2):
+    """circles that touch are taken for circles that miss"""
+    a, b = foot(k1, k2, p1, p2)
+    square = rest(k1, k2, p1, p2)
+    return _through(a, b, 0.0 if -1e-9 < square < 0 else square, k1, k2, p1, p2)
