@@ -31,7 +31,6 @@ REASONS = {
     "any point": (
         "any point on an axis is right, and any configuration of the family, and so is any pose that a test asks about"
     ),
-    "either sign": "a singular vector has two signs, and either is right",
     "rows": "as many rows differ from each other, and of an empty array none",
 }
 
