@@ -10,7 +10,7 @@ REASONS = {
     ),
     "vector": "a vector has no transpose in numpy: it stays as it is",
     "sign": "cos(-a) = cos(a); zeros, nan and lengths have no sign that shows, and a sign before both factors is none",
-    "either sign": "q and -q are the same rotation, and the task takes either",
+    "either sign": "q and -q are the same rotation, and a singular vector has two signs: either is right",
     "another sample": "a test that asks other rotations, or with another tolerance, tells right from wrong as well",
     "half turn": "at half a turn either sign of the axis is right, and R + I is symmetric",
     "bound": (
