@@ -12,7 +12,7 @@ _BELOW, _ABOVE = -1 - 2.0**-52, 1 + 2.0**-50  # a hair beyond -1 and 1, as produ
 _COARSE = 1e-6  # how far from Rf a right answer may end at no turn and at a half one, where arccos loses digits
 
 _NO_AXIS = Mistake(
-    "the angle is divided by where nothing turns",
+    "the angle is divided by where nothing rotates",
     "For R0 = Rf there is no axis, and omega is 0. log_so3 gives angle times axis at once, without a division.",
 )
 _OUTSIDE = Mistake(
@@ -89,7 +89,7 @@ def _velocity(omega, *case):
 
 def _seen(omega, R0, Rf, T):
     return (
-        f"From R0 to Rf is a turn by {_angle(R0, Rf, T):.5g} rad. With your omega the hand turns by |omega| T = "
+        f"From R0 to Rf is a rotation by {_angle(R0, Rf, T):.5g} rad. With your omega it is |omega| T = "
         f"{np.linalg.norm(omega) * T:.5g} rad and ends {_apart(omega, R0, Rf, T)} from Rf."
     )
 
@@ -155,34 +155,34 @@ EXERCISE = Exercise(
     returns=_velocity,
     properties=(
         Property(
-            "after T seconds the hand stands at Rf: exp(T [omega]) R0 = Rf",
+            "after T seconds the orientation is Rf: exp(T [omega]) R0 = Rf",
             lambda omega, *case: _miss(omega, *case) < _fine(*case),
             _seen,
             where=_plain,
         ),
         Property(
-            "it turns the short way: |omega| T is at most pi",
+            "the smallest angle is taken: |omega| T is at most pi",
             lambda omega, R0, Rf, T: np.linalg.norm(omega) * T < np.pi + _COARSE,
-            lambda omega, R0, Rf, T: f"Yours turns by {np.linalg.norm(omega) * T:.5g} rad.",
+            lambda omega, R0, Rf, T: f"Yours rotates by {np.linalg.norm(omega) * T:.5g} rad.",
             where=lambda *case: _plain(*case) or _half(*case),
             mistake=Mistake("the long way round is taken", "2 pi - a about the opposite axis is the shorter way."),
         ),
         Property(
-            "where R0 is Rf already nothing turns: omega = 0",
+            "if R0 is Rf already, nothing rotates: omega = 0",
             lambda omega, R0, Rf, T: np.linalg.norm(omega) * T < _COARSE,
             where=_none,
-            mistake=Mistake("an axis is returned where nothing turns", "Angle times axis is 0 there, for any axis."),
+            mistake=Mistake("an axis is returned where nothing rotates", "Angle times axis is 0 there, for any axis."),
         ),
         Property(
-            "for a tiny turn omega is the vector of (R - R^T) / 2 over T, with R = Rf R0^T, or zero",
+            "for a tiny rotation omega is the vector of (R - R^T) / 2 over T, with R = Rf R0^T, or zero",
             lambda omega, *case: (
                 not omega.any() or np.linalg.norm(omega * case[2] - _turn(*case)) < 1e-3 * _angle(*case)
             ),
             where=_tiny,
-            mistake=Mistake("the branch for tiny turns is wrong", "There sin(a) is a, and no division is needed."),
+            mistake=Mistake("the branch for tiny rotations is wrong", "There sin(a) is a, and no division is needed."),
         ),
         Property(
-            "after T seconds the hand stands at Rf, also where that is half a turn: exp(T [omega]) R0 = Rf",
+            "after T seconds the orientation is Rf, also where that is half a turn: exp(T [omega]) R0 = Rf",
             lambda omega, *case: _miss(omega, *case) < _COARSE,
             _seen,
             where=_half,
@@ -194,18 +194,18 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "a half turn is taken for no turn",
+            "a rotation by 180 degrees is taken for none",
             "At pi, R equals R^T, and R - R^T tells nothing. log_so3 knows what to do.",
             seen=lambda omega, *case: _half(*case) and np.linalg.norm(omega) * case[2] < 1e-3,
         ),
         Mistake(
-            "small turns are cut off to zero",
-            "A small turn is a turn. log_so3 needs no help with it.",
+            "small rotations are cut off to zero",
+            "A small rotation is a rotation. log_so3 needs no help with it.",
             seen=lambda omega, *case: not omega.any() and 0 < _angle(*case) < 0.1,
         ),
         *_like(
             (
-                "omega is seen from the turning hand, not from the fixed frame",
+                "omega is seen from the rotating end-effector, not from the fixed frame",
                 "log(R0^T Rf) belongs to R0 exp(...) = Rf. In the fixed frame exp(...) stands on the left: "
                 "log(Rf R0^T).",
             ),
@@ -213,35 +213,38 @@ EXERCISE = Exercise(
         ),
         *_like(
             (
-                "the hand turns backwards, from Rf to R0",
+                "the rotation is backwards, from Rf to R0",
                 "exp(T [omega]) R0 = Rf, so exp(T [omega]) = Rf R0^T, in this order.",
             ),
             _scaled(lambda angle, T: -1.0),
             lambda R0, Rf, T: log_so3(Rf.T @ R0) / T,
         ),
         *_like(
-            ("the turn is not divided by T", "The logarithm is the whole turn. In rad/s it is the turn over T."),
+            (
+                "the rotation is not divided by T",
+                "The logarithm is the whole rotation in rad. In rad/s it is that over T.",
+            ),
             _scaled(lambda angle, T: T),
         ),
         *_like(
-            ("the turn is multiplied by T", "In more time the same turn is slower: divide by T."),
+            ("the rotation is multiplied by T", "In more time the same rotation is slower: divide by T."),
             _scaled(lambda angle, T: T * T),
         ),
         *_like(
-            ("the turn is divided by T twice", "rad over s is rad/s: divide once."),
+            ("the rotation is divided by T twice", "rad over s is rad/s: divide once."),
             _scaled(lambda angle, T: 1 / T),
         ),
         *_like(
             (
                 "the rotation vectors of R0 and Rf are subtracted",
-                "log Rf - log R0 is no turn from one to the other, unless both have one axis: it is log(Rf R0^T).",
+                "log Rf - log R0 is no rotation from one to the other, unless both have one axis: it is log(Rf R0^T).",
             ),
             lambda R0, Rf, T: (log_so3(Rf) - log_so3(R0)) / T,
         ),
         *_log_of(
             (
                 "R0 is left out: this is the logarithm of Rf alone",
-                "R0 need not be a turn about the axis of the motion. Only Rf R0^T is.",
+                "R0 need not be a rotation about the axis of the motion. Only Rf R0^T is.",
             ),
             lambda R0, Rf: Rf,
         ),
@@ -267,7 +270,7 @@ EXERCISE = Exercise(
         *_like(
             (
                 "the skew part of Rf R0^T is taken for its logarithm",
-                "(R - R^T)/2 is sin(a) [n], and right for small turns only. log_so3 gives a n.",
+                "(R - R^T)/2 is sin(a) [n], and right for small rotations only. log_so3 gives a n.",
             ),
             _scaled(lambda angle, T: np.sin(angle) / angle),
         ),
@@ -278,7 +281,7 @@ EXERCISE = Exercise(
         *_like(
             (
                 "the difference Rf - R0 is taken for the derivative of R",
-                "[omega] = R' R^T holds at each instant. (Rf - R0) / T is R' for a small turn only.",
+                "[omega] = R' R^T holds at each instant. (Rf - R0) / T is R' for a small rotation only.",
             ),
             lambda R0, Rf, T: _vector_of((Rf - R0) @ R0.T) / T,
             lambda R0, Rf, T: _vector_of((Rf - R0) @ Rf.T) / T,
@@ -292,7 +295,7 @@ EXERCISE = Exercise(
             _scaled(lambda angle, T: min(angle, np.pi - angle) / angle),
         ),
         *_like(("half of the angle is used", "Only a quaternion holds the half angle."), _scaled(lambda angle, T: 0.5)),
-        *_like(("twice the angle is used", "log_so3 is the whole turn, once."), _scaled(lambda angle, T: 2.0)),
+        *_like(("twice the angle is used", "log_so3 is the whole rotation, once."), _scaled(lambda angle, T: 2.0)),
     ),
     library=_angular_velocity,
     hints=(

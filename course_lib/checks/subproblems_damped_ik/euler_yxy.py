@@ -184,17 +184,17 @@ EXERCISE = Exercise(
             "b1, b2 and b3 hang together: there are two triples, not more.",
             seen=lambda found, R: different(found) > 2 and different([t for t in found if _misses(t, R) < 1e-6]) == 2,
         ),
-        *mended(("the angles are in degrees", "Radians, please."), _misses, np.deg2rad),
+        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
         *mended(
             (
                 "b1 has the other sign",
-                "Subproblem 2 gives the turn of R e_y back to Rx(b2) e_y: that is Ry(-b1), so b1 is the negative.",
+                "Subproblem 2 gives the angle from R e_y back to Rx(b2) e_y: that is Ry(-b1), so b1 is the negative.",
             ),
             _misses,
             lambda triple: triple * [-1, 1, 1],
         ),
         *mended(
-            ("b3 has the other sign", "Ry(b3) turns e_x to the first column of Rx(-b2) Ry(-b1) R."),
+            ("b3 has the other sign", "Ry(b3) rotates e_x to the first column of Rx(-b2) Ry(-b1) R."),
             _misses,
             lambda triple: triple * [1, 1, -1],
         ),
@@ -207,7 +207,7 @@ EXERCISE = Exercise(
             lambda triple: triple * [1, -1, 1],
         ),
         *mended(
-            ("b1 and b3 are swapped", "Ry(b1) stands on the left: it is the last to turn a vector."),
+            ("b1 and b3 are swapped", "Ry(b1) stands on the left: it is the last to rotate a vector."),
             _misses,
             lambda triple: triple[::-1],
         ),
@@ -216,7 +216,7 @@ EXERCISE = Exercise(
             _misses,
             lambda triple: -triple[::-1],
         ),
-        *mended(("all three angles have the other sign", "Ry(b) turns z towards x."), _misses, np.negative),
+        *mended(("all three angles have the other sign", "Ry(b) rotates z towards x."), _misses, np.negative),
         *_of_another_order(
             ("the angles are those about x, y and x", "R = Ry(b1) Rx(b2) Ry(b3): y first and last."),
             lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_x(c),

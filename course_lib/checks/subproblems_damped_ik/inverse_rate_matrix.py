@@ -109,7 +109,7 @@ EXERCISE = Exercise(
             _by_formula(np.sin, np.sin),
             lambda b: np.sin(b[1]) ** 2 * _right(b),
         ),
-        Mistake("the whole inverse has its sign turned", "det A is -sin b2, not sin b2.", lambda b: -_right(b)),
+        Mistake("the whole inverse has the wrong sign", "det A is -sin b2, not sin b2.", lambda b: -_right(b)),
         Mistake(
             "the sign of sin b2 is lost",
             "For a negative b2 the determinant -sin b2 is positive.",

@@ -19,7 +19,7 @@ def allowed(q, target, alpha, eps):
 
 
 def off(angles, wanted):
-    """Return how far angles are from those wanted, to within whole turns."""
+    """Return how far angles are from those wanted, up to multiples of 2 pi."""
     return np.abs(np.angle(np.exp(1j * (np.asarray(angles) - wanted)))).max()
 
 
@@ -58,7 +58,7 @@ def _turns(answer, q, *rest):
     wanted = step(q, *rest) - q
     turned = answer - q
     j = int(np.argmax(np.abs(np.exp(1j * turned) - np.exp(1j * wanted)) > allowed(q, *rest)))
-    return f"Joint {j + 1} should turn by {wanted[j]:.5g} rad; in your answer it turns by {turned[j]:.5g}."
+    return f"Joint {j + 1} should move by {wanted[j]:.5g} rad; in your answer it moves by {turned[j]:.5g}."
 
 
 def _like(words, *formulas):
@@ -132,7 +132,7 @@ _EVERY_ENTRY = _like(
 WRONG_STEPS = (
     *_like(
         (
-            "the step goes the other way, away from the target",
+            "the step leads away from the target",
             "With e = p(q) - target the step is taken off: q - ..., with target - p(q) it is added. One sign, not two.",
         ),
         _by(lambda J, e, alpha, eps: -alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)),

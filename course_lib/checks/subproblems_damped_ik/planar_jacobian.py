@@ -20,7 +20,8 @@ _TRANSPOSED = Mistake(
     "the transpose is returned", "Two rows, for x and y, and four columns, one for each joint: np.array(...).T."
 )
 _WITH_ANGLE = Mistake(
-    "the Jacobian of a whole pose is returned", "Only the tip's place counts here: two rows, the velocities of x and y."
+    "the Jacobian of a whole pose is returned",
+    "Only the tip's position counts here: two rows, the velocities of x and y.",
 )
 
 
@@ -30,7 +31,7 @@ def tip(q):
 
 
 def jacobian(q):
-    """Return the derivative (2, 4) of the tip's place by the joint angles."""
+    """Return the derivative (2, 4) of the tip's position by the joint angles."""
     return _ARM.position_jacobian(q)[:2]
 
 
@@ -47,7 +48,7 @@ def _wrong_column(J, q):
     step = _H * np.eye(4)[j]
     velocity = np.round((tip(q + step) - tip(q - step)) / (2 * _H), 9)
     return (
-        f"If only joint {j + 1} turns, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite "
+        f"If only joint {j + 1} moves, at 1 rad/s, the tip moves at {format_array(velocity)} m/s, by finite "
         f"differences. That is column {j + 1}; yours is {format_array(J[:, j])}."
     )
 
@@ -97,7 +98,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda q: (2, 4), {(4, 2): _TRANSPOSED, (3, 4): _WITH_ANGLE, (6, 4): _WITH_ANGLE}),
     properties=(
         Property(
-            "column j is the velocity of the tip when joint j alone turns, at 1 rad/s",
+            "column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
             lambda J, q: np.abs(J - jacobian(q)).max() < _FINE,
             _wrong_column,
         ),
@@ -135,8 +136,8 @@ EXERCISE = Exercise(
         Mistake("the sign of the first row is wrong", "The derivative of cos is -sin.", _signed([-1, 1])),
         Mistake("the sign of the second row is wrong", "The derivative of sin is cos.", _signed([1, -1])),
         Mistake(
-            "the whole matrix has its sign turned",
-            "A positive joint velocity turns left, counter-clockwise.",
+            "the whole matrix has the wrong sign",
+            "A positive joint velocity is counter-clockwise.",
             _signed([-1, -1]),
         ),
         Mistake(
@@ -196,7 +197,7 @@ EXERCISE = Exercise(
     hints=(
         "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, cos a_i) for each "
         "rad/s of a joint up to i.",
-        "Joint j turns the links j, ..., 4: column j is the sum of (-sin a_i, cos a_i) over i = j, ..., 4.",
+        "Joint j rotates the links j, ..., 4: column j is the sum of (-sin a_i, cos a_i) over i = j, ..., 4.",
         "Two loops, or a cumulative sum from the back: np.cumsum(x[::-1])[::-1].",
     ),
     forbidden=ARMS,

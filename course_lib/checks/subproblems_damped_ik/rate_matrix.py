@@ -20,7 +20,7 @@ def _hand(b):
 
 
 def rates(b):
-    """The rate matrix: its columns are the axes of the three turns, as they stand."""
+    """The rate matrix: its columns are the axes of the three rotations, as they are now."""
     return np.column_stack([Y, rot_y(b[0]) @ X, rot_y(b[0]) @ rot_x(b[1]) @ Y])
 
 
@@ -79,33 +79,33 @@ def _orders(change):
 
 WRONG_MATRICES = (
     Mistake(
-        "this is the angular velocity seen from the turning hand, not from the fixed frame",
-        "[omega] = R' R^T is the fixed frame's; R^T R' is the hand's own.",
+        "this is the angular velocity seen from the rotating end-effector, not from the fixed frame",
+        "[omega] = R' R^T is the fixed frame's; R^T R' is the end-effector's own.",
         lambda b: _hand(b).T @ rates(b),
     ),
     Mistake(
-        "the columns are the fixed axes y, x and y: no axis is turned along",
+        "the columns are the fixed axes y, x and y: no axis is carried along",
         "b1 carries the axis of b2 with it, and b1 and b2 carry that of b3.",
         lambda b: np.column_stack([Y, X, Y]),
     ),
     Mistake(
-        "the third axis is not turned by b1",
+        "the third axis is not rotated by b1",
         "Ry(b1) stands to the left of all: column 3 is Ry(b1) Rx(b2) e_y.",
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_x(b[1]) @ Y]),
     ),
     Mistake(
-        "the third axis is not turned by b2",
+        "the third axis is not rotated by b2",
         "Column 3 is Ry(b1) Rx(b2) e_y, not Ry(b1) e_y.",
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, Y]),
     ),
     Mistake(
-        "the second axis is not turned by b1",
+        "the second axis is not rotated by b1",
         "Column 2 is Ry(b1) e_x.",
         lambda b: np.column_stack([Y, X, rates(b)[:, 2]]),
     ),
     Mistake(
-        "the second axis is turned by b2 rather than b1",
-        "b2 turns about e_x, which only b1 has turned: Ry(b1) e_x.",
+        "the second axis is rotated by b2 rather than b1",
+        "b2 rotates about e_x, which only b1 has rotated: Ry(b1) e_x.",
         lambda b: np.column_stack([Y, rot_y(b[1]) @ X, rates(b)[:, 2]]),
     ),
     Mistake(
@@ -120,22 +120,22 @@ WRONG_MATRICES = (
     ),
     Mistake(
         "the transposed matrix is returned",
-        "The axes of the three turns are the columns of A, not its rows.",
+        "The axes of the three rotations are the columns of A, not its rows.",
         lambda b: rates(b).T,
     ),
     Mistake(
-        "the whole matrix has its sign turned",
+        "the whole matrix has the wrong sign",
         "omega_x = W[2, 1], not W[1, 2], for W = R' R^T: [omega] p = omega x p.",
         lambda b: -rates(b),
     ),
     Mistake(
         "b1 is taken with the other sign",
-        "Ry(b1) e_x = (cos b1, 0, -sin b1): y turns z towards x.",
+        "Ry(b1) e_x = (cos b1, 0, -sin b1): y rotates z towards x.",
         lambda b: rates(b * [-1, 1, 1]),
     ),
     Mistake(
         "b2 is taken with the other sign",
-        "Rx(b2) e_y = (0, cos b2, sin b2): x turns y towards z.",
+        "Rx(b2) e_y = (0, cos b2, sin b2): x rotates y towards z.",
         lambda b: rates(b * [1, -1, 1]),
     ),
     Mistake(
@@ -157,7 +157,7 @@ WRONG_MATRICES = (
         lambda b: rates(b[::-1]),
     ),
     Mistake(
-        "b1 and b2 are swapped", "b = (b1, b2, b3): b[0] turns about y, b[1] about x.", lambda b: rates(b[[1, 0, 2]])
+        "b1 and b2 are swapped", "b = (b1, b2, b3): b[0] rotates about y, b[1] about x.", lambda b: rates(b[[1, 0, 2]])
     ),
     Mistake(
         "the angles are taken for degrees",
@@ -190,10 +190,12 @@ WRONG_MATRICES = (
         "The rates of the angles are no angular velocity: each has an axis of its own.",
         lambda b: np.eye(3),
     ),
-    Mistake("R itself is returned", "R says how the hand stands. A says how its turning depends on the rates.", _hand),
+    Mistake(
+        "R itself is returned", "R is the orientation. A says how the angular velocity depends on the rates.", _hand
+    ),
     Mistake(
         "this is the matrix for other axes than y, x and y",
-        "R = Ry(b1) Rx(b2) Ry(b3): the first and the last turn are about y.",
+        "R = Ry(b1) Rx(b2) Ry(b3): the first and the last rotation are about y.",
         lambda b: np.column_stack([X, rot_x(b[0]) @ Y, rot_x(b[0]) @ rot_y(b[1]) @ X]),
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_y(b[0]) @ rot_x(b[1]) @ np.eye(3)[2]]),
     ),
@@ -222,15 +224,15 @@ EXERCISE = Exercise(
         *WRONG_MATRICES,
         Mistake(
             "the inverse is returned",
-            "From the rates to omega, please; the way back is inverse_rate_matrix.",
+            "From the rates to omega; the other direction is inverse_rate_matrix.",
             lambda b: np.linalg.inv(rates(b)) if abs(np.sin(b[1])) > 1e-9 else None,
         ),
         _DIFFERENCES,
     ),
     library=rates,
     hints=(
-        "Set b' = (1, 0, 0), then (0, 1, 0), then (0, 0, 1): each column is the axis about which one angle turns.",
-        "b1 turns all that stands to its right about the fixed e_y. The axis of b2 is e_x, turned by Ry(b1).",
-        "The axis of b3 is e_y, turned by Rx(b2) and then Ry(b1): Ry(b1) (0, cos b2, sin b2).",
+        "Set b' = (1, 0, 0), then (0, 1, 0), then (0, 0, 1): each column is the axis about which one angle rotates.",
+        "b1 rotates everything to its right about the fixed e_y. The axis of b2 is e_x, rotated by Ry(b1).",
+        "The axis of b3 is e_y, rotated by Rx(b2) and then Ry(b1): Ry(b1) (0, cos b2, sin b2).",
     ),
 )

@@ -1,4 +1,4 @@
-"""Answers that are lists of all solutions: none, one or two, each an angle or several. Whole turns do not matter."""
+"""Answers that are lists of all solutions: none, one or two, each an angle or several, up to multiples of 2 pi."""
 
 import numpy as np
 
@@ -39,7 +39,7 @@ def by_arctan(k, p, q):
 
 
 def near(a, b, tolerance=1e-6):
-    """Return whether angles are the same to within whole turns."""
+    """Return whether angles are the same up to multiples of 2 pi."""
     return np.abs(np.angle(np.exp(1j * (np.asarray(a) - b)))) < tolerance
 
 
@@ -128,7 +128,7 @@ def all_of_them(equation, one, misses, tell, count, none, touch=()):
             where=lambda *case: count(*case) == 2,
         ),
         Property(
-            f"each {one} stands in the list once",
+            f"each {one} is in the list once",
             lambda found, *case: len(found) == 2,
             where=lambda *case: count(*case) == 2,
             mistake=Mistake("a solution is given twice", "A multiple of 2 pi more or less makes no other solution."),
@@ -168,7 +168,7 @@ def wrong_middles(goal, angles, misses):
     angles(middle): the answers of somebody who takes middle(k, p, goal) for that turn.
     """
     take = f"theta = subproblem1(k, p, {goal}) +- arccos(...)."
-    turn = f"the turn from p to {goal}"
+    turn = f"the angle from p to {goal}"
     return (
         *predicted((f"{turn} is left out: arccos alone is the angle beside {goal}", take), angles(lambda *case: 0.0)),
         *predicted(
@@ -186,5 +186,5 @@ def wrong_middles(goal, angles, misses):
             (f"{turn} has lost its sign", "arccos cannot tell one way round from the other. Take subproblem1."),
             angles(lambda *case: abs(angle_about(*case))),
         ),
-        *mended((f"the turn from {goal} to p is taken, not that from p to {goal}", take), misses, np.negative),
+        *mended((f"the angle from {goal} to p is taken, not that from p to {goal}", take), misses, np.negative),
     )

@@ -66,7 +66,7 @@ def every_solution(equation, misses, tell, solutions):
             ),
         ),
         Property(
-            "each solution stands in the list once",
+            "each solution is in the list once",
             lambda found, *case: len(found) == len(solutions(*case)),
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake("a solution is listed twice", "A multiple of 2 pi more or less makes no other solution."),

@@ -1,4 +1,4 @@
-"""solve_lm: the way of the planar arm's joints towards a point, step by step."""
+"""solve_lm: the path of the planar arm's joints to a point, step by step."""
 
 from itertools import pairwise
 
@@ -11,11 +11,12 @@ from course_lib.checks.subproblems_damped_ik.lm_step import WRONG_STEPS, allowed
 from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
 
 _TIPS = Mistake(
-    "the places of the tip are returned, not the joint angles", "Keep q after each step. The tips are made of it later."
+    "the positions of the tip are returned, not the joint angles",
+    "Keep q after each step. The tips are made of it later.",
 )
 _WRAPPED = Mistake(
     "the angles are wrapped, so that they jump by 2 pi",
-    "The way of a joint is its angle over time, without jumps: keep the angles as the steps make them.",
+    "The path of a joint is its angle over time, without jumps: keep the angles as the steps make them.",
 )
 _TRANSPOSED = Mistake("the transpose is returned", "One row for each step, one column for each joint: np.array(...).T.")
 _NUMBERS = Mistake("one number is kept for each step", "Keep q itself, all four angles, after each step.")
@@ -180,7 +181,7 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "no angle jumps by 2 pi: the way of a joint has no gaps",
+            "no angle jumps by 2 pi: the path of a joint has no gaps",
             _is_unwrapped,
             mistake=_WRAPPED,
         ),
@@ -198,7 +199,7 @@ EXERCISE = Exercise(
             _rows_of(lambda way, steps: way[1:steps]),
         ),
         *_like(
-            ("only the last angles are returned", "Keep q after each step: the whole way is asked for."),
+            ("only the last angles are returned", "Keep q after each step: the whole path is asked for."),
             _rows_of(lambda way, steps: way[steps : steps + 1]),
         ),
         *_like(

@@ -1,4 +1,4 @@
-"""subproblem1: the turn about an axis that brings one point to another."""
+"""subproblem1: the rotation about an axis that brings one point to another."""
 
 import numpy as np
 
@@ -117,7 +117,7 @@ EXERCISE = Exercise(
             where=_reached,
         ),
         Property(
-            "where no turn brings p to q, R(k, theta) p comes as near to q as it can",
+            "if no angle brings p to q, R(k, theta) p comes as near to q as it can",
             _right,
             lambda theta, k, p, q: (
                 f"Yours ends {np.linalg.norm(turned(k, theta, p) - q):.6g} from q; "
@@ -128,7 +128,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         *_like(
-            ("the angle is in degrees", "Radians, please: numpy's functions want them."),
+            ("the angle is in degrees", "Angles are in radians, as numpy's functions want them."),
             lambda k, p, q: np.rad2deg(angle_about(k, p, q)),
         ),
         Mistake(
@@ -147,7 +147,10 @@ EXERCISE = Exercise(
             lambda k, p, q: np.abs(angle_about(k, p, q)),
         ),
         *_like(
-            ("the sign is turned: this turn brings q to p", "p x q, in this order, points along k for a turn from p."),
+            (
+                "the sign is wrong: this angle brings q to p",
+                "p x q, in this order, points along k for a rotation from p.",
+            ),
             lambda k, p, q: -angle_about(k, p, q),
         ),
         *_like(
@@ -162,7 +165,7 @@ EXERCISE = Exercise(
         *_like(
             (
                 "k is not used",
-                "The angle between p and q is that of the shortest turn, which has an axis of its own. "
+                "The angle between p and q is that of the shortest rotation, which has an axis of its own. "
                 "Seen along k, only the parts across k count.",
             ),
             lambda k, p, q: _between(p, q),
@@ -181,10 +184,12 @@ EXERCISE = Exercise(
             lambda k, p, q: np.arcsin(_sine(k, p, q)),
         ),
         *_like(
-            ("the angle is halved", "R(k, theta) turns by the whole theta."),
+            ("the angle is halved", "R(k, theta) rotates by the whole theta."),
             lambda k, p, q: angle_about(k, p, q) / 2,
         ),
-        *_like(("the angle is doubled", "R(k, theta) turns by theta, once."), lambda k, p, q: 2 * angle_about(k, p, q)),
+        *_like(
+            ("the angle is doubled", "R(k, theta) rotates by theta, once."), lambda k, p, q: 2 * angle_about(k, p, q)
+        ),
         *_like(
             ("the sine is taken for the angle", "arctan2 makes an angle of a sine and a cosine."),
             _sine,
@@ -205,7 +210,7 @@ EXERCISE = Exercise(
     ),
     library=lambda k, p, q: subproblem1(k, p, q).theta,
     hints=(
-        "A turn about k moves only the part across k. Take p' = p - (k . p) k and q' = q - (k . q) k.",
+        "A rotation about k moves only the part across k. Take p' = p - (k . p) k and q' = q - (k . q) k.",
         "p' . q' = |p'| |q'| cos(theta), and k . (p' x q') = |p'| |q'| sin(theta).",
         "theta = np.arctan2(k @ np.cross(p', q'), p' @ q'): no division, all four quadrants. Where q cannot be "
         "reached it is the nearest, without a further line.",

@@ -270,7 +270,7 @@ EXERCISE = Exercise(
             _misses,
             lambda pair: pair[::-1],
         ),
-        *mended(("the angles are in degrees", "Radians, please."), _misses, np.deg2rad),
+        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
         *predicted(
             (
                 "the axes are taken to be perpendicular",

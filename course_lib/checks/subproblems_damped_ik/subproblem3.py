@@ -156,7 +156,7 @@ EXERCISE = Exercise(
         _count,
         _misses,
         *too_few(_ONE, _misses),
-        *mended(("the angles are in degrees", "Radians, please."), _misses, np.deg2rad),
+        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
         *predicted(
             (
                 "the heights along the axis are forgotten: d is not reduced",
@@ -196,7 +196,7 @@ EXERCISE = Exercise(
         *wrong_middles("q", lambda middle: _by_cosine(_right_square, middle=middle), _misses),
         *predicted(
             (
-                "the law of cosines has its sign turned",
+                "the law of cosines has the wrong sign",
                 "d'^2 = |p'|^2 + |q'|^2 - 2 |p'| |q'| cos(angle): solve for the cosine.",
             ),
             _by_cosine(_right_square, lambda a, b, p, q: -2 * np.linalg.norm(a) * np.linalg.norm(b)),

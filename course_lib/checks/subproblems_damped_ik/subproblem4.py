@@ -155,7 +155,7 @@ EXERCISE = Exercise(
         _count,
         _misses,
         *too_few(_ONE, _misses),
-        *mended(("the angles are in degrees", "Radians, please."), _misses, np.deg2rad),
+        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
         *predicted(
             (
                 "the height along the axis is forgotten",

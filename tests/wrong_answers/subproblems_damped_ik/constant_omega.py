@@ -58,17 +58,17 @@ def _axis_and_angle(R):
 
 
 def wrong_seen_from_the_hand(R0, Rf, T):
-    """seen from the turning hand"""
+    """seen from the rotating end-effector"""
     return log_so3(R0.T @ Rf) / T
 
 
 def wrong_backwards(R0, Rf, T):
-    """the hand turns backwards"""
+    """the rotation is backwards"""
     return log_so3(R0 @ Rf.T) / T
 
 
 def wrong_backwards_from_the_hand(R0, Rf, T):
-    """the hand turns backwards"""
+    """the rotation is backwards"""
     return log_so3(Rf.T @ R0) / T
 
 
@@ -136,7 +136,7 @@ def wrong_angle_taken_for_degrees(R0, Rf, T):
 
 
 def wrong_divided_by_the_sine_at_half_a_turn(R0, Rf, T):
-    """a half turn is taken for no turn"""
+    """a rotation by 180 degrees is taken for none"""
     R = Rf @ R0.T
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if np.isclose(np.sin(angle), 0, atol=1e-6):
@@ -184,13 +184,13 @@ def wrong_branch_for_tiny_turns(R0, Rf, T):
 
 
 def wrong_divided_by_the_angle_of_no_turn(R0, Rf, T):
-    """where nothing turns"""
+    """where nothing rotates"""
     w = log_so3(Rf @ R0.T)
     return w / np.linalg.norm(w) * np.linalg.norm(w) / T
 
 
 def wrong_an_axis_for_no_turn(R0, Rf, T):
-    """where nothing turns"""
+    """where nothing rotates"""
     w = log_so3(Rf @ R0.T)
     return w / T if np.linalg.norm(w) > 1e-9 else np.array([0, 0, 1])
 
@@ -223,7 +223,7 @@ def wrong_difference_quotient(R0, Rf, T):
 
 
 def wrong_small_turns_cut(R0, Rf, T):
-    """small turns are cut off"""
+    """small rotations are cut off"""
     w = log_so3(Rf @ R0.T)
     return w / T if np.linalg.norm(w) > 1e-3 else np.zeros(3)
 

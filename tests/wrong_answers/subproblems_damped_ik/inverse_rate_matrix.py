@@ -97,7 +97,7 @@ def wrong_multiplied_by_the_sine(b):
 
 
 def wrong_sign_of_the_determinant(b):
-    """the whole inverse has its sign turned"""
+    """the whole inverse has the wrong sign"""
     A = rate_matrix(b)
     rows = [np.cross(A[:, 1], A[:, 2]), np.cross(A[:, 2], A[:, 0]), np.cross(A[:, 0], A[:, 1])]
     return np.array(rows) / np.sin(b[1])

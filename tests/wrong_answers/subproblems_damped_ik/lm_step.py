@@ -58,13 +58,13 @@ def right_by_differences_and_loops(q, target, alpha, eps):
 
 
 def wrong_plus(q, target, alpha, eps):
-    """the step goes the other way"""
+    """the step leads away"""
     J = planar_jacobian(q)
     return q + alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ (tip(q) - target))
 
 
 def wrong_sign_of_the_error(q, target, alpha, eps):
-    """the step goes the other way"""
+    """the step leads away"""
     J = planar_jacobian(q)
     return q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ (target - tip(q)))
 

@@ -151,7 +151,7 @@ def wrong_sign_of_the_second_row(q):
 
 
 def wrong_turned_right(q):
-    """the whole matrix has its sign turned"""
+    """the whole matrix has the wrong sign"""
     angles = np.cumsum(q)
     joints = np.vstack([[0, 0], np.cumsum(np.column_stack([np.cos(angles), np.sin(angles)]), axis=0)])
     arrows = joints[-1] - joints[:-1]

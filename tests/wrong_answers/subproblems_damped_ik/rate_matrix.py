@@ -69,30 +69,30 @@ def _parts(b):
 
 
 def wrong_seen_from_the_hand(b):
-    """seen from the turning hand"""
+    """seen from the rotating end-effector"""
     c2, s2, c3, s3 = np.cos(b[1]), np.sin(b[1]), np.cos(b[2]), np.sin(b[2])
     return np.array([[s2 * s3, c3, 0], [c2, 0, 1], [-s2 * c3, s3, 0]])
 
 
 def wrong_fixed_axes(b):
-    """no axis is turned along"""
+    """no axis is carried along"""
     return np.array([[0, 1, 0], [1, 0, 1], [0, 0, 0]])
 
 
 def wrong_third_axis_not_turned_by_b1(b):
-    """the third axis is not turned by b1"""
+    """the third axis is not rotated by b1"""
     c1, s1, c2, s2 = _parts(b)
     return np.array([[0, c1, 0], [1, 0, c2], [0, -s1, s2]])
 
 
 def wrong_third_axis_not_turned_by_b2(b):
-    """the third axis is not turned by b2"""
+    """the third axis is not rotated by b2"""
     c1, s1, _, _ = _parts(b)
     return np.array([[0, c1, 0], [1, 0, 1], [0, -s1, 0]])
 
 
 def wrong_second_axis_not_turned(b):
-    """the second axis is not turned by b1"""
+    """the second axis is not rotated by b1"""
     c1, s1, c2, s2 = _parts(b)
     return np.array([[0, 1, s1 * s2], [1, 0, c2], [0, 0, c1 * s2]])
 
@@ -134,7 +134,7 @@ def wrong_axes_as_rows(b):
 
 
 def wrong_signs_of_vee(b):
-    """the whole matrix has its sign turned"""
+    """the whole matrix has the wrong sign"""
     c1, s1, c2, s2 = _parts(b)
     return -np.array([[0, c1, s1 * s2], [1, 0, c2], [0, -s1, c1 * s2]])
 

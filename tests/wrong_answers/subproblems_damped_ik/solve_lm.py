@@ -209,7 +209,7 @@ def wrong_whole_numbers(q0, target, alpha, eps, steps):
 
 
 def wrong_tips(q0, target, alpha, eps, steps):
-    """the places of the tip"""
+    """the positions of the tip"""
     q, way = q0, [tip(q0)]
     for _ in range(steps):
         q = lm_step(q, target, alpha, eps)
@@ -285,7 +285,7 @@ def wrong_steps_without_damping(q0, target, alpha, eps, steps):
 
 
 def wrong_steps_away(q0, target, alpha, eps, steps):
-    """the step goes the other way"""
+    """the step leads away"""
     way = [q0]
     for _ in range(steps):
         way.append(2 * way[-1] - lm_step(way[-1], target, alpha, eps))

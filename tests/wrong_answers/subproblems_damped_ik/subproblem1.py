@@ -102,7 +102,7 @@ def wrong_half_turn_by_sign(k, p, q):
 
 
 def wrong_sign(k, p, q):
-    """the sign is turned"""
+    """the sign is wrong"""
     a, b = p - (k @ p) * k, q - (k @ q) * k
     return np.arctan2(k @ np.cross(b, a), a @ b)
 

@@ -192,22 +192,22 @@ def wrong_only_too_far_is_seen(k, p, q, d):
 
 
 def wrong_arccos_alone(k, p, q, d):
-    """the turn from p to q is left out"""
+    """the angle from p to q is left out"""
     return [t - turn(k, p, q) for t in right_textbook(k, p, q, d)]
 
 
 def wrong_turn_from_q(k, p, q, d):
-    """the turn from q to p is taken"""
+    """the angle from q to p is taken"""
     return [t - 2 * turn(k, p, q) for t in right_textbook(k, p, q, d)]
 
 
 def wrong_turn_without_sign(k, p, q, d):
-    """the turn from p to q has lost its sign"""
+    """the angle from p to q has lost its sign"""
     return [t - turn(k, p, q) + abs(turn(k, p, q)) for t in right_textbook(k, p, q, d)]
 
 
 def wrong_cosine_turned(k, p, q, d):
-    """the law of cosines has its sign turned"""
+    """the law of cosines has the wrong sign"""
     return [t + np.pi for t in right_textbook(k, p, q, d)]
 
 

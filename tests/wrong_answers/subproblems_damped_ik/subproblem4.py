@@ -125,17 +125,17 @@ def wrong_arctan2_of_cosine_and_sine(k, h, p, d):
 
 
 def wrong_arccos_alone(k, h, p, d):
-    """the turn from p to h is left out"""
+    """the angle from p to h is left out"""
     return [t - turn(k, p, h) for t in right_by_the_angle_beside_h(k, h, p, d)]
 
 
 def wrong_turn_from_h(k, h, p, d):
-    """the turn from h to p is taken"""
+    """the angle from h to p is taken"""
     return [t - 2 * turn(k, p, h) for t in right_by_the_angle_beside_h(k, h, p, d)]
 
 
 def wrong_turn_without_sign(k, h, p, d):
-    """the turn from p to h has lost its sign"""
+    """the angle from p to h has lost its sign"""
     middle = turn(k, p, h)
     return [t - middle + abs(middle) for t in right_by_the_angle_beside_h(k, h, p, d)]
 
@@ -217,7 +217,7 @@ def wrong_sign_of_d(k, h, p, d):
 
 
 def wrong_sign_of_both(k, h, p, d):
-    """the turn from h to p is taken"""
+    """the angle from h to p is taken"""
     return [-t for t in right_by_the_angle_beside_h(k, h, p, d)]
 
 
