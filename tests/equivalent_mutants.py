@@ -129,18 +129,31 @@ EQUIVALENT = {
         "theta_1, theta_2 = -(2 * np.pi * rng.random((2, n)))": "distribution",
         "theta_1, theta_2 = -2 * np.pi * rng.random((2, n))": "distribution",
     },
-    "propagate_body": {
-        "while left >= 1e-09:": "bound",
-        "while left > 1.1000000000000001e-09:": "rounding",
-        "h = min(left, dt)": "order",
+    "test_wrap_angle": {
+        "angles = -np.random.default_rng(0).uniform(-70, 70, 300)": "free choice",
+        "same = -np.allclose(np.exp(1j * values), np.exp(1j * angles), rtol=0, atol=1e-09)": "unasked",
+        "angles = np.random.default_rng(1).uniform(-70, 70, 300)": "free choice",
+        "angles = np.random.default_rng(0).uniform(-77.0, 70, 300)": "free choice",
+        "angles = np.random.default_rng(0).uniform(-70, 77.0, 300)": "free choice",
+        "... p(1j * angles), rtol=0, atol=1.1000000000000001e-09) ...": "rounding",
+        "same = np.allclose(np.exp(1j * angles), np.exp(1j * values), rtol=0, atol=1e-09)": "order",
+        "return same and np.abs(values).max() < np.pi": "bound",
+    },
+    "step_lengths": {
+        "lengths.append(min(remaining, dt))": "order",
+        "while remaining >= 1e-09:": "bound",
+        "while remaining > 1.1000000000000001e-09:": "rounding",
+    },
+    "exp_se2": {
+        "c, s = (np.cos(-omega), np.sin(omega))": "sign",
+        "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
+    },
+    "arm_angles": {
+        "inside = np.arctan2(np.sin(theta2), 1 + np.cos(-theta2))": "sign",
+        "for theta2 in (-bend, bend):": "order",
     },
     "propagate_body_exact": {
         "steps = int(np.ceil(duration / dt - 1.1000000000000001e-09))": "rounding",
-    },
-    "propagate_arm": {
-        "while left >= 1e-09:": "bound",
-        "while left > 1.1000000000000001e-09:": "rounding",
-        "h = min(left, dt)": "order",
     },
     "hat_se3": {
         "matrix = -np.zeros((4, 4))": "sign",

@@ -67,10 +67,10 @@ def test_everything_else_stays_as_it_is_in_the_new_release(folders):
 def test_begun_work_counts_as_an_answer(folders):
     old, new = folders
     begun = 'def wrap_angle(angle):\n    """Return it."""\n    # one idea\n    raise NotImplementedError("Later.")'
-    broken = "def interpolate_arm(start, goal, n:\n    raise NotImplementedError()"
-    write(old, wrap_angle=begun, interpolate_arm=broken)
+    broken = "def arm_frames(theta:\n    raise NotImplementedError()"
+    write(old, wrap_angle=begun, arm_frames=broken)
     carry_over(old, new)
-    assert (source(new, "wrap_angle"), source(new, "interpolate_arm")) == (begun, broken)
+    assert (source(new, "wrap_angle"), source(new, "arm_frames")) == (begun, broken)
 
 
 def test_nothing_written_in_the_new_release_is_lost_and_a_newer_stub_stays(folders):

@@ -25,10 +25,10 @@ def body_movie(name, poses, times):
     return movie(name, plane_layout(HALF), [way, ends], moving, times)
 
 
-def body_paths(contents, every=10):
+def body_paths(contents, every=10, pole=None):
     """Return paths side by side, with the body drawn at every so many poses, the later the darker.
 
-    contents: {title: poses (n, 3)}.
+    contents: {title: poses (n, 3)}. pole: a point (2,) to mark in each.
     """
     fig, axes = plane_figure(4.2 * len(contents), 4.5, len(contents), sharey=True)
     for ax, (title, poses) in zip(axes, contents.items(), strict=True):
@@ -36,6 +36,9 @@ def body_paths(contents, every=10):
         shown = [*range(0, len(poses) - 1, every), len(poses) - 1]
         for i in shown:
             ax.plot(*outline(poses[i]).T, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * i / shown[-1])
+        if pole is not None:
+            ax.plot(*pole, "o", color=BLACK)
+            ax.annotate("pole", pole, xytext=(6, 4), textcoords="offset points")
         ax.set(title=title, xlim=(-HALF, HALF), ylim=(-HALF, HALF), aspect="equal", xlabel="x (m)")
         ax.set(xticks=range(-HALF, HALF + 1, 5), yticks=range(-HALF, HALF + 1, 5))
     axes[0].set_ylabel("y (m)")

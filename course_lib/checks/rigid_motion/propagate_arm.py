@@ -1,4 +1,4 @@
-"""propagate_arm: a plan of joint velocities."""
+"""propagate_arm: a plan of joint velocities; a bug is to be found."""
 
 import numpy as np
 
@@ -65,7 +65,7 @@ def _with(change):
 
 
 def _assigned(start, plan, dt, time_of=lambda elapsed, h, duration: elapsed):
-    """The printed rule: the angle is the velocity times a time, and is not added to what was."""
+    """The angle is the velocity times a time, and is not added to what was: as the broken code has it."""
     angles = [np.array(start, float)]
     for velocity, duration in plan:
         for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
@@ -92,10 +92,9 @@ EXERCISE = Exercise(
         *like(
             ARM,
             (
-                "the angles are assigned where they should be added, as in the printed rule theta = omega t",
-                "The joints had angles before the step: theta = theta + w * h.",
+                "the angles are assigned where they should be added",
+                "The joints had angles before the step. Where do they enter?",
             ),
-            _assigned,
             lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: h),
             lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: duration),
         ),
@@ -140,9 +139,11 @@ EXERCISE = Exercise(
         ),
     ),
     library=propagate_arm,
+    broken=_assigned,
     hints=(
-        "The loops are those of propagate_body: over the pairs, and in each over the steps.",
-        "In a step of length h: theta = theta + np.array([w1, w2]) * h. Append a row after each step.",
+        "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle jump?",
+        "An angle after a step is the angle before it, plus velocity times the length of the step.",
+        "theta = theta + np.array(velocity) * h for each h of step_lengths(duration, dt), and a row after each step.",
     ),
     forbidden=(
         "course_lib.planar.propagate_arm",

@@ -1,4 +1,4 @@
-"""What goes wrong where each coordinate goes its own way, angles the short way round: for bodies and for arms."""
+"""Mistakes in interpolating each coordinate by itself, with angles along the shorter arc."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from course_lib.checks.rigid_motion.paths import (
 )
 from course_lib.planar import wrap_angle
 
-_BEFORE = "Wrap the difference, before you scale it: start + s * wrap_angle(goal - start)."
+_BEFORE = "Wrap the difference of the two angles, theirs alone, and wrap it before it is scaled."
 
 
 def right_paths(angles):

@@ -73,7 +73,7 @@ _MISTAKES = (
     Mistake("the angle comes back as it is", "Take off whole turns: 2 pi each.", lambda a: a),
     Mistake(
         "only one turn is taken off",
-        "How many whole turns are in 8 pi? And in this angle?",
+        "An angle may hold several whole turns: 8 pi holds four. How many does this one hold?",
         lambda a: a - TURN * (a > np.pi) + TURN * (a < -np.pi),
     ),
     Mistake(

@@ -63,8 +63,8 @@ def right_generator_of_columns(start, plan, dt):
     return np.array(list(rows()))
 
 
-def wrong_assigned_as_printed(start, plan, dt):
-    """assigned where they should be added"""
+def wrong_broken_code_in_other_words(start, plan, dt):
+    """unnamed"""
     thetas = [np.array(start, float)]
     for velocity, duration in plan:
         time = 0
