@@ -33,7 +33,16 @@ def cells():
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     copy = tmp_path_factory.mktemp("course")
-    for name in ("course_lib", "notebooks", "tests", "pyproject.toml", "environment.txt", "Makefile", "README.md", ".gitignore"):
+    for name in (
+        "course_lib",
+        "notebooks",
+        "tests",
+        "pyproject.toml",
+        "environment.txt",
+        "Makefile",
+        "README.md",
+        ".gitignore",
+    ):
         source = ROOT / name
         ignored = shutil.ignore_patterns("__pycache__", ".ipynb_checkpoints")
         shutil.copytree(source, copy / name, ignore=ignored) if source.is_dir() else shutil.copy(source, copy / name)

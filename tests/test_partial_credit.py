@@ -45,13 +45,8 @@ def test_an_answer_without_that_part_earns_nothing(answer):
 
 
 def test_an_error_earns_nothing_and_a_right_answer_all():
-<<<<<<< HEAD
     broken = verdict(lambda twist: only_turns(twist) if twist[0] == 0 else 1 / 0)
     assert (broken.state, broken.points) == (WRONG, 0)
-=======
-    broken = verdict(lambda twist: only_turns(twist) if twist[2] == 0 else 1 / 0)
-    assert (broken.state, broken.points) == (ERROR, 0)
->>>>>>> nb_poe_kuka_iiwa
     parts = tuple(dataclasses.replace(part, points=1) for part in EXP.properties)
     assert verdict(only_turns, dataclasses.replace(EXP, properties=parts)).points == EXP.points - 1  # never all
     got = verdict(lambda twist: expm(rigid.hat_se3(np.asarray(twist, float))))

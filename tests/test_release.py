@@ -107,8 +107,10 @@ def test_metadata_for_grading_is_kept_and_protected(files):
             elif after.cell_type == "markdown":
                 assert after.source == "*Type your answer here.*"
             else:
-                shown = before.source.split("    ### BEGIN SOLUTION")[0]
-                assert after.source == f'{shown}    raise NotImplementedError("Write {nbgrader.grade_id} here.")'
+                shown, _, rest = before.source.partition("    ### BEGIN SOLUTION")
+                broken = rest.partition("### END SOLUTION\n")[2]  # of an exercise that is to find a bug
+                unwritten = f'    raise NotImplementedError("Write {nbgrader.grade_id} here.")'
+                assert after.source == shown + (broken or unwritten)
 
 
 def test_its_number_stands_in_every_notebook_the_readme_and_the_folder(release):
@@ -220,7 +222,7 @@ WRONG = [
     ),
     (
         answer(BEGIN, "    return 1", END, "  return 2"),
-        "no function `wrap_angle` that raises. Put the two markers inside",
+        "no function `wrap_angle` that returns. Put the two markers inside",
     ),
 ]
 

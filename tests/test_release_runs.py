@@ -1,11 +1,14 @@
 """The students' zip, unpacked, runs: every notebook from top to bottom, with the package that came with it."""
 
+import importlib
 import os
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbclient import NotebookClient
+
+from course_lib.checks.exercise import UNCHANGED
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
@@ -25,4 +28,8 @@ def test_every_cell_runs_and_every_check_says_not_attempted_yet(unpacked, name):
     checks = [cell for cell in notebook.cells if cell.metadata.get("nbgrader", {}).get("points") and "outputs" in cell]
     said = [output.data["text/plain"] for cell, output in outputs if cell in checks]
     assert said != []
-    assert said == [f"○ {cell.metadata.nbgrader.grade_id.removeprefix('check_')}: not attempted yet" for cell in checks]
+    package = importlib.import_module(f"course_lib.checks.{name[3:].removesuffix('.ipynb')}")
+    exercises = [check.exercise for check in package.CHECKS]
+    bug = f"{UNCHANGED}. Run it on an example whose answer you know."
+    assert [cell.metadata.nbgrader.grade_id for cell in checks] == [f"check_{each.name}" for each in exercises]
+    assert said == [f"○ {each.name}: {bug if each.broken else 'not attempted yet'}" for each in exercises]

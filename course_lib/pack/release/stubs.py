@@ -63,15 +63,20 @@ def take_answer(cell, place):
 
 
 def stub(source, exercise, place):
-    """Return the source of an answer cell with the marked lines replaced by one that says what to write."""
+    """Return the source of an answer cell with the marked lines replaced by one that says what to write.
+
+    If lines stand below the marked ones, the exercise is to find a bug in them: they alone are left.
+    """
     kept, inside, blocks = [], False, 0
+    has_bug = source.rpartition(END)[2].strip(" #\n") != ""
     for line in source.splitlines():
         if (BEGIN if inside else END) in line:
             what = "a second BEGIN SOLUTION before END" if inside else "an END SOLUTION without BEGIN"
             raise ReleaseError(f"{place}: {what} SOLUTION.")
         if BEGIN in line:
             indent = line[: len(line) - len(line.lstrip())]
-            kept.append(f'{indent}raise NotImplementedError("{UNWRITTEN.format(exercise)}")')
+            if not has_bug:
+                kept.append(f'{indent}raise NotImplementedError("{UNWRITTEN.format(exercise)}")')
             inside, blocks = True, blocks + 1
         elif END in line:
             inside = False
@@ -84,17 +89,17 @@ def stub(source, exercise, place):
             f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION around the answer."
         )
     text = "\n".join(kept)
-    if not _defines(text, exercise):
-        what = f"without its solution this is no function `{exercise}` that raises"
+    if not _defines(text, exercise, ast.Return if has_bug else ast.Raise):
+        what = f"without its solution this is no function `{exercise}` that {'returns' if has_bug else 'raises'}"
         raise ReleaseError(f"{place}: {what}. Put the two markers inside the function, below its docstring.")
     return text
 
 
-def _defines(text, exercise):
-    """Return whether the text is Python that defines the exercise's function, and that function raises."""
+def _defines(text, exercise, kind):
+    """Return whether the text is Python that defines the exercise's function, with a statement of this kind in it."""
     try:
         statements = ast.parse(text).body
     except SyntaxError:
         return False
     functions = [s for s in statements if isinstance(s, ast.FunctionDef) and s.name == exercise]
-    return any(isinstance(line, ast.Raise) for function in functions for line in function.body)
+    return any(isinstance(line, kind) for function in functions for line in function.body)

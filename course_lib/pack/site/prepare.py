@@ -84,7 +84,7 @@ def _captioned(shown: str, output) -> str:
     kept = [output.metadata.get("caption"), *(output.metadata.get(kind, {}).get("caption") for kind in IMAGES)]
     caption = next(filter(None, kept), None)
     words = mark_dollars(html.escape(caption, quote=False)) if caption else ""
-    return f"<figure class=\"shown\">{shown}<figcaption>{words}</figcaption></figure>" if caption else shown
+    return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>' if caption else shown
 
 
 def mark_dollars(page: str) -> str:
