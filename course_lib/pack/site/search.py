@@ -10,7 +10,7 @@ PAGE = """<section id="search"><h1>Search</h1>
 <noscript><p>The search needs JavaScript. The pages of the course are listed at the side.</p></noscript>
 <form class="search" role="search"><label for="search-words">Words to find in all sections</label>
 <input type="search" id="search-words" name="q" autocomplete="off" spellcheck="false"></form>
-<p id="search-count" role="status"></p>
+<p id="search-count" aria-live="polite"></p>
 <ol id="search-results"></ol></section>"""
 
 SECTION = re.compile(r'<section [^>]*?id="([^"]+)">')
