@@ -6,10 +6,14 @@ EXERCISES = (
     "dh_symbolic",
     "fk_2r",
     "ik_2r",
+    "test_ik_2r",
     "cell_index",
     "split_branches",
     "fit_cells",
     "predict",
     "approximation_error",
+    "convergence_slope",
+    "branch_by_sign",
+    "newton_step",
 )
 globals().update(namespace(__name__, EXERCISES))

@@ -37,3 +37,9 @@ def like(words, *answers):
     """One mistake, name and hint in `words`, that may be made in more than one way, in answers with nan in them."""
     name, hint = words
     return (Mistake(name, hint, *answers, alike=lambda value, predicted, *case: same_with_gaps(value, predicted)),)
+
+
+def both_elbows_at(rng, middle, n):
+    """Return 2 n joint angles (2 n, 2) that reach positions within 3 cm of `middle`: n with each elbow."""
+    found = solutions(np.array(middle) + rng.uniform(-0.03, 0.03, (n, 2)))
+    return np.concatenate([found[:, 0], found[:, 1]])

@@ -1,0 +1,47 @@
+"""Predictions of notebook 6: what the next cell will show."""
+
+from course_lib.checks.prediction import Prediction
+
+PREDICTIONS = (
+    Prediction(
+        "one_elbow",
+        "b",
+        {
+            "a": "K-means never leaves a cluster empty: it was asked for two, and it returns two.",
+            "b": "It was asked for two clusters, and it finds two. Whether there is one cloud or two, it does not say.",
+            "c": "K-means raises an error only if there are fewer samples than clusters.",
+        },
+    ),
+    Prediction(
+        "edge_slope",
+        "c",
+        {
+            "a": "That holds inside, where the inverse has a Taylor series. At the edge its derivative is infinite.",
+            "b": "That is how the error of theta2 falls. The position suffers less, because a stretched arm moves "
+            "outwards in second order only.",
+            "c": "The error of theta2 falls like the root of h only, and near the stretched arm the position follows "
+            "with the square of that: like h.",
+        },
+    ),
+    Prediction(
+        "average",
+        "b",
+        {
+            "a": "Nothing tells the network that there are two solutions. It was fitted by squared errors, and the "
+            "mean of both has the least.",
+            "b": "The least squared error belongs to the mean of the two: theta2 near 0, the stretched arm. It is no "
+            "solution, although each of the two is.",
+            "c": "A network always returns numbers. That is a part of the problem.",
+        },
+    ),
+    Prediction(
+        "one_step",
+        "b",
+        {
+            "a": "A method that converges linearly would do that. Newton's method uses the derivative.",
+            "b": "The error after the step is about the square of the error before it, here up to a factor near 1: "
+            "0.003 squared is about 1e-5 m.",
+            "c": "Only a linear function is inverted exactly by one step. The forward kinematics is none.",
+        },
+    ),
+)

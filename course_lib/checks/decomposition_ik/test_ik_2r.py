@@ -1,0 +1,93 @@
+"""test_ik_2r: write the test. Candidates are right and wrong versions of ik_2r."""
+
+import numpy as np
+
+from course_lib.checks.decomposition_ik.two_links import solutions
+from course_lib.checks.write_test import Version, WriteTest
+
+_REACH = 2 + 1e-9
+
+
+def closed_form(xy):
+    """Return both solutions (2, 2) for a position (2,), nan out of reach."""
+    return solutions(xy) if np.linalg.norm(xy) < _REACH else np.full((2, 2), np.nan)
+
+
+def _changed(change):
+    return lambda xy: change(closed_form(xy), xy)
+
+
+def _by_circles(xy):
+    """Return the same from the two points where circles around the base and the end meet: the elbows."""
+    r = np.linalg.norm(xy)
+    if not 0 < r < _REACH:
+        return closed_form(xy)
+    side = np.sqrt(max(1 - r**2 / 4, 0)) * np.array([xy[1], -xy[0]]) / r
+    found = []
+    for elbow in (xy / 2 + side, xy / 2 - side):
+        first = np.arctan2(elbow[1], elbow[0])
+        second = np.arctan2(*(xy - elbow)[::-1])
+        found.append([first, np.angle(np.exp(1j * (second - first)))])
+    return np.array(found)
+
+
+def _with_theta1(theta1):
+    return _changed(lambda theta, xy: np.column_stack([theta1(theta, xy), theta[:, 1]]))
+
+
+def _left_half(theta, xy):
+    return theta[:, 0] - (np.pi if xy[0] < 0 else 0)
+
+
+def _right(kind, ik):
+    return Version(kind, ik, right=True)
+
+
+def _wrong(kind, ik):
+    return Version(kind, ik, right=False)
+
+
+_ELBOWS = "that gives one elbow twice"
+_SIGN = "with a wrong sign"
+
+EXERCISE = WriteTest(
+    name="test_ik_2r",
+    points=2,
+    arguments=("ik_2r",),
+    cases=lambda rng: [],
+    returns=None,
+    properties=(),
+    mistakes=(),
+    hints=(
+        "You need no right version to compare with: fk_2r says where a solution leads.",
+        "Look at both rows: each leads to xy, theta2 >= 0 stands first, and theta2 <= 0 second. Try positions in all "
+        "four quadrants.",
+        "Three special positions are left: beyond 2 m all is nan, at 2 m exactly nothing is, and close to 2 m both "
+        "rows still lead to xy.",
+    ),
+    shapes=((2,),),
+    versions=(
+        _right("that is as in the text", closed_form),
+        _right("that intersects two circles", _by_circles),
+        _right("whose last digits differ", _changed(lambda theta, xy: theta * (1 + 1e-13))),
+        _right("that returns a list", _changed(lambda theta, xy: theta.tolist())),
+        _wrong("with its rows in the other order", _changed(lambda theta, xy: theta[::-1])),
+        _wrong(_ELBOWS, _changed(lambda theta, xy: theta[[0, 0]])),
+        _wrong(_ELBOWS, _changed(lambda theta, xy: theta[[1, 1]])),
+        _wrong(_SIGN, _changed(lambda theta, xy: theta * [1, -1])),
+        _wrong(_SIGN, _changed(lambda theta, xy: theta * [-1, 1])),
+        _wrong("with one theta1 for both rows", _with_theta1(lambda theta, xy: theta[[0, 0], 0])),
+        _wrong("that leaves theta2 out of theta1", _with_theta1(lambda theta, xy: [np.arctan2(xy[1], xy[0])] * 2)),
+        _wrong("that is wrong only for x < 0", _with_theta1(_left_half)),
+        _wrong("in degrees", _changed(lambda theta, xy: np.rad2deg(theta))),
+        _wrong("that answers out of reach", solutions),
+        _wrong(
+            "that has no answer on the edge",
+            _changed(lambda theta, xy: theta if np.linalg.norm(xy) < 2 - 1e-12 else theta * np.nan),
+        ),
+        _wrong(
+            "that is wrong only near the edge",
+            _changed(lambda theta, xy: theta if np.linalg.norm(xy) < 1.98 else theta * [1, 0]),
+        ),
+    ),
+)

@@ -1,0 +1,71 @@
+"""What students write for test_ik_2r(ik_2r)."""
+
+import numpy as np
+
+INSIDE = [[1.0, 1.0], [-0.6, 1.3], [-1.1, -0.4], [0.2, -1.7], [1.999, 0.0], [0.5, 0.1]]
+EDGE = [[2.0, 0.0], [0.0, -2.0]]
+OUTSIDE = [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]]
+
+
+def _fk(theta):
+    a, b = theta[..., 0], theta[..., 0] + theta[..., 1]
+    return np.stack([np.cos(a) + np.cos(b), np.sin(a) + np.sin(b)], -1)
+
+
+def right_by_forward_kinematics(ik_2r):
+    for xy in INSIDE + EDGE:
+        theta = np.array(ik_2r(xy))
+        if theta.shape != (2, 2) or not np.allclose(_fk(theta), xy, atol=1e-6):
+            return False
+        if theta[0, 1] < -1e-6 or theta[1, 1] > 1e-6:
+            return False
+    return all(np.isnan(ik_2r(xy)).all() for xy in OUTSIDE)
+
+
+def right_by_assertions(ik_2r):
+    rng = np.random.default_rng(2)
+    for r in (0.3, 1.0, 1.7, 1.999, 2.0):
+        for angle in rng.uniform(-np.pi, np.pi, 8) if r < 2 else (0,):
+            xy = r * np.array([np.cos(angle), np.sin(angle)])
+            first, second = np.array(ik_2r(xy))
+            assert first[1] > -1e-9
+            assert second[1] < 1e-9
+            np.testing.assert_allclose(_fk(first), xy, atol=1e-7)
+            np.testing.assert_allclose(_fk(second), xy, atol=1e-7)
+    assert np.isnan(np.array(ik_2r([3, 0]))).all()
+    return True
+
+
+def right_against_the_law_of_cosines(ik_2r):
+    for x, y in INSIDE + EDGE:
+        bend = np.arccos(np.clip((x**2 + y**2 - 2) / 2, -1, 1))
+        to = np.arctan2(y, x)
+        gap = np.array(ik_2r([x, y])) - [[to - bend / 2, bend], [to + bend / 2, -bend]]
+        if not np.abs(np.exp(1j * gap) - 1).max() < 1e-6:
+            return False
+    return bool(np.isnan(np.array(ik_2r(OUTSIDE[0]))).all())
+
+
+def wrong_always_true(ik_2r):
+    """accepts everything"""
+    return True
+
+
+def wrong_always_false(ik_2r):
+    """refuses everything"""
+    return False
+
+
+def wrong_exactly_equal(ik_2r):
+    """refuses everything"""
+    return all((_fk(np.array(ik_2r(xy))) == xy).all() for xy in INSIDE)
+
+
+def wrong_one_of_the_rows(ik_2r):
+    """unnamed"""
+    return np.allclose(_fk(np.array(ik_2r([1.0, 1.0]))[0]), 1)
+
+
+def wrong_angles(ik_2r):
+    """another form"""
+    return ik_2r([1.0, 1.0])
