@@ -161,17 +161,22 @@ def test_the_same_file_gives_the_same_grade(few):
 
 
 def test_the_seed_chooses_the_cases(few):
-    tells = "def nearest_so(M):\n    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n    return M\n"
+    right = next(source for source in few[1] if "def nearest_so" in source)
+    tells = right.replace("def nearest_so", "def rightly") + (
+        "\ndef nearest_so(M):\n"
+        "    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n"
+        "    return rightly(M)\n"
+    )
     told = [states_and_words(grade(book(few[0], tells), NAME, seed))["nearest_so"] for seed in (1, 1, 2)]
     assert told[0] == told[1]
     assert told[0] != told[2]
 
 
 def test_a_submission_that_takes_too_long_altogether_is_left_with_what_it_has(few):
-    sleeps = "import time\ndef is_valid(X, kind, tol):\n    time.sleep(100)"
+    sleeps = "import time\ndef nearest_so(M):\n    time.sleep(100)"
     limits = replace(SHORT, idle_seconds=2, submission_seconds=2)
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
-    assert "computed nothing for 2 seconds" in states_and_words(result)["is_valid"][1]
+    assert "computed nothing for 2 seconds" in states_and_words(result)["nearest_so"][1]
     assert "not asked" in states_and_words(result)["nearest_se"][1]
 
 
@@ -238,11 +243,11 @@ def test_sources_that_no_parser_likes_cost_the_others_nothing(few, source):
 
 def test_written_answers_are_found_by_name_by_id_and_by_their_task():
     notebook = nbformat.read(NOTEBOOKS / f"{NAME}.ipynb", 4)
-    wanted = ["explain_tolerance", "explain_crowding", "explain_which-nearest"]
+    wanted = ["explain_tolerance", "explain_torch", "explain_weights"]
     for change in (lambda c: None, lambda c: c.metadata.clear(), lambda c: (c.metadata.clear(), c.pop("id", None))):
-        for number, each in enumerate(c for c in notebook.cells if c.get("id", "").startswith("explain")):
-            if each["id"].endswith("answer"):
-                each.source = f"because {number}"
+        answers = [c for c in notebook.cells if c.metadata.get("nbgrader", {}).get("grade_id") in wanted]
+        for number, each in enumerate(answers):
+            each.source = f"because {number}"
         for each in notebook.cells:
             change(each)
         cells = [dict(c) for c in notebook.cells if c.cell_type == "markdown"]
