@@ -70,19 +70,22 @@ EXERCISE = Exercise(
     mistakes=(
         whole_numbers(BODY),
         like(
-            ("theta is not interpolated", "The way has three numbers: x, y and theta."),
+            ("theta is not interpolated", "The change has three numbers: x, y and theta."),
             BODY,
             only(BODY, 0, 1),
             lambda start, goal, way, n: only(BODY, 0, 1)([*start[:2], goal[2]], goal, way, n),
         ),
-        like(("x and y are not interpolated", "The way has three numbers: x, y and theta."), BODY, only(BODY, 2)),
+        like(("x and y are not interpolated", "The change has three numbers: x, y and theta."), BODY, only(BODY, 2)),
         like(
-            ("x and y run along the screw, in an arc", "Here each coordinate goes its own way; the screw comes next."),
+            (
+                "x and y run along the screw, in an arc",
+                "Here each coordinate is interpolated by itself; the screw comes next.",
+            ),
             BODY,
             _screw,
         ),
         like(
-            ("x and y are wrapped like angles", "Only theta goes round: metres have no turns."),
+            ("x and y are wrapped like angles", "Only theta is an angle: metres are not periodic."),
             BODY,
             moved(lambda start, goal, way: np.where(BODY, way, wrap_angle(goal - start))),
         ),
@@ -91,9 +94,9 @@ EXERCISE = Exercise(
     ),
     library=interpolate_body,
     hints=(
-        "u = np.linspace(0, 1, n) has n even times; s = 3 u^2 - 2 u^3 says how much of the way is done.",
-        "The way is goal - start, of arrays (np.array(start, float)), with theta wrapped: way[2] = wrap_angle(way[2]).",
-        "start + s[:, None] * way is an array (n, 3): each s multiplies the whole way.",
+        "u = np.linspace(0, 1, n) has n evenly spaced times; s = 3 u^2 - 2 u^3 is the part of the change that is made.",
+        "The change is goal - start, of arrays (np.array(start, float)); its third entry, that of theta, is wrapped.",
+        "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
     forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
 )

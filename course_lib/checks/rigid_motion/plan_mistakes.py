@@ -1,4 +1,4 @@
-"""The mistakes in the steps of a plan, which are the same whatever moves."""
+"""Mistakes in the steps of a plan, which are the same for a body and for an arm."""
 
 import numpy as np
 
@@ -97,7 +97,7 @@ def _but_for_nothing(right, turning):
 
 def step_mistakes(turning, right, move):
     """The mistakes in the steps of a plan, where right(start, plan, dt) is the answer, and move its step for follow."""
-    late = "Each pair ends on time: the last step is what is left of the duration, min(dt, left)."
+    late = "Each pair ends on time: the last step takes the time that remains of its duration."
     return (
         *like(
             turning,
@@ -106,7 +106,7 @@ def step_mistakes(turning, right, move):
         ),
         *like(
             turning,
-            ("only the last row is returned", "The whole way is asked: append each row to a list."),
+            ("only the last row is returned", "All rows are asked for: append each of them to a list."),
             lambda *case: right(*case)[-1:],
         ),
         *like(
@@ -147,7 +147,7 @@ def step_mistakes(turning, right, move):
         ),
         *like(
             turning,
-            ("the short step comes first", "First whole steps of dt, and then what is left."),
+            ("the short step comes first", "First whole steps of dt, and then the time that remains."),
             follow(move, lambda duration, dt: lengths(duration, dt)[::-1]),
         ),
         *like(
@@ -193,7 +193,7 @@ def step_mistakes(turning, right, move):
         Mistake(
             "a step of no length is taken",
             "For a computer 2.1 / 0.3 is a hair above 7, and 0.1 added up ten times a hair below 1. "
-            "Stop where less than 1e-9 s is left.",
+            "Stop when less than 1e-9 s remains.",
             seen=_but_for_nothing(right, turning),
         ),
     )

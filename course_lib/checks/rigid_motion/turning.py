@@ -99,7 +99,7 @@ def wrong_turns(angles, name):
         ),
         Mistake(
             "the result is wrapped, and not the difference",
-            f"That gives each direction another number, and the way is as long. {_BEFORE}",
+            f"That gives each direction another number, and the body still takes the longer arc. {_BEFORE}",
             seen=_renamed(angles, unwrapped),
         ),
         like(
@@ -121,7 +121,7 @@ def wrong_turns(angles, name):
             _of_angles(angles, lambda start, goal: -np.mod(start - goal, TURN)),
         ),
         like(
-            ("the difference has lost its sign", "A turn clockwise is negative."),
+            ("the difference has lost its sign", "A rotation clockwise is negative."),
             angles,
             _of_angles(angles, lambda start, goal: np.abs(wrap_angle(goal - start))),
             _of_angles(angles, lambda start, goal: np.abs(goal - start)),
@@ -156,12 +156,12 @@ def wrong_ways(angles, item):
             lambda start, goal, way, n: straight(0 * way, np.subtract(goal, start), rest_to_rest(even(n))),
         ),
         like(
-            ("the way goes backwards", "The way is goal - start, in this order."),
+            ("the way goes backwards", "The change is goal - start, in this order."),
             angles,
             moved(lambda start, goal, way: -way),
             moved(lambda start, goal, way: start - goal),
         ),
-        like(("angles are given in degrees", "Radians, please."), angles, in_degrees),
+        like(("angles are given in degrees", "Angles are in radians."), angles, in_degrees),
         *wrong_times(angles, lambda start, goal, way, s: straight(start, way, s), item),
     )
 
