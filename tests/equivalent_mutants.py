@@ -224,6 +224,27 @@ EQUIVALENT = {
         "for k in range(2, 4):": "any point",
         "if not np.allclose(np.transpose(columns), adjoint(T), rtol=0, atol=1e-09):": "order",
     },
+    "test_ik_2r": {
+        "... ([1.0, 1.0], [-0.6, 1.3], [-1.2100000000000002, -0.4], [1.999, 0.0], [ ...": "free choice",
+        "for xy in ([1.0, -1.0], [-0.6, 1.3], [-1.1, -0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [-0.6, 1.3], [-0.4, -1.1], [1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [-0.6, 1.3], [-1.1, -0.4], [-1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [-0.6, 1.3], [-1.1, -0.4], [0.0, 1.999], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [-0.6, 1.3], [-1.1, -0.4], [1.999, 0.0], [0.0, 2.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [-0.6, 1.3], [-1.1, 0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [0.6, 1.3], [-1.1, -0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "for xy in ([1.0, 1.0], [1.3, -0.6], [-1.1, -0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
+        "in_order = theta[0, 1] > -1e-06 and theta[1, 1] <= 1e-06": "free choice",
+        "in_order = theta[0, 1] >= -1e-06 and theta[1, 1] < 1e-06": "free choice",
+        "leads_there = np.allclose(fk_2r(theta), xy, atol=1.1e-06)": "free choice",
+        "leads_there = np.allclose(xy, fk_2r(theta), atol=1e-06)": "order",
+    },
+    "newton_step": {
+        "second_link = np.array([-np.sin(both), np.cos(-both)])": "sign",
+    },
+    "convergence_slope": {
+        "return np.polyfit(np.log(sizes), np.log(errors), 1.1)[0]": "same place",
+    },
     "dh_symbolic": {
         "c, s = (sp.cos(-theta), sp.sin(theta))": "sign",
     },

@@ -82,6 +82,10 @@ EXERCISE = WriteTest(
         _wrong("in degrees", _changed(lambda theta, xy: np.rad2deg(theta))),
         _wrong("that answers out of reach", solutions),
         _wrong(
+            "that answers out of reach",
+            lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else solutions(xy) * [np.nan, 1],
+        ),
+        _wrong(
             "that has no answer on the edge",
             _changed(lambda theta, xy: theta if np.linalg.norm(xy) < 2 - 1e-12 else theta * np.nan),
         ),
