@@ -16,7 +16,9 @@ from pathlib import Path
 def grade(content, notebook, seed):
     told = json.loads(content)
     if "log" in told:
-        Path(told["log"], f"{uuid.uuid4()}").write_text(str(os.getppid()))  # whoever started it: grading forks a process for each
+        Path(told["log"], f"{uuid.uuid4()}").write_text(
+            str(os.getppid())
+        )  # whoever started it: grading forks a process for each
     time.sleep(told.get("seconds", 0))
     if told.get("do") == "raise":
         raise ValueError("a grader has errors too")

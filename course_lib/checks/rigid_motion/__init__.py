@@ -14,6 +14,6 @@ EXERCISES = (
     "propagate_body_exact",
     "arm_frames",
     "propagate_arm",
-    "arm_angles",
+    "two_link_angles",
 )
 globals().update(namespace(__name__, EXERCISES))

@@ -1,4 +1,4 @@
-"""What students write for arm_angles(tip)."""
+"""What students write for two_link_angles(tip)."""
 
 import cmath
 import math

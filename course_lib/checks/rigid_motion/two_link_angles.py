@@ -1,4 +1,4 @@
-"""arm_angles: the inverse kinematics of the arm with two links of one metre, both elbows."""
+"""two_link_angles: the inverse kinematics of the arm with two links of one metre, both elbows."""
 
 import numpy as np
 
@@ -58,7 +58,7 @@ def _straight(tip):
 _LINK = "Draw the triangle of base, elbow and tip: where in it does theta2 stand?"
 
 EXERCISE = Exercise(
-    name="arm_angles",
+    name="two_link_angles",
     points=3,
     arguments=("tip",),
     cases=_cases,
