@@ -85,7 +85,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
-            lambda q_dot, *case: _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-6) + 1e-9,
+            lambda q_dot, *case: _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-5) + 1e-7,
             seen=lambda q_dot, *case: (
                 f"With yours it is {_cost(q_dot, *case):.6g}; {_cost(right(*case), *case):.6g} is possible."
             ),

@@ -39,7 +39,16 @@ def _chosen(by):
 right = _chosen(lambda gaps: gaps.max((1, 2)))
 
 
-def _case(rng, n, zero=None, noise=0.0):
+def _one_at_a_time(table, q, poses):
+    """Return the signs of somebody who decides joint after joint and never comes back to one."""
+    worst = dict(zip(map(tuple, _patterns(table)), _gaps(table, q, poses).max((1, 2)), strict=True))
+    signs = [1] * len(table)
+    for i in range(len(table)):
+        signs[i] = min((1, -1), key=lambda sign, i=i: round(worst[(*signs[:i], sign, *signs[i + 1 :])], 9))
+    return np.array(signs)
+
+
+def _case(rng, n, zero=None, noise=0.0, misleading=False):
     """Return a table, configurations, and the poses that they have if some joints are counted the other way.
 
     The last row has a = 0, so that no position shows which way the last joint rotates.
@@ -57,7 +66,8 @@ def _case(rng, n, zero=None, noise=0.0):
         if noise:
             poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
         worst = np.sort(_gaps(table, q, poses).max((1, 2)))
-        if (signs > 0).any() and worst[1] > 0.2:
+        clear = (signs > 0).any() and worst[1] > 0.2
+        if clear and (not misleading or not np.array_equal(_one_at_a_time(table, q, poses), signs)):
             return table, q, poses
 
 
@@ -65,7 +75,13 @@ def _cases(rng):
     quarter = np.pi / 2
     table, q = np.array([[0.5, quarter, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
     simple = table, q, np.array([_end(table, [1, -1] * angles) for angles in q])
-    return [simple, _case(rng, 3), _case(rng, 3, zero=0), _case(rng, 3, zero=-1), _case(rng, 4, noise=1e-4)]
+    return [
+        simple,
+        _case(rng, 3),
+        _case(rng, 3, zero=0),
+        _case(rng, 3, zero=-1),
+        _case(rng, 4, noise=1e-4, misleading=True),
+    ]
 
 
 def _seen(answer, table, q, poses):
@@ -101,6 +117,11 @@ EXERCISE = Exercise(
         negated(right, "all signs are the other way round", "1 means: as the table says."),
         Mistake("no joint is counted the other way", "Try all patterns.", lambda table, *rest: np.ones(len(table))),
         Mistake("all joints are counted the other way", "Try all patterns.", lambda table, *rest: -np.ones(len(table))),
+        Mistake(
+            "one joint is decided after the other",
+            "The best sign of one joint depends on those of the others: try all patterns.",
+            _one_at_a_time,
+        ),
         Mistake(
             "the signs are in the reverse order",
             "The first sign belongs to the first row.",

@@ -1,7 +1,7 @@
 """What students write for bounded_step(J, v, bound, eps)."""
 
 import numpy as np
-from scipy.optimize import lsq_linear, minimize
+from scipy.optimize import lsq_linear
 
 
 def stacked(J, v, eps):
@@ -30,18 +30,6 @@ def right_by_coordinates(J, v, bound, eps):
     return x
 
 
-def right_by_a_general_solver(J, v, bound, eps):
-    H, g = J.T @ J + eps * np.eye(J.shape[1]), J.T @ v
-    found = minimize(
-        lambda x: x @ H @ x / 2 - g @ x,
-        np.zeros(len(g)),
-        jac=lambda x: H @ x - g,
-        bounds=[(-bound, bound)] * len(g),
-        options={"ftol": 1e-16, "gtol": 1e-12},
-    )
-    return found.x
-
-
 def wrong_unbounded(J, v, bound, eps):
     """the bounds are ignored"""
     return J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(J)), v)
@@ -58,11 +46,6 @@ def wrong_scaled(J, v, bound, eps):
     return x / max(1, np.abs(x).max() / bound)
 
 
-def wrong_undamped(J, v, bound, eps):
-    """the damping is left out"""
-    return lsq_linear(*stacked(J, v, 1e-12), bounds=(-bound, bound), tol=1e-14).x
-
-
 def wrong_eps_as_it_is(J, v, bound, eps):
     """eps stands for its square root"""
     n = J.shape[1]
@@ -72,15 +55,3 @@ def wrong_eps_as_it_is(J, v, bound, eps):
 def wrong_result_object(J, v, bound, eps):
     """another form"""
     return lsq_linear(*stacked(J, v, eps), bounds=(-bound, bound))
-
-
-def wrong_clipped_once_and_solved_again(J, v, bound, eps):
-    """unnamed"""
-    x = wrong_unbounded(J, v, bound, eps)
-    at = np.abs(x) > bound
-    x[at] = np.sign(x[at]) * bound
-    rest = J[:, ~at]
-    if (~at).any():
-        H = rest.T @ rest + eps * np.eye((~at).sum())
-        x[~at] = np.clip(np.linalg.solve(H, rest.T @ (v - J[:, at] @ x[at])), -bound, bound)
-    return 0.999 * x

@@ -54,7 +54,7 @@ def wrong_first_configuration(table, q, poses):
 
 
 def wrong_one_joint_at_a_time(table, q, poses):
-    """unnamed"""
+    """one joint is decided after the other"""
     signs = np.ones(len(table))
     for i in range(len(table)):
         gaps = []
