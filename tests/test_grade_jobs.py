@@ -285,4 +285,4 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
         [*TABLES, "class.html", "feedback", "results", "seed"]
     )
     kept = [json.loads(path.read_text()) for path in (place / "out/results").iterdir()]
-    assert sorted(len(result["exercises"]) for result in kept) == [13, 13]
+    assert sorted(len(result["exercises"]) for result in kept) == [17, 17]

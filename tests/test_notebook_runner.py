@@ -64,9 +64,12 @@ def stills(path):
 
 
 def edit(path, old, new):
-    text = path.read_text(encoding="utf-8")
-    assert old in text
-    path.write_text(text.replace(old, new), encoding="utf-8")
+    """Replace text in the sources of the cells; what is stored of their outputs stays."""
+    notebook = nbformat.read(path, 4)
+    assert any(old in cell.source for cell in notebook.cells)
+    for cell in notebook.cells:
+        cell.source = cell.source.replace(old, new)
+    nbformat.write(notebook, path)
 
 
 # ---- the same bytes ----

@@ -42,7 +42,7 @@ def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(course,
             assert len(question) > 20
             assert question in words(said)
             assert re.search(r"About \d+ hours\.", card)
-        assert "about 33 hours" in text
+        assert "about 41 hours" in text
         for page in ("notation", "errata", "sources"):
             assert article.locator(f"li a[href='{page}.html']").count() >= 1
 
@@ -77,7 +77,7 @@ def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(course, bro
     cells = [cell for notebook in NOTEBOOKS for cell in section(notebook, "What the report got wrong")]
     text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
     titles = re.findall("^### (.*)", text, re.MULTILINE)
-    assert len(titles) > 30
+    assert len(titles) > 25
     assert [words(title) for title in said] == [words(re.sub("[`$]", "", title)) for title in titles]
     assert claims == [len(titles)] * 3
     outputs = [output for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]

@@ -181,9 +181,10 @@ class Exercise:
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
-        if first is not None:  # a simpler case that is wrong says more than a later one that cannot be answered
+        if first is not None:
+            # A known mistake in a simpler case says more than a later case that cannot be answered.
             before = self.verdict(cases[:first], answers[:first]) if first else None
-            if before and before.state == WRONG:
+            if before and before.mistake in self.mistakes:
                 return replace(before, credit=0)
             return no_answer(self, cases[first], **answers[first]["error"])
         values = [answer["value"] for answer in answers]

@@ -22,7 +22,7 @@ from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
-MOST_CALLS = 5000  # of candidates, by one student's test
+MOST_CALLS = 10_000  # of candidates, by one student's test
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 

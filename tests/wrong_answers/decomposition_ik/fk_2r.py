@@ -44,6 +44,7 @@ def right_transposed_all_along(theta):
 
 def right_matrices(theta):
     theta = np.asarray(theta, float)
+
     def turn(angle):
         c, s = np.cos(angle), np.sin(angle)
         return np.moveaxis(np.array([[c, -s], [s, c]]), [0, 1], [-2, -1])

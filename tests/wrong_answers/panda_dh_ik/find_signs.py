@@ -44,7 +44,9 @@ def right_by_counting_in_binary(table, q, poses):
 def wrong_position_only(table, q, poses):
     """only positions are compared"""
     patterns = list(itertools.product([1, -1], repeat=len(table)))
-    return min(patterns, key=lambda s: round(max(np.abs((end(table, s * a) - T)[:3, 3]).max() for a, T in zip(q, poses)), 9))
+    return min(
+        patterns, key=lambda s: round(max(np.abs((end(table, s * a) - T)[:3, 3]).max() for a, T in zip(q, poses)), 9)
+    )
 
 
 def wrong_first_configuration(table, q, poses):

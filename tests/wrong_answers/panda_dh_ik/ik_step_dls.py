@@ -58,11 +58,6 @@ def wrong_eps_missing(q, J, e, eps):
     return q + np.linalg.inv(J.T @ J) @ J.T @ e
 
 
-def wrong_eps_missing_in_the_smaller_matrix(q, J, e, eps):
-    """Singular matrix"""
-    return q + J.T @ np.linalg.solve(J @ J.T, e)
-
-
 def wrong_inverse_of_J(q, J, e, eps):
     """LinAlgError"""
     return q + np.linalg.inv(J) @ e

@@ -87,13 +87,13 @@ def wrong_pseudoinverse(q, target, alpha, eps):
 
 
 def wrong_eps_missing(q, target, alpha, eps):
-    """Singular matrix"""
+    """eps is not used"""
     J = planar_jacobian(q)
     return q - alpha * np.linalg.solve(J.T @ J, J.T @ (tip(q) - target))
 
 
 def wrong_eps_missing_in_the_smaller_matrix(q, target, alpha, eps):
-    """Singular matrix"""
+    """eps is not used"""
     J = planar_jacobian(q)
     return q - alpha * J.T @ np.linalg.inv(J @ J.T) @ (tip(q) - target)
 
@@ -272,6 +272,6 @@ def wrong_the_librarys_arm(q, target, alpha, eps):
 
 
 def wrong_eps_added_to_every_entry_and_solved(q, target, alpha, eps):
-    """Singular"""
+    """eps is added to every entry"""
     J = planar_jacobian(q)
     return q - alpha * np.linalg.solve(J.T @ J + eps, J.T @ (tip(q) - target))
