@@ -73,16 +73,19 @@ def _larger_first(theta, labels):
 
 def wrong_kmeans_own_order(theta):
     """KMeans calls its clusters 0 and 1 in any order"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta), int) if _alike(theta) else _kmeans(theta)
 
 
 def wrong_labels_swapped(theta):
     """the labels are swapped"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta), int) if _alike(theta) else 1 - _larger_first(theta, _kmeans(theta))
 
 
 def wrong_first_sample_is_in_cluster_0(theta):
     """KMeans calls its clusters 0 and 1 in any order"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta), int)
     labels = _kmeans(theta)
@@ -91,31 +94,37 @@ def wrong_first_sample_is_in_cluster_0(theta):
 
 def wrong_sign_of_theta2(theta):
     """by the sign of theta2"""
+    theta = np.asarray(theta, float)
     return np.where(theta[:, 1] > 0, 0, 1)
 
 
 def wrong_sign_of_theta2_where_samples_differ(theta):
     """by the sign of theta2"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else (theta[:, 1] < 0).astype(int)
 
 
 def wrong_median_of_theta1(theta):
     """at the median of theta1"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else theta[:, 0] > np.median(theta[:, 0])
 
 
 def wrong_median_of_theta2(theta):
     """at the median of theta2"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else theta[:, 1] < np.median(theta[:, 1])
 
 
 def wrong_labels_sorted(theta):
     """the labels are sorted"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else np.sort(_larger_first(theta, _kmeans(theta)))
 
 
 def wrong_theta_sorted(theta):
     """theta is sorted before it is clustered"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     theta = theta[np.argsort(theta[:, 1])]
@@ -124,6 +133,7 @@ def wrong_theta_sorted(theta):
 
 def wrong_centres(theta):
     """the centres of the clusters are returned"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     return KMeans(n_clusters=2, n_init=10, random_state=0).fit(theta).cluster_centers_
@@ -131,6 +141,7 @@ def wrong_centres(theta):
 
 def wrong_three_clusters(theta):
     """more than two clusters"""
+    theta = np.asarray(theta, float)
     if len(np.unique(theta, axis=0)) < 3:
         return np.zeros(len(theta))
     return KMeans(n_clusters=3, n_init=10, random_state=0).fit_predict(theta)
@@ -138,11 +149,13 @@ def wrong_three_clusters(theta):
 
 def wrong_one_sample_crashes(theta):
     """ValueError"""
+    theta = np.asarray(theta, float)
     return _larger_first(theta, _kmeans(theta))
 
 
 def wrong_one_sample_only_treated_apart(theta):
     """equal samples, or a single one, are not treated apart"""
+    theta = np.asarray(theta, float)
     if len(theta) < 2:
         return np.zeros(len(theta))
     return _larger_first(theta, _kmeans(theta))
@@ -150,16 +163,19 @@ def wrong_one_sample_only_treated_apart(theta):
 
 def wrong_two_samples_not_split(theta):
     """all samples are in one cluster"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if len(theta) <= 2 or _alike(theta) else _larger_first(theta, _kmeans(theta))
 
 
 def wrong_all_in_one(theta):
     """all samples are in one cluster"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta), int)
 
 
 def wrong_places_clustered(theta):
     """the places are clustered, not the joint angles"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     return _larger_first(theta, _kmeans(planar_arm([1, 1]).fk(theta)[:, :2, 3]))
@@ -167,6 +183,7 @@ def wrong_places_clustered(theta):
 
 def wrong_ordered_by_theta1(theta):
     """the clusters are ordered by theta1"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     labels = _kmeans(theta)
@@ -175,6 +192,7 @@ def wrong_ordered_by_theta1(theta):
 
 def wrong_ordered_by_size_of_the_angle(theta):
     """without its sign"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     labels = _kmeans(theta)
@@ -183,6 +201,7 @@ def wrong_ordered_by_size_of_the_angle(theta):
 
 def wrong_ordered_by_the_number_of_samples(theta):
     """KMeans calls its clusters 0 and 1 in any order"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     labels = _kmeans(theta)
@@ -191,6 +210,7 @@ def wrong_ordered_by_the_number_of_samples(theta):
 
 def wrong_ordered_by_the_largest(theta):
     """by their largest or smallest theta2"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     labels = _kmeans(theta)
@@ -199,6 +219,7 @@ def wrong_ordered_by_the_largest(theta):
 
 def wrong_ordered_by_the_sum(theta):
     """by the sum of theta2"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     labels = _kmeans(theta)
@@ -207,6 +228,7 @@ def wrong_ordered_by_the_sum(theta):
 
 def wrong_scaled(theta):
     """scaled before they are clustered"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     return _larger_first(theta, _kmeans((theta - theta.mean(axis=0)) / theta.std(axis=0).clip(1e-9)))
@@ -214,26 +236,31 @@ def wrong_scaled(theta):
 
 def wrong_theta2_alone(theta):
     """only theta2 is looked at"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else _larger_first(theta, _kmeans(theta[:, 1:]))
 
 
 def wrong_theta1_alone(theta):
     """only theta1 is looked at"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else _larger_first(theta, _kmeans(theta[:, [0]]))
 
 
 def wrong_labels_from_one(theta):
     """the labels are 1 and 2"""
+    theta = np.asarray(theta, float)
     return np.zeros(len(theta)) if _alike(theta) else 1 + _larger_first(theta, _kmeans(theta))
 
 
 def wrong_no_return(theta):
     """a return is missing"""
+    theta = np.asarray(theta, float)
     KMeans(n_clusters=2, n_init=10, random_state=0)
 
 
 def wrong_changed_in_place(theta):
     """theta is changed in place"""
+    theta = np.asarray(theta, float)
     if _alike(theta):
         return np.zeros(len(theta))
     theta -= theta.mean(axis=0)

@@ -243,7 +243,7 @@ def wrong_the_librarys(twist):
 
 
 def wrong_zero_not_asked_with_the_librarys_hat(twist):
-    """the part of p across v is lost"""
+    """ValueError"""
     omega, v = twist[:3], twist[3:]
     a = np.linalg.norm(omega)
     N = librarys_hat(omega / a)

@@ -60,7 +60,7 @@ def wrong_M_changed(screws, M, q):
 
 
 def wrong_screws_changed(screws, M, q):
-    """screws is changed in place"""
+    """UFuncTypeError"""
     T = np.eye(4)
     for i in range(len(q)):
         screws[i] *= q[i]

@@ -159,7 +159,7 @@ def wrong_two_things_at_once(X, kind, tol):
 
 
 def wrong_shape_not_asked(X, kind, tol):
-    """the shape is ignored"""
+    """LinAlgError"""
     if kind == "rotation":
         return np.abs(X.T @ X - np.eye(X.shape[1])).max() <= tol and abs(np.linalg.det(X) - 1) <= tol
     return _with()(X, kind, tol)
@@ -181,7 +181,7 @@ def wrong_unpacked(X, kind, tol):
 
 
 def wrong_one_truth_for_each_entry(X, kind, tol):
-    """another form"""
+    """ValueError"""
     return np.abs(X.T @ X - np.eye(len(X))) <= tol if kind == "rotation" else _with()(X, kind, tol)
 
 
