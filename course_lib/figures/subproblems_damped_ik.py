@@ -146,7 +146,7 @@ def _scene(axes, names, drawn, far):
     drawn = [*drawn, arrows.trace([np.eye(4)])]
     drawn += [name_at(1.1 * end, name, AXIS, "scene") for end, name in zip(ends, names, strict=True)]
     points = [np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1) for trace in drawn]
-    settings = scene.fitted_scene(np.concatenate(points), CAMERA, fill=0.88)
+    settings = scene.fitted_scene(np.concatenate(points), CAMERA, fill=0.8)
     return go.Figure(drawn, layout=scene.layout([settings], height=420))
 
 
