@@ -73,9 +73,13 @@ def cell(*outputs, source="pass", tags=(), **metadata):
     return new_code_cell(source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata})
 
 
-def output(data, alt=None, caption=None):
+def caption_output(words):
+    """What show() displays below a figure."""
+    return new_output("display_data", data={"text/markdown": words, "text/plain": words}, metadata={"caption": words})
+
+
+def output(data, alt=None):
     metadata = {"image/png": {"alt": alt}} if alt else {}
-    metadata |= {"caption": caption} if caption else {}
     return new_output("display_data", data={"text/plain": "words", **data}, metadata=metadata)
 
 
