@@ -70,7 +70,7 @@ def _of(length):
 
 
 def _with(where):
-    """The answer of those whose forward kinematics puts the end at where(theta1, theta2)."""
+    """The answer of those whose forward kinematics puts the end at where(q1, q2)."""
     return lambda xy, angles: np.linalg.norm(np.stack(where(*np.moveaxis(angles, -1, 0)), -1) - xy[:, None], axis=-1)
 
 
@@ -181,8 +181,8 @@ EXERCISE = Exercise(
         ),
         *like(
             (
-                "theta2 is taken for the direction of the second link",
-                "theta2 counts from the first link: the second points along theta1 + theta2.",
+                "q2 is taken for the direction of the second link",
+                "q2 counts from the first link: the second points along q1 + q2.",
             ),
             _with(lambda t1, t2: (np.cos(t1) + np.cos(t2), np.sin(t1) + np.sin(t2))),
         ),

@@ -8,7 +8,7 @@ _WIDTH = 0.16  # metres: half a cell, from its middle to its border
 
 
 def both(rng, middle, up, down):
-    """Return places and joint angles of one cell: `up` samples with theta2 > 0, `down` with theta2 < 0.
+    """Return places and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
 
     The first three of each lie near three corners of the cell, so that they determine a plane well.
     """
@@ -31,11 +31,11 @@ def _places(rng, middle, n):
 
 
 def mixed(rng, cells, count):
-    """Return (xy, theta, cell, count) of [(number, (places, angles))], the samples in any order."""
-    xy, theta = (np.concatenate([samples[i] for _, samples in cells]) for i in (0, 1))
+    """Return (xy, q, cell, count) of [(number, (places, angles))], the samples in any order."""
+    xy, q = (np.concatenate([samples[i] for _, samples in cells]) for i in (0, 1))
     cell = np.concatenate([np.full(len(samples[0]), number) for number, samples in cells])
     order = rng.permutation(len(cell))
-    return xy[order], theta[order], cell[order], count
+    return xy[order], q[order], cell[order], count
 
 
 def cases(rng):

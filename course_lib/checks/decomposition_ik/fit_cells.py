@@ -16,7 +16,7 @@ _FINE = 1e-7  # radians
 _SHAPES = {
     (2, 2, 2): Mistake("the intercepts are missing", "Row j is [coef_[j, 0], coef_[j, 1], intercept_[j]]: 3 numbers."),
     (2, 3, 2): Mistake(
-        "the models are transposed", "Row j belongs to theta j: np.column_stack([coef_, intercept_]) is (2, 3)."
+        "the models are transposed", "Row j belongs to q j: np.column_stack([coef_, intercept_]) is (2, 3)."
     ),
 }
 _COUNT = Mistake(
@@ -43,10 +43,10 @@ def _around(samples):
     return samples.mean(axis=0) + 0.1 * np.array([[0, 0], [1, 1], [-1, 1], [-1, -1], [1, -1]])
 
 
-def _errors(value, xy, theta, cell, count):
+def _errors(value, xy, q, cell, count):
     """How far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
-    right, errors = models(xy, theta, cell, count), {}
-    for place, samples in clusters(theta, cell, count).items():
+    right, errors = models(xy, q, cell, count), {}
+    for place, samples in clusters(q, cell, count).items():
         if len(samples) > 2:
             off = with_one(_around(xy[samples])) @ (value[place] - right[place]).T
             errors[place] = np.where(np.isnan(off), np.inf, np.abs(off)).max(axis=0)
@@ -62,7 +62,7 @@ def _tell_fit(value, *case):
     (c, k), j = next((place, j) for place, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
     wanted, samples = models(*case)[c, k, j], clusters(*case[1:])[c, k]
     return (
-        f"In cell {c}, cluster {k} has {len(samples)} samples, and for theta{j + 1} the row {format_tuple(wanted)} "
+        f"In cell {c}, cluster {k} has {len(samples)} samples, and for q{j + 1} the row {format_tuple(wanted)} "
         f"fits them best. Yours is {format_tuple(value[c, k, j])}."
     )
 
@@ -97,22 +97,22 @@ def _tell_too_few(value, *case):
     return f"In cell {c}, cluster {k} has {_size(place, *case)}, and nan stands in your model there."
 
 
-def _linear_regression(xy, theta):
-    line = LinearRegression().fit(xy, theta)
+def _linear_regression(xy, q):
+    line = LinearRegression().fit(xy, q)
     return np.column_stack([line.coef_, line.intercept_])
 
 
-def fit_cells(xy, theta, cell, count, least=3, split=split_branches):
+def fit_cells(xy, q, cell, count, least=3, split=split_branches):
     """Return the models (count, 2, 2, 3) of the clusters of cells; NaN for those of fewer samples than `least`."""
-    return models(xy, theta, cell, count, _linear_regression, split, least)
+    return models(xy, q, cell, count, _linear_regression, split, least)
 
 
 EXERCISE = Exercise(
     name="fit_cells",
     points=3,
-    arguments=("xy", "theta", "cell", "count"),
+    arguments=("xy", "q", "cell", "count"),
     cases=cases,
-    returns=numbers(lambda xy, theta, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
+    returns=numbers(lambda xy, q, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
     properties=(
         Property(
             "a cluster with fewer than 3 samples has no model: nan stands there, in all 6 places",
@@ -125,7 +125,7 @@ EXERCISE = Exercise(
             _tell_too_few,
         ),
         Property(
-            "theta_j = A[j, 0] x + A[j, 1] y + A[j, 2] fits the samples of its cluster with the least squares",
+            "q_j = A[j, 0] x + A[j, 1] y + A[j, 2] fits the samples of its cluster with the least squares",
             _fits,
             _tell_fit,
         ),
@@ -134,9 +134,9 @@ EXERCISE = Exercise(
     library=fit_cells,
     hints=(
         "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",
-        "own = cell == c gives the samples of the cell; labels = split_branches(theta[own]) their clusters.",
+        "own = cell == c gives the samples of the cell; labels = split_branches(q[own]) their clusters.",
         "For k in (0, 1): in_k = labels == k. With fewer than 3 samples, continue: the nan stays.",
-        "fit = LinearRegression().fit(xy[own][in_k], theta[own][in_k]).",
+        "fit = LinearRegression().fit(xy[own][in_k], q[own][in_k]).",
         "models[c, k, :, :2] = fit.coef_ and models[c, k, :, 2] = fit.intercept_.",
     ),
     forbidden=("course_lib.grid_ik.GridIK",),

@@ -8,7 +8,7 @@ from course_lib.checks.exercise import Mistake
 
 _A_LIST = Mistake(
     "the argument is taken for an array, and it may be a list",
-    "Begin with theta = np.asarray(theta, float): that takes arrays and lists.",
+    "Begin with q = np.asarray(q, float): that takes arrays and lists.",
 )
 
 
@@ -20,10 +20,10 @@ def with_a_list(exercise, position):
         return [*asked, (asked[position][0].tolist(),)]
 
     def of_array(function):
-        return function and (lambda value, theta: function(value, np.asarray(theta, float)))
+        return function and (lambda value, q: function(value, np.asarray(q, float)))
 
     def of_argument(function):
-        return function and (lambda theta: function(np.asarray(theta, float)))
+        return function and (lambda q: function(np.asarray(q, float)))
 
     def mistake(known):
         if known is None:

@@ -11,7 +11,7 @@ ONE_FOR_BOTH = (
     "one model serves both branches",
     "The two elbows are two surfaces: split_branches first, and then one model for each label.",
 )
-THETA1_ONLY = ("only theta1 has a model", "A model has two rows: one for theta1, one for theta2.")
+THETA1_ONLY = ("only q1 has a model", "A model has two rows: one for q1, one for q2.")
 
 
 def _changed(change):
@@ -22,12 +22,12 @@ def _fitted(fit):
     return lambda *case: models(*case, fit=fit)
 
 
-def _through_zero(xy, theta):
-    return np.column_stack([np.linalg.lstsq(xy, theta, rcond=None)[0].T, [0, 0]])
+def _through_zero(xy, q):
+    return np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]])
 
 
-def _about_the_mean(xy, theta):
-    return np.column_stack([least_squares(xy, theta)[:, :2], theta.mean(axis=0)])
+def _about_the_mean(xy, q):
+    return np.column_stack([least_squares(xy, q)[:, :2], q.mean(axis=0)])
 
 
 def _transposed(fit):
@@ -42,22 +42,22 @@ def _second_row(change):
     return _changed(lambda right: np.stack([right[:, :, 0], change(right[:, :, 0])], 2))
 
 
-def _together(xy, theta, cell, count):
+def _together(xy, q, cell, count):
     """The answer of those who split all samples at once, not cell by cell."""
-    named = split(theta)
-    each = [models(xy, theta, np.where(named == k, cell, -1), count, labels=_one_cluster) for k in (0, 1)]
+    named = split(q)
+    each = [models(xy, q, np.where(named == k, cell, -1), count, labels=_one_cluster) for k in (0, 1)]
     return np.stack([found[:, 0] for found in each], 1)
 
 
-def _one_cluster(theta):
-    return np.zeros(len(theta))
+def _one_cluster(q):
+    return np.zeros(len(q))
 
 
 def _outside_last(writes):
     """The answer of those for whom cell -1 is a cell too, whose models go to the last place where writes(*case)."""
 
-    def answer(xy, theta, cell, count):
-        found = models(xy, theta, np.where(cell < 0, count, cell), count + 1)
+    def answer(xy, q, cell, count):
+        found = models(xy, q, np.where(cell < 0, count, cell), count + 1)
         if (cell < 0).any() and writes(cell, count):
             found[-2] = found[-1]
         return found[:-1]
@@ -65,10 +65,10 @@ def _outside_last(writes):
     return answer
 
 
-def _few_fitted(value, xy, theta, cell, count):
+def _few_fitted(value, xy, q, cell, count):
     """Whether everything is right but that clusters of one or two samples have a model too."""
-    right = models(xy, theta, cell, count)
-    few = [place for place, samples in clusters(theta, cell, count).items() if 0 < len(samples) < 3]
+    right = models(xy, q, cell, count)
+    few = [place for place, samples in clusters(q, cell, count).items() if 0 < len(samples) < 3]
     changed = np.array(value)
     for place in few:
         changed[place] = np.nan
@@ -103,14 +103,14 @@ MISTAKES = (
             "the coefficients are transposed",
             "coef_[j, i] is the factor of coordinate i for angle j: it is A[j, i] already. lstsq gives (3, 2).",
         ),
-        _fitted(lambda xy, theta: _transposed(least_squares(xy, theta))),
-        _fitted(lambda xy, theta: least_squares(xy, theta).T.reshape(2, 3)),
+        _fitted(lambda xy, q: _transposed(least_squares(xy, q))),
+        _fitted(lambda xy, q: least_squares(xy, q).T.reshape(2, 3)),
     ),
     *like(
         ("the factors of x and y are swapped", "xy[:, 0] is x: its factor stands first."),
         _changed(lambda right: right[..., [1, 0, 2]]),
     ),
-    *like(("theta1 and theta2 are swapped", "Row 0 is for theta1."), _changed(lambda right: right[:, :, ::-1])),
+    *like(("q1 and q2 are swapped", "Row 0 is for q1."), _changed(lambda right: right[:, :, ::-1])),
     *like(
         ("the models are in degrees", "Angles are radians everywhere."),
         _changed(np.rad2deg),
@@ -130,16 +130,16 @@ MISTAKES = (
     *like(
         (
             "place and joint angles are exchanged: these are models of the places",
-            "The inverse is asked: fit(xy, theta), from the place to the angles.",
+            "The inverse is asked: fit(xy, q), from the place to the angles.",
         ),
-        _fitted(lambda xy, theta: least_squares(theta, xy)),
+        _fitted(lambda xy, q: least_squares(q, xy)),
     ),
     *like(
         (
             "the samples outside all cells, with number -1, go into the last cell",
             "models[-1] is the last cell in Python. Go through c in range(count) and take cell == c.",
         ),
-        lambda xy, theta, cell, count: models(xy, theta, cell % count, count),
+        lambda xy, q, cell, count: models(xy, q, cell % count, count),
         _outside_last(lambda cell, count: True),
         _outside_last(lambda cell, count: not (cell == count - 1).any()),
     ),
@@ -157,16 +157,16 @@ MISTAKES = (
     *like(
         (
             "the samples of all cells are clustered together",
-            "Each cell has clusters of its own: split_branches(theta[own]).",
+            "Each cell has clusters of its own: split_branches(q[own]).",
         ),
         _together,
     ),
     *like(
         (
-            "the samples are split by the sign of theta2",
-            "A cell may hold one elbow only, and theta2 has one sign: take the two clusters of split_branches.",
+            "the samples are split by the sign of q2",
+            "A cell may hold one elbow only, and q2 has one sign: take the two clusters of split_branches.",
         ),
-        lambda *case: models(*case, labels=lambda theta: theta[:, 1] <= 0),
+        lambda *case: models(*case, labels=lambda q: q[:, 1] <= 0),
     ),
     Mistake(
         "clusters of fewer than 3 samples are fitted all the same",
@@ -175,7 +175,7 @@ MISTAKES = (
     ),
     Mistake(
         "the clusters stand in the wrong order",
-        "As in split_branches: cluster 0 is the one whose mean theta2 is the larger.",
+        "As in split_branches: cluster 0 is the one whose mean q2 is the larger.",
         seen=_any_order,
     ),
 )

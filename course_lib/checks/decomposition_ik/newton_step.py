@@ -8,16 +8,16 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import near
 
 
-def jacobian(theta):
+def jacobian(q):
     """Return the derivatives (2, 2) of x and y by the two joint angles."""
-    first, both = theta[0], theta[0] + theta[1]
+    first, both = q[0], q[0] + q[1]
     second = np.array([-np.sin(both), np.cos(both)])
     return np.column_stack([np.array([-np.sin(first), np.cos(first)]) + second, second])
 
 
 def _step(change):
     """Return the answer that adds change(J, residual) to the angles."""
-    return lambda theta, xy: theta + change(jacobian(theta), xy - place(theta))
+    return lambda q, xy: q + change(jacobian(q), xy - place(q))
 
 
 right = _step(np.linalg.solve)
@@ -32,26 +32,26 @@ def _cases(rng):
     return [simple, *zip(near_ones, xy, strict=True), (there, place(there))]
 
 
-def _absolute(theta):
-    """The Jacobian of those who take theta2 for the direction of the second link."""
-    return np.array([[-np.sin(theta[0]), -np.sin(theta[1])], [np.cos(theta[0]), np.cos(theta[1])]])
+def _absolute(q):
+    """The Jacobian of those who take q2 for the direction of the second link."""
+    return np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]])
 
 
 EXERCISE = Exercise(
     name="newton_step",
     points=2,
-    arguments=("theta", "xy"),
+    arguments=("q", "xy"),
     cases=_cases,
-    returns=numbers(lambda theta, xy: (2,)),
+    returns=numbers(lambda q, xy: (2,)),
     properties=(
         Property(
-            "if theta leads to xy already, it stays as it is",
-            lambda answer, theta, xy: near(answer, theta),
-            where=lambda theta, xy: near(place(theta), xy),
+            "if q leads to xy already, it stays as it is",
+            lambda answer, q, xy: near(answer, q),
+            where=lambda q, xy: near(place(q), xy),
         ),
         Property(
-            "J times the change of theta is xy - f(theta)",
-            lambda answer, theta, xy: near(answer, right(theta, xy)),
+            "J times the change of q is xy - f(q)",
+            lambda answer, q, xy: near(answer, right(q, xy)),
         ),
     ),
     mistakes=(
@@ -73,41 +73,41 @@ EXERCISE = Exercise(
         Mistake("J stands for its inverse", "Solve J step = residual for the step.", _step(lambda J, e: J @ e)),
         Mistake(
             "only the change is returned",
-            "Add it to theta.",
-            lambda theta, xy: np.linalg.solve(jacobian(theta), xy - place(theta)),
+            "Add it to q.",
+            lambda q, xy: np.linalg.solve(jacobian(q), xy - place(q)),
         ),
         Mistake(
             "the position reached is not subtracted",
-            "The step has to mend what is missing: xy minus the position that theta reaches.",
-            lambda theta, xy: theta + np.linalg.solve(jacobian(theta), xy),
+            "The step has to mend what is missing: xy minus the position that q reaches.",
+            lambda q, xy: q + np.linalg.solve(jacobian(q), xy),
         ),
         Mistake(
-            "theta2 is taken for the direction of the second link",
-            "The second link points along theta1 + theta2.",
-            lambda theta, xy: theta + np.linalg.solve(_absolute(theta), xy - place(theta)),
+            "q2 is taken for the direction of the second link",
+            "The second link points along q1 + q2.",
+            lambda q, xy: q + np.linalg.solve(_absolute(q), xy - place(q)),
         ),
         Mistake(
-            "the second link does not move with theta1",
-            "theta1 moves both links: its column has two terms in each row.",
+            "the second link does not move with q1",
+            "q1 moves both links: its column has two terms in each row.",
             _step(lambda J, e: np.linalg.solve(np.column_stack([J[:, 0] - J[:, 1], J[:, 1]]), e)),
         ),
         Mistake(
             "the columns of J are swapped",
-            "The first column belongs to theta1.",
+            "The first column belongs to q1.",
             _step(lambda J, e: np.linalg.solve(J[:, ::-1], e)),
         ),
-        Mistake("theta is returned as it came", "Add the step.", lambda theta, xy: theta),
+        Mistake("q is returned as it came", "Add the step.", lambda q, xy: q),
         Mistake(
             "more than one step is made",
             "One step is asked; whoever needs more calls the function again.",
-            lambda theta, xy: right(right(theta, xy), xy),
-            lambda theta, xy: right(right(right(theta, xy), xy), xy),
+            lambda q, xy: right(right(q, xy), xy),
+            lambda q, xy: right(right(right(q, xy), xy), xy),
         ),
     ),
     hints=(
-        "The residual xy - f(theta) is what the step has to make up for; near theta, f changes by J times the step.",
-        "The first row of J holds the derivatives of x = cos(theta1) + cos(theta1 + theta2), the second those of y.",
-        "np.linalg.solve(J, residual) is the change of theta.",
+        "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times the step.",
+        "The first row of J holds the derivatives of x = cos(q1) + cos(q1 + q2), the second those of y.",
+        "np.linalg.solve(J, residual) is the change of q.",
     ),
     library=right,
 )

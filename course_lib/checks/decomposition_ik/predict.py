@@ -106,7 +106,7 @@ def _wrong_gaps(angles, *case):
 def _tell_gap(angles, models, cell, xy):
     i, k, j = _wrong_gaps(angles, models, cell, xy)[0]
     why = "has no cell" if cell[i] < 0 else f"lies in cell {cell[i]}, whose cluster {k} has no model"
-    return f"Query {i} {why}. Yours for theta{j + 1} is {angles[i, k, j]:.4g}."
+    return f"Query {i} {why}. Yours for q{j + 1} is {angles[i, k, j]:.4g}."
 
 
 def _wrong_numbers(angles, *case):
@@ -121,7 +121,7 @@ def _tell_number(angles, models, cell, xy):
     row = models[cell[i], k, j]
     return (
         f"Query {i} lies in cell {cell[i]}, at {format_tuple(xy[i])}. With the row {format_tuple(row)} of cluster {k}, "
-        f"theta{j + 1} is {row[:2] @ xy[i] + row[2]:.4g}. Yours is {angles[i, k, j]:.4g}."
+        f"q{j + 1} is {row[:2] @ xy[i] + row[2]:.4g}. Yours is {angles[i, k, j]:.4g}."
     )
 
 
@@ -174,7 +174,7 @@ EXERCISE = Exercise(
         *like(
             (
                 "the models are transposed",
-                "theta_j is the sum of A[j, i] xy[i]: with einsum, the index of xy is the last one of the models.",
+                "q_j is the sum of A[j, i] xy[i]: with einsum, the index of xy is the last one of the models.",
             ),
             _by(_transposed),
         ),
@@ -188,9 +188,7 @@ EXERCISE = Exercise(
             _changed(lambda right: right.swapaxes(0, 1)),
         ),
         *like(("the clusters are swapped", "Cluster 0 comes first."), _changed(lambda right: right[:, ::-1])),
-        *like(
-            ("theta1 and theta2 are swapped", "Row 0 of a model is theta1's."), _changed(lambda right: right[..., ::-1])
-        ),
+        *like(("q1 and q2 are swapped", "Row 0 of a model is q1's."), _changed(lambda right: right[..., ::-1])),
         *like((_ONE_CLUSTER.name, _ONE_CLUSTER.hint), _changed(lambda right: right[:, [0, 0]])),
         *like((_MEAN.name, _MEAN.hint), _changed(lambda right: right.mean(axis=1, keepdims=True)[:, [0, 0]])),
         *like(("the angles are in degrees", "The models give radians already."), _changed(np.rad2deg)),

@@ -5,14 +5,14 @@ import numpy as np
 from course_lib.checks.exercise import Mistake, same
 
 
-def place(theta):
+def place(q):
     """Return where the end is, (..., 2), for joint angles (..., 2)."""
-    first, second = theta[..., 0], theta[..., 0] + theta[..., 1]
+    first, second = q[..., 0], q[..., 0] + q[..., 1]
     return np.stack([np.cos(first) + np.cos(second), np.sin(first) + np.sin(second)], -1)
 
 
 def solutions(xy):
-    """Return the two pairs of joint angles (..., 2, 2) for places (..., 2) in reach: theta2 > 0 first."""
+    """Return the two pairs of joint angles (..., 2, 2) for places (..., 2) in reach: q2 > 0 first."""
     bend = 2 * np.arccos(np.clip(np.linalg.norm(xy, axis=-1) / 2, -1, 1))
     middle = np.arctan2(xy[..., 1], xy[..., 0])
     return np.stack([np.stack([middle - side * bend / 2, side * bend], -1) for side in (1, -1)], -2)

@@ -105,8 +105,8 @@ def wrong_order(xy):
     return right_law_of_cosines(xy)[::-1]
 
 
-def wrong_same_theta1(xy):
-    """theta1 is the same for both"""
+def wrong_same_q1(xy):
+    """q1 is the same for both"""
     angles = right_law_of_cosines(xy)
     angles[1, 0] = angles[0, 0]
     return angles
@@ -121,7 +121,7 @@ def wrong_correction_left_out(xy):
 
 
 def wrong_sign_of_correction(xy):
-    """the elbow correction of theta1 has its sign wrong"""
+    """the elbow correction of q1 has its sign wrong"""
     if _far(xy):
         return OUT
     return [[np.arctan2(xy[1], xy[0]) + t / 2, t] for t in (_bend(xy), -_bend(xy))]
@@ -239,7 +239,7 @@ def wrong_angle_inside(xy):
 
 
 def wrong_half_missing(xy):
-    """the cosine of theta2 is not"""
+    """the cosine of q2 is not"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip(xy @ xy - 2, -1, 1))
@@ -247,7 +247,7 @@ def wrong_half_missing(xy):
 
 
 def wrong_root_for_square(xy):
-    """the cosine of theta2 is not"""
+    """the cosine of q2 is not"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip((np.linalg.norm(xy) - 2) / 2, -1, 1))
@@ -265,7 +265,7 @@ def wrong_transposed(xy):
 
 
 def wrong_second_from_x_axis(xy):
-    """theta2 is counted from the x axis"""
+    """q2 is counted from the x axis"""
     return np.cumsum(right_law_of_cosines(xy), axis=1)
 
 

@@ -154,7 +154,7 @@ def wrong_clusters_swapped(models, cell, xy):
 
 
 def wrong_joints_swapped(models, cell, xy):
-    """theta1 and theta2 are swapped"""
+    """q1 and q2 are swapped"""
     return _gaps(_affine(models[cell], xy), cell)[..., ::-1]
 
 
