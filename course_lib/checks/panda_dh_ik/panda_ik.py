@@ -238,7 +238,7 @@ EXERCISE = Exercise(
             where=_at_once,
             mistake=Mistake(
                 "NaN is returned although q0 is an answer",
-                "Look at the error before the first step. T_target is in the world, as panda_fk's poses are.",
+                "Look at the error before the first step. T_target is a pose in the world, as those of panda_fk are.",
             ),
         ),
         Property(
