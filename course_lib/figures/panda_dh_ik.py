@@ -96,7 +96,7 @@ def four_parameters(a, alpha, d, theta):
         "x₁": np.array([0.35 * a, 0, 0]),
         "x₂": foot + 0.6 * x2,
     }
-    middles = {"a": np.array([0.7 * a, 0, 0]), "α": tilt[8], "d": along_x[:3, 3] + 0.5 * d * z2, "θ": swing[8]}
+    middles = {"a": np.array([0.7 * a, 0, 0]), "\u03b1": tilt[8], "d": along_x[:3, 3] + 0.5 * d * z2, "θ": swing[8]}
     reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, np.array(list(ends.values())) * 1.08])
     height = 400
     settings = scene.fitted_scene(reach, (0.75, -1.25, 0.35), aspect=700 / height, fill=0.9)
