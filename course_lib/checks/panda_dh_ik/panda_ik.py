@@ -21,13 +21,11 @@ _BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond
 # poses; steps without limits end outside the limits. From a random configuration about every third start succeeds.
 HARD = np.array(
     [
-        [1.39, 0.62, 1.73, -2.71, -2.18, 3.44, -0.28],
         [-2.16, -0.75, -2.27, -2.42, -2.15, 0.72, -1.98],
         [-1.34, 1.45, -0.59, -2.27, -1.75, 0.91, -0.73],
         [1.17, -0.12, 0.61, -2.39, -1.6, 1.81, -0.98],
         [1.16, 0.92, -0.39, -2.7, -2.07, 1.86, -0.45],
         [-0.77, -0.09, 0.57, -2.62, -2.43, 2.8, 2.4],
-        [-2.01, 1.18, 0.11, -2.65, 2.41, 0.7, -2.13],
         [1.8, -0.2, 0.58, -2.04, -0.03, 2.31, -1.74],
         [-1.53, 0.41, -2.09, -2.63, 0.7, 1.96, -2.14],
         [2.46, 0.33, 0.54, -2.67, 1.02, 0.84, -1.96],
@@ -49,7 +47,7 @@ def _about(q, rng, size):
 
 
 def _cases(rng):
-    start, at_limit = _configuration(rng, 0.7), _configuration(rng, 0.5)
+    at_limit = _configuration(rng, 0.5)
     at_limit[0] = HIGH[0] - 0.01
     hard = HARD[rng.permutation(len(HARD))[:2]]
     here = flange(READY)
@@ -64,7 +62,6 @@ def _cases(rng):
         (hardly, READY),
         (moved, READY),
         (rotated, READY),
-        (flange(_about(start, rng, 0.1)), start),
         (flange(_about(_LOW_DOWN, rng, 0.02)), _LOW_DOWN),
         (flange(at_limit), np.clip(at_limit - 0.2, LOW, HIGH)),
         *((flange(q), READY) for q in hard),
