@@ -72,6 +72,23 @@ def needed(found, names):
     return [each for each, keep in zip(found, kept, strict=True) if keep]
 
 
+def alike_alone(found, names):
+    """Return those of the names whose functions do the same where only what they need is run, and not all names' code.
+
+    That is so if the other statements do no more than define functions and set variables.
+    """
+    kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree)}
+    return [name for name in names if kept <= {id(each) for each in needed(found, [name])}]
+
+
+def _only_defines(tree):
+    if isinstance(tree, ast.FunctionDef):
+        return not tree.decorator_list
+    return isinstance(tree, ast.Assign) and all(
+        isinstance(node, ast.Name | ast.Tuple | ast.Store) for target in tree.targets for node in ast.walk(target)
+    )
+
+
 def parsed(source):
     """Return the statements of a cell; of a cell that is no Python, those that are, each by itself."""
     plain = without_magics(source)
