@@ -148,6 +148,9 @@ EQUIVALENT = {
         "c, s = (np.cos(-omega), np.sin(omega))": "sign",
         "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
     },
+    "log_se2": {
+        "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
+    },
     "two_link_angles": {
         "inside = np.arctan2(np.sin(theta2), 1 + np.cos(-theta2))": "sign",
         "for theta2 in (-bend, bend):": "order",
