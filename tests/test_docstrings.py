@@ -8,6 +8,7 @@ import re
 import pytest
 
 MODULES = ["rotations", "rigid", "planar", "subproblems", "arms", "ik", "registration", "grid_ik", "trajectory"]
+PICTURES = ["figures.plots", "figures.space", "figures.moving"]  # which refuse nothing
 # Other modules of the library call these with arrays that are looked at already.
 WITHIN = {"checked_pose", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
 
@@ -25,8 +26,8 @@ def public(name):
     return {key: thing for key, thing in found.items() if key not in WITHIN}
 
 
-ALL = [(name, key, thing) for name in MODULES for key, thing in public(name).items()]
-FUNCTIONS = [case for case in ALL if not inspect.isclass(case[2])]
+ALL = [(name, key, thing) for name in MODULES + PICTURES for key, thing in public(name).items()]
+FUNCTIONS = [case for case in ALL if case[0] in MODULES and not inspect.isclass(case[2])]
 
 
 def sections(thing):
@@ -36,7 +37,7 @@ def sections(thing):
     return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
 
 
-@pytest.mark.parametrize("name", MODULES)
+@pytest.mark.parametrize("name", MODULES + PICTURES)
 def test_the_examples_run(name):
     module = importlib.import_module(f"course_lib.{name}")
     outcome = doctest.testmod(module)
@@ -61,3 +62,11 @@ def test_a_functions_docstring_has_all_sections(name, key, function):
     assert "Raises" in said or not taken or key == "planar_forward"  # which looks at nothing
     # A method of an estimator has its example with the class.
     assert "Examples" in said or key.startswith("GridIK.")
+
+
+@pytest.mark.parametrize(("name", "key", "thing"), [case for case in ALL if case[0] in PICTURES])
+def test_a_pictures_docstring_has_an_example_and_names_parameters_that_there_are(name, key, thing):
+    said = sections(thing)
+    assert "Examples" in said
+    named = re.findall(r"^(\w[\w, ]*?) :", said.get("Parameters", ""), flags=re.MULTILINE)
+    assert set(", ".join(named).split(", ")) - {""} <= set(inspect.signature(thing).parameters)

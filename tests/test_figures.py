@@ -1,6 +1,7 @@
 """show() and the pictures: words for every picture, numbers that do not depend on the machine, and the right data."""
 
 import json
+from unittest import mock
 
 import numpy as np
 import pytest
@@ -38,6 +39,18 @@ def space_figures(R):
 def test_a_picture_without_words_is_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
         show(Figure(), alt=alt)
+
+
+def test_a_caption_follows_its_figure_as_an_output_of_its_own(draws):
+    words = "It rises by $\\pi$."
+    with mock.patch("IPython.display.display") as display:
+        show(plain_figures(draws)[0], alt=ALT, caption=words)
+    (_, figure), (_, caption) = ((*call.args, call.kwargs["metadata"]) for call in display.call_args_list)
+    assert "caption" not in figure
+    assert caption == {"caption": words}
+    assert display.call_args.args == ({"text/markdown": words, "text/plain": words},)
+    with pytest.raises(ValueError, match="caption must be a sentence"):
+        show(Figure(), alt=ALT, caption=3)
 
 
 def test_something_that_is_no_figure_is_refused():

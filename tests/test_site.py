@@ -19,6 +19,7 @@ from site_notebooks import (
     SOLUTION,
     TABLE,
     TEXT,
+    caption_output,
     cell,
     output,
     png,
@@ -41,7 +42,7 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(TEXT),
         cell(source=SOLUTION, nbgrader=NBGRADER),
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
-        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side', CAPTION)),
+        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side'), caption_output(CAPTION)),
         cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
         cell(output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
@@ -142,7 +143,7 @@ def test_still_pictures_stand_in(site, browser):
         assert all(formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible())
         assert visit.page.locator(".plotly-still").is_visible()
         assert visit.page.locator(".plotly-words", has_text="A point that moves to the right").is_visible()
-    with Visit(browser, page, without="plotly.min.js") as visit:
+    with Visit(browser, page, without="plotly.packed.js") as visit:
         assert visit.page.get_by_text("A rotation keeps lengths").is_visible()
         assert visit.page.locator(".plotly-still").is_visible()
     with Visit(browser, page, theme="dark") as visit:
@@ -213,8 +214,8 @@ def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
-    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.min.js"]
-    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 12e6
+    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.packed.js"]
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 5e6
 
 
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):

@@ -9,17 +9,32 @@ import numpy as np
 PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
 
 
-def show(fig, *, alt):
-    """Display a matplotlib or plotly figure with alternative text.
+def show(fig, *, alt, caption=""):
+    """Display a figure with alternative text and, below it, a caption.
 
-    alt: what the picture shows, in a sentence or two, for those who do not see it. Raises ValueError without it.
     A plotly figure is published as its MIME type alone: it needs no kernel afterwards. Its numbers are rounded to
     six digits of the largest in each array, so that machines whose last bits differ write the same file.
+
+    Parameters
+    ----------
+    fig : matplotlib.figure.Figure or plotly.graph_objects.Figure
+        What to display.
+    alt : str
+        What the picture shows, in a sentence or two, for those who do not see it.
+    caption : str, optional
+        What to notice in it, one sentence in Markdown, formulas between dollars. It does not repeat `alt`.
+
+    Raises
+    ------
+    ValueError
+        If `alt` says nothing, if `caption` is no text, or if `fig` is no figure.
     """
     from IPython.display import display
 
     if not isinstance(alt, str) or len(alt.strip()) < 20:
         raise ValueError(f"alt must say in words what the figure shows; it is {alt!r}")
+    if not isinstance(caption, str):
+        raise ValueError(f"caption must be a sentence that says what to notice; it is {caption!r}")
     if hasattr(fig, "to_plotly_json"):
         data = {PLOTLY: _rounded(fig.to_plotly_json()), "text/plain": alt}
         metadata = {"image/png": {"alt": alt}}  # for the still that is put beside it
@@ -30,6 +45,15 @@ def show(fig, *, alt):
     else:
         raise ValueError(f"fig must be a matplotlib or plotly figure; it is of type {type(fig).__name__}")
     display(data, raw=True, metadata=metadata)
+    show_caption(caption)
+
+
+def show_caption(caption):
+    """Display a caption, if there is one, as an output of its own: pages take it into the figure before it."""
+    from IPython.display import display
+
+    if caption:
+        display({"text/markdown": caption, "text/plain": caption}, raw=True, metadata={"caption": caption})
 
 
 def _png(fig):

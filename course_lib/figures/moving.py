@@ -8,7 +8,29 @@ _CONTROLS = 82  # pixels below the picture for the button and the slider
 
 
 def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
-    """Return the plotly layout of a square of the plane with equal scales. half: from the centre to its edge."""
+    """Return the plotly layout of a square of the plane with equal scales.
+
+    Parameters
+    ----------
+    half : float
+        From the centre of the square to its edge.
+    height : int, optional
+        In pixels.
+    unit : str, optional
+        Of both axes.
+    centre : tuple of float, optional
+        The centre of the square, (x, y).
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> layout = plane_layout(2, centre=(1, 0))
+    >>> layout["xaxis"]["range"], layout["yaxis"]["title"]["text"]
+    ([-1, 3], 'y (m)')
+    """
     axis = {"showgrid": True, "gridcolor": "#dddddd", "zeroline": False, "linecolor": BLACK, "constrain": "domain"}
     axis |= {"ticks": "outside", "ticklen": 4}
     x, y = centre
@@ -23,9 +45,15 @@ def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
     }
 
 
-def path(places, colour, *, width=2, dash="solid", mode="lines", **options):
-    """A line, or dots with mode="markers", through places (n, 2)."""
-    x, y = zip(*places, strict=True)
+def path(points, colour, *, width=2, dash="solid", mode="lines", **options):
+    """Return a line through points, shape (n, 2), or dots at them with mode="markers".
+
+    Examples
+    --------
+    >>> path([(0, 1), (2, 3)], "black").y
+    (1, 3)
+    """
+    x, y = zip(*points, strict=True)
     look = {"marker": {"color": colour, "size": options.pop("size", 7)}} if "markers" in mode else {}
     if "lines" in mode:
         look["line"] = {"color": colour, "width": width, "dash": dash}
@@ -33,10 +61,31 @@ def path(places, colour, *, width=2, dash="solid", mode="lines", **options):
 
 
 def movie(name, layout, still, moving, times):
-    """Return a figure that plays: `still` traces stay, those in `moving` change from frame to frame.
+    """Return a figure that plays in real time.
 
-    name: what its file is called where it is written as an animation. still: traces. moving: a list of traces for each
-    time. times: (n,), seconds; it plays in real time.
+    Parameters
+    ----------
+    name : str
+        What its file is called where it is written as an animation.
+    layout : dict
+        The plotly layout.
+    still : list of plotly traces
+        What stays.
+    moving : list of lists of plotly traces
+        What changes: the traces of each time.
+    times : array_like, shape (n,)
+        In seconds.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> moving = [[path([(0, 0), (x, 1)], "black")] for x in range(3)]
+    >>> fig = movie("swing", plane_layout(2), [], moving, [0, 0.5, 1])
+    >>> len(fig.frames), fig.layout.meta["seconds"]
+    (3, 1.0)
     """
     first = len(still)
     traces = list(range(first, first + len(moving[0])))
@@ -50,9 +99,23 @@ def movie(name, layout, still, moving, times):
 
 
 def add_controls(fig, times, *, redraw):
-    """Add to a figure with a frame for each time the button, the slider and the room for them.
+    """Add a button that plays and a slider to a figure that has a frame for each time, and make room for them.
 
-    redraw: whether plotly draws the whole figure at each frame, as scenes in space need it.
+    Parameters
+    ----------
+    fig : plotly.graph_objects.Figure
+        It is changed in place.
+    times : array_like, shape (n,)
+        In seconds.
+    redraw : bool
+        Whether plotly draws the whole figure at each frame, as scenes in space need it.
+
+    Examples
+    --------
+    >>> fig = go.Figure(layout=plane_layout(2))
+    >>> add_controls(fig, [0, 0.5, 1], redraw=False)
+    >>> [step.label for step in fig.layout.sliders[0].steps]
+    ['0.00', '0.50', '1.00']
     """
     seconds = float(times[-1] - times[0])
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}
@@ -70,12 +133,12 @@ def add_controls(fig, times, *, redraw):
 def _buttons(pace, at_once):
     play = {"label": "Play", "method": "animate", "args": [None, pace]}
     pause = {"label": "Pause", "method": "animate", "args": [[None], at_once]}
-    place = {"x": 0, "y": 0, "xanchor": "left", "yanchor": "top", "pad": {"t": 60, "r": 10}}
-    return {"type": "buttons", "direction": "left", "showactive": False, "buttons": [play, pause], **place}
+    where = {"x": 0, "y": 0, "xanchor": "left", "yanchor": "top", "pad": {"t": 60, "r": 10}}
+    return {"type": "buttons", "direction": "left", "showactive": False, "buttons": [play, pause], **where}
 
 
 def _slider(labels, at_once):
     steps = [{"label": label, "method": "animate", "args": [[str(i)], at_once]} for i, label in enumerate(labels)]
-    place = {"x": 0.27, "len": 0.73, "y": 0, "yanchor": "top", "pad": {"t": 48}, "ticklen": 0, "minorticklen": 0}
+    where = {"x": 0.27, "len": 0.73, "y": 0, "yanchor": "top", "pad": {"t": 48}, "ticklen": 0, "minorticklen": 0}
     value = {"prefix": "time (s): ", "xanchor": "left", "font": {"size": 13, "color": BLACK}}
-    return {"active": 0, "steps": steps, "currentvalue": value, "font": {"color": "rgba(0,0,0,0)"}, **place}
+    return {"active": 0, "steps": steps, "currentvalue": value, "font": {"color": "rgba(0,0,0,0)"}, **where}

@@ -6,10 +6,10 @@ import plotly.graph_objects as go
 from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.solids import Model, Part, arm_model, film, meshes, scene, shells
-from course_lib.figures.solids.model import MUG_RED, STEEL
+from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED
 from course_lib.figures.space import line, points
-from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, plane_figure
-from course_lib.rotations import rot_z
+from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.rotations import rot_x, rot_z
 
 _VIEW = (1.3, -1.5, 0.7)
 
@@ -39,7 +39,7 @@ def conventions(contents, base):
         name = "scene" if i == 0 else f"scene{i + 1}"
         shown = [T for k, T in enumerate(frames[:-1]) if not any(np.allclose(T, other) for other in frames[:k])]
         triads = Model.of([part for k in range(len(shown)) for part in scene.triad(k, np.eye(4), 0.15)])
-        words = _numbers(frames[:-1])
+        words = numbers(frames[:-1])
         reach = np.concatenate([vertices, triads.placed(shown), scene.rim(vertices, base[2])])
         settings = scene.fitted_scene(reach, _VIEW, aspect=aspect, domain=(i * share, (i + 1) * share))
         scenes.append(settings)
@@ -49,6 +49,70 @@ def conventions(contents, base):
             words, settings, [T[:3, 3] + 0.15 * T[:3, j] for T in shown for j in range(3)], aspect=aspect, scene=name
         )
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(contents)))
+
+
+def four_parameters(a, alpha, d, theta):
+    """Return two joint axes and the two perpendiculars beside them, with the four DH parameters.
+
+    Parameters
+    ----------
+    a, alpha, d, theta : float
+        Of one row of a modified table: metres and radians.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> fig = four_parameters(0.8, 0.7, 0.6, 0.9)
+    >>> sum(trace.mode == "text" for trace in fig.data)
+    2
+    """
+    along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
+    after = along_x @ rigid.transform(rot_z(theta), [0, 0, d])
+    z2, x2, foot = after[:3, 2], after[:3, 0], after[:3, 3]
+    long, size = 0.5, 0.28
+    axes = [(np.zeros(3), np.array([0, 0, 1.0]), -0.25, long), (along_x[:3, 3], z2, -0.25, d + 0.35)]
+    still = [Part(0, STEEL, meshes.capsule(o + low * z, o + high * z, 0.012)) for o, z, low, high in axes]
+    still += [
+        Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11)) for o, z in ((np.zeros(3), axes[0][1]), (along_x[:3, 3], z2))
+    ]
+    perpendicular = [Part(0, X_RED, meshes.arrow(np.zeros(3), [1, 0, 0], a, 0.016))]
+    perpendicular += [Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016))]
+    perpendicular += [Part(0, X_RED + 2, meshes.arrow(along_x[:3, 3], z2, d, 0.016))]
+    model = Model.of([*still, *perpendicular])
+    tilt = _arc(along_x[:3, 3], np.array([0, 0, 1.0]), z2, 1.4 * size)
+    swing = _arc(foot, along_x[:3, 0], x2, 1.3 * size)
+    helpers = [
+        line([along_x[:3, 3], along_x[:3, 3] + 0.5 * np.array([0, 0, 1])], GREY, 4, "scene", "dash"),
+        line([foot, foot + 0.5 * along_x[:3, 0]], GREY, 4, "scene", "dash"),
+        line(tilt, ORANGE, 6, "scene"),
+        line(swing, ORANGE, 6, "scene"),
+    ]
+    ends = {
+        "z₁": axes[0][1] * long,
+        "z₂": axes[1][0] + (d + 0.35) * z2,
+        "x₁": np.array([0.35 * a, 0, 0]),
+        "x₂": foot + 0.6 * x2,
+    }
+    middles = {"a": np.array([0.7 * a, 0, 0]), "\u03b1": tilt[8], "d": along_x[:3, 3] + 0.5 * d * z2, "θ": swing[8]}
+    reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, np.array(list(ends.values())) * 1.08])
+    height = 400
+    settings = scene.fitted_scene(reach, (0.75, -1.25, 0.35), aspect=700 / height, fill=0.9)
+    taken = np.concatenate([tilt, swing, np.outer(np.linspace(0, 1, 12), [a, 0, 0])])
+    words = scene.labels(ends, settings, taken, aspect=700 / height, gap=0.06)
+    words += scene.labels(
+        middles, settings, [*taken, *ends.values()], colour=BLUE, size=19, aspect=700 / height, gap=0.07
+    )
+    return go.Figure([model.trace([np.eye(4)]), *helpers, *words], layout=scene.layout([settings], height=height))
+
+
+def _arc(centre, start, end, radius):
+    """Points (17, 3) of the arc from one unit vector to another."""
+    angle = np.arccos(np.clip(start @ end, -1, 1))
+    t = np.linspace(0, 1, 17)[:, None]
+    return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle)
 
 
 def null_space(name, frames, times, base):
@@ -126,7 +190,7 @@ def matches(template, scene_points, T, wrong):
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"]))
 
 
-def pick(name, frames, grippers, openings, mugs, times, base):
+def pick(name, frames, grippers, openings, mugs, times, base, camera=None):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
     Parameters
@@ -145,6 +209,8 @@ def pick(name, frames, grippers, openings, mugs, times, base):
         Seconds.
     base : array_like, shape (3,)
         Where the arm stands: on the table.
+    camera : array_like, shape (4, 4), optional
+        Pose of a camera in the world; it looks along its z axis.
 
     Returns
     -------
@@ -160,7 +226,18 @@ def pick(name, frames, grippers, openings, mugs, times, base):
     centre, radius = scene.floor_size(vertices)
     edge = Model.of(scene.table(0, centre, radius, base[2]))
     still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, "scene", "dash")]
-    return film(name, model, poses, times, still=still, points=edge.vertices, view=(0.9, -1.6, 0.75), ground=base[2])
+    seen = edge.vertices
+    if camera is not None:
+        body = Model.of(_camera())
+        still.append(body.trace([camera]))
+        seen = np.concatenate([seen, body.placed([camera])])
+    return film(name, model, poses, times, still=still, points=seen, view=(0.9, -1.6, 0.75), ground=base[2])
+
+
+def _camera():
+    """A camera with its lens, which looks along z."""
+    lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
+    return [Part(0, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(0, STEEL, lens)]
 
 
 def _bodies(frames, base):
@@ -170,8 +247,14 @@ def _bodies(frames, base):
     return np.concatenate([stands, moved], -3)
 
 
-def _numbers(frames):
-    """Where the number of each frame belongs; those of frames with one origin stand together."""
+def numbers(frames):
+    """Return where the number of each frame belongs, {numbers: (3,)}; those of frames with one origin stand together.
+
+    Examples
+    --------
+    >>> list(numbers(np.array([np.eye(4), np.eye(4), 2 * np.eye(4)])))
+    ['1, 2', '3']
+    """
     names = {}
     for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(point), []).append(str(i))

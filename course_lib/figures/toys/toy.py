@@ -11,7 +11,7 @@ import os
 from functools import cache
 from pathlib import Path
 
-from course_lib.figures.display import show
+from course_lib.figures.display import show, show_caption
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "kinematics", "toys", "shapes")
@@ -43,14 +43,17 @@ class Toy:
         What the toy shows and what can be moved, in words.
     answer : callable, optional
         In a live notebook the script's questions (dicts) go to this function, its answers (dicts) to the script.
+    caption : str, optional
+        What to try, one sentence, shown below the toy.
     """
 
-    def __init__(self, name, model, figure, alt, answer=None):
+    def __init__(self, name, model, figure, alt, answer=None, caption=""):
         scripts = [*CORE, f"toy_{name}"]
         self.meta = {"kind": f"toy:{name}", "scripts": scripts, "plotly": False, **model}
         self.figure = figure.update_layout(meta={"course": self.meta})
         self.alt = alt
         self.answer = answer
+        self.caption = caption
 
     def _ipython_display_(self):
         if is_live():
@@ -60,8 +63,9 @@ class Toy:
             bundle = widget._repr_mimebundle_()
             data, metadata = bundle if isinstance(bundle, tuple) else (bundle, {})
             display({**data, "text/plain": self.alt}, raw=True, metadata=metadata)
+            show_caption(self.caption)
         else:
-            show(self.figure, alt=self.alt)
+            show(self.figure, alt=self.alt, caption=self.caption)
 
     def widget(self):
         """Return the toy as a widget for JupyterLab, which loads the same scripts as the page."""

@@ -1,5 +1,7 @@
 """Build the site: prepare copies of the notebooks, let Sphinx make pages of them, put these in place."""
 
+import base64
+import gzip
 import re
 import shutil
 import subprocess
@@ -19,6 +21,7 @@ from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
 
 HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
+PLOTLY = "plotly.packed.js"
 
 
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
@@ -96,7 +99,17 @@ def _copy_libraries(static: Path, with_plotly: bool) -> None:
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
     if with_plotly:
-        shutil.copy(folder("plotly") / "package_data" / "plotly.min.js", static)
+        plotly = (folder("plotly") / "package_data" / "plotly.min.js").read_bytes()
+        (static / PLOTLY).write_text(_packed(plotly), encoding="utf-8")
+
+
+def _packed(script: bytes) -> str:
+    """Return a script that holds another one, compressed; figures.js unpacks it.
+
+    No server does that for pages that lie in a folder, and a page there may load scripts but no other files.
+    """
+    content = base64.b64encode(gzip.compress(script, mtime=0)).decode()
+    return f'(window.course = window.course || {{ kinds: {{}} }}).plotly = "{content}";\n'
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:

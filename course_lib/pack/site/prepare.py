@@ -53,6 +53,8 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
             raise SiteError(f"{place} was changed, and not run since. Run the notebook and save it.")
         fold(cell) if solutions else leave_out(cell, place)
+        if cell.get("outputs"):
+            _move_captions(cell)
         for output in cell.get("outputs", []):
             if output.output_type == "error":
                 if "raises-exception" not in cell.metadata.get("tags", []):
@@ -79,10 +81,20 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
         output.data["text/html"] = mark_dollars(output.data["text/html"])
 
 
+def _move_captions(cell) -> None:
+    """Move each caption, which follows its figure as an output of its own, into the figure's metadata."""
+    kept = []
+    for output in cell.outputs:
+        if kept and "text/markdown" in output.get("data", {}) and output.metadata.get("caption"):
+            kept[-1].metadata["caption"] = output.metadata["caption"]
+        else:
+            kept.append(output)
+    cell.outputs = kept
+
+
 def _captioned(shown: str, output) -> str:
     """Return a figure with the sentence below it that says what to notice, if its output keeps one."""
-    kept = [output.metadata.get("caption"), *(output.metadata.get(kind, {}).get("caption") for kind in IMAGES)]
-    caption = next(filter(None, kept), None)
+    caption = output.metadata.get("caption")
     words = mark_dollars(html.escape(caption, quote=False)) if caption else ""
     return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>' if caption else shown
 
@@ -114,11 +126,13 @@ def _figure(figure: dict, alt: str, still: str) -> str:
 
     Without a still picture its words stand in, except in print.
     """
+    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
+    kind = course.get("kind", "")
+    if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
+        figure = {**figure, "frames": []}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
-    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
-    kind = course.get("kind", "")
     scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
     own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
     own += " data-without-plotly" if course.get("plotly") is False else ""

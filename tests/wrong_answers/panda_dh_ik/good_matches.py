@@ -24,7 +24,7 @@ def right_all_triples(src, dst, tol):
 def right_random_triples(src, dst, tol):
     rng = np.random.default_rng(0)
     masks = []
-    for _ in range(150):
+    for _ in range(90):
         some = rng.choice(len(src), 3, replace=False)
         masks.append(residuals(register_points(src[some], dst[some]), src, dst) < tol)
     return max(masks, key=np.sum).astype(int)

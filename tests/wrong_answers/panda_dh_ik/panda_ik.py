@@ -37,8 +37,8 @@ def out_of_reach(T):
 def search(
     T,
     q0,
-    starts=30,
-    steps=40,
+    starts=20,
+    steps=25,
     enough=1e-7,
     clip=True,
     frames_of=panda_fk,
@@ -64,14 +64,14 @@ def search(
 
 
 def right_out_of_reach_at_once(T, q0):
-    return np.full(7, np.nan) if out_of_reach(T) else search(T, q0, starts=30)
+    return np.full(7, np.nan) if out_of_reach(T) else search(T, q0)
 
 
 def right_as_in_the_notebook(T, q0):
     random = np.random.default_rng(0)
     q = np.clip(q0, low, high)
-    for _start in range(30):
-        for _step in range(40):
+    for _start in range(20):
+        for _step in range(20):
             frames = panda_fk(q)
             e = pose_error(frames[-1], T)
             if np.linalg.norm(e) < 1e-7:
@@ -190,12 +190,12 @@ def wrong_wrapped_to_whole_turns(T, q0):
 
 def wrong_base_forgotten(T, q0):
     """the base is forgotten"""
-    return search(T, q0, frames_of=arm.frames, starts=8, quick=False)
+    return search(T, q0, frames_of=arm.frames, starts=2, quick=False)
 
 
 def wrong_base_twice(T, q0):
     """NaN is returned although"""
-    return search(T_w0 @ T, q0, frames_of=arm.frames, starts=3)
+    return search(T_w0 @ T, q0, frames_of=arm.frames, starts=2)
 
 
 def wrong_flange_forgotten(T, q0):
@@ -204,12 +204,12 @@ def wrong_flange_forgotten(T, q0):
 
 
 def wrong_only_the_place(T, q0):
-    """only the position is brought to T, not the orientation"""
+    """only the position is brought to T_target, not the orientation"""
     return search(T, q0, weights=(1, 1, 1, 0, 0, 0))
 
 
 def wrong_only_the_turn(T, q0):
-    """only the orientation is brought to T, not the position"""
+    """only the orientation is brought to T_target, not the position"""
     q = search(T, q0, weights=(0, 0, 0, 1, 1, 1))
     return np.full(7, np.nan) if out_of_reach(T) else q
 
@@ -310,7 +310,7 @@ def wrong_transpose_steps(T, q0):
 
 def wrong_order_of_the_error(T, q0):
     """the steps do not converge to a target close by"""
-    return search(T, q0, starts=3, jacobian=lambda frames: np.roll(geometric_jacobian(frames), 3, axis=0))
+    return search(T, q0, starts=2, jacobian=lambda frames: np.roll(geometric_jacobian(frames), 3, axis=0))
 
 
 def wrong_error_seen_from_the_hand(T, q0):
@@ -319,12 +319,12 @@ def wrong_error_seen_from_the_hand(T, q0):
     def error(A, B):
         return np.concatenate([B[:3, 3] - A[:3, 3], rotations.log_so3(A[:3, :3].T @ B[:3, :3])])
 
-    return search(T, q0, starts=3, error=error)
+    return search(T, q0, starts=2, error=error)
 
 
 def wrong_error_backwards(T, q0):
     """the steps do not converge to a target close by"""
-    return search(T, q0, starts=3, error=lambda A, B: pose_error(B, A))
+    return search(T, q0, starts=2, error=lambda A, B: pose_error(B, A))
 
 
 def wrong_turn_transposed(T, q0):
