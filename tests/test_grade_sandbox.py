@@ -82,6 +82,19 @@ def test_what_another_run_alone_would_not_change_is_known_from_the_source():
     assert alike_alone(statements(cells[:3]), ["plain", "draws"]) == ["draws"]
 
 
+@pytest.mark.parametrize(
+    ("line", "harmless"),
+    [
+        *(("a = np.array([1.0])", True), ("a, b = 1, 2", True), ("def a(x=2):\n    pass", True)),
+        *(("a = plain(2)", False), ("a = np.seterr()", False), ("a = exec('k = 2')", False), ("np.k = a = 3", False)),
+        *(("np.k[0] = a = 3", False), ("a: int = 3", False), ("def a(x=plain(2)):\n    pass", False)),
+    ],
+)
+def test_a_line_for_another_function_that_may_change_more_than_a_variable_is_no_small_thing(line, harmless):
+    found = statements(["import numpy as np", "def plain(x):\n    return x", f"{line}\ndef other(x):\n    return a"])
+    assert alike_alone(found, ["plain", "other"]) == (["plain", "other"] if harmless else ["other"])
+
+
 @pytest.fixture
 def attempts(monkeypatch):
     """The exercises of each sandbox that was started."""
