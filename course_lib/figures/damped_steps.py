@@ -50,6 +50,11 @@ def largest_rates(b2, rates):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> largest_rates([0.1, 1.5], {"single": np.array([10.0, 1.0])})["alt"][-26:]
+    'single from 1 to 10 rad/s.'
     """
     axes = {"xlabel": r"$b_2$ (rad)", "ylabel": "rates for 1 rad/s (rad/s)"}
     fig = lines(b2, rates, log="y", parts_of_pi=4, **axes)
@@ -74,6 +79,11 @@ def columns_and_ellipse(points, J, scale=0.3):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> columns_and_ellipse(np.array([[0, 0], [1, 0], [2, 0]]), np.array([[0, 0], [2, 1]]))["alt"][:41]
+    'A planar arm with its tip at (2.0, 0.0) m'
     """
     fig, (ax,) = plane_figure(6.0, 4.6)
     ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
@@ -111,6 +121,12 @@ def descents(runs, target, caption=""):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> arm = np.array([[[0, 0], [1.0, 0]], [[0, 0], [0.8, 0.6]]])
+    >>> descents({"run": arm}, [0.8, 0.6])["alt"][-41:]
+    'run: ends less than a micrometre from it.'
     """
     fig, (plane, error) = plane_figure(9.6, 4.4, 2, width_ratios=[1, 1.1])
     said, corners, lowest = [], [np.zeros(2), np.asarray(target, float)], np.inf
@@ -163,6 +179,11 @@ def gains(epsilons, values):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> gains([1.0], {"s1": 2.0})["alt"][-54:]
+    'a largest value, 0.50 rad/m for 1 m², and falls again.'
     """
     s = np.linspace(0.01, 4.2, 300)
     fig, (ax,) = plane_figure(7.2, 3.6)
@@ -205,6 +226,12 @@ def step_map(alphas, epsilons, errors, largest, runs):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> errors = np.array([[1e-4, 1e-4], [0.5, 0.5]])
+    >>> step_map([0.1, 9.0], [0.1, 1.0], errors, 2.0, [(0.1, 1.0)])["alt"][-19:]
+    'Circles mark 1 run.'
     """
     fig, (ax,) = plane_figure(7.2, 4.6)
     levels = TwoSlopeNorm(-2, -8, 0.5)
@@ -222,7 +249,7 @@ def step_map(alphas, epsilons, errors, largest, runs):
     alt = (
         "A map of the distance after a run, over step size and damping, both logarithmic. Left of a black curve, the "
         f"limit of the step size, {100 * left.mean():.0f} % of it is blue, below a centimetre; right of it "
-        f"{100 * right.mean():.0f} %. Circles mark {len(runs)} runs."
+        f"{100 * right.mean():.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}."
     )
     caption = "Blue arrives. Right of the black curve steps are too large, at the left and at the top too small."
     return {"fig": fig, "alt": alt, "caption": caption}
@@ -243,6 +270,12 @@ def two_arms(paths, points_of, every=12):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> arms = {"one": np.array([[0.0], [1.0]])}
+    >>> two_arms(arms, lambda q: np.stack([0 * q, q], -2) @ np.ones((1, 2)))["alt"][-45:]
+    'The last elbow bends at most by one: 1.0 rad.'
     """
     arms = {}
     for title, path in paths.items():
@@ -275,6 +308,11 @@ def along_the_steps(series, ylabel):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> along_the_steps({"a": np.array([1.0, 2.0])}, "distance (m)")["alt"]
+    'The distance (m) over the steps. a: 1.0 to 2.0.'
     """
     steps = np.arange(len(next(iter(series.values()))))
     fig = lines(steps, series, xlabel="steps", ylabel=ylabel)

@@ -71,10 +71,10 @@ def three_views(name, arm):
     data = _ARMS[name]
     corners = np.array(data["corners"])
     size = np.ptp(corners, axis=0) + 2 * _MARGIN
-    layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE, _END], [_TOP, "."]]
+    layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE], [_TOP], [_END]]
     widths = [size[_VIEWS[view][0]] for view in layout[0]]
     heights = [size[_VIEWS[row[0]][1]] for row in layout]
-    scale = 9.6 / sum(widths) if name == "ur5e" else 3.4
+    scale = 6.4 / sum(widths) if name == "ur5e" else 3.4
     size = (scale * sum(widths) + 1.2, scale * sum(heights) + 0.8)
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():

@@ -61,6 +61,12 @@ def circles_meet(k1, k2, p1, p2, theta):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circles_meet(z, x, x, z, [(np.pi / 2, -np.pi / 2)])["alt"][-28:]
+    'k2; they touch in one point.'
     """
     reach = _reach([p1, p2])
     drawn = [*_circle(k1, p1, BLUE), *_circle(k2, p2, GREEN)]
@@ -93,6 +99,12 @@ def circle_and_sphere(k, p, g, d, theta):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circle_and_sphere(z, x, x, 1.0, [np.pi / 3, -np.pi / 3])["alt"][-40:]
+    '1 about g at two points, marked 1 and 2.'
     """
     ball, reach = sphere(d), _reach([p, np.abs(g) + d])
     for c, centre in zip("xyz", g, strict=True):
@@ -121,6 +133,12 @@ def circle_and_plane(k, h, p, d, theta):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circle_and_plane(z, x, x, 1.0, [0.0])["alt"][-36:]
+    'across the direction h at one point.'
     """
     n = h / np.linalg.norm(h)
     a = np.cross(n, [1, 0, 0] if abs(n[0]) < 0.8 else [0, 1, 0])
@@ -148,6 +166,11 @@ def orientation_paths(tracks):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> orientation_paths({"still": np.array([np.eye(3), np.eye(3)])})["alt"][-31:]
+    'still on a path of length 0.00.'
     """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
     layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.5)  # the eye is in front of the paths
