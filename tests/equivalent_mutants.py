@@ -148,6 +148,9 @@ EQUIVALENT = {
         "c, s = (np.cos(-omega), np.sin(omega))": "sign",
         "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
     },
+    "log_se2": {
+        "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
+    },
     "two_link_angles": {
         "inside = np.arctan2(np.sin(theta2), 1 + np.cos(-theta2))": "sign",
         "for theta2 in (-bend, bend):": "order",
@@ -234,10 +237,10 @@ EQUIVALENT = {
         "for xy in ([1.0, 1.0], [-0.6, 1.3], [-1.1, 0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
         "for xy in ([1.0, 1.0], [0.6, 1.3], [-1.1, -0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
         "for xy in ([1.0, 1.0], [1.3, -0.6], [-1.1, -0.4], [1.999, 0.0], [2.0, 0.0]):": "free choice",
-        "in_order = theta[0, 1] > -1e-06 and theta[1, 1] <= 1e-06": "free choice",
-        "in_order = theta[0, 1] >= -1e-06 and theta[1, 1] < 1e-06": "free choice",
-        "leads_there = np.allclose(fk_2r(theta), xy, atol=1.1e-06)": "free choice",
-        "leads_there = np.allclose(xy, fk_2r(theta), atol=1e-06)": "order",
+        "in_order = q[0, 1] > -1e-06 and q[1, 1] <= 1e-06": "free choice",
+        "in_order = q[0, 1] >= -1e-06 and q[1, 1] < 1e-06": "free choice",
+        "leads_there = np.allclose(fk_2r(q), xy, atol=1.1e-06)": "free choice",
+        "leads_there = np.allclose(xy, fk_2r(q), atol=1e-06)": "order",
     },
     "newton_step": {
         "second_link = np.array([-np.sin(both), np.cos(-both)])": "sign",
@@ -250,7 +253,7 @@ EQUIVALENT = {
     },
     "fk_2r": {
         "return np.stack([np.cos(first) + np.cos(-both), np.sin(first) + np.sin(both)], -1)": "sign",
-        "first, both = (theta[..., 0] + theta[..., 1], theta[..., 0])": "order",
+        "first, both = (q[..., 0] + q[..., 1], q[..., 0])": "order",
     },
     "ik_2r": {
         "if cosine >= 1 + 1e-12:": "bound",
@@ -260,12 +263,12 @@ EQUIVALENT = {
         "index[outside] = -1.1": "same place",
     },
     "split_branches": {
-        "k_means = KMeans(n_clusters=2, random_state=1).fit(theta)": "another cut",
-        "if len(theta) == 0 or len(np.unique(-theta, axis=0)) < 2:": "rows",
-        "return -np.zeros(len(theta), int)": "sign",
-        "if len(np.unique(theta, axis=0)) < 2:": "rows",
+        "k_means = KMeans(n_clusters=2, random_state=1).fit(q)": "another cut",
+        "if len(q) == 0 or len(np.unique(-q, axis=0)) < 2:": "rows",
+        "return -np.zeros(len(q), int)": "sign",
+        "if len(np.unique(q, axis=0)) < 2:": "rows",
         "return k_means.labels_ if centres[0, 1] >= centres[1, 1] else 1 - k_means.labels_": "unasked",
-        "if len(theta) == 1 or len(np.unique(theta, axis=0)) < 2:": "rows",
+        "if len(q) == 1 or len(np.unique(q, axis=0)) < 2:": "rows",
     },
     "fit_cells": {
         "models = -np.full((count, 2, 2, 3), np.nan)": "sign",

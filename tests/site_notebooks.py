@@ -35,7 +35,8 @@ T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
 | --- | --- |
 | $R$ | rotation |
 """
-SOLUTION = f"def turn():\n    ### BEGIN SOLUTION\n    return 42  # {'and on ' * 40}\n    ### END SOLUTION"
+# Tests look for its word in whole files: no random id of a cell holds it by chance.
+SOLUTION = f"def turn():\n    ### BEGIN SOLUTION\n    return 'gooseberry'  # {'and on ' * 40}\n    ### END SOLUTION"
 NBGRADER = {"schema_version": 3, "grade_id": "turn", "solution": True, "grade": False, "locked": False}
 MODEL_ANSWER = "**Model answer.** Its columns, $R e_i$, stay *orthogonal*.\n\n*Rubric (1): 1 for columns.*"
 EXPLAINED = {"schema_version": 3, "grade_id": "explain_turn", "solution": True, "grade": True, "locked": False}

@@ -171,7 +171,11 @@ def test_a_notebook_of_imports_alone_holds_each_import_once_and_nothing_else():
 
 def test_the_notebooks_share_and_their_slowest_cells_are_told(monkeypatch):
     output = "3.00s call     notebooks/05_panda_dh_ik.ipynb::Cell 34\n1.00s setup    notebooks/06.ipynb::Cell 0\n"
-    monkeypatch.setattr(notebook_times, "_nbval", lambda books: (2.0, "") if "tmp" in str(books[0]) else (7.0, output))
+
+    def nbval(books):
+        return (7.0, output) if "robot" in books[0].read_text(encoding="utf-8") else (2.0, "")
+
+    monkeypatch.setattr(notebook_times, "_nbval", nbval)
     lines = notebook_times.notebook_times(repeats=1)
     assert lines[2] == "  3.5 x   at most 2.5: 3.5 NO"
     assert lines[4:] == ["     3.0 s  05_panda_dh_ik.ipynb::Cell 34", ""]

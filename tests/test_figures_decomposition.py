@@ -40,8 +40,8 @@ def test_samples_are_drawn_twice_and_neighbouring_cells_differ():
 
 
 def test_each_cluster_has_its_marker_and_stands_where_its_samples_are():
-    theta, labels = np.deg2rad([[10, 20], [30, -40], [50, 60.0]]), np.array([0, 1, 0])
-    fig = figures.clusters({"one": (theta, labels), "two": (-theta, 1 - labels)})
+    q, labels = np.deg2rad([[10, 20], [30, -40], [50, 60.0]]), np.array([0, 1, 0])
+    fig = figures.clusters({"one": (q, labels), "two": (-q, 1 - labels)})
     assert [ax.get_title() for ax in fig.axes] == ["one", "two"]
     np.testing.assert_allclose(offsets(fig.axes[0])[0], [[10, 20], [50, 60]])
     np.testing.assert_allclose(offsets(fig.axes[0])[1], [[30, -40]])

@@ -143,7 +143,7 @@ def test_still_pictures_stand_in(site, browser):
         assert all(formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible())
         assert visit.page.locator(".plotly-still").is_visible()
         assert visit.page.locator(".plotly-words", has_text="A point that moves to the right").is_visible()
-    with Visit(browser, page, without="plotly.min.js") as visit:
+    with Visit(browser, page, without="plotly.packed.js") as visit:
         assert visit.page.get_by_text("A rotation keeps lengths").is_visible()
         assert visit.page.locator(".plotly-still").is_visible()
     with Visit(browser, page, theme="dark") as visit:
@@ -214,8 +214,8 @@ def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
-    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.min.js"]
-    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 12e6
+    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.packed.js"]
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 5e6
 
 
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):

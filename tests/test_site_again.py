@@ -57,7 +57,7 @@ def rewrite(notebooks):
         rewrite,
         lambda notebooks: (notebooks / "data.csv").write_text("1, 2"),
         lambda notebooks: (notebooks.parent / "html/01_rotations.html").write_text("scribbled over"),
-        lambda notebooks: (notebooks.parent / "html/_static/plotly.min.js").unlink(),
+        lambda notebooks: (notebooks.parent / "html/_static/plotly.packed.js").unlink(),
     ],
     ids=["a notebook", "a file beside it", "a page", "a library"],
 )

@@ -13,7 +13,7 @@ from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
-ANSWERS = {"Solution": "return 42", "Model answer": "stay orthogonal"}  # name: words that are inside
+ANSWERS = {"Solution": "gooseberry", "Model answer": "stay orthogonal"}  # name: words that are inside
 
 
 def answers(notebook):
@@ -92,7 +92,7 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(note
     assert "NotImplementedError" in text
     assert "Type your answer here." in text
     assert "A result" in text
-    assert not [words for words in ("42", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
+    assert not [words for words in ("gooseberry", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
     assert "orthogon" not in (tmp_path / "html/_static/sections.js").read_text(encoding="utf-8")
 
 
@@ -119,7 +119,8 @@ def test_a_page_offers_its_notebook_as_students_get_it(notebooks, browser, tmp_p
     assert "NotImplementedError" in got.cells[1].source
     assert got.cells[2].source == "*Type your answer here.*"
     assert not [cell for cell in got.cells if cell.get("outputs")]
-    assert not [words for words in ("42", "orthogonal", "Rubric") if words in (tmp_path / "got.ipynb").read_text()]
+    text = (tmp_path / "got.ipynb").read_text(encoding="utf-8")
+    assert not [words for words in ("gooseberry", "orthogonal", "Rubric") if words in text]
 
 
 def test_a_solution_without_end_stops_the_site_for_its_download(tmp_path):

@@ -26,7 +26,7 @@ def test_works_offline(course, browser, notebook, theme):
 
 def test_is_small_and_holds_each_library_once(course):
     files = [file for file in course.rglob("*") if file.is_file()]
-    assert sum(file.stat().st_size for file in files) < 15e6
+    assert sum(file.stat().st_size for file in files) < 12e6
     assert len(list(course.rglob("plotly*.js"))) == 1
     assert not list(course.rglob("mathjax*.js")) + list(course.rglob("*.woff2"))
     assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]
@@ -94,31 +94,39 @@ def test_search_finds(course, browser, word, page):
         assert visit.complaints == []
 
 
-def loads(course, page):
-    """The files that a page loads at once, and their bytes in all."""
+def weight(course, page):
+    """The bytes of a page and of all that it loads, at once or as the reader comes near; and the files' names."""
     soup = BeautifulSoup((course / page).read_text("utf-8"), "html.parser")
     found = [e.get("src") or e.get("href") for e in soup.select("script[src], link[rel=stylesheet], img[src]")]
     files = [page, *(link.split("?")[0] for link in found)]
-    return files, sum((course / file).stat().st_size for file in files)
+    if soup.select(".plotly-figure:not([data-without-plotly])"):
+        files.append("_static/plotly.packed.js")
+    return sum((course / file).stat().st_size for file in files), files
 
 
 def test_pages_are_light(course):
     for notebook in NOTEBOOKS:
-        assert loads(course, f"{notebook.stem}.html")[1] < 7e6
+        size, files = weight(course, f"{notebook.stem}.html")
+        assert size < 4.5e6, notebook.stem
+        assert len([file for file in files if "plotly" in file]) <= 1, "none of those loaded at once"
     for page in ("index", "errata", "sources", "notation"):
-        files, size = loads(course, f"{page}.html")
+        size, files = weight(course, f"{page}.html")
         assert size < 1.5e6, page
         assert not [file for file in files if "plotly" in file]
 
 
-def test_the_text_is_there_before_plotly_is(course, browser):
-    with Visit(browser, None) as visit:
+def test_plotly_is_fetched_when_a_figure_comes_near_and_the_still_stands_until_it_is_there(course, browser):
+    with Visit(browser, course / "04_poe_kuka_iiwa.html") as visit:
         held = []
-        visit.page.route("**/plotly.min.js*", lambda route: held.append(route))
-        visit.page.goto((course / "04_poe_kuka_iiwa.html").as_uri(), wait_until="commit")
+        visit.page.route("**/plotly.packed.js*", lambda route: held.append(route))
         expect(visit.page.get_by_text("When you are through, you can")).to_be_visible()
-        expect(visit.page.locator(".plotly-still").first).to_be_visible()
+        visit.page.wait_for_load_state()
+        assert not [url for url in visit.requests if "plotly" in url]
+        box = visit.page.locator(".plotly-figure:not([data-without-plotly])").first
+        with visit.page.expect_request("**/plotly.packed.js*"):
+            box.scroll_into_view_if_needed()
+        expect(box.locator(".plotly-still")).to_be_visible()
         assert visit.page.evaluate("typeof Plotly") == "undefined"
-        visit.page.wait_for_function("document.querySelectorAll('article p').length > 50")
         held[0].continue_()
-        assert visit.draw_figures()
+        expect(box.locator(".main-svg").first).to_be_visible()
+        assert visit.complaints == []

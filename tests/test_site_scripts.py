@@ -59,7 +59,7 @@ def test_a_figures_script_starts_when_it_is_near_and_stops_when_it_is_far(site, 
         assert button.inner_text() == "count 8", "what it keeps in meta is there again"
         assert box.get_by_role("button", name="count").count() == 1
         loaded = [url.rsplit("/", 1)[1].split("?")[0] for url in visit.requests if url.split("?")[0].endswith(".js")]
-        assert ("plotly.min.js" in loaded) == (page == "01")
+        assert ("plotly.packed.js" in loaded) == (page == "01")
         assert loaded.index("core.js") < loaded.index("counter.js") < loaded.index("figures.js")
         assert visit.complaints == []
 

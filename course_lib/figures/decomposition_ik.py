@@ -11,9 +11,9 @@ _EDGE = "#555555"
 def two_elbows(solutions, xy):
     """Return the 2R arm in both postures that reach a place. solutions: (2, 2), radians. xy: (2,), metres."""
     fig, (ax,) = plane_figure(5.2, 4.2)
-    looks = ((BLUE, "-", "theta2 ≥ 0"), (RED, "--", "theta2 ≤ 0"))
-    for (theta1, theta2), (colour, style, name) in zip(solutions, looks, strict=True):
-        angles = np.array([theta1, theta1 + theta2])
+    looks = ((BLUE, "-", "q2 ≥ 0"), (RED, "--", "q2 ≤ 0"))
+    for (q1, q2), (colour, style, name) in zip(solutions, looks, strict=True):
+        angles = np.array([q1, q1 + q2])
         joints = np.concatenate([[[0, 0]], np.cumsum(np.stack([np.cos(angles), np.sin(angles)], -1), 0)])
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
     ax.plot(*xy, "D", color=BLACK, markersize=8, label="the place")
@@ -42,13 +42,13 @@ def samples(xy, cell, low, high, n):
 
 
 def clusters(contents):
-    """Return the samples of a few cells in joint space, a panel a cell. contents: {title: (theta (m, 2), labels)}."""
+    """Return the samples of a few cells in joint space, a panel a cell. contents: {title: (q (m, 2), labels)}."""
     fig, axes = plane_figure(3.4 * len(contents), 3.5, len(contents))
-    for ax, (title, (theta, labels)) in zip(axes, contents.items(), strict=True):
+    for ax, (title, (q, labels)) in zip(axes, contents.items(), strict=True):
         for k, (marker, colour) in enumerate((("o", BLUE), ("^", RED))):
-            ax.scatter(*np.rad2deg(theta[labels == k]).T, s=16, c=colour, marker=marker, label=f"cluster {k}")
+            ax.scatter(*np.rad2deg(q[labels == k]).T, s=16, c=colour, marker=marker, label=f"cluster {k}")
         ax.axhline(0, color=GREY, linewidth=1)
-        ax.set(title=title, xlabel="theta1 (degrees)", ylabel="theta2 (degrees)")
+        ax.set(title=title, xlabel="q1 (degrees)", ylabel="q2 (degrees)")
     axes[0].legend(frameon=False)
     return fig
 

@@ -3,18 +3,18 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.shared import both_elbows_at
 from course_lib.checks.decomposition_ik.split_branches import split_branches
-from course_lib.checks.decomposition_ik.two_links import both_elbows_at
 from course_lib.checks.exercise import Exercise, Mistake, Property
 
 
-def right(theta):
-    """Return 0 for each sample with theta2 >= 0 and 1 for the others, (m,)."""
-    return np.where(theta[:, 1] < 0, 1, 0)
+def right(q):
+    """Return 0 for each sample with q2 >= 0 and 1 for the others, (m,)."""
+    return np.where(q[:, 1] < 0, 1, 0)
 
 
-def _one_elbow(theta):
-    return len(set(right(theta))) < 2
+def _one_elbow(q):
+    return len(set(right(q))) < 2
 
 
 def _cases(rng):
@@ -31,51 +31,57 @@ def _cases(rng):
 EXERCISE = Exercise(
     name="branch_by_sign",
     points=1,
-    arguments=("theta",),
+    arguments=("q",),
     cases=_cases,
-    returns=numbers(lambda theta: (len(theta),)),
+    returns=numbers(lambda q: (len(q),)),
     properties=(
         Property(
-            "samples of one elbow all have the same label: 0 if theta2 >= 0, 1 if theta2 < 0",
-            lambda labels, theta: np.array_equal(labels, right(theta)),
+            "samples of one elbow all have the same label: 0 if q2 >= 0, 1 if q2 < 0",
+            lambda labels, q: np.array_equal(labels, right(q)),
             where=_one_elbow,
         ),
         Property(
-            "the label of a sample is 0 if its theta2 >= 0, and 1 if its theta2 < 0",
-            lambda labels, theta: np.array_equal(labels, right(theta)),
+            "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0",
+            lambda labels, q: np.array_equal(labels, right(q)),
         ),
     ),
     mistakes=(
         Mistake(
             "the labels are swapped",
-            "Branch 0 is the one with theta2 >= 0, as in ik_2r.",
-            lambda theta: 1 - right(theta),
-            lambda theta: np.where(theta[:, 1] > 0, 1, 0),
+            "Branch 0 is the one with q2 >= 0, as in ik_2r.",
+            lambda q: 1 - right(q),
+            lambda q: np.where(q[:, 1] > 0, 1, 0),
         ),
-        Mistake("theta2 = 0 is in branch 1", "0 is not negative.", lambda theta: np.where(theta[:, 1] <= 0, 1, 0)),
-        Mistake("theta1 decides", "The elbow bends by theta2.", lambda theta: np.where(theta[:, 0] < 0, 1, 0)),
+        Mistake(
+            "samples that all have q2 < 0 are in branch 0",
+            "Branch 1 is theirs, even if there is no other sample in the cell.",
+            lambda q: 0 * right(q) if _one_elbow(q) else right(q),
+        ),
+        Mistake("q2 = 0 is in branch 1", "0 is not negative.", lambda q: np.where(q[:, 1] <= 0, 1, 0)),
+        Mistake("q1 decides", "The elbow bends by q2.", lambda q: np.where(q[:, 0] < 0, 1, 0)),
         Mistake(
             "the signs themselves are returned",
             "The labels are 0 and 1.",
-            lambda theta: np.sign(theta[:, 1]),
-            lambda theta: -np.sign(theta[:, 1]),
+            lambda q: np.sign(q[:, 1]),
+            lambda q: -np.sign(q[:, 1]),
         ),
         Mistake(
             "the samples are compared with their own mean",
             "A cell of one elbow has no zero between its samples. Compare with a fixed angle.",
-            lambda theta: np.where(theta[:, 1] < theta[:, 1].sum() / max(len(theta), 1), 1, 0),
-            lambda theta: np.where(theta[:, 1] < np.median(theta[:, 1]), 1, 0) if len(theta) else None,
+            lambda q: np.where(q[:, 1] < q[:, 1].sum() / max(len(q), 1), 1, 0),
+            lambda q: np.where(q[:, 1] < np.median(q[:, 1]), 1, 0) if len(q) else None,
         ),
         Mistake(
             "every cell is still split by k-means if its samples have both signs",
             "Which elbow a sample belongs to does not depend on the other samples.",
-            lambda theta: right(theta) if _one_elbow(theta) else split_branches(theta),
+            lambda q: right(q) if _one_elbow(q) else split_branches(q),
+            lambda q: 0 * right(q) if _one_elbow(q) else split_branches(q),
         ),
     ),
     hints=(
-        "Run the broken code on samples that all have theta2 > 0. How many elbows does it report?",
+        "Run the broken code on samples that all have q2 > 0. How many elbows does it report?",
         "Each sample carries the answer in itself; the other samples of its cell are not needed.",
-        "Compare theta[:, 1] with 0; a comparison gives True and False, which astype(int) turns into 1 and 0.",
+        "Compare q[:, 1] with 0; a comparison gives True and False, which astype(int) turns into 1 and 0.",
     ),
     library=right,
     broken=split_branches,

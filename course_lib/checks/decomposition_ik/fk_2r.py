@@ -1,29 +1,28 @@
-"""fk_2r: where the end of a planar arm with two links of one metre is."""
+"""fk_2r: the position of the tip of a planar arm with two links of one metre."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.lists import with_a_list
-from course_lib.checks.decomposition_ik.two_links import place
+from course_lib.checks.decomposition_ik.shared import position, with_a_list
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 
 _FIRST_ROWS = Mistake(
-    "theta[0] and theta[1] are taken for the two angles: in a batch they are its first two rows",
-    "theta[..., 0] is the first joint's angle of every row, and of a single pair too.",
+    "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
+    "q[..., 0] is the first joint's angle of every row, and of a single pair too.",
 )
 _WRONG_AXIS = Mistake(
     "x and y are stacked along the first axis",
     "np.stack([x, y], axis=-1) puts the two beside each other at the end.",
 )
-_ONE_NUMBER = Mistake("only one number comes back for each pair of angles", "A place is two numbers: x and y.")
-_THREE = Mistake("the places are those of space, with three numbers", "The arm is planar: x and y only.")
-_ONE_PLACE = Mistake(
-    "one place comes back for the whole batch", "Keep the axes of the batch: theta[..., 0] has one number each row."
+_ONE_NUMBER = Mistake("only one number comes back for each pair of angles", "A position is two numbers: x and y.")
+_THREE = Mistake("the positions are those of space, with three numbers", "The arm is planar: x and y only.")
+_ONE_POSITION = Mistake(
+    "one position comes back for the whole batch", "Keep the axes of the batch: q[..., 0] has one number each row."
 )
 _COLUMNS_ONLY = Mistake(
-    "theta[:, 0] asks for a list of pairs: a single pair has no rows",
-    "theta[..., 0] is the first joint's angle of a single pair, and of each pair in a batch.",
+    "q[:, 0] asks for a list of pairs: a single pair has no rows",
+    "q[..., 0] is the first joint's angle of a single pair, and of each pair in a batch.",
 )
 
 
@@ -33,11 +32,11 @@ def _cases(rng):
     low, high = np.deg2rad([0, -90]), np.deg2rad([170, 90])
     drawn = np.round(np.array([[0.4, 0.7], [1.9, -1.2]]) + rng.uniform(-0.2, 0.2, (2, 2)), 2)
     batches = [rng.uniform(low, high, (*batch, 2)) for batch in [(5,), (2,), (2, 3), (2, 0)]]
-    return [(theta,) for theta in [*map(np.array, named), *drawn, *batches]]
+    return [(q,) for q in [*map(np.array, named), *drawn, *batches]]
 
 
-def _known_form(array, theta):
-    batch, shape = theta.shape[:-1], array.shape
+def _known_form(array, q):
+    batch, shape = q.shape[:-1], array.shape
     if shape == batch:
         return _ONE_NUMBER
     if shape == (*batch, 3):
@@ -45,39 +44,39 @@ def _known_form(array, theta):
     if len(batch) > 0 and shape == (2, *batch):
         return _WRONG_AXIS
     if len(batch) > 0 and shape in ((2,), (2, 1)):
-        return _ONE_PLACE
-    if len(batch) > 0 and (shape == (*theta.shape[1:-1], 2, 2) or shape in (theta.shape[1:], (2, *theta.shape[1:]))):
+        return _ONE_POSITION
+    if len(batch) > 0 and (shape == (*q.shape[1:-1], 2, 2) or shape in (q.shape[1:], (2, *q.shape[1:]))):
         return _FIRST_ROWS
     return None
 
 
-def _from_elbow(places, theta):
-    return places - np.stack([np.cos(theta[..., 0]), np.sin(theta[..., 0])], -1)
+def _from_elbow(positions, q):
+    return positions - np.stack([np.cos(q[..., 0]), np.sin(q[..., 0])], -1)
 
 
-def _worst(places, theta):
-    """The angles and the place that is farthest from where it should be."""
-    off = np.linalg.norm(places - place(theta), axis=-1).reshape(-1)
+def _worst(positions, q):
+    """The angles and the position that is farthest from where it should be."""
+    off = np.linalg.norm(positions - position(q), axis=-1).reshape(-1)
     k = np.argmax(off)
-    return theta.reshape(-1, 2)[k], places.reshape(-1, 2)[k]
+    return q.reshape(-1, 2)[k], positions.reshape(-1, 2)[k]
 
 
-def _tell_length(places, theta):
-    angles, end = _worst(places, theta)
+def _tell_length(positions, q):
+    angles, end = _worst(positions, q)
     distance = np.linalg.norm(_from_elbow(end, angles))
-    return f"For theta = {format_tuple(angles)} it is {round(distance, 9):.4g} m away in your answer."
+    return f"For q = {format_tuple(angles)} it is {round(distance, 9):.4g} m away in your answer."
 
 
-def _tell_place(places, theta):
-    angles, end = _worst(places, theta)
-    wanted, found = format_tuple(np.round(place(angles), 9)), format_tuple(np.round(end, 9))
-    return f"For theta = {format_tuple(angles)} that is {wanted}. Yours is {found}."
+def _tell_position(positions, q):
+    angles, end = _worst(positions, q)
+    wanted, found = format_tuple(np.round(position(angles), 9)), format_tuple(np.round(end, 9))
+    return f"For q = {format_tuple(angles)} that is {wanted}. Yours is {found}."
 
 
 def _sum(first, second):
     """A prediction: the sum of the links, each a function of both angles."""
-    return lambda theta: np.stack(
-        [a + b for a, b in zip(first(*np.moveaxis(theta, -1, 0)), second(*np.moveaxis(theta, -1, 0)), strict=True)], -1
+    return lambda q: np.stack(
+        [a + b for a, b in zip(first(*np.moveaxis(q, -1, 0)), second(*np.moveaxis(q, -1, 0)), strict=True)], -1
     )
 
 
@@ -95,103 +94,103 @@ EXERCISE = with_a_list(
     Exercise(
         name="fk_2r",
         points=1,
-        arguments=("theta",),
+        arguments=("q",),
         cases=_cases,
-        returns=numbers(lambda theta: theta.shape, _known_form),
+        returns=numbers(lambda q: q.shape, _known_form),
         properties=(
             Property(
-                "with both angles zero the arm is stretched along x: the end is at (2, 0)",
-                lambda places, theta: np.allclose(places, [2, 0], rtol=0, atol=1e-9),
-                where=lambda theta: theta.size > 0 and not theta.any(),
+                "with both angles zero the arm is stretched along x: the tip is at (2, 0)",
+                lambda positions, q: np.allclose(positions, [2, 0], rtol=0, atol=1e-9),
+                where=lambda q: q.size > 0 and not q.any(),
             ),
             Property(
-                "the end is 1 m from the elbow, which is at (cos theta1, sin theta1)",
-                lambda places, theta: np.allclose(
-                    np.linalg.norm(_from_elbow(places, theta), axis=-1), 1, rtol=0, atol=1e-9
+                "the tip is 1 m from the elbow, which is at (cos q1, sin q1)",
+                lambda positions, q: np.allclose(
+                    np.linalg.norm(_from_elbow(positions, q), axis=-1), 1, rtol=0, atol=1e-9
                 ),
                 seen=_tell_length,
             ),
             Property(
-                "the second link points in the direction theta1 + theta2: the end is at "
-                "(cos theta1 + cos(theta1 + theta2), sin theta1 + sin(theta1 + theta2))",
-                lambda places, theta: np.allclose(places, place(theta), rtol=0, atol=1e-9),
-                seen=_tell_place,
+                "the second link points in the direction q1 + q2: the tip is at "
+                "(cos q1 + cos(q1 + q2), sin q1 + sin(q1 + q2))",
+                lambda positions, q: np.allclose(positions, position(q), rtol=0, atol=1e-9),
+                seen=_tell_position,
             ),
         ),
         mistakes=(
             Mistake(
-                "theta2 is counted from the x axis",
-                "theta2 is counted from the first link's direction, so the second link points along theta1 + theta2.",
+                "q2 is counted from the x axis",
+                "q2 is counted from the first link's direction, so the second link points along q1 + q2.",
                 _sum(_FIRST, _link(lambda t1, t2: t2)),
             ),
             Mistake(
-                "theta2 is taken off theta1",
-                "Both turn counter-clockwise: the second link points along theta1 + theta2.",
+                "q2 is subtracted from q1",
+                "Both are counted counter-clockwise: the second link points along q1 + q2.",
                 _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
                 _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
             ),
             Mistake(
                 "the angles are taken for degrees",
                 "Angles are radians everywhere: no np.deg2rad is needed.",
-                lambda theta: place(np.deg2rad(theta)),
+                lambda q: position(np.deg2rad(q)),
             ),
             Mistake(
-                "the angles are turned into degrees",
+                "the angles are converted to degrees",
                 "np.cos and np.sin take radians.",
-                lambda theta: place(np.rad2deg(theta)),
+                lambda q: position(np.rad2deg(q)),
             ),
             Mistake(
                 "x and y are swapped, or sine and cosine are: the cosines belong to x",
-                "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
-                lambda theta: place(theta)[..., ::-1],
+                "At the angle 0 a link points along x: x = cos 0 = 1, y = sin 0 = 0.",
+                lambda q: position(q)[..., ::-1],
             ),
             Mistake(
                 "the second link is missing",
-                "Add cos(theta1 + theta2) to x and sin(theta1 + theta2) to y.",
+                "Add cos(q1 + q2) to x and sin(q1 + q2) to y.",
                 _sum(_FIRST, _nothing),
             ),
             Mistake(
                 "the first link is missing",
-                "The second link begins at the elbow, at (cos theta1, sin theta1).",
+                "The second link begins at the elbow, at (cos q1, sin q1).",
                 _sum(_nothing, _BOTH),
             ),
             Mistake(
-                "y has its sign turned",
-                "Angles turn from x to y: a small theta1 gives a small y above 0.",
-                lambda theta: place(-theta),
+                "y has the wrong sign",
+                "Angles are counted from x towards y: a small q1 gives a small y above 0.",
+                lambda q: position(-q),
             ),
             Mistake(
-                "the second link is taken off the first",
-                "Both links add up: the end is elbow + second link.",
+                "the second link is subtracted from the first",
+                "Both links add up: the tip is elbow + second link.",
                 _sum(_FIRST, _link(lambda t1, t2: t1 + t2 + np.pi)),
             ),
             Mistake(
-                "theta1 and theta2 are swapped",
-                "theta[..., 0] is the joint at the base.",
-                lambda theta: place(theta[..., ::-1]),
+                "q1 and q2 are swapped",
+                "q[..., 0] is the joint at the base.",
+                lambda q: position(q[..., ::-1]),
             ),
             Mistake(
-                "theta1 is counted twice",
-                "The second link points along theta1 + theta2.",
+                "q1 is counted twice",
+                "The second link points along q1 + q2.",
                 _sum(_FIRST, _link(lambda t1, t2: 2 * t1 + t2)),
             ),
             Mistake(
                 "a link is not 1 m long",
                 "Both links are 1 m: nothing stands before the sines and cosines.",
-                lambda theta: place(theta) / 2,
-                lambda theta: 2 * place(theta),
+                lambda q: position(q) / 2,
+                lambda q: 2 * position(q),
             ),
             Mistake(
                 "x and y are stacked along the first axis and then put into rows",
                 "np.stack([x, y], axis=-1); reshape does not swap axes.",
-                lambda theta: np.moveaxis(place(theta), -1, 0).reshape(theta.shape) if theta.ndim > 1 else place(theta),
+                lambda q: np.moveaxis(position(q), -1, 0).reshape(q.shape) if q.ndim > 1 else position(q),
             ),
         ),
-        library=lambda theta: place(np.asarray(theta, float)),
+        library=lambda q: position(np.asarray(q, float)),
         hints=(
-            "The first link ends at the elbow, (cos theta1, sin theta1). Add the second link to it.",
-            "theta2 is counted from the first link, so the second one points in the direction theta1 + theta2.",
-            "t1, t2 = theta[..., 0], theta[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
+            "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
+            "q2 is counted from the first link, so the second one points in the direction q1 + q2.",
+            "t1, t2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
             "puts x and y back at the end.",
         ),
         forbidden=(

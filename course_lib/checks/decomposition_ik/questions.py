@@ -17,9 +17,9 @@ PREDICTIONS = (
         "c",
         {
             "a": "That holds inside, where the inverse has a Taylor series. At the edge its derivative is infinite.",
-            "b": "That is how the error of theta2 falls. The position suffers less, because a stretched arm moves "
+            "b": "That is how the error of q2 falls. The position suffers less, because a stretched arm moves "
             "outwards in second order only.",
-            "c": "The error of theta2 falls like the root of h only, and near the stretched arm the position follows "
+            "c": "The error of q2 falls like the root of h only, and near the stretched arm the position follows "
             "with the square of that: like h.",
         },
     ),
@@ -29,7 +29,7 @@ PREDICTIONS = (
         {
             "a": "Nothing tells the network that there are two solutions. It was fitted by squared errors, and the "
             "mean of both has the least.",
-            "b": "The least squared error belongs to the mean of the two: theta2 near 0, the stretched arm. It is no "
+            "b": "The least squared error belongs to the mean of the two: q2 near 0, the stretched arm. It is no "
             "solution, although each of the two is.",
             "c": "A network always returns numbers. That is a part of the problem.",
         },

@@ -1,21 +1,39 @@
 """split_branches: the samples of one cell in two clusters, one for each elbow."""
 
-import functools
+from dataclasses import replace
 
 import numpy as np
 from sklearn.cluster import KMeans
 from threadpoolctl import threadpool_limits
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.lists import with_a_list
-from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
+from course_lib.checks.decomposition_ik.shared import (
+    best_split,
+    lump,
+    position,
+    rewired,
+    several,
+    solutions,
+    split,
+    with_a_list,
+    within,
+)
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import SAME_TWICE
 
+_RANDOM = Mistake(
+    "the labels depend on a random start",
+    "With KMeans(n_clusters=2, random_state=0) the same samples get the same labels each time.",
+)
+_ONE_SAMPLE = Mistake(
+    "equal samples, or a single one, are not treated apart",
+    "Count the different samples with len(np.unique(q, axis=0)); for 0 or 1 return zeros.",
+)
 _CENTRES = Mistake("the centres of the clusters are returned", "One label for each sample: labels_ of the KMeans.")
 
 
 def both_elbows(rng, middle, up, down, width=0.1):
-    """Return joint angles (up + down, 2) of places in a square cell: first those with theta2 > 0."""
+    """Return joint angles (up + down, 2) of positions in a square cell: first those with q2 > 0."""
     xy = np.array(middle) + rng.uniform(-width / 2, width / 2, (up + down, 2))
     return np.concatenate([solutions(xy[:up])[:, 0], solutions(xy[up:])[:, 1]])
 
@@ -32,17 +50,31 @@ def _one_elbow(rng):
     smallest = np.concatenate([lump(rng, (0.4, -0.5), wide, 12), lump(rng, (1.6, -0.55), tight, 12)])  # nor is this
     towers = [lump(rng, (x, 0.6 + y), (0.15, 0.005), n) for x, y, n in _TOWERS]
     return [
-        _two_lumps(rng, ((0.4, 1.3), (0.06, 0.1), 12), ((0.8, 0.6), (0.06, 0.1), 12)),  # theta2 > 0 in both
-        _two_lumps(rng, ((0.4, -1.3), (0.06, 0.1), 11), ((0.8, -0.6), (0.06, 0.1), 13)),  # theta2 < 0 in both
+        _two_lumps(rng, ((0.4, 1.3), (0.06, 0.1), 12), ((0.8, 0.6), (0.06, 0.1), 12)),  # q2 > 0 in both
+        _two_lumps(rng, ((0.4, -1.3), (0.06, 0.1), 11), ((0.8, -0.6), (0.06, 0.1), 13)),  # q2 < 0 in both
         _two_lumps(rng, ((0.8, 0.02), (0.06, 0.07), 12), ((0.85, 0.7), (0.06, 0.07), 12)),  # nearly stretched
         _two_lumps(rng, ((0.6, 0.9), (0.05, 0.05), 4), ((0.8, 0.3), (0.05, 0.05), 20)),  # the sum is not the mean
         *(largest, largest[::-1]),
         *(smallest, smallest[::-1]),
-        rng.permutation(np.concatenate(towers)),  # theta1 tells more than theta2, unless both are scaled
+        rng.permutation(np.concatenate(towers)),  # q1 tells more than q2, unless both are scaled
+        rng.permutation(np.concatenate(towers))[:, ::-1],  # and here q2
     ]
 
 
 _TOWERS = [(0.6, 0.1, 8), (0.6, -0.1, 4), (1.4, 0.1, 4), (1.4, -0.1, 8)]
+
+
+_TIED = np.array([[1.75, 0.5], [-0.25, 0.5], [0.75, 1.5], [0.75, -0.5]])  # a square on its corner: two cuts are as good
+_TIMES = 20  # that it is asked: a random start gives the same cut each time with a chance of one in a million
+
+
+def _tied(q):
+    return np.array_equal(q, _TIED)
+
+
+def _unless_tied(function):
+    """The same function, which says nothing of the square: there a mistake may show either way."""
+    return lambda *case: None if _tied(case[-1]) else function(*case)
 
 
 def _cases(rng):
@@ -64,244 +96,209 @@ def _cases(rng):
         *(rng.permutation(cell) for cell in cells),
         *_one_elbow(rng),
         np.zeros((0, 2)),
+        *[_TIED] * _TIMES,
     ]
-    return [(theta.copy(),) for theta in samples]
+    return [(q.copy(),) for q in samples]
 
 
-def within(points, labels):
-    """Return the sum of the squared distances of points (m, 2) from the mean of their cluster."""
-    return sum(((own - own.mean(axis=0)) ** 2).sum() for own in (points[labels == k] for k in (0, 1)) if len(own))
-
-
-def several(theta):
-    """Return whether there are two different samples at least."""
-    return len(theta) > 1 and bool((theta != theta[0]).any())
-
-
-def best_split(points):
-    """Return labels (m,) of the two clusters of least sum of squares, for clusters that a straight line parts."""
-    return _best_split(np.ascontiguousarray(points, float).tobytes()).copy()
-
-
-@functools.lru_cache(maxsize=1000)
-def _best_split(data):
-    """Cut the points in two across each of many directions, after each point, and keep the best cut."""
-    points = np.frombuffer(data).reshape(-1, 2)
-    points, angles = points - points.mean(axis=0), np.linspace(0, np.pi, 180, endpoint=False)
-    order = np.argsort(points @ [np.cos(angles), np.sin(angles)], axis=0, kind="stable")
-    sums, n = np.cumsum(points[order], axis=0)[:-1], np.arange(1, len(points))[:, None]
-    gain = (sums**2).sum(axis=-1) * (1 / n + 1 / (len(points) - n))  # the two sums are opposite
-    cut, direction = np.unravel_index(np.argmax(gain), gain.shape)
-    labels = np.zeros(len(points), int)
-    labels[order[cut + 1 :, direction]] = 1
-    return labels
-
-
-def split(theta, by=lambda theta: theta, number=lambda theta, own: theta[own, 1].mean()):
-    """Return the labels: clusters of by(theta), of which the one with the larger number(theta, own) is called 0."""
-    if not several(theta):
-        return np.zeros(len(theta), int)
-    labels = best_split(by(theta))
-    return labels if number(theta, labels == 0) > number(theta, labels == 1) else 1 - labels
+def _one_best(q):
+    """Whether there are two different samples at least, and one best cut."""
+    return several(q) and not _tied(q)
 
 
 def _numbered(number):
-    """The answer of somebody who calls that cluster 0 which has the larger number(theta, own)."""
-    return lambda theta: split(theta, number=number)
+    """The answer of somebody who calls that cluster 0 which has the larger number(q, own)."""
+    return lambda q: split(q, number=number)
 
 
-def _by_limit(joint, limit):
-    """Both ways to call the samples on the two sides of a limit of one joint's angle."""
+def _by_limit(joint, *limits):
+    """Both ways to name the samples on the two sides of a limit of one joint's angle."""
 
-    def above(theta):
-        return theta[:, joint] > limit(theta[:, joint])
+    def named(limit, compare):
+        return lambda q: compare(q[:, joint], limit(q[:, joint])) if several(q) else None
 
-    return (
-        lambda theta: above(theta) if several(theta) else None,
-        lambda theta: ~above(theta) if several(theta) else None,
-    )
+    return [named(limit, compare) for limit in limits for compare in (np.greater, np.less_equal, np.less)]
 
 
-def _scaled(theta):
-    return (theta - theta.mean(axis=0)) / np.maximum(theta.std(axis=0), 1e-9)
+def _scaled(q):
+    return (q - q.mean(axis=0)) / np.maximum(q.std(axis=0), 1e-9)
 
 
-def _nearly_best(labels, theta, by, most):
-    """Whether labels are clusters of by(theta), and not those asked for; near enough, where there are many as good."""
-    if not several(theta) or not labels.any() or labels.all():
+def _nearly_best(labels, q, by, most):
+    """Whether labels are clusters of by(q), and not those asked for; near enough, where there are many as good."""
+    if not several(q) or not labels.any() or labels.all():
         return False
-    points = by(theta)
-    return within(points, labels) <= most * within(points, best_split(points)) and not _least(labels, theta)
+    points = by(q)
+    return within(points, labels) <= most * within(points, best_split(points)) and not _least(labels, q)
 
 
-def _clustered(words, by, most=1.03):
-    """The mistake of those who cluster by(theta): exactly so in all cases, or nearly so where it shows."""
-    return (
-        Mistake(*words, lambda theta: split(theta, by)),
-        Mistake(*words, seen=lambda labels, theta: _nearly_best(labels, theta, by, most)),
-    )
+def _clustered(name, hint, by, most=1.03):
+    """The mistake of those who cluster by(q): exactly so in all cases, or nearly so where it shows."""
+    return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _nearly_best(labels, q, by, most))
 
 
-def _least(labels, theta):
-    return within(theta, labels) <= 1.0001 * within(theta, best_split(theta)) + 1e-12
+def _least(labels, q):
+    return within(q, labels) <= 1.0001 * within(q, best_split(q)) + 1e-12
 
 
-def _means(labels, theta):
-    mean = [theta[labels == k, 1].mean() for k in (0, 1)]
-    return f"The mean theta2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
+def _means(labels, q):
+    mean = [q[labels == k, 1].mean() for k in (0, 1)]
+    return f"The mean q2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
 
 
-def split_branches(theta):
-    """Return labels (m,) of two clusters by k-means, 0 for the one with the larger mean theta2."""
-    theta = np.asarray(theta, float)
-    if not several(theta):
-        return np.zeros(len(theta), int)
+def split_branches(q):
+    """Return labels (m,) of two clusters by k-means, 0 for the one with the larger mean q2."""
+    q = np.asarray(q, float)
+    if not several(q):
+        return np.zeros(len(q), int)
     with threadpool_limits(1):  # so few samples take far longer with threads
-        labels = KMeans(2, random_state=0).fit(theta).labels_
-    means = [theta[labels == k, 1].mean() for k in (0, 1)]
+        labels = KMeans(2, random_state=0).fit(q).labels_
+    means = [q[labels == k, 1].mean() for k in (0, 1)]
     return labels if means[0] > means[1] else 1 - labels
+
+
+_MISTAKES = (
+    Mistake(
+        "there are more than two clusters",
+        "Two elbows, two clusters: KMeans(n_clusters=2).",
+        seen=lambda labels, q: {0, 1, 2} <= set(labels) <= set(range(9)),
+    ),
+    Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, q: set(labels) == {1, 2}),
+    Mistake(
+        "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
+        "Compare q[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
+        lambda q: 1 - split(q) if several(q) else None,
+    ),
+    Mistake(
+        "the samples are split by the sign of q2",
+        "A cell may hold one elbow only, and q2 has one sign: KMeans still finds two clusters.",
+        lambda q: q[:, 1] <= 0 if several(q) else None,
+        lambda q: q[:, 1] > 0 if several(q) else None,
+        lambda q: q[:, 1] <= 0,
+        lambda q: q[:, 1] > 0,
+    ),
+    Mistake(
+        "the samples are split at the mean or the median of q2",
+        "The clusters need not be of the same size, and KMeans looks at both angles.",
+        *_by_limit(1, np.mean, np.median),
+    ),
+    _clustered(
+        "the positions are clustered, not the joint angles",
+        "Both elbows reach the same positions: only q tells them apart.",
+        position,
+        1.1,
+    ),
+    _clustered(
+        "only q1 is looked at",
+        "Both columns of q go into KMeans, as they are.",
+        lambda q: q * [1, 0],
+    ),
+    _clustered(
+        "only q2 is looked at",
+        "Both columns of q go into KMeans, as they are.",
+        lambda q: q * [0, 1],
+    ),
+    _clustered(
+        "the angles are scaled before they are clustered",
+        "Both are radians: give q to KMeans as it is.",
+        _scaled,
+    ),
+    Mistake(
+        "the samples are split at the mean or the median of q1",
+        "KMeans looks at both angles, and sizes may differ.",
+        *_by_limit(0, np.mean, np.median),
+    ),
+    Mistake("the labels are sorted", "Label i belongs to sample i.", lambda q: np.sort(split(q))),
+    Mistake(
+        "q is sorted before it is clustered",
+        "Label i belongs to sample i: leave q as it is.",
+        lambda q: split(np.sort(q, axis=0)) if several(q) else None,
+        lambda q: split(q[np.argsort(q[:, 0])]) if several(q) else None,
+        lambda q: split(q[np.argsort(q[:, 1])]) if several(q) else None,
+    ),
+    Mistake(
+        "the clusters are ordered by q1",
+        "q2 is the second column: q[:, 1].",
+        _numbered(lambda q, own: q[own, 0].mean()),
+        _numbered(lambda q, own: -q[own, 0].mean()),
+    ),
+    Mistake(
+        "the clusters are ordered by the sum of q2",
+        "The mean, not the sum: sizes may differ.",
+        _numbered(lambda q, own: q[own, 1].sum()),
+    ),
+    Mistake(
+        "the clusters are ordered by their largest or smallest q2",
+        "The mean q2 of all samples counts.",
+        _numbered(lambda q, own: q[own, 1].max()),
+        _numbered(lambda q, own: q[own, 1].min()),
+    ),
+    Mistake(
+        "the clusters are ordered by the size of q2, without its sign",
+        "Leave abs away.",
+        _numbered(lambda q, own: np.abs(q[own, 1]).mean()),
+        _numbered(lambda q, own: np.abs(q[own, 1].mean())),
+    ),
+    Mistake(
+        "all samples are in one cluster",
+        "Return labels_ of the KMeans, unless all samples are equal.",
+        seen=lambda labels, q: several(q) and (labels == labels[0]).all(),
+    ),
+)
 
 
 EXERCISE = with_a_list(
     Exercise(
         name="split_branches",
         points=2,
-        arguments=("theta",),
+        arguments=("q",),
         cases=_cases,
         returns=numbers(
-            lambda theta: (len(theta),),
-            lambda array, theta: _CENTRES if len(theta) > 2 and array.shape == (2, 2) else None,
+            lambda q: (len(q),),
+            lambda array, q: _CENTRES if len(q) > 2 and array.shape == (2, 2) else None,
         ),
         properties=(
             Property(
                 "each label is 0 or 1",
-                lambda labels, theta: np.isin(labels, (0, 1)).all(),
-                seen=lambda labels, theta: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+                lambda labels, q: np.isin(labels, (0, 1)).all(),
+                seen=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+                where=lambda q: not _tied(q),
             ),
             Property(
                 "with fewer than two different samples there is nothing to split: all labels are 0",
-                lambda labels, theta: not labels.any(),
-                where=lambda theta: not several(theta),
-                mistake=Mistake(
-                    "equal samples, or a single one, are not treated apart",
-                    "Count the different samples with len(np.unique(theta, axis=0)); for 0 or 1 return zeros.",
-                ),
+                lambda labels, q: not labels.any(),
+                where=lambda q: not several(q),
+                mistake=_ONE_SAMPLE,
             ),
+            replace(SAME_TWICE, mistake=_RANDOM),
             Property(
                 "both labels occur, wherever there are two different samples",
-                lambda labels, theta: labels.any() and not labels.all(),
-                where=several,
+                lambda labels, q: labels.any() and not labels.all(),
+                where=_one_best,
             ),
             Property(
                 "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
                 "squared distances is the least",
                 _least,
-                seen=lambda labels, theta: (
-                    f"Yours is {within(theta, labels):.4g}, and {within(theta, best_split(theta)):.4g} is possible."
+                seen=lambda labels, q: (
+                    f"Yours is {within(q, labels):.4g}, and {within(q, best_split(q)):.4g} is possible."
                 ),
-                where=several,
+                where=_one_best,
             ),
             Property(
-                "cluster 0 is the one whose mean theta2 is the larger",
-                lambda labels, theta: np.array_equal(labels, split(theta)),
+                "cluster 0 is the one whose mean q2 is the larger",
+                lambda labels, q: np.array_equal(labels, split(q)),
                 seen=_means,
-                where=several,
+                where=_one_best,
             ),
         ),
-        mistakes=(
-            Mistake(
-                "there are more than two clusters",
-                "Two elbows, two clusters: KMeans(n_clusters=2).",
-                seen=lambda labels, theta: {0, 1, 2} <= set(labels) <= set(range(9)),
-            ),
-            Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, theta: set(labels) == {1, 2}),
-            Mistake(
-                "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
-                "Compare theta[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
-                lambda theta: 1 - split(theta) if several(theta) else None,
-            ),
-            Mistake(
-                "the samples are split by the sign of theta2",
-                "A cell may hold one elbow only, and theta2 has one sign: KMeans still finds two clusters.",
-                lambda theta: theta[:, 1] <= 0 if several(theta) else None,
-                lambda theta: theta[:, 1] > 0 if several(theta) else None,
-                lambda theta: theta[:, 1] <= 0,
-                lambda theta: theta[:, 1] > 0,
-            ),
-            *_clustered(
-                (
-                    "the places are clustered, not the joint angles",
-                    "Both elbows reach the same places: only theta tells them apart.",
-                ),
-                place,
-                1.1,
-            ),
-            *_clustered(
-                ("only theta1 is looked at", "Both columns of theta go into KMeans, as they are."),
-                lambda theta: theta * [1, 0],
-            ),
-            *_clustered(
-                ("only theta2 is looked at", "Both columns of theta go into KMeans, as they are."),
-                lambda theta: theta * [0, 1],
-            ),
-            *_clustered(
-                ("the angles are scaled before they are clustered", "Both are radians: give theta to KMeans as it is."),
-                _scaled,
-            ),
-            Mistake(
-                "the samples are split at the median of theta1",
-                "KMeans looks at both angles, and sizes may differ.",
-                *_by_limit(0, np.median),
-                lambda theta: theta[:, 0] < np.median(theta[:, 0]) if several(theta) else None,
-            ),
-            Mistake(
-                "the samples are split at the median of theta2",
-                "The clusters need not be of the same size.",
-                *_by_limit(1, np.median),
-                lambda theta: theta[:, 1] < np.median(theta[:, 1]) if several(theta) else None,
-            ),
-            Mistake("the labels are sorted", "Label i belongs to sample i.", lambda theta: np.sort(split(theta))),
-            Mistake(
-                "theta is sorted before it is clustered",
-                "Label i belongs to sample i: leave theta as it is.",
-                lambda theta: split(np.sort(theta, axis=0)) if several(theta) else None,
-                lambda theta: split(theta[np.argsort(theta[:, 0])]) if several(theta) else None,
-                lambda theta: split(theta[np.argsort(theta[:, 1])]) if several(theta) else None,
-            ),
-            Mistake(
-                "the clusters are ordered by theta1",
-                "theta2 is the second column: theta[:, 1].",
-                _numbered(lambda theta, own: theta[own, 0].mean()),
-                _numbered(lambda theta, own: -theta[own, 0].mean()),
-            ),
-            Mistake(
-                "the clusters are ordered by the sum of theta2",
-                "The mean, not the sum: sizes may differ.",
-                _numbered(lambda theta, own: theta[own, 1].sum()),
-            ),
-            Mistake(
-                "the clusters are ordered by their largest or smallest theta2",
-                "The mean theta2 of all samples counts.",
-                _numbered(lambda theta, own: theta[own, 1].max()),
-                _numbered(lambda theta, own: theta[own, 1].min()),
-            ),
-            Mistake(
-                "the clusters are ordered by the size of theta2, without its sign",
-                "Leave abs away.",
-                _numbered(lambda theta, own: np.abs(theta[own, 1]).mean()),
-                _numbered(lambda theta, own: np.abs(theta[own, 1].mean())),
-            ),
-            Mistake(
-                "all samples are in one cluster",
-                "Return labels_ of the KMeans, unless all samples are equal.",
-                seen=lambda labels, theta: several(theta) and (labels == labels[0]).all(),
-            ),
-        ),
+        mistakes=tuple(rewired(known, _unless_tied, _unless_tied) for known in _MISTAKES),
+        errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
         library=split_branches,
         hints=(
-            "Fewer than two different samples, len(np.unique(theta, axis=0)) < 2: return np.zeros(len(theta), int).",
-            "labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta).",
-            "KMeans may call either cluster 0. Compare theta[labels == 0, 1].mean() with theta[labels == 1, 1].mean().",
+            "Fewer than two different samples, len(np.unique(q, axis=0)) < 2: return np.zeros(len(q), int).",
+            "labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q).",
+            "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean().",
             "Where the first is the smaller one, return 1 - labels.",
         ),
     ),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import solutions
+from course_lib.checks.decomposition_ik.shared import solutions
 from course_lib.checks.write_test import Version, WriteTest
 
 _REACH = 2 + 1e-9
@@ -18,7 +18,7 @@ def _changed(change):
 
 
 def _by_circles(xy):
-    """Return the same from the two points where circles around the base and the end meet: the elbows."""
+    """Return the same from the two points where circles around the base and the tip meet: the elbows."""
     r = np.linalg.norm(xy)
     if not 0 < r < _REACH:
         return closed_form(xy)
@@ -31,12 +31,12 @@ def _by_circles(xy):
     return np.array(found)
 
 
-def _with_theta1(theta1):
-    return _changed(lambda theta, xy: np.column_stack([theta1(theta, xy), theta[:, 1]]))
+def _with_q1(q1):
+    return _changed(lambda q, xy: np.column_stack([q1(q, xy), q[:, 1]]))
 
 
-def _left_half(theta, xy):
-    return theta[:, 0] - (np.pi if xy[0] < 0 else 0)
+def _left_half(q, xy):
+    return q[:, 0] - (np.pi if xy[0] < 0 else 0)
 
 
 def _right(kind, ik):
@@ -60,7 +60,7 @@ EXERCISE = WriteTest(
     mistakes=(),
     hints=(
         "You need no right version to compare with: fk_2r says where a solution leads.",
-        "Look at both rows: each leads to xy, theta2 >= 0 stands first, and theta2 <= 0 second. Try positions in all "
+        "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
         "four quadrants.",
         "Three special positions are left: beyond 2 m all is nan, at 2 m exactly nothing is, and close to 2 m both "
         "rows still lead to xy.",
@@ -69,17 +69,17 @@ EXERCISE = WriteTest(
     versions=(
         _right("that is as in the text", closed_form),
         _right("that intersects two circles", _by_circles),
-        _right("whose last digits differ", _changed(lambda theta, xy: theta * (1 + 1e-13))),
-        _right("that returns a list", _changed(lambda theta, xy: theta.tolist())),
-        _wrong("with its rows in the other order", _changed(lambda theta, xy: theta[::-1])),
-        _wrong(_ELBOWS, _changed(lambda theta, xy: theta[[0, 0]])),
-        _wrong(_ELBOWS, _changed(lambda theta, xy: theta[[1, 1]])),
-        _wrong(_SIGN, _changed(lambda theta, xy: theta * [1, -1])),
-        _wrong(_SIGN, _changed(lambda theta, xy: theta * [-1, 1])),
-        _wrong("with one theta1 for both rows", _with_theta1(lambda theta, xy: theta[[0, 0], 0])),
-        _wrong("that leaves theta2 out of theta1", _with_theta1(lambda theta, xy: [np.arctan2(xy[1], xy[0])] * 2)),
-        _wrong("that is wrong only for x < 0", _with_theta1(_left_half)),
-        _wrong("in degrees", _changed(lambda theta, xy: np.rad2deg(theta))),
+        _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
+        _right("that returns a list", _changed(lambda q, xy: q.tolist())),
+        _wrong("with its rows in the other order", _changed(lambda q, xy: q[::-1])),
+        _wrong(_ELBOWS, _changed(lambda q, xy: q[[0, 0]])),
+        _wrong(_ELBOWS, _changed(lambda q, xy: q[[1, 1]])),
+        _wrong(_SIGN, _changed(lambda q, xy: q * [1, -1])),
+        _wrong(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
+        _wrong("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
+        _wrong("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
+        _wrong("that is wrong only for x < 0", _with_q1(_left_half)),
+        _wrong("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
         _wrong("that answers out of reach", solutions),
         _wrong(
             "that answers out of reach",
@@ -87,11 +87,11 @@ EXERCISE = WriteTest(
         ),
         _wrong(
             "that has no answer on the edge",
-            _changed(lambda theta, xy: theta if np.linalg.norm(xy) < 2 - 1e-12 else theta * np.nan),
+            _changed(lambda q, xy: q if np.linalg.norm(xy) < 2 - 1e-12 else q * np.nan),
         ),
         _wrong(
             "that is wrong only near the edge",
-            _changed(lambda theta, xy: theta if np.linalg.norm(xy) < 1.98 else theta * [1, 0]),
+            _changed(lambda q, xy: q if np.linalg.norm(xy) < 1.98 else q * [1, 0]),
         ),
     ),
 )

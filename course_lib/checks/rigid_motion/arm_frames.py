@@ -5,17 +5,26 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.plans import FINE
+from course_lib.checks.rigid_motion.shared import FINE
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(
     "one of the three frames is missing",
     "Joint 1 at the base, joint 2 at the elbow, and the tip at the end of the second link.",
 )
-_ONE_MORE = Mistake("the base's own frame is counted too", "The first of the three is turned by theta1 already.")
+_ONE_MORE = Mistake("the base's own frame is counted too", "The first of the three is rotated by theta1 already.")
 _IN_SPACE = Mistake("the matrices are those of space, 4 x 4", "The arm is planar: leave out the row and column of z.")
+_ONLY_POINTS = Mistake(
+    "the points are returned, not the frames", "Each frame is a matrix: rotation, position, and (0, 0, 1)."
+)
 _ONLY_POSES = Mistake("the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each.")
-_SHAPES = {(2, 3, 3): _ONE_MISSING, (4, 3, 3): _ONE_MORE, (3, 4, 4): _IN_SPACE, (3, 3): _ONLY_POSES}
+_SHAPES = {
+    (2, 3, 3): _ONE_MISSING,
+    (4, 3, 3): _ONE_MORE,
+    (3, 4, 4): _IN_SPACE,
+    (3, 3): _ONLY_POSES,
+    (3, 2): _ONLY_POINTS,
+}
 
 
 def _cases(rng):
@@ -33,46 +42,46 @@ def _cases(rng):
     return [([0, 0],), *((theta,) for theta in named), *((np.round(theta, 2),) for theta in drawn)]
 
 
-def _turn(angle):
+def _rot(angle):
     return pose_matrix([0, 0, angle])
 
 
-def _along(length=1.0):
+def _trans(length=1.0):
     return pose_matrix([length, 0, 0])
 
 
 def _right(theta, length=1.0):
-    elbow = _turn(theta[0]) @ _along(length) @ _turn(theta[1])
-    return np.array([_turn(theta[0]), elbow, elbow @ _along(length)])
+    elbow = _rot(theta[0]) @ _trans(length) @ _rot(theta[1])
+    return np.array([_rot(theta[0]), elbow, elbow @ _trans(length)])
 
 
-def _place(angles):
+def _position(angles):
     return np.array([np.cos(angles).sum(), np.sin(angles).sum()])
 
 
-def _turned(T, angle):
-    return np.abs(T[:2, :2] - _turn(angle)[:2, :2]).max() < FINE
+def _is_rotated(T, angle):
+    return np.abs(T[:2, :2] - _rot(angle)[:2, :2]).max() < FINE
 
 
-def _turning(k, text, angle):
-    """Frame k is turned by angle(theta)."""
+def _oriented(k, text, angle):
+    """Frame k is rotated by angle(theta)."""
     return Property(
         text,
-        lambda T, theta: _turned(T[k], angle(theta)),
+        lambda T, theta: _is_rotated(T[k], angle(theta)),
         seen=lambda T, theta: (
             f"That is {angle(theta):.4g} rad, so its x axis, the first column, is "
-            f"{format_tuple(_turn(angle(theta))[:2, 0])}, and y is {format_tuple(_turn(angle(theta))[:2, 1])}. "
+            f"{format_tuple(_rot(angle(theta))[:2, 0])}, and y is {format_tuple(_rot(angle(theta))[:2, 1])}. "
             f"Yours are {format_tuple(T[k, :2, 0])} and {format_tuple(T[k, :2, 1])}."
         ),
     )
 
 
-def _lying(k, text, place):
-    """Frame k has its origin at place(theta)."""
+def _located(k, text, position):
+    """Frame k has its origin at position(theta)."""
     return Property(
         text,
-        lambda T, theta: np.abs(T[k, :2, 2] - place(theta)).max() < FINE,
-        seen=lambda T, theta: f"That is {format_tuple(place(theta))}. Yours is at {format_tuple(T[k, :2, 2])}.",
+        lambda T, theta: np.abs(T[k, :2, 2] - position(theta)).max() < FINE,
+        seen=lambda T, theta: f"That is {format_tuple(position(theta))}. Yours is at {format_tuple(T[k, :2, 2])}.",
     )
 
 
@@ -85,9 +94,9 @@ def _of_poses(*poses):
     return np.array([pose_matrix(pose) for pose in poses])
 
 
-def _with_turns(turn):
-    """The right product with another matrix for a turn."""
-    return lambda theta: _chain(turn(theta[0]), _along() @ turn(theta[1]), _along())
+def _with_rotations(rot):
+    """The right product with another matrix for a rotation."""
+    return lambda theta: _chain(rot(theta[0]), _trans() @ rot(theta[1]), _trans())
 
 
 def _sines_swapped(angle):
@@ -95,18 +104,18 @@ def _sines_swapped(angle):
     return np.array([[s, -c, 0], [c, s, 0], [0, 0, 1]])
 
 
-def _places_swapped(theta):
+def _positions_swapped(theta):
     T = _right(theta)
     T[:, [0, 1], 2] = T[:, [1, 0], 2]
     return T
 
 
-def _half_turned(turn):
-    """Only the places, or only the rotations, made with another turn."""
-    return lambda theta: np.concatenate([_right(theta)[..., :2], _with_turns(turn)(theta)[..., 2:]], -1)
+def _other_positions(rot):
+    """The right rotations, with positions made with another one."""
+    return lambda theta: np.concatenate([_right(theta)[..., :2], _with_rotations(rot)(theta)[..., 2:]], -1)
 
 
-def _absolute_places(theta):
+def _absolute_positions(theta):
     T = _right(theta)
     T[2, :2, 2] = T[1, :2, 2] + [np.cos(theta[1]), np.sin(theta[1])]
     return T
@@ -114,7 +123,7 @@ def _absolute_places(theta):
 
 _FROM_THE_LINK = (
     "theta2 is taken for the angle from the x axis of the world",
-    "It is measured from the first link: the second one is turned by theta1 + theta2.",
+    "It is measured from the first link: the second one points along theta1 + theta2.",
 )
 
 EXERCISE = Exercise(
@@ -129,56 +138,53 @@ EXERCISE = Exercise(
             lambda T, theta: np.abs(T[:, 2] - [0, 0, 1]).max() < FINE,
             seen=lambda T, theta: f"Yours are {', '.join(format_tuple(row) for row in T[:, 2])}.",
         ),
-        _turning(0, "the frame of joint 1 is turned by theta1", lambda theta: theta[0]),
-        _lying(0, "joint 1 is at the base, the origin", lambda theta: np.zeros(2)),
-        _turning(1, "the frame of joint 2 is turned by theta1 + theta2", sum),
-        _lying(1, "joint 2 is 1 m from the base along link 1, at (cos theta1, sin theta1)", lambda t: _place(t[:1])),
-        _turning(2, "the tip's frame is turned by theta1 + theta2, as link 2 is", sum),
-        _lying(
-            2,
-            "the tip is 1 m from joint 2 along link 2",
-            lambda theta: _place(np.cumsum(theta)),
+        _oriented(0, "the frame of joint 1 is rotated by theta1", lambda theta: theta[0]),
+        _located(0, "joint 1 is at the base, the origin", lambda theta: np.zeros(2)),
+        _oriented(1, "the frame of joint 2 is rotated by theta1 + theta2", sum),
+        _located(
+            1, "joint 2 is 1 m from the base along link 1, at (cos theta1, sin theta1)", lambda t: _position(t[:1])
         ),
+        _oriented(2, "the tip's frame is rotated by theta1 + theta2, as link 2 is", sum),
+        _located(2, "the tip is 1 m from joint 2 along link 2", lambda theta: _position(np.cumsum(theta))),
     ),
     mistakes=(
-        Mistake(*_FROM_THE_LINK, lambda theta: _right([theta[0], theta[1] - theta[0]]), _absolute_places),
+        Mistake(*_FROM_THE_LINK, lambda theta: _right([theta[0], theta[1] - theta[0]]), _absolute_positions),
         Mistake(
-            "each frame is moved along its link already: the turn comes before the way",
-            "Joint 1 stays at the base. To joint 2: first 1 m along link 1, then the turn: T_12 = Trans(1, 0) "
+            "each frame is moved along its link already: the rotation comes first",
+            "Joint 1 stays at the base. To joint 2: first 1 m along link 1, then the rotation: T_12 = Trans(1, 0) "
             "Rot(theta2).",
-            lambda theta: _chain(_turn(theta[0]) @ _along(), _turn(theta[1]) @ _along(), np.eye(3)),
-            lambda theta: _chain(_turn(theta[0]) @ _along(), _turn(theta[1]) @ _along(), _along()),
-            lambda theta: _chain(_turn(theta[0]), _turn(theta[1]) @ _along(), _along()),
+            lambda theta: _chain(_rot(theta[0]) @ _trans(), _rot(theta[1]) @ _trans(), np.eye(3)),
+            lambda theta: _chain(_rot(theta[0]) @ _trans(), _rot(theta[1]) @ _trans(), _trans()),
+            lambda theta: _chain(_rot(theta[0]), _rot(theta[1]) @ _trans(), _trans()),
         ),
         Mistake(
-            "the way along a link is not turned with the link",
-            "Trans(1, 0) Rot(theta1) goes to (1, 0) whatever theta1 is. Rot(theta1) Trans(1, 0) turns the way. "
+            "the translation along a link is not rotated with the link",
+            "Trans(1, 0) Rot(theta1) goes to (1, 0) whatever theta1 is. Rot(theta1) Trans(1, 0) rotates that. "
             "So mind the order: T_02 = T_01 T_12.",
-            lambda theta: _chain(_turn(theta[0]), _turn(-theta[0]) @ _along() @ _turn(theta[0] + theta[1]), _along()),
+            lambda theta: _chain(_rot(theta[0]), _rot(-theta[0]) @ _trans() @ _rot(theta[0] + theta[1]), _trans()),
             lambda theta: _of_poses([0, 0, theta[0]], [1, 0, sum(theta)], [2, 0, sum(theta)]),
-            lambda theta: _chain(_along() @ _turn(theta[0]), _along() @ _turn(theta[1]), np.eye(3)),
-            lambda theta: _chain(_along() @ _turn(theta[0]), _along() @ _turn(theta[1]), _along()),
+            lambda theta: _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), np.eye(3)),
+            lambda theta: _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), _trans()),
         ),
         Mistake(
-            "the base's own frame stands in the place of joint 1's",
-            "The frame is carried by joint 1: it is turned by theta1.",
+            "the base's own frame is given for joint 1's",
+            "Frame 1 is carried by joint 1: it is rotated by theta1.",
             lambda theta: np.array([np.eye(3), *_right(theta)[1:]]),
             lambda theta: np.array([np.eye(3), *_right(theta)[:2]]),
-            lambda theta: np.array([np.eye(3), _right(theta)[0] @ _along(), _right(theta)[2]]),
+            lambda theta: np.array([np.eye(3), _right(theta)[0] @ _trans(), _right(theta)[2]]),
         ),
         Mistake(
-            "the frames are those at the links' ends, each turned as the link that ends there",
-            "Joint 2's frame is carried by joint 2: at the elbow, and turned by theta1 + theta2.",
-            lambda theta: np.array([_turn(theta[0]), _turn(theta[0]) @ _along(), _right(theta)[2]]),
+            "the frames are those at the links' ends, each rotated as the link that ends there",
+            "Joint 2's frame is carried by joint 2: at the elbow, and rotated by theta1 + theta2.",
+            lambda theta: np.array([_rot(theta[0]), _rot(theta[0]) @ _trans(), _right(theta)[2]]),
         ),
         Mistake(
             "each frame is seen from the one before it, not from the base",
-            "T_02 = T_01 T_12, and T_03 = T_02 T_23: multiply them up.",
-            lambda theta: np.array([_turn(theta[0]), _along() @ _turn(theta[1]), _along()]),
-            lambda theta: np.array(
-                [_turn(theta[0]), _along() @ _turn(theta[1]), _along() @ _turn(theta[1]) @ _along()]
-            ),
-            lambda theta: np.array([_turn(theta[0]), _right(theta)[1], _along()]),
+            "T_02 = T_01 T_12, and T_03 = T_02 T_23: multiply them.",
+            lambda theta: np.array([_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]),
+            lambda theta: np.array([_rot(theta[0]), _trans() @ _rot(theta[1]), _trans() @ _rot(theta[1]) @ _trans()]),
+            lambda theta: np.array([_rot(theta[0]), _right(theta)[1], _trans()]),
+            lambda theta: np.array([_rot(theta[0]), _right(theta)[1], _trans() @ _rot(theta[1]) @ _trans()]),
         ),
         Mistake(
             "the product is entry by entry",
@@ -187,9 +193,19 @@ EXERCISE = Exercise(
                 [
                     first := pose_matrix([0, 0, theta[0]]),
                     second := first * pose_matrix([1, 0, theta[1]]),
-                    second * _along(),
+                    second * _trans(),
                 ]
             ),
+        ),
+        Mistake(
+            "theta1 is added twice: joint 2's matrix has theta1 + theta2",
+            "T_01 contains theta1 already, and the product passes it on. T_12 has theta2 alone.",
+            lambda theta: _right([theta[0], theta[0] + theta[1]]),
+        ),
+        Mistake(
+            "the links lie along y",
+            "At theta = 0 a link lies along x: Trans(1, 0).",
+            lambda theta: _chain(_rot(theta[0]), pose_matrix([0, 1, theta[1]]), pose_matrix([0, 1, 0])),
         ),
         Mistake(
             "the tip's frame is that of joint 2",
@@ -197,10 +213,10 @@ EXERCISE = Exercise(
             lambda theta: _right(theta)[[0, 1, 1]],
         ),
         Mistake(
-            "the tip's frame is turned once more",
-            "There is no joint at the tip: its frame is turned as link 2 is, by theta1 + theta2.",
+            "the tip's frame is rotated once more",
+            "There is no joint at the tip: its frame is rotated as link 2 is, by theta1 + theta2.",
             *(
-                lambda theta, angle=angle: np.array([*_right(theta)[:2], _right(theta)[2] @ _turn(angle(theta))])
+                lambda theta, angle=angle: np.array([*_right(theta)[:2], _right(theta)[2] @ _rot(angle(theta))])
                 for angle in (lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1])
             ),
         ),
@@ -210,10 +226,10 @@ EXERCISE = Exercise(
             lambda theta: np.swapaxes(_right(theta), 1, 2),
         ),
         Mistake(
-            "the turns go clockwise",
+            "the rotations are clockwise",
             "R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row.",
             lambda theta: _right(-np.asarray(theta)),
-            _with_turns(lambda angle: _turn(-angle)),
+            _with_rotations(lambda angle: _rot(-angle)),
             lambda theta: np.concatenate([_right(-np.asarray(theta))[..., :2], _right(theta)[..., 2:]], -1),
         ),
         Mistake(
@@ -225,20 +241,21 @@ EXERCISE = Exercise(
         Mistake(
             "sine and cosine are swapped",
             "At theta = 0 a link lies along x: x is the cosine.",
-            _with_turns(_sines_swapped),
-            _places_swapped,
-            _half_turned(_sines_swapped),
+            _with_rotations(_sines_swapped),
+            _positions_swapped,
+            _other_positions(_sines_swapped),
         ),
         Mistake(
             "the links have another length than 1 m",
             "Each of the two links is 1 m long.",
             *(lambda theta, length=length: _right(theta, length) for length in (0.5, 2.0, 0.0)),
+            lambda theta: np.array([*_right(theta)[:2], _right(theta)[1] @ _trans(2.0)]),
         ),
         Mistake(
             "the tip is 1 m from the base instead of joint 2",
-            "Add the way from the base to joint 2.",
+            "Add the position of joint 2.",
             lambda theta: _of_poses(
-                [0, 0, theta[0]], [*_place(theta[:1]), sum(theta)], [*_place([sum(theta)]), sum(theta)]
+                [0, 0, theta[0]], [*_position(theta[:1]), sum(theta)], [*_position([sum(theta)]), sum(theta)]
             ),
         ),
         Mistake(
@@ -249,8 +266,8 @@ EXERCISE = Exercise(
     ),
     library=_right,
     hints=(
-        "T_01 turns by theta1 and goes nowhere: pose_matrix([0, 0, theta[0]]).",
-        "From joint 1 to joint 2: 1 m along joint 1's x axis, then the turn by theta2: pose_matrix([1, 0, theta[1]]).",
+        "T_01 rotates by theta1, without translation: pose_matrix([0, 0, theta[0]]).",
+        "From joint 1 to joint 2: 1 m along joint 1's x axis, then the rotation: pose_matrix([1, 0, theta[1]]).",
         "T_02 = T_01 @ T_12 and T_03 = T_02 @ T_23, with T_23 = pose_matrix([1, 0, 0]). np.array([T_01, T_02, T_03]).",
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),

@@ -20,7 +20,7 @@ def _cases(rng):
         T = float(np.round(longest * rng.uniform(0.6, 1.0), 2))
         t = rng.permutation(
             np.append(np.round(T * rng.uniform(0.05, 0.95, m - 2), 3), [0.0, T])
-        )  # in no order, and not even
+        )  # in no order, and not evenly spaced
         ends = [*rng.normal(0, 3, 2), *rng.choice([-1, 1], 2) * rng.uniform(0.5, 2, 2)]
         drawn.append((t, T, *np.round(ends, 2).tolist()))
     one = [(float(drawn[0][0][k]), *drawn[0][1:]) for k in (0, 3)]
@@ -95,6 +95,22 @@ def _changed(change):
     return lambda t, T, *ends: cubic_time_scaling(t, T, *change(T, *ends))
 
 
+def _powers_of_T(powers):
+    """The answer of somebody who divides the terms with t^2 and t^3 by other powers of T than 2 and 3."""
+    second, third = powers
+
+    def answer(t, T, s0, s1, v0, v1):
+        a = 3 * (s1 - s0) - (2 * v0 + v1) * T, -2 * (s1 - s0) + (v0 + v1) * T
+        return s0 + v0 * t + a[0] * t**2 / T**second + a[1] * t**3 / T**third
+
+    return answer
+
+
+def _derivative(t, T, s0, s1, v0, v1):
+    a = 3 * (s1 - s0) - (2 * v0 + v1) * T, -2 * (s1 - s0) + (v0 + v1) * T
+    return v0 + 2 * a[0] * t / T**2 + 3 * a[1] * t**2 / T**3
+
+
 _SLIPS = (
     *(_with(second) for second in ((3, 2, -1), (3, -2, 1), (3, 2, 1), (-3, -2, -1), (-3, 2, 1))),
     *(_with(third=third) for third in ((-2, -1, 1), (-2, 1, -1), (-2, -1, -1), (2, 1, 1), (2, -1, -1))),
@@ -109,18 +125,8 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=as_numbers(lambda t, *ends: np.shape(t)),
     properties=(
-        Property(
-            "at t = 0 the value is s0",
-            _at(lambda T: 0, 0),
-            seen=_found_at(lambda T: 0),
-            where=_has(lambda T: 0),
-        ),
-        Property(
-            "at t = T the value is s1",
-            _at(lambda T: T, 1),
-            seen=_found_at(lambda T: T),
-            where=_has(lambda T: T),
-        ),
+        Property("at t = 0 the value is s0", _at(lambda T: 0, 0), seen=_found_at(lambda T: 0), where=_has(lambda T: 0)),
+        Property("at t = T the value is s1", _at(lambda T: T, 1), seen=_found_at(lambda T: T), where=_has(lambda T: T)),
         Property("s is a polynomial in t of degree three", _is_cubic, where=_several),
         Property(
             "at t = 0 the velocity ds/dt is v0",
@@ -144,7 +150,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "s goes evenly from s0 to s1, as t / T does",
+            "s is linear in time, from s0 to s1",
             "Then it starts with a jolt. A cubic begins with velocity v0.",
             lambda t, T, s0, s1, v0, v1: s0 + (s1 - s0) * t / T,
         ),
@@ -176,7 +182,7 @@ EXERCISE = Exercise(
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v1, v0)),
         ),
         Mistake(
-            "t is not used, but even times from 0 to T",
+            "evenly spaced times from 0 to T are used instead of t",
             "The answer is s at the times in t, in the order of t.",
             lambda t, T, *ends: cubic_time_scaling(np.linspace(0, T, t.size) if np.ndim(t) else t, T, *ends),
         ),
@@ -196,17 +202,17 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "s0 is not added",
-            "At t = 0 all powers of t vanish: what is left is s0.",
+            "At t = 0 all powers of t vanish, and s0 remains.",
             lambda t, T, s0, *ends: cubic_time_scaling(t, T, s0, *ends) - s0,
         ),
         Mistake(
             "s1 stands where s1 - s0 belongs",
-            "The way to go is s1 - s0.",
+            "The change is s1 - s0.",
             lambda t, T, s0, s1, v0, v1: cubic_time_scaling(t, T, s0, s0 + s1, v0, v1),
         ),
         Mistake(
             "s0 and s1 are left out: s goes from 0 to 1",
-            "Scale the way: s0 + (s1 - s0) * ...",
+            "A change from s0 to s1 is s1 - s0.",
             _changed(lambda T, s0, s1, v0, v1: (0, 1, v0, v1)),
             _changed(lambda T, s0, s1, v0, v1: (0, 1, 0, 0)),
         ),
@@ -221,7 +227,7 @@ EXERCISE = Exercise(
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0, 0)),
         ),
         Mistake(
-            "a velocity has its sign turned",
+            "a velocity has the opposite sign",
             "Check v0 and v1 one by one: differentiate your s(t) at 0 and at T.",
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, -v0, v1)),
             _changed(lambda T, s0, s1, v0, v1: (s0, s1, v0, -v1)),
@@ -229,16 +235,16 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "a coefficient of u^2 or u^3 has a wrong sign",
-            "3 (s1 - s0) - (2 v0 + v1) T for u^2, -2 (s1 - s0) + (v0 + v1) T for u^3.",
+            "Differentiate your polynomial by hand: which of the four conditions does it violate?",
             *_SLIPS,
         ),
         Mistake(
             "in the coefficient of u^2, the 2 stands with v1 and not with v0",
-            "3 (s1 - s0) - (2 v0 + v1) T: differentiate, and see what you get at t = T.",
+            "Differentiate, and see which velocity you get at t = T.",
             _with((3, -1, -2)),
         ),
         Mistake(
-            "the 2 with v0 is forgotten", "The coefficient of u^2 is 3 (s1 - s0) - (2 v0 + v1) T.", _with((3, -1, -1))
+            "the 2 with v0 is forgotten", "Differentiate, and see which velocity you get at t = T.", _with((3, -1, -1))
         ),
         Mistake(
             "the term v0 t is forgotten",
@@ -252,12 +258,27 @@ EXERCISE = Exercise(
             _with((-2, 1, 1), (3, -2, -1)),
         ),
         Mistake(
+            "a power of T is missing, or stands in the wrong place",
+            "With u = t / T there are no powers of T but those with v0 and v1.",
+            *map(_powers_of_T, ((2, 2), (1, 3), (3, 3), (1, 2), (2, 1), (0, 0), (2, 4))),
+        ),
+        Mistake(
+            "v0 t is added to the cubic from rest to rest",
+            "That changes the value at T, and the velocity there. The coefficients of u^2 and u^3 need v0 and v1 too.",
+            lambda t, T, s0, s1, v0, v1: cubic_time_scaling(t, T, s0, s1, 0, 0) + v0 * t,
+        ),
+        Mistake(
+            "the velocity ds/dt is returned, and not s",
+            "Return the value of the polynomial.",
+            _derivative,
+        ),
+        Mistake(
             "the answer is cut off to whole numbers",
-            "np.zeros_like(t) takes over t's type. np.asarray(t, float) helps.",
+            "np.zeros_like(t) has t's type. np.asarray(t, float) helps.",
             lambda t, *case: np.trunc(cubic_time_scaling(t, *case)) if _whole(t) else cubic_time_scaling(t, *case),
         ),
         Mistake(
-            "t // T cuts off what stands after the point",
+            "t // T drops the digits after the point",
             "One slash: t / T.",
             lambda t, T, *ends: cubic_time_scaling(T * (t // T), T, *ends),
         ),

@@ -1,4 +1,4 @@
-"""exp_se2: the pose that a constant twist of the plane leads to in unit time."""
+"""exp_se2: the pose that a body with a constant twist reaches in unit time."""
 
 import numpy as np
 
@@ -53,8 +53,7 @@ def _first_terms(count):
     """The series of the exponential with the terms up to this power."""
 
     def answer(twist):
-        omega, vx, vy = twist
-        W = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
+        W = _hat(twist)
         total = term = np.eye(3)
         for k in range(1, count + 1):
             term = term @ W / k
@@ -62,6 +61,28 @@ def _first_terms(count):
         return None if np.allclose(total, exp_se2(twist), rtol=0, atol=1e-8) else total
 
     return answer
+
+
+def _hat(twist):
+    omega, vx, vy = twist
+    return np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
+
+
+def _of_arc(along, across):
+    """The position [[along, -across], [across, along]] v, as functions of omega."""
+    return _of_position(
+        lambda R, omega, v: np.array([[a := along(omega or 1e-12), -(b := across(omega or 1e-12))], [b, a]]) @ v
+    )
+
+
+def _eps_added(T, twist):
+    return abs(twist[0]) < 1e-3 or np.abs(_apart(T, twist)).max() < 1e-5 * np.abs(twist).max()
+
+
+def _rotation_transposed(twist):
+    T = exp_se2(twist)
+    T[:2, :2] = T[:2, :2].T
+    return None if abs(np.sin(twist[0])) < 1e-9 else T
 
 
 def _with(change):
@@ -154,6 +175,37 @@ EXERCISE = Exercise(
         ),
         Mistake("the rotation is clockwise", "R(omega) = [[c, -s], [s, c]].", _with(lambda twist: twist * [-1, 1, 1])),
         Mistake("omega is taken for degrees", "Angles are in radians.", _with(lambda t: t * [np.pi / 180, 1, 1])),
+        Mistake(
+            "sin(omega) and 1 - cos(omega) are swapped",
+            "For a tiny omega the body moves along v: what stands on the diagonal tends to 1.",
+            _of_arc(lambda omega: (1 - np.cos(omega)) / omega, lambda omega: np.sin(omega) / omega),
+        ),
+        Mistake(
+            "np.sinc is taken for sin(x) / x",
+            "np.sinc(x) is sin(pi x) / (pi x): divide its argument by pi.",
+            _of_arc(np.sinc, lambda omega: omega / 2 * np.sinc(omega / 2) ** 2),
+            _of_arc(np.sinc, lambda omega: (1 - np.cos(omega)) / omega),
+        ),
+        Mistake(
+            "a small number is added to omega, which changes every answer a little",
+            "Treat small omega by a formula that is exact, and leave the others alone.",
+            seen=_eps_added,
+        ),
+        Mistake(
+            "the exponential is taken entry by entry",
+            "np.exp(M) is not the exponential of a matrix, whose powers are products of matrices.",
+            lambda twist: np.exp(_hat(twist)),
+        ),
+        Mistake(
+            "the rotation is transposed",
+            "R(omega) = [[c, -s], [s, c]]: the minus is in the upper row.",
+            _rotation_transposed,
+        ),
+        Mistake(
+            "the last row is not (0, 0, 1)",
+            "A pose ends with the row (0, 0, 1), so that products of poses are poses.",
+            lambda twist: exp_se2(twist) * [[1], [1], [0]],
+        ),
         transposed(exp_se2),
     ),
     library=exp_se2,

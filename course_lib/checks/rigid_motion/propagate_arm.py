@@ -3,11 +3,11 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
-from course_lib.checks.rigid_motion.plans import FINE, follow, form, lengths, like, off, steps
 from course_lib.checks.rigid_motion.propagate_body import drawn_case
+from course_lib.checks.rigid_motion.shared import FINE, follow, form, lengths, same_rows, size_of, steps
+from course_lib.checks.rigid_motion.shared_mistakes import step_mistakes
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -37,12 +37,12 @@ def _cases(rng):
         ([0.0, 0.0], [((quarter, 0), 1.0), ((0, quarter), 1.0), ((quarter, quarter), 1.0)], 0.3),
         (np.array([3.0, -3.0]), [((2.0, -2.0), 0.5)], 0.25),
     ]
-    return [*simple, *sums, *several, *(drawn_case(rng, angles=2, places=0) for _ in range(4))]
+    return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
 
 
 def _errors(angles, start, plan, dt):
     velocities, h = steps(plan, dt)
-    return off(np.diff(angles, axis=0) - velocities * h[:, None], ARM).max(axis=1)
+    return size_of(np.diff(angles, axis=0) - velocities * h[:, None], ARM).max(axis=1)
 
 
 def _wrong_step(angles, *case):
@@ -73,6 +73,15 @@ def _assigned(start, plan, dt, time_of=lambda elapsed, h, duration: elapsed):
     return np.array(angles)
 
 
+def _elapsed_twice(start, plan, dt):
+    """The time since the pair's beginning where the length of the step belongs."""
+    angles = [np.array(start, float)]
+    for velocity, duration in plan:
+        for elapsed in np.cumsum(lengths(duration, dt)):
+            angles.append(angles[-1] + np.array(velocity, float) * elapsed)
+    return np.array(angles)
+
+
 EXERCISE = Exercise(
     name="propagate_arm",
     points=1,
@@ -89,57 +98,55 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         *step_mistakes(ARM, propagate_arm, _add),
-        *like(
-            ARM,
-            (
-                "the angles are assigned where they should be added",
-                "The joints had angles before the step. Where do they enter?",
-            ),
+        Mistake(
+            "the angles are assigned where they should be added",
+            "The joints had angles before the step. Where do they enter?",
             lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: h),
             lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: duration),
         ),
-        *like(
-            ARM,
-            ("start is not added after the first row", "The angles go on from those of the row before."),
+        Mistake(
+            "the time since the pair began is counted from the row before",
+            "Either the angles at the pair's beginning and the time since then, or the row before and one step.",
+            _elapsed_twice,
+        ),
+        Mistake(
+            "start is not added after the first row",
+            "The angles go on from those of the row before.",
             lambda *case: np.array([case[0], *propagate_arm([0, 0], *case[1:])[1:]]),
         ),
-        *like(
-            ARM,
-            ("the joints are swapped", "A row is (theta1, theta2), and (w1, w2) their velocities."),
+        Mistake(
+            "the joints are swapped",
+            "A row is (theta1, theta2), and (w1, w2) their velocities.",
             _with(lambda w: w[::-1]),
             lambda *case: propagate_arm(*case)[:, ::-1],
         ),
-        *like(
-            ARM,
-            (
-                "the first joint's velocity moves the second angle too",
-                "theta2 is measured from the first link: it grows by w2 alone.",
-            ),
+        Mistake(
+            "the first joint's velocity moves the second angle too",
+            "theta2 is measured from the first link: it grows by w2 alone.",
             _with(np.cumsum),
         ),
-        *like(ARM, ("both joints move with w1", "The second one has w2."), _with(lambda w: w[[0, 0]])),
-        *like(ARM, ("the second joint stays as it is", "It moves with w2."), _with(lambda w: w * [1, 0])),
-        *like(ARM, ("the first joint stays as it is", "It moves with w1."), _with(lambda w: w * [0, 1])),
-        *like(
-            ARM,
-            ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+        Mistake("both joints move with w1", "The second one has w2.", _with(lambda w: w[[0, 0]])),
+        Mistake("the second joint does not move", "It moves with w2.", _with(lambda w: w * [1, 0])),
+        Mistake("the first joint does not move", "It moves with w1.", _with(lambda w: w * [0, 1])),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
             _with(np.deg2rad),
             _with(np.rad2deg),
             lambda *case: np.rad2deg(propagate_arm(*case)),
         ),
-        *like(
-            ARM,
-            ("the velocities are not multiplied by the length of the step", "rad/s times s is rad: w * h."),
+        Mistake(
+            "the velocities are not multiplied by the length of the step",
+            "rad/s times s is rad: w * h.",
             follow(lambda angles, velocity, h: angles + velocity),
         ),
-        *like(
-            ARM,
-            ("the velocities have their sign turned", "A positive velocity lets the angle grow."),
-            _with(lambda w: -w),
+        Mistake(
+            "the velocities have the opposite sign", "A positive velocity lets the angle grow.", _with(lambda w: -w)
         ),
     ),
     library=propagate_arm,
     broken=_assigned,
+    alike=same_rows(ARM),
     hints=(
         "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle jump?",
         "An angle after a step is the angle before it, plus velocity times the length of the step.",

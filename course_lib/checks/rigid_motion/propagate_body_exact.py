@@ -2,25 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.plan_mistakes import step_mistakes
-from course_lib.checks.rigid_motion.plans import (
-    FINE,
-    STEP_LENGTHS,
-    follow,
-    form,
-    lengths,
-    like,
-    near,
-    off,
-    straight,
-)
 from course_lib.checks.rigid_motion.propagate_body import (
     ADDED,
-    BODY,
     DEGREES,
-    NO_TURN,
+    NO_ROTATION,
     ORIGIN,
     SIDEWAYS,
     THETA,
@@ -32,12 +19,25 @@ from course_lib.checks.rigid_motion.propagate_body import (
     move_by,
     read_poses,
 )
+from course_lib.checks.rigid_motion.shared import (
+    BODY,
+    FINE,
+    STEP_LENGTHS,
+    follow,
+    form,
+    goes_straight,
+    lengths,
+    near,
+    same_rows,
+    size_of,
+)
+from course_lib.checks.rigid_motion.shared_mistakes import step_mistakes
 from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
 from course_lib.rigid import exp_se2, inverse
 
 
 def _cases(rng):
-    """Those of Euler's rule; one start and plan with three dt; slow turns, a whole turn, and standing still."""
+    """Those of Euler's method; one start and plan with three dt; slow rotations, a whole revolution, standing still."""
     origin = np.array(ORIGIN)
     quarter = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 1.0)]
     halved = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 0.5)]
@@ -60,7 +60,7 @@ def _end_moves(values, cases):
 
 
 def _errors(poses, *case):
-    return off(poses - propagate_body_exact(*case), BODY).max(axis=1)
+    return size_of(poses - propagate_body_exact(*case), BODY).max(axis=1)
 
 
 def _right(poses, *case):
@@ -87,7 +87,7 @@ def exact(pose, velocity, h, times=1.0):
 
 
 def _before(pose, velocity, h):
-    """The exponential on the left: a turn about the world's origin."""
+    """The exponential on the left: a rotation about the world's origin."""
     T = exp_se2(velocity[[2, 0, 1]] * h) @ pose_matrix(pose)
     return _row(T, pose[2] + velocity[2] * h)
 
@@ -112,7 +112,7 @@ def _backwards(pose, velocity, h):
     return _row(T, pose[2] - velocity[2] * h)
 
 
-def _not_turned(pose, velocity, h):
+def _not_rotated(pose, velocity, h):
     return pose + _row(exp_se2(velocity[[2, 0, 1]] * h), velocity[2] * h)
 
 
@@ -140,8 +140,30 @@ def _elapsed_twice(start, plan, dt):
     return np.array(poses)
 
 
+def _product(step):
+    """Matrices multiplied up by step(T, vx, vy, omega, h), and theta added up beside them."""
+
+    def answer(start, plan, dt):
+        T, rows = pose_matrix(start), [np.array(start, float)]
+        for velocity, duration in plan:
+            for h in lengths(duration, dt):
+                T = step(T, *velocity, h)
+                rows.append(_row(T, rows[-1][2] + velocity[2] * h))
+        return np.array(rows)
+
+    return answer
+
+
+def _theta_read_by(inverse_function):
+    def answer(*case):
+        rows = propagate_body_exact(*case)
+        return np.column_stack([rows[:, :2], inverse_function(rows[:, 2])])
+
+    return answer
+
+
 def _slow_cut(bound):
-    """Turns slower than `bound` taken for none, in the position or altogether."""
+    """Rotations slower than `bound` taken for none in the position."""
 
     def move(pose, velocity, h):
         return _only_theta(euler)(pose, velocity, h) if abs(velocity[2]) < bound else exact(pose, velocity, h)
@@ -159,7 +181,9 @@ EXERCISE = Exercise(
         *form(BODY),
         STEP_LENGTHS,
         THETA,
-        Property("without turning the way is straight, along R(theta) (vx, vy)", _right, _wrong_pose, where=straight),
+        Property(
+            "without rotation the path is straight, along R(theta) (vx, vy)", _right, _wrong_pose, where=goes_straight
+        ),
         Property(
             "the last pose is the same for every dt",
             _end_moves,
@@ -176,107 +200,105 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         *step_mistakes(BODY, propagate_body_exact, exact),
-        *like(
-            BODY,
-            (
-                "each step goes straight: this is Euler's rule",
-                "While the body turns, its way bends. The exponential knows: T exp(h [twist]).",
-            ),
+        Mistake(
+            "each step goes straight: this is Euler's method",
+            "While the body rotates, its path bends: T exp(h [twist]).",
             propagate_body,
             follow(move_by(lambda theta, omega, h: theta + omega * h)),
         ),
-        *like(
-            BODY,
-            (
-                "each step goes straight, with an angle halfway between its ends",
-                "That is closer than Euler's rule, and still not exact: the chord of an arc is shorter than the arc.",
-            ),
+        Mistake(
+            "each step goes straight, with an angle halfway between its ends",
+            "That is closer than Euler's method, and still not exact: the chord of an arc is shorter than the arc.",
             follow(move_by(lambda theta, omega, h: theta + omega * h / 2)),
             follow(_mean_of_ends),
         ),
-        *like(
-            BODY,
-            (
-                "the exponential stands on the left",
-                "The velocities are in the body's frame: T exp(h [twist]). On the left they are the world's.",
-            ),
+        Mistake(
+            "the exponential stands on the left",
+            "The velocities are in the body's frame: T exp(h [twist]). On the left they are the world's.",
             follow(_before),
         ),
-        *like(
-            BODY,
-            (
-                "the twist is in the order (vx, vy, omega)",
-                "rigid.exp_se2 takes the turning first: (omega, vx, vy).",
-            ),
+        Mistake(
+            "the twist is in the order (vx, vy, omega)",
+            "rigid.exp_se2 takes the angular velocity first: (omega, vx, vy).",
             follow(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h)),
             follow(_only_theta(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h))),
+            _product(lambda T, vx, vy, omega, h: T @ exp_se2(np.array([vx, vy, omega]) * h)),
         ),
-        *like(
-            BODY,
-            (
-                "one exponential is taken of all velocities together",
-                "exp(A) exp(B) is not exp(A + B): each pair has an exponential of its own, one after the other.",
-            ),
+        Mistake(
+            "one exponential is taken of all velocities together",
+            "exp(A) exp(B) is not exp(A + B): each pair has an exponential of its own, one after the other.",
             _total,
         ),
-        *like(
-            BODY,
-            (
-                "the time since the pair began is counted from the row before",
-                "Either the pose at the pair's beginning and the time since then, or the row before and one step.",
-            ),
+        Mistake(
+            "the time since the pair began is counted from the row before",
+            "Either the pose at the pair's beginning and the time since then, or the row before and one step.",
             _elapsed_twice,
         ),
-        *like(
-            BODY,
-            (
-                "slow turns are taken for none",
-                "Only omega = 0 needs a branch of its own, if any; rigid.exp_se2 needs none at all.",
-            ),
+        Mistake(
+            "start is ignored: the motion begins at the origin",
+            "The first pose is pose_matrix(start), and each step multiplies the pose before it.",
+            lambda start, plan, dt: np.array([start, *propagate_body_exact(np.zeros(3), plan, dt)[1:]]),
+            lambda start, plan, dt: propagate_body_exact(np.zeros(3), plan, dt),
+        ),
+        Mistake(
+            "start is added to a motion that begins at the origin",
+            "start has a direction too: pose_matrix(start) @ ... rotates the motion.",
+            lambda start, plan, dt: np.add(start, propagate_body_exact(np.zeros(3), plan, dt)),
+        ),
+        Mistake(
+            "the exponential is multiplied by h, and not the twist",
+            "exp(h twist) is not h exp(twist): scale the twist first.",
+            _product(lambda T, vx, vy, omega, h: T @ (h * exp_se2([omega, vx, vy]))),
+        ),
+        Mistake(
+            "the product is entry by entry",
+            "In numpy the matrix product is @.",
+            _product(lambda T, vx, vy, omega, h: T * exp_se2(np.array([omega, vx, vy]) * h)),
+        ),
+        Mistake(
+            "theta is read by arccos, arcsin or arctan, which know the angle on half of the circle only",
+            "theta = np.arctan2(T[1, 0], T[0, 0]), or start's theta plus omega times the time.",
+            *map(_theta_read_by, (lambda a: np.arcsin(np.sin(a)), lambda a: np.arccos(np.cos(a)))),
+            _theta_read_by(lambda a: np.arctan(np.tan(a))),
+        ),
+        Mistake(
+            *NO_ROTATION, lambda start, plan, dt: propagate_body_exact(start, plan, dt) * [1, 1, 0] + [0, 0, start[2]]
+        ),
+        Mistake(
+            "slow rotations are taken for none",
+            "Only omega = 0 needs a branch of its own, if any; rigid.exp_se2 needs none at all.",
             *(_slow_cut(bound) for bound in (1e-4, 0.1, 0.7)),
         ),
-        *like(
-            BODY,
-            (
-                "the velocities are not multiplied by the time",
-                "rigid.exp_se2 follows a twist for one second. For h seconds, give it the twist times h.",
-            ),
+        Mistake(
+            "the velocities are not multiplied by the time",
+            "rigid.exp_se2 follows a twist for one second. For h seconds, give it the twist times h.",
             follow(lambda pose, velocity, h: exact(pose, velocity, 1.0)),
             follow(_only_theta(lambda pose, velocity, h: exact(pose, velocity, 1.0))),
         ),
-        *like(
-            BODY,
-            (
-                "the way of the exponential is not turned by theta",
-                "exp(h [twist]) says where the body goes as it sees it itself: T exp(h [twist]) turns that.",
-            ),
-            follow(_not_turned),
+        Mistake(
+            "the translation of the exponential is not rotated by theta",
+            "The exponential gives the translation in the body's frame; T exp(h [twist]) has it in the world's.",
+            follow(_not_rotated),
         ),
-        *like(
-            BODY,
-            ("the motion is backwards", "T exp(h [twist]): no inverse, no minus."),
-            follow(_backwards),
-        ),
-        *like(BODY, ADDED, *assigned(exact)),
-        *like(BODY, WORLD, follow(move_by(lambda theta, omega, h: 0 * theta))),
-        *like(BODY, SIDEWAYS, follow(_exponential_of(lambda vx, vy, omega, h: np.array([omega, vy, vx]) * h))),
-        *like(BODY, NO_TURN, follow(_exponential_of(lambda vx, vy, omega, h: np.array([0, vx, vy]) * h))),
-        *like(
-            BODY,
-            DEGREES,
+        Mistake("the motion is backwards", "T exp(h [twist]): no inverse, no minus.", follow(_backwards)),
+        Mistake(*ADDED, *assigned(exact)),
+        Mistake(*WORLD, follow(move_by(lambda theta, omega, h: 0 * theta))),
+        Mistake(*SIDEWAYS, follow(_exponential_of(lambda vx, vy, omega, h: np.array([omega, vy, vx]) * h))),
+        Mistake(*NO_ROTATION, follow(_exponential_of(lambda vx, vy, omega, h: np.array([0, vx, vy]) * h))),
+        Mistake(
+            *DEGREES,
             follow(_exponential_of(lambda vx, vy, omega, h: np.array([np.deg2rad(omega), vx, vy]) * h)),
             follow(_exponential_of(lambda vx, vy, omega, h: np.array([np.rad2deg(omega), vx, vy]) * h)),
             lambda *case: propagate_body_exact(*case) * [1, 1, 180 / np.pi],
         ),
-        *like(
-            BODY, ("x and y are swapped", "A row is (x, y, theta)."), lambda *c: propagate_body_exact(*c)[:, [1, 0, 2]]
-        ),
+        Mistake("x and y are swapped", "A row is (x, y, theta).", lambda *c: propagate_body_exact(*c)[:, [1, 0, 2]]),
     ),
     library=propagate_body_exact,
     hints=(
-        "The loops are those of propagate_body; only what happens in a step is another.",
+        "The loops are those of propagate_body; only the step differs.",
         "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y = T[1, 2].",
         "theta = theta + omega * h is exact already.",
     ),
+    alike=same_rows(BODY),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )

@@ -3,9 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.rigid_motion.plans import FINE, lengths
+from course_lib.checks.rigid_motion.shared import FINE, lengths
 
 
 def _cases(rng):
@@ -17,6 +17,16 @@ def _cases(rng):
         (float(np.round(dt * ratio, 4)), float(dt)) for dt, ratio in zip(dts, rng.uniform(1.2, 9.8, 4), strict=True)
     ]
     return [*plain, *close, *rounding, *drawn, (3, 2)]
+
+
+_COUNT = Mistake("the number of steps is returned", "Return a list with the length of each step.")
+
+
+def _read(value, duration, dt):
+    """The lengths as an array; a lone number passes for a list of one only if one step is taken."""
+    if isinstance(value, int | float) and value == _count(duration, dt) > 1:
+        raise Unreadable(f"the answer is a list of numbers, one a step. Yours is {value}.", _COUNT)
+    return rows(1, "a list of numbers, one a step", most=2000)(value, duration, dt)
 
 
 def _after_while(duration, dt):
@@ -35,6 +45,11 @@ def _spoiled(h, duration, dt):
     return np.min(h, initial=1.0) < 1e-6 * dt and abs(np.sum(h) - duration) < FINE
 
 
+def _rounded_and_remainder(duration, dt):
+    remainder = duration % dt
+    return np.append(np.full(round(duration / dt), dt), [remainder] * (remainder > 1e-9))
+
+
 _LATE = "All steps together take exactly the duration: what remains for the last one?"
 
 EXERCISE = Exercise(
@@ -42,7 +57,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("duration", "dt"),
     cases=_cases,
-    returns=rows(1, "a list of numbers, one a step", most=2000),
+    returns=_read,
     properties=(
         Property(
             "all steps together take as long as the duration",
@@ -84,7 +99,8 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the number of steps is rounded",
-            _LATE,
+            f"{_LATE} And for a computer 0.3 % 0.1 is nearly 0.1.",
+            _rounded_and_remainder,
             lambda duration, dt: np.full(int(np.round(duration / dt)), dt),
         ),
         Mistake(
@@ -110,8 +126,11 @@ EXERCISE = Exercise(
             lambda duration, dt: lengths(duration, dt)[::-1],
         ),
         Mistake(
-            "the times at which the steps end are returned",
+            "the times at which the steps begin or end are returned",
             "A step's length is the difference of two such times.",
+            lambda duration, dt: np.append(np.arange(0, duration - 1e-9, dt), duration),
+            lambda duration, dt: np.append(np.arange(0, duration, dt), duration),
+            lambda duration, dt: np.arange(0, duration, dt),
             lambda duration, dt: np.cumsum(lengths(duration, dt)),
             lambda duration, dt: np.append(0, np.cumsum(lengths(duration, dt))),
         ),

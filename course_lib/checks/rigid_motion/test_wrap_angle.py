@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.rigid_motion.wrap_angle import TURN
+from course_lib.checks.rigid_motion.shared import REVOLUTION
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.planar import wrap_angle
 
@@ -16,11 +16,11 @@ def _wrong(kind, function):
 
 
 def _one_revolution(angle):
-    return angle - TURN * (angle > np.pi) + TURN * (angle < -np.pi)
+    return angle - REVOLUTION * (angle > np.pi) + REVOLUTION * (angle < -np.pi)
 
 
 def _right_below_nine(angle):
-    return wrap_angle(angle) if abs(angle) < 9 else angle - TURN * np.sign(angle)
+    return wrap_angle(angle) if abs(angle) < 9 else angle - REVOLUTION * np.sign(angle)
 
 
 EXERCISE = WriteTest(
@@ -39,18 +39,19 @@ EXERCISE = WriteTest(
         "tolerance; and at pi itself leave both signs alone.",
     ),
     versions=(
-        _right("that subtracts rounded numbers of revolutions", lambda a: a - TURN * np.round(a / TURN)),
-        _right("that uses the remainder", lambda a: np.mod(a + np.pi, TURN) - np.pi),
+        _right("that subtracts rounded numbers of revolutions", lambda a: a - REVOLUTION * np.round(a / REVOLUTION)),
+        _right("that uses the remainder", lambda a: np.mod(a + np.pi, REVOLUTION) - np.pi),
         _right("that uses arctan2", lambda a: np.arctan2(np.sin(a), np.cos(a))),
         _right("of the library", wrap_angle),
         _wrong("that changes nothing", lambda a: a),
         _wrong("that subtracts one revolution at most", _one_revolution),
         _wrong(
-            "that subtracts one revolution at most", lambda a: wrap_angle(a) if abs(a) < 9 else a - TURN * np.sign(a)
+            "that subtracts one revolution at most",
+            lambda a: wrap_angle(a) if abs(a) < 9 else a - REVOLUTION * np.sign(a),
         ),
         _wrong("that is wrong only for negative angles", lambda a: wrap_angle(a) if a >= 0 else a),
         _wrong("that is wrong only for negative angles", lambda a: wrap_angle(a) if a >= 0 else -wrap_angle(a)),
-        _wrong("with answers between 0 and 2 pi", lambda a: np.mod(a, TURN)),
+        _wrong("with answers between 0 and 2 pi", lambda a: np.mod(a, REVOLUTION)),
         _wrong("that subtracts half revolutions", lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2),
         _wrong("that loses the sign", lambda a: np.arccos(np.cos(a))),
         _wrong("that returns the mirror image about the y axis", lambda a: np.arcsin(np.sin(a))),

@@ -55,6 +55,11 @@ def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
 
+def _with_bend(inverse, cosine):
+    """Both solutions with theta2 = inverse(cosine(squared distance)), and theta1 as it belongs to that."""
+    return _changed(lambda tip: _right(tip, lambda tip: inverse(np.clip(cosine(tip[0] ** 2 + tip[1] ** 2), -1, 1))))
+
+
 _LINK = "Draw the triangle of base, elbow and tip: where in it does theta2 stand?"
 
 EXERCISE = Exercise(
@@ -109,8 +114,7 @@ EXERCISE = Exercise(
             "arctan(y / x) is the same for (x, y) and (-x, -y).",
             _changed(
                 lambda tip: _right(
-                    tip,
-                    first=lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2)),
+                    tip, first=lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2))
                 )
             ),
         ),
@@ -134,20 +138,31 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            "the law of cosines has a wrong number, or the distance where its square belongs",
+            "The squared distance is x^2 + y^2 = 1 + 1 + 2 cos(theta2). Check: for [1, 1], cos(theta2) = 0.",
+            _with_bend(np.arccos, lambda d: (np.sqrt(d) - 2) / 2),
+            _with_bend(np.arccos, lambda d: d - 2),
+            _with_bend(np.arccos, lambda d: (d - 1) / 2),
+            _with_bend(np.arccos, lambda d: d / 2),
+            _with_bend(np.arccos, lambda d: (d - 2) / 4),
+        ),
+        Mistake(
+            "arcsin is used where arccos belongs",
+            "The law of cosines gives a cosine.",
+            _with_bend(np.arcsin, lambda d: (d - 2) / 2),
+        ),
+        Mistake(
+            "theta1 is corrected by the whole of theta2",
+            "In the triangle with two equal sides, the angle at the base is half of the bend.",
+            _changed(lambda tip: _right(tip, first=lambda tip, two: np.arctan2(tip[1], tip[0]) - two)),
+        ),
+        Mistake(
             "theta2 is measured from the x axis of the world",
             "It is measured from the first link.",
             _changed(lambda tip: np.cumsum(_right(tip), -1)),
         ),
-        Mistake(
-            "the two angles are swapped",
-            "A row is (theta1, theta2).",
-            _changed(lambda tip: _right(tip)[:, ::-1]),
-        ),
-        Mistake(
-            "rows and columns are swapped",
-            "One solution a row.",
-            _changed(lambda tip: _right(tip).T),
-        ),
+        Mistake("the two angles are swapped", "A row is (theta1, theta2).", _changed(lambda tip: _right(tip)[:, ::-1])),
+        Mistake("rows and columns are swapped", "One solution a row.", _changed(lambda tip: _right(tip).T)),
         Mistake("the angles are in degrees", "Angles are in radians.", _changed(lambda tip: np.rad2deg(_right(tip)))),
     ),
     library=_right,

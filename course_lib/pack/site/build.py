@@ -1,5 +1,7 @@
 """Build the site: prepare copies of the notebooks, let Sphinx make pages of them, put these in place."""
 
+import base64
+import gzip
 import re
 import shutil
 import subprocess
@@ -9,9 +11,10 @@ from pathlib import Path
 
 import course_lib.figures
 from course_lib.pack.site import gather, search, sections
-from course_lib.pack.site.downloads import offer
+from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.errors import SiteError
 from course_lib.pack.site.finish import finish
+from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.packages import folder
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
@@ -19,6 +22,7 @@ from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
 
 HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
+PLOTLY = "plotly.packed.js"
 
 
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
@@ -45,7 +49,8 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
-        figures = _gather(sources, pages, solutions, say)
+        release = None if single else students_zip(notebooks.parent, Path(work, ZIP))
+        figures = _gather(sources, pages, solutions, release, say)
         count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
@@ -53,6 +58,8 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
         if not single:
             search.write(site)
         finish(site)
+        if release:
+            release.rename(site / ZIP)
         if single:
             make_single(site)
         sign(site, source)
@@ -64,10 +71,10 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     say(f"Wrote {_number(count, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
+def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None, say) -> int:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
-    Returns how many live figures there are.
+    `release` is the students' zip, where there is one. Returns how many live figures there are.
     """
     # Pictures and data that a notebook's text links to lie beside it.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
@@ -75,7 +82,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
     figures = 0
     for source in sources:
         counts = prepare(source, pages, solutions)
-        offer(source, pages)
+        offer(source, pages, release)
         figures += counts.figures
         say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     notebooks = [gather.read(source, pages) for source in sources]
@@ -85,7 +92,9 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
         if sections.write(heading, sources, page):
             prepare(page, pages, solutions)
             others.append(page)
-    (pages / "index.md").write_text(gather.home(notebooks, others), encoding="utf-8")
+    (pages / "index.md").write_text(
+        gather.home(notebooks, others, living_panda(pages), offered(release)), encoding="utf-8"
+    )
     return figures
 
 
@@ -96,7 +105,17 @@ def _copy_libraries(static: Path, with_plotly: bool) -> None:
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
     if with_plotly:
-        shutil.copy(folder("plotly") / "package_data" / "plotly.min.js", static)
+        plotly = (folder("plotly") / "package_data" / "plotly.min.js").read_bytes()
+        (static / PLOTLY).write_text(_packed(plotly), encoding="utf-8")
+
+
+def _packed(script: bytes) -> str:
+    """Return a script that holds another one, compressed; figures.js unpacks it.
+
+    No server does that for pages that lie in a folder, and a page there may load scripts but no other files.
+    """
+    content = base64.b64encode(gzip.compress(script, mtime=0)).decode()
+    return f'(window.course = window.course || {{ kinds: {{}} }}).plotly = "{content}";\n'
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:

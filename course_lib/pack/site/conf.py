@@ -6,7 +6,7 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import formulas, search
+from course_lib.pack.site import formulas, living, search
 
 project = "Robot kinematics"
 html_title = project
@@ -74,13 +74,19 @@ def leave_unnumbered(app, document):
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
-    """Add plotly.js and the scripts of the figures, after the text, to the pages that hold a figure."""
+    """Add the scripts of the figures, after the text, to the pages that hold a figure.
+
+    plotly.js is loaded by figures.js when a figure comes near, except by a page that must hold all it needs.
+    """
     figures = re.findall(r'<div class="plotly-figure"([^>]*)>', context.get("body", ""))
-    if any("data-without-plotly" not in figure for figure in figures):
-        app.add_js_file("plotly.min.js", loading_method="defer")
+    if app.tags.has("single") and any("data-without-plotly" not in figure for figure in figures):
+        app.add_js_file("plotly.packed.js", loading_method="defer")
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
+    if '<div class="living">' in context.get("body", ""):
+        for script in living.SCRIPTS:
+            app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if pagename == "search":
         app.add_js_file(search.NAME, loading_method="defer")
         app.add_js_file("search.js", loading_method="defer")

@@ -126,11 +126,13 @@ def _figure(figure: dict, alt: str, still: str) -> str:
 
     Without a still picture its words stand in, except in print.
     """
+    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
+    kind = course.get("kind", "")
+    if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
+        figure = {**figure, "frames": []}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
-    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
-    kind = course.get("kind", "")
     scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
     own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
     own += " data-without-plotly" if course.get("plotly") is False else ""

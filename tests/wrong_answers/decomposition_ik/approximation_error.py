@@ -7,8 +7,8 @@ import numpy as np
 from course_lib.arms import planar_arm
 
 
-def _fk(theta):
-    first, second = theta[..., 0], theta[..., 0] + theta[..., 1]
+def _fk(q):
+    first, second = q[..., 0], q[..., 0] + q[..., 1]
     return np.stack([np.cos(first) + np.cos(second), np.sin(first) + np.sin(second)], axis=-1)
 
 
@@ -88,7 +88,7 @@ def wrong_joint_space(xy, angles):
     return np.linalg.norm(angles - exact, axis=-1)
 
 
-def wrong_theta2_from_the_x_axis(xy, angles):
+def wrong_q2_from_the_x_axis(xy, angles):
     """the direction of the second link"""
     ends = np.cos(angles).sum(axis=-1), np.sin(angles).sum(axis=-1)
     return np.linalg.norm(np.stack(ends, -1) - xy[:, None], axis=-1)

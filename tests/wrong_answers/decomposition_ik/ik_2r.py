@@ -105,8 +105,8 @@ def wrong_order(xy):
     return right_law_of_cosines(xy)[::-1]
 
 
-def wrong_same_theta1(xy):
-    """theta1 is the same for both"""
+def wrong_same_q1(xy):
+    """q1 is the same for both"""
     angles = right_law_of_cosines(xy)
     angles[1, 0] = angles[0, 0]
     return angles
@@ -121,7 +121,7 @@ def wrong_correction_left_out(xy):
 
 
 def wrong_sign_of_correction(xy):
-    """the elbow correction of theta1 has its sign wrong"""
+    """the elbow correction of q1 has the wrong sign"""
     if _far(xy):
         return OUT
     return [[np.arctan2(xy[1], xy[0]) + t / 2, t] for t in (_bend(xy), -_bend(xy))]
@@ -175,7 +175,7 @@ def wrong_degrees(xy):
 
 
 def wrong_not_clipped(xy):
-    """places on the rim"""
+    """positions at the edge"""
     if _far(xy):
         return OUT
     bend = np.arccos((xy @ xy - 2) / 2)
@@ -183,7 +183,7 @@ def wrong_not_clipped(xy):
 
 
 def wrong_rim_out_of_reach(xy):
-    """places on the rim"""
+    """positions at the edge"""
     return OUT if np.hypot(*xy) > 2 else right_law_of_cosines(xy)
 
 
@@ -207,22 +207,22 @@ def wrong_half_nan(xy):
 
 
 def wrong_empty_list(xy):
-    """a place out of reach is given another form"""
+    """a position out of reach is given another form"""
     return [] if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_one_row_of_nan(xy):
-    """a place out of reach is given another form"""
+    """a position out of reach is given another form"""
     return np.array([np.nan, np.nan]) if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_zeros_out_of_reach(xy):
-    """a place out of reach is answered"""
+    """a position out of reach is answered"""
     return np.zeros((2, 2)) if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_law_of_cosines(xy):
-    """the law of cosines has its sign wrong"""
+    """the law of cosines has the wrong sign"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip((2 - xy @ xy) / 2, -1, 1))
@@ -239,7 +239,7 @@ def wrong_angle_inside(xy):
 
 
 def wrong_half_missing(xy):
-    """the cosine of theta2 is not"""
+    """the cosine of q2 is not"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip(xy @ xy - 2, -1, 1))
@@ -247,7 +247,7 @@ def wrong_half_missing(xy):
 
 
 def wrong_root_for_square(xy):
-    """the cosine of theta2 is not"""
+    """the cosine of q2 is not"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip((np.linalg.norm(xy) - 2) / 2, -1, 1))
@@ -255,7 +255,7 @@ def wrong_root_for_square(xy):
 
 
 def wrong_columns(xy):
-    """have changed places"""
+    """have changed positions"""
     return np.array(right_law_of_cosines(xy))[:, ::-1]
 
 
@@ -265,7 +265,7 @@ def wrong_transposed(xy):
 
 
 def wrong_second_from_x_axis(xy):
-    """theta2 is counted from the x axis"""
+    """q2 is counted from the x axis"""
     return np.cumsum(right_law_of_cosines(xy), axis=1)
 
 

@@ -1,64 +1,64 @@
-"""What students write for newton_step(theta, xy)."""
+"""What students write for newton_step(q, xy)."""
 
 import numpy as np
 
 
-def _fk(theta):
-    a, b = theta[0], theta[0] + theta[1]
+def _fk(q):
+    a, b = q[0], q[0] + q[1]
     return np.array([np.cos(a) + np.cos(b), np.sin(a) + np.sin(b)])
 
 
-def _J(theta):
-    a, b = theta[0], theta[0] + theta[1]
+def _J(q):
+    a, b = q[0], q[0] + q[1]
     return np.array([[-np.sin(a) - np.sin(b), -np.sin(b)], [np.cos(a) + np.cos(b), np.cos(b)]])
 
 
-def right_by_solve(theta, xy):
-    return theta + np.linalg.solve(_J(theta), xy - _fk(theta))
+def right_by_solve(q, xy):
+    return q + np.linalg.solve(_J(q), xy - _fk(q))
 
 
-def right_by_inverse(theta, xy):
-    return theta - np.linalg.inv(_J(theta)) @ (_fk(theta) - xy)
+def right_by_inverse(q, xy):
+    return q - np.linalg.inv(_J(q)) @ (_fk(q) - xy)
 
 
-def right_as_a_list(theta, xy):
-    (a, b), (c, d) = _J(theta)
-    e, f = xy - _fk(theta)
-    det = np.sin(theta[1])
-    return [theta[0] + (d * e - b * f) / det, theta[1] + (a * f - c * e) / det]
+def right_as_a_list(q, xy):
+    (a, b), (c, d) = _J(q)
+    e, f = xy - _fk(q)
+    det = np.sin(q[1])
+    return [q[0] + (d * e - b * f) / det, q[1] + (a * f - c * e) / det]
 
 
-def wrong_residual_reversed(theta, xy):
+def wrong_residual_reversed(q, xy):
     """the step leads away from xy"""
-    return theta + np.linalg.solve(_J(theta), _fk(theta) - xy)
+    return q + np.linalg.solve(_J(q), _fk(q) - xy)
 
 
-def wrong_rows_are_joints(theta, xy):
+def wrong_rows_are_joints(q, xy):
     """the Jacobian is transposed"""
-    a, b = theta[0], theta[0] + theta[1]
+    a, b = q[0], q[0] + q[1]
     J = np.array([[-np.sin(a) - np.sin(b), np.cos(a) + np.cos(b)], [-np.sin(b), np.cos(b)]])
-    return theta + np.linalg.solve(J, xy - _fk(theta))
+    return q + np.linalg.solve(J, xy - _fk(q))
 
 
-def wrong_transpose(theta, xy):
+def wrong_transpose(q, xy):
     """the transpose of J stands for its inverse"""
-    return theta + _J(theta).T @ (xy - _fk(theta))
+    return q + _J(q).T @ (xy - _fk(q))
 
 
-def wrong_second_link_by_itself(theta, xy):
-    """the second link does not move with theta1"""
-    a, b = theta[0], theta[0] + theta[1]
+def wrong_second_link_by_itself(q, xy):
+    """the second link does not move with q1"""
+    a, b = q[0], q[0] + q[1]
     J = np.array([[-np.sin(a), -np.sin(b)], [np.cos(a), np.cos(b)]])
-    return theta + np.linalg.solve(J, xy - _fk(theta))
+    return q + np.linalg.solve(J, xy - _fk(q))
 
 
-def wrong_change_alone(theta, xy):
+def wrong_change_alone(q, xy):
     """only the change is returned"""
-    return np.linalg.pinv(_J(theta)) @ (xy - _fk(theta))
+    return np.linalg.pinv(_J(q)) @ (xy - _fk(q))
 
 
-def wrong_until_it_converges(theta, xy):
+def wrong_until_it_converges(q, xy):
     """more than one step is made"""
     for _ in range(3):
-        theta = theta + np.linalg.solve(_J(theta), xy - _fk(theta))
-    return theta
+        q = q + np.linalg.solve(_J(q), xy - _fk(q))
+    return q

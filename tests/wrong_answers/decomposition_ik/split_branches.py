@@ -1,4 +1,4 @@
-"""What students write for split_branches(theta)."""
+"""What students write for split_branches(q)."""
 
 import numpy as np
 from scipy.cluster.vq import kmeans2
@@ -7,261 +7,268 @@ from sklearn.cluster import KMeans
 from course_lib.arms import planar_arm
 
 
-def right_kmeans_with_its_labels_flipped(theta):
-    theta = np.asarray(theta, float)
-    if len(np.unique(theta, axis=0)) < 2:
-        return np.zeros(len(theta), int)
-    labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta)
-    if theta[labels == 0, 1].mean() < theta[labels == 1, 1].mean():
+def right_kmeans_with_its_labels_flipped(q):
+    q = np.asarray(q, float)
+    if len(np.unique(q, axis=0)) < 2:
+        return np.zeros(len(q), int)
+    labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q)
+    if q[labels == 0, 1].mean() < q[labels == 1, 1].mean():
         labels = 1 - labels
     return labels
 
 
-def right_order_of_the_centres_as_a_list(theta):
-    theta = np.asarray(theta, float)
-    if len({tuple(sample) for sample in theta.tolist()}) < 2:
-        return [0 for _ in theta]
-    found = KMeans(2, random_state=7).fit(theta)
+def right_order_of_the_centres_as_a_list(q):
+    q = np.asarray(q, float)
+    if len({tuple(sample) for sample in q.tolist()}) < 2:
+        return [0 for _ in q]
+    found = KMeans(2, random_state=7).fit(q)
     names = np.argsort(-found.cluster_centers_[:, 1]).tolist()
     return [names.index(label) for label in found.labels_]
 
 
-def right_own_loop_as_truth_values(theta):
-    theta = np.asarray(theta, float)
-    if len(theta) < 2 or np.ptp(theta, axis=0).max() == 0:
-        return np.zeros(len(theta), bool)
-    far = theta[np.argmax(((theta - theta[0]) ** 2).sum(axis=1))]
-    centres = [far, theta[np.argmax(((theta - far) ** 2).sum(axis=1))]]
+def right_own_loop_as_truth_values(q):
+    q = np.asarray(q, float)
+    if len(q) < 2 or np.ptp(q, axis=0).max() == 0:
+        return np.zeros(len(q), bool)
+    far = q[np.argmax(((q - q[0]) ** 2).sum(axis=1))]
+    centres = [far, q[np.argmax(((q - far) ** 2).sum(axis=1))]]
     for _ in range(50):
-        second = ((theta - centres[1]) ** 2).sum(axis=1) < ((theta - centres[0]) ** 2).sum(axis=1)
-        centres = [theta[~second].mean(axis=0), theta[second].mean(axis=0)]
+        second = ((q - centres[1]) ** 2).sum(axis=1) < ((q - centres[0]) ** 2).sum(axis=1)
+        centres = [q[~second].mean(axis=0), q[second].mean(axis=0)]
     return second if centres[0][1] > centres[1][1] else ~second
 
 
-def right_scipys_as_a_column(theta):
-    theta = np.asarray(theta, float)
-    if len(theta) == 0 or np.all(theta == theta[0]):
-        return np.zeros((len(theta), 1))
+def right_scipys_as_a_column(q):
+    q = np.asarray(q, float)
+    if len(q) == 0 or np.all(q == q[0]):
+        return np.zeros((len(q), 1))
     best = min(
-        (kmeans2(theta, 2, minit="++", rng=seed) for seed in range(5)),
-        key=lambda found: ((theta - found[0][found[1]]) ** 2).sum(),
+        (kmeans2(q, 2, minit="++", rng=seed) for seed in range(5)),
+        key=lambda found: ((q - found[0][found[1]]) ** 2).sum(),
     )
     upper = np.argmax(best[0][:, 1])
     return np.where(best[1] == upper, 0.0, 1.0)[:, None]
 
 
-def right_kmeans_of_unsettled_order(theta):
-    theta = np.asarray(theta, float)
-    labels = np.zeros(len(theta), dtype=np.int32)
-    if len(theta) > 1 and not np.allclose(theta, theta[0]):
-        found = KMeans(n_clusters=2, n_init=10).fit(theta)
-        labels[:] = found.predict(theta) != found.cluster_centers_[:, 1].argmax()
-    return labels
+def _kmeans(q):
+    return KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q)
 
 
-def _kmeans(theta):
-    return KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(theta)
+def _alike(q):
+    return len(np.unique(q, axis=0)) < 2
 
 
-def _alike(theta):
-    return len(np.unique(theta, axis=0)) < 2
+def _larger_first(q, labels):
+    return labels if q[labels == 0, 1].mean() > q[labels == 1, 1].mean() else 1 - labels
 
 
-def _larger_first(theta, labels):
-    return labels if theta[labels == 0, 1].mean() > theta[labels == 1, 1].mean() else 1 - labels
-
-
-def wrong_kmeans_own_order(theta):
+def wrong_kmeans_own_order(q):
     """KMeans calls its clusters 0 and 1 in any order"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta), int) if _alike(theta) else _kmeans(theta)
+    q = np.asarray(q, float)
+    return np.zeros(len(q), int) if _alike(q) else _kmeans(q)
 
 
-def wrong_labels_swapped(theta):
+def wrong_labels_swapped(q):
     """the labels are swapped"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta), int) if _alike(theta) else 1 - _larger_first(theta, _kmeans(theta))
+    q = np.asarray(q, float)
+    return np.zeros(len(q), int) if _alike(q) else 1 - _larger_first(q, _kmeans(q))
 
 
-def wrong_first_sample_is_in_cluster_0(theta):
+def wrong_first_sample_is_in_cluster_0(q):
     """KMeans calls its clusters 0 and 1 in any order"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta), int)
-    labels = _kmeans(theta)
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q), int)
+    labels = _kmeans(q)
     return labels if labels[0] == 0 else 1 - labels
 
 
-def wrong_sign_of_theta2(theta):
-    """by the sign of theta2"""
-    theta = np.asarray(theta, float)
-    return np.where(theta[:, 1] > 0, 0, 1)
+def wrong_sign_of_q2(q):
+    """by the sign of q2"""
+    q = np.asarray(q, float)
+    return np.where(q[:, 1] > 0, 0, 1)
 
 
-def wrong_sign_of_theta2_where_samples_differ(theta):
-    """by the sign of theta2"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else (theta[:, 1] < 0).astype(int)
+def wrong_sign_of_q2_where_samples_differ(q):
+    """by the sign of q2"""
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else (q[:, 1] < 0).astype(int)
 
 
-def wrong_median_of_theta1(theta):
-    """at the median of theta1"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else theta[:, 0] > np.median(theta[:, 0])
+def wrong_median_of_q1(q):
+    """the mean or the median of q1"""
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else q[:, 0] > np.median(q[:, 0])
 
 
-def wrong_median_of_theta2(theta):
-    """at the median of theta2"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else theta[:, 1] < np.median(theta[:, 1])
+def wrong_median_of_q2(q):
+    """the mean or the median of q2"""
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else q[:, 1] < np.median(q[:, 1])
 
 
-def wrong_labels_sorted(theta):
+def wrong_labels_sorted(q):
     """the labels are sorted"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else np.sort(_larger_first(theta, _kmeans(theta)))
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else np.sort(_larger_first(q, _kmeans(q)))
 
 
-def wrong_theta_sorted(theta):
-    """theta is sorted before it is clustered"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    theta = theta[np.argsort(theta[:, 1])]
-    return _larger_first(theta, _kmeans(theta))
+def wrong_q_sorted(q):
+    """q is sorted before it is clustered"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    q = q[np.argsort(q[:, 1])]
+    return _larger_first(q, _kmeans(q))
 
 
-def wrong_centres(theta):
+def wrong_centres(q):
     """the centres of the clusters are returned"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    return KMeans(n_clusters=2, n_init=10, random_state=0).fit(theta).cluster_centers_
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    return KMeans(n_clusters=2, n_init=10, random_state=0).fit(q).cluster_centers_
 
 
-def wrong_three_clusters(theta):
+def wrong_three_clusters(q):
     """more than two clusters"""
-    theta = np.asarray(theta, float)
-    if len(np.unique(theta, axis=0)) < 3:
-        return np.zeros(len(theta))
-    return KMeans(n_clusters=3, n_init=10, random_state=0).fit_predict(theta)
+    q = np.asarray(q, float)
+    if len(np.unique(q, axis=0)) < 3:
+        return np.zeros(len(q))
+    return KMeans(n_clusters=3, n_init=10, random_state=0).fit_predict(q)
 
 
-def wrong_one_sample_crashes(theta):
+def wrong_one_sample_crashes(q):
     """ValueError"""
-    theta = np.asarray(theta, float)
-    return _larger_first(theta, _kmeans(theta))
+    q = np.asarray(q, float)
+    return _larger_first(q, _kmeans(q))
 
 
-def wrong_one_sample_only_treated_apart(theta):
+def wrong_one_sample_only_treated_apart(q):
     """equal samples, or a single one, are not treated apart"""
-    theta = np.asarray(theta, float)
-    if len(theta) < 2:
-        return np.zeros(len(theta))
-    return _larger_first(theta, _kmeans(theta))
+    q = np.asarray(q, float)
+    if len(q) < 2:
+        return np.zeros(len(q))
+    return _larger_first(q, _kmeans(q))
 
 
-def wrong_two_samples_not_split(theta):
+def wrong_two_samples_not_split(q):
     """all samples are in one cluster"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if len(theta) <= 2 or _alike(theta) else _larger_first(theta, _kmeans(theta))
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if len(q) <= 2 or _alike(q) else _larger_first(q, _kmeans(q))
 
 
-def wrong_all_in_one(theta):
+def wrong_all_in_one(q):
     """all samples are in one cluster"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta), int)
+    q = np.asarray(q, float)
+    return np.zeros(len(q), int)
 
 
-def wrong_places_clustered(theta):
-    """the places are clustered, not the joint angles"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    return _larger_first(theta, _kmeans(planar_arm([1, 1]).fk(theta)[:, :2, 3]))
+def wrong_places_clustered(q):
+    """the positions are clustered, not the joint angles"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    return _larger_first(q, _kmeans(planar_arm([1, 1]).fk(q)[:, :2, 3]))
 
 
-def wrong_ordered_by_theta1(theta):
-    """the clusters are ordered by theta1"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    labels = _kmeans(theta)
-    return labels if theta[labels == 0, 0].mean() > theta[labels == 1, 0].mean() else 1 - labels
+def wrong_ordered_by_q1(q):
+    """the clusters are ordered by q1"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    labels = _kmeans(q)
+    return labels if q[labels == 0, 0].mean() > q[labels == 1, 0].mean() else 1 - labels
 
 
-def wrong_ordered_by_size_of_the_angle(theta):
+def wrong_ordered_by_size_of_the_angle(q):
     """without its sign"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    labels = _kmeans(theta)
-    return labels if abs(theta[labels == 0, 1].mean()) > abs(theta[labels == 1, 1].mean()) else 1 - labels
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    labels = _kmeans(q)
+    return labels if abs(q[labels == 0, 1].mean()) > abs(q[labels == 1, 1].mean()) else 1 - labels
 
 
-def wrong_ordered_by_the_number_of_samples(theta):
+def wrong_ordered_by_the_number_of_samples(q):
     """KMeans calls its clusters 0 and 1 in any order"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    labels = _kmeans(theta)
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    labels = _kmeans(q)
     return labels if (labels == 0).sum() > (labels == 1).sum() else 1 - labels
 
 
-def wrong_ordered_by_the_largest(theta):
-    """by their largest or smallest theta2"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    labels = _kmeans(theta)
-    return labels if theta[labels == 0, 1].max() > theta[labels == 1, 1].max() else 1 - labels
+def wrong_ordered_by_the_largest(q):
+    """by their largest or smallest q2"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    labels = _kmeans(q)
+    return labels if q[labels == 0, 1].max() > q[labels == 1, 1].max() else 1 - labels
 
 
-def wrong_ordered_by_the_sum(theta):
-    """by the sum of theta2"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    labels = _kmeans(theta)
-    return labels if theta[labels == 0, 1].sum() > theta[labels == 1, 1].sum() else 1 - labels
+def wrong_ordered_by_the_sum(q):
+    """by the sum of q2"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    labels = _kmeans(q)
+    return labels if q[labels == 0, 1].sum() > q[labels == 1, 1].sum() else 1 - labels
 
 
-def wrong_scaled(theta):
+def wrong_scaled(q):
     """scaled before they are clustered"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    return _larger_first(theta, _kmeans((theta - theta.mean(axis=0)) / theta.std(axis=0).clip(1e-9)))
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    return _larger_first(q, _kmeans((q - q.mean(axis=0)) / q.std(axis=0).clip(1e-9)))
 
 
-def wrong_theta2_alone(theta):
-    """only theta2 is looked at"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else _larger_first(theta, _kmeans(theta[:, 1:]))
+def wrong_q2_alone(q):
+    """only q2 is looked at"""
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else _larger_first(q, _kmeans(q[:, 1:]))
 
 
-def wrong_theta1_alone(theta):
-    """only theta1 is looked at"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else _larger_first(theta, _kmeans(theta[:, [0]]))
+def wrong_q1_alone(q):
+    """only q1 is looked at"""
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else _larger_first(q, _kmeans(q[:, [0]]))
 
 
-def wrong_labels_from_one(theta):
+def wrong_labels_from_one(q):
     """the labels are 1 and 2"""
-    theta = np.asarray(theta, float)
-    return np.zeros(len(theta)) if _alike(theta) else 1 + _larger_first(theta, _kmeans(theta))
+    q = np.asarray(q, float)
+    return np.zeros(len(q)) if _alike(q) else 1 + _larger_first(q, _kmeans(q))
 
 
-def wrong_no_return(theta):
+def wrong_no_return(q):
     """a return is missing"""
-    theta = np.asarray(theta, float)
+    q = np.asarray(q, float)
     KMeans(n_clusters=2, n_init=10, random_state=0)
 
 
-def wrong_changed_in_place(theta):
-    """theta is changed in place"""
-    theta = np.asarray(theta, float)
-    if _alike(theta):
-        return np.zeros(len(theta))
-    theta -= theta.mean(axis=0)
-    return _larger_first(theta, _kmeans(theta))
+def wrong_changed_in_place(q):
+    """q is changed in place"""
+    q = np.asarray(q, float)
+    if _alike(q):
+        return np.zeros(len(q))
+    q -= q.mean(axis=0)
+    return _larger_first(q, _kmeans(q))
+
+
+def wrong_no_random_state(q):
+    """depend on a random start"""
+    q = np.asarray(q, float)
+    labels = np.zeros(len(q), dtype=np.int32)
+    if len(q) > 1 and not np.allclose(q, q[0]):
+        found = KMeans(n_clusters=2, n_init=10).fit(q)
+        labels[:] = found.predict(q) != found.cluster_centers_[:, 1].argmax()
+    return labels
+
+
+def wrong_split_at_the_mean(q):
+    """at the mean or the median of q2"""
+    q = np.asarray(q, float)
+    return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)

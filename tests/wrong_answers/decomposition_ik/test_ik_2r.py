@@ -7,17 +7,17 @@ EDGE = [[2.0, 0.0], [0.0, -2.0]]
 OUTSIDE = [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]]
 
 
-def _fk(theta):
-    a, b = theta[..., 0], theta[..., 0] + theta[..., 1]
+def _fk(q):
+    a, b = q[..., 0], q[..., 0] + q[..., 1]
     return np.stack([np.cos(a) + np.cos(b), np.sin(a) + np.sin(b)], -1)
 
 
 def right_by_forward_kinematics(ik_2r):
     for xy in INSIDE + EDGE:
-        theta = np.array(ik_2r(xy))
-        if theta.shape != (2, 2) or not np.allclose(_fk(theta), xy, atol=1e-6):
+        q = np.array(ik_2r(xy))
+        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=1e-6):
             return False
-        if theta[0, 1] < -1e-6 or theta[1, 1] > 1e-6:
+        if q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
             return False
     return all(np.isnan(ik_2r(xy)).all() for xy in OUTSIDE)
 

@@ -80,28 +80,28 @@ def wrong_absolute_angle_of_the_tips_place(theta):
 
 
 def wrong_frames_at_the_links_ends(theta):
-    """the turn comes before the way"""
+    """the rotation comes first"""
     T_01 = _rot(theta[0]) @ TRANS
     T_02 = T_01 @ _rot(theta[1]) @ TRANS
     return np.array([T_01, T_02, T_02])
 
 
 def wrong_turned_before_moved(theta):
-    """the turn comes before the way"""
+    """the rotation comes first"""
     T_01 = _rot(theta[0])
     T_02 = T_01 @ _rot(theta[1]) @ TRANS
     return np.array([T_01, T_02, T_02 @ TRANS])
 
 
 def wrong_moved_before_turned(theta):
-    """the way along a link is not turned with the link"""
+    """the translation along a link is not rotated with the link"""
     T_01 = TRANS @ _rot(theta[0])
     T_02 = T_01 @ TRANS @ _rot(theta[1])
     return np.array([T_01, T_02, T_02 @ TRANS])
 
 
 def wrong_places_along_x(theta):
-    """the way along a link is not turned with the link"""
+    """the translation along a link is not rotated with the link"""
     both = theta[0] + theta[1]
     return [pose_matrix([0, 0, theta[0]]), pose_matrix([1, 0, both]), pose_matrix([2, 0, both])]
 
@@ -118,7 +118,7 @@ def wrong_base_counted(theta):
 
 
 def wrong_base_for_joint_1(theta):
-    """the base's own frame stands in the place of joint 1's"""
+    """the base's own frame is given for joint 1's"""
     return [np.eye(3), *right_product_of_frames(theta)[1:]]
 
 
@@ -151,7 +151,7 @@ def wrong_last_not_multiplied_up(theta):
 
 
 def wrong_order_of_the_product(theta):
-    """the way along a link is not turned with the link"""
+    """the translation along a link is not rotated with the link"""
     T_01, T_12 = _rot(theta[0]), TRANS @ _rot(theta[1])
     T_02 = T_12 @ T_01
     return np.array([T_01, T_02, TRANS @ T_02])
@@ -170,7 +170,7 @@ def wrong_tip_at_the_elbow(theta):
 
 
 def wrong_tip_turned_again(theta):
-    """the tip's frame is turned once more"""
+    """the tip's frame is rotated once more"""
     T_01 = _rot(theta[0])
     T_02 = T_01 @ TRANS @ _rot(theta[1])
     return np.array([T_01, T_02, T_02 @ TRANS @ _rot(theta[1])])
@@ -182,7 +182,7 @@ def wrong_transposed(theta):
 
 
 def wrong_clockwise(theta):
-    """the turns go clockwise"""
+    """the rotations are clockwise"""
     T_01 = _rot(theta[0]).T
     T_02 = T_01 @ TRANS @ _rot(theta[1]).T
     return np.array([T_01, T_02, T_02 @ TRANS])
@@ -256,3 +256,27 @@ def wrong_sum_changed_in_place(theta):
 def wrong_the_librarys(theta):
     """course_lib.arms.planar_arm is called"""
     return planar_arm([1, 1]).frames(theta)[:, [[0], [1], [3]], [0, 1, 3]]
+
+
+def wrong_angles_added_twice(theta):
+    """theta1 is added twice"""
+    T_01, T_12 = pose_matrix([0, 0, theta[0]]), pose_matrix([1, 0, theta[0] + theta[1]])
+    return [T_01, T_01 @ T_12, T_01 @ T_12 @ pose_matrix([1, 0, 0])]
+
+
+def wrong_links_along_y(theta):
+    """the links lie along y"""
+    T_01, T_12 = pose_matrix([0, 0, theta[0]]), pose_matrix([0, 1, theta[1]])
+    return [T_01, T_01 @ T_12, T_01 @ T_12 @ pose_matrix([0, 1, 0])]
+
+
+def wrong_tip_seen_from_the_first_joint(theta):
+    """each frame is seen from the one before it"""
+    T_01, T_12 = pose_matrix([0, 0, theta[0]]), pose_matrix([1, 0, theta[1]])
+    return [T_01, T_01 @ T_12, T_12 @ pose_matrix([1, 0, 0])]
+
+
+def wrong_points(theta):
+    """the points are returned"""
+    along = np.cumsum(theta)
+    return [[0, 0], [np.cos(along[0]), np.sin(along[0])], [np.cos(along).sum(), np.sin(along).sum()]]

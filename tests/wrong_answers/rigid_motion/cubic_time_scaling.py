@@ -56,7 +56,7 @@ def right_spline_of_scipy(t, T, s0, s1, v0, v1):
 
 
 def wrong_linear(t, T, s0, s1, v0, v1):
-    """s goes evenly"""
+    """s is linear in time"""
     return s0 + (s1 - s0) * t / T
 
 
@@ -143,7 +143,7 @@ def wrong_end_velocity_left_out(t, T, s0, s1, v0, v1):
 
 
 def wrong_sign_of_the_end_velocity(t, T, s0, s1, v0, v1):
-    """a velocity has its sign turned"""
+    """a velocity has the opposite sign"""
     points = [s0, s0 + v0 * T / 3, s1 + v1 * T / 3, s1]
     u = t / T
     return (1 - u) ** 3 * points[0] + 3 * (1 - u) ** 2 * u * points[1] + 3 * (1 - u) * u**2 * points[2] + u**3 * s1
@@ -205,7 +205,7 @@ def wrong_floor_division(t, T, s0, s1, v0, v1):
 
 
 def wrong_even_times_of_its_own(t, T, s0, s1, v0, v1):
-    """t is not used"""
+    """evenly spaced times from 0 to T are used"""
     return right_textbook(T * np.linspace(0, 1, np.size(t)) if np.ndim(t) else t, T, s0, s1, v0, v1)
 
 
@@ -230,3 +230,29 @@ def wrong_changed_in_place(t, T, s0, s1, v0, v1):
 def wrong_the_librarys(t, T, s0, s1, v0, v1):
     """course_lib.planar.cubic_time_scaling is called"""
     return planar.cubic_time_scaling(t, T, s0, s1, v0, v1)
+
+
+def wrong_power_of_T(t, T, s0, s1, v0, v1):
+    """a power of T is missing"""
+    t = np.asarray(t)
+    second, third = 2 * T * v0 + T * v1 + 3 * s0 - 3 * s1, T * v0 + T * v1 + 2 * s0 - 2 * s1
+    return s0 + v0 * t - second / T**2 * t**2 + third / T**2 * t**3
+
+
+def wrong_velocity_added_to_rest(t, T, s0, s1, v0, v1):
+    """v0 t is added to the cubic from rest to rest"""
+    u = np.asarray(t) / T
+    return s0 + (s1 - s0) * (3 * u**2 - 2 * u**3) + v0 * t
+
+
+def wrong_velocity_returned(t, T, s0, s1, v0, v1):
+    """the velocity ds/dt is returned"""
+    u = np.asarray(t) / T
+    change = s1 - s0
+    return v0 + 2 * (3 * change - (2 * v0 + v1) * T) / T * u + 3 * (-2 * change + (v0 + v1) * T) / T * u**2
+
+
+def wrong_parentheses(t, T, s0, s1, v0, v1):
+    """unnamed"""
+    t = np.asarray(t)
+    return s0 + v0 * t - 2 * T * v0 + T * v1 + 3 * s0 - 3 * s1 / T**2 * t**2

@@ -113,7 +113,7 @@ def wrong_short_series(twist):
 
 
 def wrong_sinc_of_numpy(twist):
-    """unnamed"""
+    """np.sinc is taken for sin(x) / x"""
     w, vx, vy = twist
     a, b = np.sinc(w), w / 2 * np.sinc(w / 2) ** 2
     return _pose(w, a * vx - b * vy, b * vx + a * vy)
@@ -130,3 +130,33 @@ def wrong_pose_of_three_numbers(twist):
     """(x, y, theta) is returned"""
     T = right_sinc(twist)
     return [T[0, 2], T[1, 2], twist[0]]
+
+
+def wrong_exponential_of_each_entry(twist):
+    """the exponential is taken entry by entry"""
+    omega, vx, vy = twist
+    return np.exp([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
+
+
+def wrong_sine_and_cosine_swapped(twist):
+    """sin(omega) and 1 - cos(omega) are swapped"""
+    omega, vx, vy = twist
+    a, b = np.sinc(omega / np.pi), omega / 2 * np.sinc(omega / 2 / np.pi) ** 2
+    c, s = np.cos(omega), np.sin(omega)
+    return [[c, -s, b * vx - a * vy], [s, c, a * vx + b * vy], [0, 0, 1]]
+
+
+def wrong_epsilon_in_the_denominator(twist):
+    """a small number is added to omega"""
+    omega, vx, vy = twist
+    a, b = np.sin(omega) / (omega + 1e-8), (1 - np.cos(omega)) / (omega + 1e-8)
+    c, s = np.cos(omega), np.sin(omega)
+    return [[c, -s, a * vx - b * vy], [s, c, b * vx + a * vy], [0, 0, 1]]
+
+
+def wrong_corner_of_zero(twist):
+    """the last row is not (0, 0, 1)"""
+    omega, vx, vy = twist
+    a, b = np.sinc(omega / np.pi), omega / 2 * np.sinc(omega / 2 / np.pi) ** 2
+    c, s = np.cos(omega), np.sin(omega)
+    return [[c, -s, a * vx - b * vy], [s, c, b * vx + a * vy], [0, 0, 0]]

@@ -106,7 +106,7 @@ def wrong_angles_wrapped(start, goal, n):
 
 
 def wrong_one_turn(start, goal, n):
-    """only one turn"""
+    """only one revolution"""
     start, goal = _arrays(start, goal)
     way = goal - start
     if way[2] > np.pi:
@@ -117,7 +117,7 @@ def wrong_one_turn(start, goal, n):
 
 
 def wrong_always_counter_clockwise(start, goal, n):
-    """always turns the same way"""
+    """always rotates in the same direction"""
     start, goal = _arrays(start, goal)
     way = goal - start
     way[2] %= 2 * np.pi
@@ -133,7 +133,7 @@ def wrong_sign_lost(start, goal, n):
 
 
 def wrong_turn_backwards(start, goal, n):
-    """the turn goes backwards"""
+    """rotates in the opposite direction"""
     start, goal = _arrays(start, goal)
     way = goal - start
     way[2] = _wrap(start[2] - goal[2])
@@ -141,7 +141,7 @@ def wrong_turn_backwards(start, goal, n):
 
 
 def wrong_way_backwards(start, goal, n):
-    """the way goes backwards"""
+    """moves away from the goal"""
     start, goal = _arrays(start, goal)
     way = start - goal
     way[2] = _wrap(way[2])
@@ -149,7 +149,7 @@ def wrong_way_backwards(start, goal, n):
 
 
 def wrong_linear(start, goal, n):
-    """s goes evenly"""
+    """s is linear in time"""
     start, goal = _arrays(start, goal)
     way = goal - start
     way[2] = _wrap(way[2])
@@ -171,7 +171,7 @@ def wrong_quintic(start, goal, n):
 
 
 def wrong_cosine(start, goal, n):
-    """a cosine stands for the cubic"""
+    """a cosine instead of the cubic"""
     start, goal = _arrays(start, goal)
     way = goal - start
     way[2] = _wrap(way[2])
@@ -312,3 +312,18 @@ def wrong_lists_subtracted(start, goal, n):
 def wrong_the_librarys(start, goal, n):
     """course_lib.planar.interpolate_body is called"""
     return planar.interpolate_body(start, goal, n)
+
+
+def wrong_theta_linear(start, goal, n):
+    """the time scaling is applied to some of the coordinates only"""
+    poses = right_arrays(start, goal, n)
+    poses[:, 2] = start[2] + np.linspace(0, 1, n) * _wrap(goal[2] - start[2])
+    return poses
+
+
+def wrong_revolution_of_360(start, goal, n):
+    """the difference of theta is not wrapped"""
+    start, goal = _arrays(start, goal)
+    change = goal - start
+    change[2] = (change[2] + 180) % 360 - 180
+    return _along(start, change, _scaling(n))

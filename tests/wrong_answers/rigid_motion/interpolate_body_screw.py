@@ -113,7 +113,7 @@ def wrong_entry_by_entry(start, goal, n):
 
 
 def wrong_world_change_in_the_body(start, goal, n):
-    """seen from the world"""
+    """in the world's frame"""
     T0, T1 = _ends(start, goal)
     twist = rigid.log_se2(T1 @ rigid.inverse(T0))
     return [_pose(T0 @ rigid.exp_se2(s * twist)) for s in _scaling(n)]
@@ -159,7 +159,7 @@ def wrong_start_left_out(start, goal, n):
 
 
 def wrong_linear(start, goal, n):
-    """s goes evenly"""
+    """s is linear in time"""
     T0, T1 = _ends(start, goal)
     twist = rigid.log_se2(rigid.inverse(T0) @ T1)
     return [_pose(T0 @ rigid.exp_se2(u * twist)) for u in np.linspace(0, 1, n)]
@@ -247,7 +247,7 @@ def wrong_arctan2_swapped(start, goal, n):
 
 
 def wrong_arctan(start, goal, n):
-    """unnamed"""
+    """half of the circle"""
     poses = right_textbook(start, goal, n)
     poses[:, 2] = np.arctan(np.sin(poses[:, 2]) / np.cos(poses[:, 2]))
     return poses
@@ -263,7 +263,7 @@ def wrong_division_by_no_turn(start, goal, n):
 
 
 def wrong_small_turn_taken_for_none(start, goal, n):
-    """a small turn is taken for none"""
+    """a small rotation is taken for none"""
     turn = planar.wrap_angle(goal[2] - start[2])
     if abs(turn) < 0.01:
         return wrong_straight_line(start, goal, n)
@@ -291,7 +291,7 @@ def wrong_scaled_after_the_exponential(start, goal, n):
 
 
 def wrong_matrices_returned(start, goal, n):
-    """another form"""
+    """the matrices of the poses are returned"""
     T0, T1 = _ends(start, goal)
     twist = rigid.log_se2(rigid.inverse(T0) @ T1)
     return T0 @ rigid.exp_se2(_scaling(n)[:, None] * twist)
@@ -318,3 +318,33 @@ def wrong_rows_of_whole_numbers(start, goal, n):
 def wrong_the_librarys(start, goal, n):
     """course_lib.planar.interpolate_body_screw is called"""
     return planar.interpolate_body_screw(start, goal, n)
+
+
+def wrong_logarithms_of_both_poses(start, goal, n):
+    """the logarithms of the two poses are interpolated"""
+    first, last = (rigid.log_se2(T) for T in _ends(start, goal))
+    T = rigid.exp_se2(first + _scaling(n)[:, None] * (last - first))
+    return np.column_stack([T[:, 0, 2], T[:, 1, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
+
+
+def wrong_star_for_the_product(start, goal, n):
+    """the product is entry by entry"""
+    T0, T1 = _ends(start, goal)
+    twist = rigid.log_se2(rigid.inverse(T0) @ T1)
+    moved = [(T0 * rigid.exp_se2(s * twist), start[2] + s * twist[0]) for s in _scaling(n)]
+    return [[T[0, 2], T[1, 2], theta] for T, theta in moved]
+
+
+def wrong_exponential_scaled(start, goal, n):
+    """the exponential is multiplied by s"""
+    T0, T1 = _ends(start, goal)
+    twist = rigid.log_se2(rigid.inverse(T0) @ T1)
+    moved = [(T0 @ (s * rigid.exp_se2(twist)), start[2] + s * twist[0]) for s in _scaling(n)]
+    return [[T[0, 2], T[1, 2], theta] for T, theta in moved]
+
+
+def wrong_arccos(start, goal, n):
+    """half of the circle"""
+    poses = np.array(right_textbook(start, goal, n))
+    poses[:, 2] = np.arccos(np.cos(poses[:, 2]))
+    return poses

@@ -125,7 +125,7 @@ def wrong_last_step_too_long(start, plan, dt):
 
 
 def wrong_rounded_down(start, plan, dt):
-    """what is left of a duration after the whole steps is lost"""
+    """the time that remains after the whole steps is lost"""
     thetas = [np.array(start, float)]
     for velocity, duration in plan:
         for _ in range(int(duration // dt)):
@@ -134,7 +134,7 @@ def wrong_rounded_down(start, plan, dt):
 
 
 def wrong_equal_steps(start, plan, dt):
-    """all of the same length"""
+    """of equal length"""
     rows = np.array([start], float)
     for velocity, duration in plan:
         n = int(np.ceil(duration / dt - 1e-9))
@@ -180,7 +180,7 @@ def wrong_one_velocity_for_both(start, plan, dt):
 
 
 def wrong_only_the_first_joint(start, plan, dt):
-    """the second joint stays as it is"""
+    """the second joint does not move"""
     return right_steps(start, [((w[0], 0), duration) for w, duration in plan], dt)
 
 
@@ -227,3 +227,13 @@ def wrong_start_moves(start, plan, dt):
             thetas.append(np.array(theta, float))
             left -= h
     return np.array(thetas)
+
+
+def wrong_elapsed_from_the_row_before(start, plan, dt):
+    """counted from the row before"""
+    rows = [np.array(start, float)]
+    for velocity, duration in plan:
+        count = int(np.ceil(duration / dt - 1e-6))
+        for k in range(1, count + 1):
+            rows.append(rows[-1] + np.array(velocity) * min(k * dt, duration))
+    return rows

@@ -230,7 +230,7 @@ def wrong_time_counted_up(start, plan, dt):
 
 
 def wrong_rounded_down(start, plan, dt):
-    """what is left of a duration after the whole steps is lost"""
+    """the time that remains after the whole steps is lost"""
     pose = np.array(start, float)
     poses = [pose]
     for velocity, duration in plan:
@@ -252,7 +252,7 @@ def wrong_rounded(start, plan, dt):
 
 
 def wrong_steps_of_equal_length(start, plan, dt):
-    """all of the same length"""
+    """of equal length"""
     pose = np.array(start, float)
     poses = [pose]
     for velocity, duration in plan:
@@ -324,7 +324,7 @@ def wrong_from_start_each_time(start, plan, dt):
 
 
 def wrong_corners_twice(start, plan, dt):
-    """the row where a pair begins is there twice"""
+    """the row at which a pair begins occurs twice"""
     pieces = []
     for pair in plan:
         pieces.append(_walk(start, [pair], dt, _euler))
@@ -333,12 +333,12 @@ def wrong_corners_twice(start, plan, dt):
 
 
 def wrong_dt_of_its_own(start, plan, dt):
-    """dt is not used"""
+    """a fixed step"""
     return _walk(start, plan, 0.1, _euler)
 
 
 def wrong_grid_over_the_ends(start, plan, dt):
-    """the steps run on over the end of a pair"""
+    """begins in one pair and ends in the next"""
     ends = np.cumsum([duration for _, duration in plan])
     pose, time = np.array(start, float), 0.0
     poses = [pose]
@@ -423,7 +423,7 @@ def wrong_whole_numbers(start, plan, dt):
 
 
 def wrong_sign_in_the_matrix(start, plan, dt):
-    """unnamed"""
+    """a sine or cosine of R(theta) has a wrong sign"""
 
     def step(pose, velocity, h):
         c, s = np.cos(pose[2]), np.sin(pose[2])
@@ -447,3 +447,23 @@ def wrong_x_used_too_early(start, plan, dt):
 def wrong_the_librarys(start, plan, dt):
     """course_lib.planar.propagate_body is called"""
     return planar.propagate_body(start, plan, dt)
+
+
+def wrong_y_by_the_new_angle(start, plan, dt):
+    """theta changes between x and y"""
+    x, y, theta = start
+    poses = [[x, y, theta]]
+    for (vx, vy, omega), duration in plan:
+        for h in [dt] * int(duration / dt + 1e-6) + [duration - dt * int(duration / dt + 1e-6)]:
+            if h < 1e-9:
+                continue
+            x = x + (np.cos(theta) * vx - np.sin(theta) * vy) * h
+            theta = theta + omega * h
+            y = y + (np.sin(theta) * vx + np.cos(theta) * vy) * h
+            poses.append([x, y, theta])
+    return poses
+
+
+def wrong_omega_first(start, plan, dt):
+    """read as (omega, vx, vy)"""
+    return right_times_first(start, [((vx, vy, omega), duration) for (omega, vx, vy), duration in plan], dt)

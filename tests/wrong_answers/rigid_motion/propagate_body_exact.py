@@ -110,7 +110,7 @@ def _along(direction, pose, velocity, h):
 
 
 def wrong_euler(start, plan, dt):
-    """this is Euler's rule"""
+    """this is Euler's method"""
     return planar.propagate_body(start, plan, dt)
 
 
@@ -235,7 +235,7 @@ def wrong_elapsed_time_from_the_row_before(start, plan, dt):
 
 
 def wrong_slow_turns_cut(start, plan, dt):
-    """slow turns are taken for none"""
+    """slow rotations are taken for none"""
 
     def step(pose, velocity, h):
         slow = abs(velocity[2]) < 1e-3
@@ -250,7 +250,7 @@ def wrong_not_times_the_time(start, plan, dt):
 
 
 def wrong_not_turned_by_theta(start, plan, dt):
-    """not turned by theta"""
+    """not rotated by theta"""
 
     def step(pose, velocity, h):
         vx, vy, omega = velocity
@@ -293,7 +293,7 @@ def wrong_vanishing_step(start, plan, dt):
 
 
 def wrong_time_zero_of_each_pair(start, plan, dt):
-    """the row where a pair begins is there twice"""
+    """the row at which a pair begins occurs twice"""
     poses, begin = [], start
     for velocity, duration in plan:
         n = int(np.ceil(duration / dt - 1e-9))
@@ -336,3 +336,24 @@ def wrong_arc_of_vx_only(start, plan, dt):
 def wrong_the_librarys(start, plan, dt):
     """course_lib.planar.propagate_body_exact is called"""
     return planar.propagate_body_exact(start, plan, dt)
+
+
+def _from_the_origin(plan, dt):
+    return np.array(right_closed_form(np.zeros(3), plan, dt))
+
+
+def wrong_start_ignored(start, plan, dt):
+    """start is ignored"""
+    return [list(start), *_from_the_origin(plan, dt)[1:]]
+
+
+def wrong_start_added(start, plan, dt):
+    """start is added to a motion that begins at the origin"""
+    return np.array(start) + _from_the_origin(plan, dt)
+
+
+def wrong_arcsin(start, plan, dt):
+    """half of the circle"""
+    poses = np.array(right_closed_form(start, plan, dt))
+    poses[:, 2] = np.arcsin(np.sin(poses[:, 2]))
+    return poses

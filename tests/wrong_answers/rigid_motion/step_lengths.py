@@ -65,12 +65,12 @@ def wrong_remainder_added_to_the_last(duration, dt):
 
 
 def wrong_number_of_steps(duration, dt):
-    """unnamed"""
+    """the number of steps is returned"""
     return math.ceil(duration / dt - 1e-9)
 
 
 def wrong_times(duration, dt):
-    """the times at which the steps end"""
+    """the times at which the steps begin or end"""
     return np.append(np.arange(dt, duration - 1e-9, dt), duration)
 
 
@@ -82,3 +82,9 @@ def wrong_short_step_first(duration, dt):
 def wrong_rounded(duration, dt):
     """the number of steps is rounded"""
     return [dt] * round(duration / dt)
+
+
+def wrong_remainder_nearly_a_step(duration, dt):
+    """the number of steps is rounded"""
+    remainder = duration % dt
+    return [dt] * round(duration / dt) + ([remainder] if remainder > 1e-9 else [])

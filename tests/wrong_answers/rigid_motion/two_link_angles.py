@@ -74,7 +74,7 @@ def wrong_math_acos_without_clip(tip):
 
 
 def wrong_distance_not_squared(tip):
-    """unnamed"""
+    """the law of cosines has a wrong number"""
     x, y = tip
     two = np.arccos(np.clip((np.hypot(x, y) - 2) / 2, -1, 1))
     return np.array([[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (two, -two)])
@@ -115,3 +115,24 @@ def wrong_correction_added(tip):
 def wrong_columns(tip):
     """rows and columns"""
     return right_law_of_cosines(tip).T
+
+
+def wrong_bend_not_halved(tip):
+    """theta1 is corrected by the whole of theta2"""
+    bend = np.arccos(np.clip((tip[0] ** 2 + tip[1] ** 2 - 2) / 2, -1, 1))
+    direction = np.arctan2(tip[1], tip[0])
+    return [[direction - bend, bend], [direction + bend, -bend]]
+
+
+def wrong_arcsin(tip):
+    """arcsin is used"""
+    bend = np.arcsin(np.clip((tip[0] ** 2 + tip[1] ** 2 - 2) / 2, -1, 1))
+    direction = np.arctan2(tip[1], tip[0])
+    return [[direction - bend / 2, bend], [direction + bend / 2, -bend]]
+
+
+def wrong_cosine_not_halved(tip):
+    """the law of cosines has a wrong number"""
+    bend = np.arccos(np.clip(tip[0] ** 2 + tip[1] ** 2 - 2, -1, 1))
+    direction = np.arctan2(tip[1], tip[0])
+    return [[direction - bend / 2, bend], [direction + bend / 2, -bend]]

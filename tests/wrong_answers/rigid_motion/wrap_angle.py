@@ -64,7 +64,7 @@ def wrong_nothing_done(angle):
 
 
 def wrong_one_turn(angle):
-    """only one turn"""
+    """only one revolution"""
     if angle > np.pi:
         return angle - 2 * np.pi
     if angle < -np.pi:
@@ -122,12 +122,12 @@ def wrong_shift_added_only(angle):
 
 
 def wrong_shift_added_twice(angle):
-    """the shift by pi has its sign wrong"""
+    """pi is added again"""
     return (angle + np.pi) % (2 * np.pi) + np.pi
 
 
 def wrong_half_turns(angle):
-    """half turns"""
+    """half revolutions"""
     while angle > np.pi:
         angle -= np.pi
     while angle < -np.pi:
@@ -136,7 +136,7 @@ def wrong_half_turns(angle):
 
 
 def wrong_half_turn_remainder(angle):
-    """half turns"""
+    """half revolutions"""
     return (angle + np.pi / 2) % np.pi - np.pi / 2
 
 
@@ -170,7 +170,7 @@ def wrong_absolute(angle):
 
 
 def wrong_sign(angle):
-    """the sign is turned"""
+    """the sign is changed"""
     return 2 * np.pi * np.round(angle / (2 * np.pi)) - angle
 
 
@@ -180,7 +180,7 @@ def wrong_arcsin(angle):
 
 
 def wrong_arctan_of_the_tangent(angle):
-    """half turns"""
+    """half revolutions"""
     return np.arctan(np.sin(angle) / np.cos(angle))
 
 
@@ -205,7 +205,7 @@ def wrong_short_pi(angle):
 
 
 def wrong_two_turns(angle):
-    """whole turns are still in the answer"""
+    """whole revolutions remain in the answer"""
     return angle - 4 * np.pi * np.round(angle / (4 * np.pi))
 
 

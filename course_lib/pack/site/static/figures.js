@@ -15,8 +15,8 @@
 // and returns a function that stops all it began and removes all it added (or nothing): the figure is then far
 // away, or about to be drawn again. What it keeps in `meta` is there the next time. Controls go into
 // window.course.bar(live), a row below the figure that is emptied at every start; they need names
-// (aria-label) and work from the keyboard. A figure with `meta.plotly: false` is not drawn by plotly, and a page
-// with only such figures does not load it. Where no script runs, and in print, the still picture shows.
+// (aria-label) and work from the keyboard. A figure with `meta.plotly: false` is not drawn by plotly, and is no
+// reason to load it. Where no script runs, and in print, the still picture shows.
 (() => {
   "use strict";
   const NEAR = "600px 0px";
@@ -78,6 +78,28 @@
   }
 
   const usesPlotly = (meta) => !meta || meta.plotly !== false;
+
+  function addScript(url) {
+    return new Promise((done, failed) => {
+      const script = element("script", { src: url }, document.head);
+      script.addEventListener("load", done);
+      script.addEventListener("error", failed);
+    });
+  }
+
+  // plotly.js weighs more than all else. It is fetched, compressed, when the first figure that needs it comes near.
+  const OWN_URL = document.currentScript.src || location.href;
+  let plotly = null;
+  const loadPlotly = () => (plotly = plotly || unpackPlotly());
+  async function unpackPlotly() {
+    if (!window.course.plotly) await addScript(new URL("plotly.packed.js", OWN_URL));
+    const packed = Uint8Array.from(atob(window.course.plotly), (letter) => letter.charCodeAt(0));
+    const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const url = URL.createObjectURL(await new Response(bytes).blob());
+    await addScript(url);
+    URL.revokeObjectURL(url);
+    delete window.course.plotly;
+  }
 
   // A play button and a range for a figure with frames.
   function addPlayer(box, live, figure, own) {
@@ -167,6 +189,11 @@
     const fit = () => fittingHeight(figure.layout, meant, box.clientWidth);
 
     async function draw() {
+      try {
+        if (usesPlotly(meta)) await loadPlotly();
+      } catch {
+        return; // it stays the still picture that it is
+      }
       box.classList.add("drawn");
       figure.layout.height = fit();
       const { data, layout, frames } = figure;
@@ -213,7 +240,7 @@
     }),
     { rootMargin: NEAR },
   );
-  // Without plotly or its own script a figure stays the still picture that it is.
-  const canBeDrawn = (box) => window.Plotly || (box.dataset.kind in window.course.kinds && "withoutPlotly" in box.dataset);
+  // Without its own script a figure that plotly does not draw stays the still picture that it is.
+  const canBeDrawn = (box) => box.dataset.kind in window.course.kinds || !("withoutPlotly" in box.dataset);
   document.querySelectorAll(".plotly-figure").forEach((box) => canBeDrawn(box) && watch.observe(box));
 })();

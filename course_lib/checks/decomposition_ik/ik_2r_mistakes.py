@@ -1,0 +1,122 @@
+"""What an answer to ik_2r does: where its rows lead, which side its elbows are on, and what would mend it."""
+
+import numpy as np
+
+from course_lib.checks.decomposition_ik.shared import position
+from course_lib.checks.exercise import Mistake
+
+_EDGE = 2 - 1e-3  # from here on it is near the edge
+_FOLDED = np.pi - 1e-6  # q2 and -q2 are the same from here on
+
+
+def inside(xy):
+    return np.linalg.norm(xy) < _EDGE
+
+
+def at_edge(xy):
+    return _EDGE <= np.linalg.norm(xy) < 2 + 1e-9
+
+
+def outside(xy):
+    return np.linalg.norm(xy) > 2 + 1e-9
+
+
+def wrapped(angle):
+    return np.angle(np.exp(1j * angle))
+
+
+def off(q, xy):
+    """How far from xy the tip is, (2,), for both rows."""
+    return np.linalg.norm(position(q) - xy, axis=-1)
+
+
+def in_order(q, xy):
+    """Whether q2 >= 0 stands first, where its sign means anything."""
+    bend = wrapped(q[:, 1])
+    if (np.abs(bend) > _FOLDED).all():
+        return True
+    return bend[0] >= -1e-3 * at_edge(xy) and bend[1] <= 1e-3 * at_edge(xy)
+
+
+def mended(name, hint, *mendings):
+    """One mistake that can be mended: each of the mendings makes the right answer of a wrong one."""
+
+    def seen(mending):
+        def looks(q, xy):
+            better = mending(q, xy)
+            return bool((off(better, xy) < 1e-6).all() and in_order(better, xy))
+
+        return looks
+
+    return tuple(Mistake(name, hint, seen=seen(mending)) for mending in mendings)
+
+
+def with_q1(change):
+    return lambda q, xy: np.stack([change(q[:, 0], q[:, 1], xy), q[:, 1]], -1)
+
+
+def with_q2(change):
+    return lambda q, xy: np.stack([q[:, 0], change(q[:, 0], q[:, 1], xy)], -1)
+
+
+def towards(xy):
+    return np.arctan2(xy[1], xy[0])
+
+
+def corrected(q, xy):
+    """The right pairs for the q2 in the answer."""
+    return with_q1(lambda t1, t2, xy: towards(xy) - correction(t2))(q, xy)
+
+
+def right_bend(q, xy):
+    return bool((off(corrected(q, xy), xy) < 1e-6).all() and in_order(q, xy))
+
+
+def same_q1(q, xy):
+    """One row right, and q1 the same in both."""
+    return (off(q, xy) < 1e-6).any() and np.abs(wrapped(q[0, 0] - q[1, 0])) < 1e-9
+
+
+def q1_is(formula):
+    """Whether q2 is right and q1 is formula(xy, q2)."""
+
+    def looks(q, xy):
+        wanted = formula(xy, q[:, 1])
+        return right_bend(q, xy) and (np.abs(wrapped(q[:, 0] - wanted)) < 1e-6).all()
+
+    return looks
+
+
+def by_arctan(side):
+    """Whether q1 comes from atan(y / x), with either sign of the elbow correction; at x = 0 it may be anything."""
+
+    def looks(q, xy):
+        if xy[0] == 0:
+            return not xy.any() or right_bend(q, xy) or bool(np.isnan(q[:, 0]).all())
+        return q1_is(lambda xy, t2: np.arctan(xy[1] / xy[0]) - side * correction(t2))(q, xy)
+
+    return looks
+
+
+def correction(t2):
+    return np.arctan2(np.sin(t2), 1 + np.cos(t2))
+
+
+def supplement(q):
+    """The answer with pi - |q2| for |q2|."""
+    bend = wrapped(q[:, 1])
+    return np.stack([q[:, 0], np.where(bend < 0, -np.pi, np.pi) - bend], -1)
+
+
+def cosine_is(formula):
+    """Whether the cosine of q2 is formula(r), or would be, if it were one."""
+
+    def looks(q, xy):
+        if outside(xy):
+            return False
+        cosine = formula(np.linalg.norm(xy))
+        if abs(cosine) > 1 and np.isnan(q).any():
+            return True
+        return (np.abs(np.cos(q[:, 1]) - np.clip(cosine, -1, 1)) < 1e-6).all()
+
+    return looks
