@@ -5,6 +5,7 @@ Each function returns {"fig": a figure, "alt": what it shows in words, "caption"
 
 import numpy as np
 
+from course_lib import cells
 from course_lib.figures import decomposition_ik as figures
 from course_lib.figures.plots import lines
 
@@ -39,15 +40,35 @@ def _short(value):
     return "< 1e-06" if 0 <= value < 1e-6 else f"{value:.2g}"
 
 
-def percent(share):
-    """Return a share as text, to a tenth of a percent.
+def compared(errors, exists, measured=None):
+    """Print a table that compares methods; return the mean errors, {name: cm}.
+
+    Parameters
+    ----------
+    errors : dict
+        {name: errors (m, 2) in cm of the answers for both branches, nan for none}.
+    exists : dict or array (m, 2)
+        Whether there is such a solution; a dict has one array for each name.
+    measured : dict, optional
+        {name: {"bytes": memory, "seconds": for a query}}, to be shown beside the errors.
 
     Examples
     --------
-    >>> percent(0.9982)
-    '99.8%'
+    >>> compared({"a table": np.array([[0.5, np.nan]])}, np.array([[True, True]]))
+             mean (cm)  worst (cm)  answered  invented
+    a table        0.5         0.5     50.0%         0
+    {'a table': 0.5}
     """
-    return f"{share:.1%}"
+    rows, mean = {}, {}
+    for name, error in errors.items():
+        found = cells.scores(error, ~np.isnan(error), exists[name] if isinstance(exists, dict) else exists)
+        mean[name] = found["mean"]
+        rows[name] = [found["mean"], found["worst"], f"{found['answered']:.1%}", found["invented"]]
+        if measured:
+            rows[name] += [f"{measured[name]['bytes'] / 1000:.0f}", f"{1e6 * measured[name]['seconds']:.2g}"]
+    columns = ["mean (cm)", "worst (cm)", "answered", "invented", "memory (kB)", "time (µs)"]
+    table(columns[: len(next(iter(rows.values())))], rows)
+    return mean
 
 
 def _tip(q):
