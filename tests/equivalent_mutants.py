@@ -242,6 +242,9 @@ EQUIVALENT = {
         "leads_there = np.allclose(fk_2r(q), xy, atol=1.1e-06)": "free choice",
         "leads_there = np.allclose(xy, fk_2r(q), atol=1e-06)": "order",
     },
+    "predict_square": {
+        "q2 = sign * np.sqrt(np.maximum(0, square))": "order",
+    },
     "newton_step": {
         "second_link = np.array([-np.sin(both), np.cos(-both)])": "sign",
     },
