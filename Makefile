@@ -10,6 +10,8 @@ NOTEBOOKS := $(sort $(wildcard notebooks/[0-9][0-9]_*.ipynb))
 
 # Robotics machines often have ROS on PYTHONPATH, and with it other packages and pytest plugins.
 unexport PYTHONPATH PYTHONHOME
+# Container images like to set this; each of a test run's hundred processes would then compile all packages again.
+unexport PYTHONDONTWRITEBYTECODE
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.

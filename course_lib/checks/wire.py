@@ -86,9 +86,10 @@ def to_json(value, depth=0):
 
 
 def _array_to_json(value):
-    array = np.array(value, copy=True, order="C", subok=False)
+    array = np.asarray(value)  # of no subclass, and not copied before its size is known
     if array.size > _MOST_ENTRIES:
         raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
+    array = np.array(array, copy=True, order="C")
     if array.dtype.kind not in "biufc":
         if array.dtype.kind == "U":
             return to_json(array.tolist())

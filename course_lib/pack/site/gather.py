@@ -14,7 +14,7 @@ COVER = "cover"  # the tag of the cell whose picture stands for its notebook
 QUESTIONS = {
     "01_rotations": "How does one compute with orientations, and keep them valid?",
     "02_rigid_motion": "How does a body get from one pose to another, along which path, and how fast?",
-    "03_subproblems_damped_ik": "Which joint angles reach a given pose, and what to do where no formula tells?",
+    "03_subproblems_damped_ik": "Which joint angles reach a given pose, and what can be done if there is no formula?",
     "04_poe_kuka_iiwa": "Where is the end-effector of a seven-joint arm, how fast does it move, and what can it hold?",
     "05_panda_dh_ik": "How does a robot find a mug, grasp it and put it somewhere else?",
     "06_decomposition_ik": "Can samples of a workspace replace a formula for inverse kinematics, and with what error?",
@@ -23,8 +23,8 @@ NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine
 
 HOME = """# Robot kinematics
 
-Notebooks that answer: small steps (an equation, the lines that compute it, a picture), exercises that are checked at
-once, and the numbers of a published homework report, down to what it got wrong.{time}
+Read a little, predict, take a robot by the hand, write a few lines of code: every answer is checked at once. Each
+notebook reproduces the numbers of a published homework report, and shows by computation what it got wrong.{time}
 
 {living}
 
