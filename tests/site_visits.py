@@ -135,9 +135,9 @@ def assert_readable(visit, notebook, width):
     return facts
 
 
-# Takes off the page what says no more to axe-core than the rest does, since that takes milliseconds for each element, and
-# a page has ten thousand: the strokes of formulas, which no rule looks at, and of the words in code and in formulas each
-# that looks as an earlier one does (the same tags, classes, colours and sizes from the word up to the page).
+# Takes off the page what says no more to axe-core than the rest does, since that takes milliseconds for each element,
+# and a page has ten thousand: the strokes of formulas, which no rule looks at, and of the words in code and in formulas
+# each that looks as an earlier one does (the same tags, classes, colours and sizes from the word up to the page).
 THIN_OUT = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
   const looks = new Map([[null, ""]]), seen = new Set();
