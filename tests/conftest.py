@@ -1,5 +1,6 @@
 import os
 import zipfile
+from contextlib import contextmanager
 from pathlib import Path
 
 import nbformat
@@ -44,14 +45,40 @@ def solutions():
     return read
 
 
-@pytest.fixture(scope="session")
-def course(tmp_path_factory):
-    """The folder of the whole course as a site."""
+def built_once(tmp_path_factory, solutions):
+    """The folder of the whole course as a site, which the first process that asks for it builds for all of them."""
     from course_lib.pack.site.build import build  # here, for most tests need none
 
-    folder = tmp_path_factory.mktemp("course") / "html"
-    build(NOTEBOOKS, folder)
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"course-{solutions}"
+    with locked(folder.with_suffix(".lock")):
+        build(NOTEBOOKS, folder, solutions=solutions)  # which does nothing where all is as it was
     return folder
+
+
+@contextmanager
+def locked(path):
+    """Wait until no other process is at work here."""
+    with path.open("w") as file:
+        try:
+            import fcntl
+        except ImportError:  # on Windows one process tests
+            yield
+            return
+        fcntl.flock(file, fcntl.LOCK_EX)  # which the system takes off a process that ends
+        yield
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory):
+    """The folder of the whole course as a site, to be looked at and left as it is."""
+    return built_once(tmp_path_factory, solutions=True)
+
+
+@pytest.fixture(scope="session")
+def course_without_answers(tmp_path_factory):
+    """The folder of the whole course as a site without solutions, to be looked at and left as it is."""
+    return built_once(tmp_path_factory, solutions=False)
 
 
 @pytest.fixture
