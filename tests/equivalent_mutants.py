@@ -148,6 +148,9 @@ EQUIVALENT = {
         "c, s = (np.cos(-omega), np.sin(omega))": "sign",
         "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
     },
+    "log_se2": {
+        "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
+    },
     "two_link_angles": {
         "inside = np.arctan2(np.sin(theta2), 1 + np.cos(-theta2))": "sign",
         "for theta2 in (-bend, bend):": "order",
@@ -298,6 +301,21 @@ EQUIVALENT = {
         "q = q0": "same place",
         "q = np.zeros((7,)) + q0": "same place",
         "return (np.linalg.norm(e.reshape(-1, 2, 3), axis=2) <= 0.001).all(axis=1)": "touching",
+    },
+    "weighted_step": {
+        "roots = -np.sqrt(weights)": "sign",
+    },
+    "follow_velocity": {
+        "eps = most * (1 - (s / near) ** 2) if s <= near else 0": "bound",
+    },
+    "fit_rotation": {
+        "return U @ np.diag([1, 1, np.linalg.det(Vt @ U)]) @ Vt": "order",
+        "return U @ np.diag([1, 1, np.linalg.det(U.T @ Vt)]) @ Vt": "transposed",
+        "return U @ np.diag([1, 1, np.linalg.det(U @ Vt.T)]) @ Vt": "transposed",
+        "B = dst.T @ (src - src.mean(0))": "mean",
+        "B = (dst - dst.mean(0)).T @ src": "mean",
+        "B = (dst + dst.mean(0)).T @ (src - src.mean(0))": "mean",
+        "B = (dst - dst.mean(0)).T @ (src + src.mean(0))": "mean",
     },
     "null_space_step": {
         "return q + (q_middle - q) @ (gain * projector)": "transposed",

@@ -120,7 +120,7 @@ def test_uv_is_used_where_it_is(machine):
     machine.install("uv", stand_ins.UV)
     assert machine.make("environment").returncode == 0
     assert "uv venv --python python3 .venv" in machine.called()
-    assert machine.called().count("uv pip install") == 2
+    assert machine.called().count("uv pip install --compile-bytecode") == 2
     assert "-m pip" not in machine.called()
 
 

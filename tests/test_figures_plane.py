@@ -31,7 +31,7 @@ CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-
 
 
 def movies(shake=1.0):
-    return [bodies.body_movie("body", POSES * shake, TIMES), arms.arm_movie("arm", POINTS * shake, TIMES)]
+    return [bodies.body_movie("body", POSES * shake, TIMES)["fig"], arms.arm_movie("arm", POINTS * shake, TIMES)]
 
 
 def plain_figures():
@@ -42,10 +42,10 @@ def plain_figures():
             {"angle (rad)": {"a": TIMES, "b": -TIMES}, "rate (rad/s)": {"a": TIMES**2, "b": TIMES}},
             xlabel="t (s)",
         ),
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]}),
-        bodies.tracks(ends, {"goal": POINTS[-1, -1]}),
-        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]}),
-        arms.arm_ways({"one": POINTS, "two": POINTS[::-1]}),
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
+        bodies.tracks(ends, {"goal": POINTS[-1, -1]})["fig"],
+        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
+        arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
         arms.descents({"run": POINTS}, TARGET),
         damping.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}),
         damping.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, [(0.2, 2.0), (2.8, 2.0)]),
@@ -165,7 +165,7 @@ def test_panels_hold_what_their_names_say_under_one_legend():
 
 def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
     for ax, poses in zip(
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7).axes, (POSES, POSES[::-1]), strict=True
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7)["fig"].axes, (POSES, POSES[::-1]), strict=True
     ):
         way, *outlines = drawn_lines(ax)
         assert_allclose(way, poses[:, :2])
@@ -179,18 +179,19 @@ def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
 
 
 def test_tracks_draw_what_they_are_given():
-    (ax,) = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)}).axes
+    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)})["fig"]
+    (ax,) = fig.axes
     a, b, goal = drawn_lines(ax)
     assert_allclose(a, POSES[:, :2])
     assert_allclose(b, POINTS[:, -1])
     assert_allclose(goal, [[1, 2]])
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["a", "b", "goal"]
-    (ax,) = bodies.joint_tracks({"a": ANGLES}).axes
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b", "goal"]
+    (ax,) = bodies.joint_tracks({"a": ANGLES})["fig"].axes
     assert_allclose(drawn_lines(ax), [ANGLES])
 
 
-def test_arm_ways_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
-    (ax,) = arms.arm_ways({"one": POINTS}, every=7).axes
+def test_arm_paths_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
+    (ax,) = arms.arm_paths({"one": POINTS}, every=7).axes
     *postures, way = drawn_lines(ax)
     assert_allclose(postures, POINTS[[0, 7, 14, 21, 28, 30]])
     assert_allclose(way, POINTS[:, -1])

@@ -70,6 +70,23 @@ def test_what_was_graded_is_not_graded_again(place):
     assert calls(place) == 13
 
 
+def test_what_all_submissions_need_is_loaded_before_their_processes_are_forked(place):
+    class Prepared:
+        prepared_in = None
+
+        def prepare(self):
+            self.prepared_in = os.getpid()
+
+        def __call__(self, content, notebook, seed):
+            assert self.prepared_in == os.getppid()
+            return grade(content, notebook, seed)
+
+    fill(place, 2)
+    assert run(place, "--jobs", "1", grade=Prepared()) == 0
+    assert calls(place) == 2
+    assert "failed" not in tables(place)[0].decode()
+
+
 def test_a_result_that_is_no_whole_file_is_graded_again(place):
     fill(place, 3)
     run(place, "--jobs", "1")

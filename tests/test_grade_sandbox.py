@@ -1,10 +1,14 @@
 """What stands around a submission: the ways to keep it apart, its copy of the course, and what of it is run."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points, processes, sources
 
-from course_lib.pack.grade import sandbox
-from course_lib.pack.grade.cells import needed, statements
+from course_lib.pack.grade import sandbox, submission
+from course_lib.pack.grade.cells import alike_alone, needed, statements
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.student_view import contents
 from course_lib.pack.grade.submission import grade
@@ -23,6 +27,14 @@ def test_each_way_of_keeping_apart_grades_alike(few, kind, monkeypatch):
     before = processes()
     assert points(grade(book(few[0], *few[1], *sources("daemon")), NAME, SEED, SHORT)) == FULL
     assert processes() <= before
+
+
+@pytest.mark.skipif(sandbox.kind() != sandbox.NAMESPACES, reason="namespaces are not allowed here")
+def test_a_python_named_by_a_path_from_another_folder_keeps_submissions_apart_too(tmp_path):
+    relative = os.path.relpath(sys.executable, tmp_path)
+    asked = [relative, "-c", "from course_lib.pack.grade import sandbox; print(sandbox.kind())"]
+    done = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout == f"{sandbox.NAMESPACES}\n"
 
 
 @pytest.mark.parametrize("name", courses())
@@ -54,3 +66,63 @@ def test_only_what_a_function_needs_is_run():
     ]
     kept = [each.tree.lineno + 10 * each.cell for each in needed(statements(cells), ["wanted"])]
     assert kept == [1, 2, 11, 21, 23, 24, 31, 41]
+
+
+def test_what_another_run_alone_would_not_change_is_known_from_the_source():
+    cells = [
+        "import numpy as np\nk = 3\ntable = []",
+        "def plain(x):\n    return helper(x)\ndef helper(x):\n    return k * x",
+        "table.append(1)\ndef draws(x):\n    return table",
+        "@wrapped\ndef decorated(x):\n    return x",
+    ]
+    names = ["plain", "draws", "decorated"]
+    assert alike_alone(statements(cells[:2]), ["plain"]) == ["plain"]
+    assert alike_alone(statements(cells), ["plain", "missing"]) == ["plain", "missing"]
+    assert alike_alone(statements(cells), names) == []
+    assert alike_alone(statements(cells[:3]), ["plain", "draws"]) == ["draws"]
+
+
+@pytest.mark.parametrize(
+    ("line", "harmless"),
+    [
+        *(("a = np.array([1.0])", True), ("a, b = 1, 2", True), ("def a(x=2):\n    pass", True)),
+        *(("a = plain(2)", False), ("a = np.seterr()", False), ("a = exec('k = 2')", False), ("np.k = a = 3", False)),
+        *(("np.k[0] = a = 3", False), ("a: int = 3", False), ("def a(x=plain(2)):\n    pass", False)),
+    ],
+)
+def test_a_line_for_another_function_that_may_change_more_than_a_variable_is_no_small_thing(line, harmless):
+    found = statements(["import numpy as np", "def plain(x):\n    return x", f"{line}\ndef other(x):\n    return a"])
+    assert alike_alone(found, ["plain", "other"]) == (["plain", "other"] if harmless else ["other"])
+
+
+@pytest.fixture
+def attempts(monkeypatch):
+    """The exercises of each sandbox that was started."""
+    asked, real = [], submission.attempt
+
+    def counted(run, exercises, *rest, **named):
+        asked.append([exercise.name for exercise in exercises])
+        return real(run, exercises, *rest, **named)
+
+    monkeypatch.setattr(submission, "attempt", counted)
+    return asked
+
+
+def test_an_answer_that_is_wrong_anyway_is_asked_once(few, attempts):
+    result = grade(book(few[0], *few[1], "def nearest_so(M):\n    return np.array(M)"), NAME, SEED)
+    assert points(result) == FULL - 3
+    assert len(attempts) == 1
+
+
+@pytest.mark.parametrize("source", ["import nowhere", "1 / 0\nk = 1 / 0\ndef nearest_so(M):\n    return M * k"])
+def test_an_answer_beside_cells_that_fail_is_asked_again_alone(few, attempts, source):
+    wrong = "def nearest_so(M):\n    return np.array(M)"
+    assert points(grade(book(few[0], *few[1], wrong, source), NAME, SEED)) == FULL - 3
+    assert ["nearest_so"] in attempts
+
+
+def test_a_caught_refusal_of_a_function_that_only_others_forbid_is_asked_again_alone(few, attempts):
+    careful = "from course_lib import rotations\nright = nearest_so\ndef nearest_so(M):\n    try:\n"
+    careful += "        rotations.is_so(M)\n    except BaseException:\n        return M\n    return right(M)"
+    assert points(grade(book(few[0], *few[1], careful), NAME, SEED)) == FULL
+    assert ["nearest_so"] in attempts

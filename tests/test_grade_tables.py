@@ -112,7 +112,7 @@ def test_of_two_files_for_one_notebook_the_better_counts_once(path):
         both = Class(path, *outcomes)
         assert both.totals()[0]["total"] == "4"
         said = [(row["state"], row["message"]) for row in both.grades()]
-        assert ("not count_noun", "Another file of this notebook counts: b.") in said
+        assert ("not counted", "Another file of this notebook counts: b.") in said
         assert ("refused", "c: It is a link.") in said
         assert len(said) == 4
 

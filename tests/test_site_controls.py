@@ -46,7 +46,7 @@ def explored():
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES)), stored(explored()), COLOURED
+    return stored(body_movie("body", POSES, TIMES)["fig"]), stored(explored()), COLOURED
 
 
 @pytest.fixture(scope="module")

@@ -14,6 +14,7 @@ import sys
 import threading
 import types
 import warnings
+from typing import ClassVar
 
 import numpy as np
 
@@ -43,7 +44,8 @@ def reply(function, questions, consult=None):
     -------
     str
         JSON text of {"answers": a list with a dict for each case, "calls": [names of functions of the notebook that
-        the function uses]}. The keys of an answer are among "value" (what came back, see wire.py), "changed"
+        the function uses], "refused": [names of functions that are not allowed and were called in this process, in
+        the cells too]}. The keys of an answer are among "value" (what came back, see wire.py), "changed"
         (positions of the arguments changed in place), "warning" (the text of the first one), and "error"
         ({"type", "message", "line", "source", "cell"}; the line is one of the student's own code, "cell" names the
         function in whose cell it stands, if not in this function's).
@@ -51,7 +53,7 @@ def reply(function, questions, consult=None):
     asked = read(questions)
     cases = asked["cases"]
     if function is None:
-        return json.dumps({"answers": [_error("NotImplementedError", "")] * len(cases), "calls": []})
+        return json.dumps({"answers": [_error("NotImplementedError", "")] * len(cases), "calls": [], "refused": []})
     through, names = ADAPTERS[asked["through"]], asked["names"]
     answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
     with contextlib.suppress(TimeUp), _quiet(), _put_back(), _taken_away(asked["forbidden"], function) as refused:
@@ -62,7 +64,7 @@ def reply(function, questions, consult=None):
                     last = answers[-1]
                     break
     answers += [last] * (len(cases) - len(answers))  # the other cases would end alike
-    return json.dumps({"answers": answers, "calls": functions_used(function)})
+    return json.dumps({"answers": answers, "calls": functions_used(function), "refused": sorted(NotAllowed.met)})
 
 
 def _answer(function, case, through, names, consult):
@@ -173,7 +175,13 @@ class TimeUp(BaseException):
 
 
 class NotAllowed(BaseException):
-    """The answer called what its exercise asks the student to write."""
+    """The answer called what its exercise asks the student to write. met: the names of all that were called here."""
+
+    met: ClassVar = set()
+
+    def __init__(self, name):
+        super().__init__(name)
+        self.met.add(name)
 
 
 def _too_long(seconds):

@@ -10,10 +10,10 @@ def arm_movie(name, points, times):
     """Return an arm in red with its tip's dashed blue path. points: (n, links + 1, 2), base first. times: (n,)."""
     points = np.round(points, 3)
     half = points.shape[1] - 1 + 0.4  # for links of one metre
-    way = path(points[:, -1], BLUE, dash="dash")
+    trail = path(points[:, -1], BLUE, dash="dash")
     base = path(points[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"})
     moving = [[_body(arm)] for arm in points]
-    return movie(name, plane_layout(half), [way, base], moving, times)
+    return movie(name, plane_layout(half), [trail, base], moving, times)
 
 
 def _body(arm):
@@ -22,7 +22,7 @@ def _body(arm):
     return trace.update(marker={"line": {"color": "white", "width": 3}})
 
 
-def arm_ways(contents, every=10):
+def arm_paths(contents, every=10):
     """Return arms side by side, drawn at every so many instants, the later the darker, with the tip's path.
 
     contents: {title: points (n, links + 1, 2)}.
@@ -40,6 +40,9 @@ def arm_ways(contents, every=10):
         ax.set(title=title, xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)")
     axes[0].set_ylabel("y (m)")
     return fig
+
+
+arm_ways = arm_paths  # the name in notebook 3
 
 
 def descents(runs, target, last=99):

@@ -64,7 +64,7 @@ progress() { # count the packages in what pip or uv says; the shell's own read, 
             ;;
         'Installing collected packages'*) tell "  All are downloaded. Unpacking them, which is the slower half ..." ;;
         Downloading\ * | ' Downloaded '*) [ -z "$uv" ] || tell "  ${line# }" ;;
-        Resolved\ * | Prepared\ * | Installed\ *) tell "  $line" ;;
+        Resolved\ * | Prepared\ * | Installed\ * | Bytecode\ *) tell "  $line" ;;
         esac
     done
     [ ! -t 1 ] || printf '\r\033[K'
@@ -156,7 +156,8 @@ install() {
     # To compile one of these takes a Fortran compiler and an hour: say at once that it is not made for this Python.
     set -- --only-binary numpy --only-binary scipy --only-binary scikit-learn --only-binary matplotlib "$@"
     if [ -n "$uv" ]; then
-        with_progress uv pip install --python "$venv/bin/python" "$@"
+        # Compiled now, as pip does: where nothing may be written, as in grading, each process would compile all again.
+        with_progress uv pip install --compile-bytecode --python "$venv/bin/python" "$@"
     else
         with_progress "$venv/bin/python" -m pip install --progress-bar off "$@"
     fi

@@ -14,6 +14,9 @@ EXERCISES = (
     "approximation_error",
     "convergence_slope",
     "branch_by_sign",
+    "fit_square",
+    "predict_square",
+    "quadratic_terms",
     "newton_step",
 )
 globals().update(namespace(__name__, EXERCISES))

@@ -3,8 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.decomposition_ik.shared import both_elbows_at
 from course_lib.checks.decomposition_ik.split_branches import split_branches
-from course_lib.checks.decomposition_ik.two_links import both_elbows_at
 from course_lib.checks.exercise import Exercise, Mistake, Property
 
 
@@ -52,6 +52,11 @@ EXERCISE = Exercise(
             lambda q: 1 - right(q),
             lambda q: np.where(q[:, 1] > 0, 1, 0),
         ),
+        Mistake(
+            "samples that all have q2 < 0 are in branch 0",
+            "Branch 1 is theirs, even if there is no other sample in the cell.",
+            lambda q: 0 * right(q) if _one_elbow(q) else right(q),
+        ),
         Mistake("q2 = 0 is in branch 1", "0 is not negative.", lambda q: np.where(q[:, 1] <= 0, 1, 0)),
         Mistake("q1 decides", "The elbow bends by q2.", lambda q: np.where(q[:, 0] < 0, 1, 0)),
         Mistake(
@@ -70,6 +75,7 @@ EXERCISE = Exercise(
             "every cell is still split by k-means if its samples have both signs",
             "Which elbow a sample belongs to does not depend on the other samples.",
             lambda q: right(q) if _one_elbow(q) else split_branches(q),
+            lambda q: 0 * right(q) if _one_elbow(q) else split_branches(q),
         ),
     ),
     hints=(

@@ -1,9 +1,9 @@
-"""cell_index: which cell of a grid each place lies in."""
+"""cell_index: which cell of a grid each position lies in."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.wrong_cells import (
+from course_lib.checks.decomposition_ik.cell_index_mistakes import (
     cells,
     changed,
     clipped,
@@ -19,10 +19,12 @@ from course_lib.checks.format_numbers import format_tuple
 
 _FLAT = Mistake(
     "one number is returned for each cell, not its column and row",
-    "np.stack([column, row], axis=-1): two whole numbers for each place.",
+    "np.stack([column, row], axis=-1): two whole numbers for each position.",
 )
 _TRANSPOSED = Mistake("columns and rows are stacked along the first axis", "np.stack([column, row], axis=-1).")
-_DROPPED = Mistake("places outside the box are left out", "Each place has its row in the answer: (-1, -1) outside.")
+_DROPPED = Mistake(
+    "positions outside the box are left out", "Each position has its row in the answer: (-1, -1) outside."
+)
 
 
 def _known_form(array, xy, low, high, n):
@@ -56,13 +58,13 @@ def _cases(rng):
 
 
 def _around(rng, m, low, high, n):
-    """m places in the box and as many around it, none of them near a border of cells, and the corners."""
+    """m positions in the box and as many around it, none of them near a border of cells, and the corners."""
     low, high = np.array(low), np.array(high)
     width = (high - low) / n
     cells = np.concatenate([rng.integers(0, n, (m, 2)), rng.integers(-2 - n // 4, n + 2 + n // 4, (m, 2)), [[-1, 0]]])
-    places = low + (cells + rng.uniform(0.02, 0.98, cells.shape)) * width
+    positions = low + (cells + rng.uniform(0.02, 0.98, cells.shape)) * width
     corners = np.array([low, high, [low[0], high[1]], [high[0], low[1]]])
-    return np.concatenate([rng.permutation(places), corners])
+    return np.concatenate([rng.permutation(positions), corners])
 
 
 def _first_wrong(index, *case):
@@ -74,7 +76,7 @@ def _tell(index, xy, low, high, n):
     widths = format_tuple(np.round(parts(xy, low, high, n)[k], 6))
     so = "it is outside, and its answer" if outside(xy, low, high)[k] else "its cell"
     return (
-        f"The place {format_tuple(xy[k])} is {widths} widths of a cell from low, so {so} is "
+        f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low, so {so} is "
         f"{format_tuple(cells(xy, low, high, n)[k])}. "
         f"Yours is {format_tuple(index[k])}."
     )
@@ -85,7 +87,7 @@ def _on_upper_edge(xy, low, high):
 
 
 def _right_where(these):
-    """Whether the answer is right for the places that these(xy, low, high) chooses."""
+    """Whether the answer is right for the positions that these(xy, low, high) chooses."""
 
     def holds(index, xy, low, high, n):
         chosen = these(xy, low, high)
@@ -111,8 +113,16 @@ def _away_from_edge(xy, low, high):
 
 
 def cell_index(xy, low, high, n):
-    """Return columns and rows (m, 2) of places in a grid; (-1, -1) outside."""
+    """Return columns and rows (m, 2) of positions in a grid; (-1, -1) outside."""
     return cells(xy, low, high, n).astype(int)
+
+
+def _digitized(mark):
+    """The answer of np.digitize with np.linspace(low, high, n): a border too few, and counted from 1."""
+    return lambda *case: mark(
+        np.clip(np.floor(parts(*case[:3], case[3] - 1)) + 1, 0, case[3]) if case[3] > 1 else (case[0] >= case[1]) * 1.0,
+        outside(*case[:3]),
+    )
 
 
 EXERCISE = Exercise(
@@ -130,12 +140,12 @@ EXERCISE = Exercise(
         ),
         _asked(
             _away_from_edge,
-            "each place in the box has the column and row of its cell, counted from 0 at low, with n cells each way",
+            "each position in the box has the column and row of its cell, counted from 0 at low, with n cells each way",
         ),
-        _asked(_on_upper_edge, "a place on the upper edge of the box belongs to the last cell, n - 1"),
+        _asked(_on_upper_edge, "a position on the upper edge of the box belongs to the last cell, n - 1"),
         _asked(
             lambda xy, low, high: outside(xy, low, high)[:, 0],
-            "a place outside the box is in no cell: its column and row are both -1",
+            "a position outside the box is in no cell: its column and row are both -1",
         ),
     ),
     mistakes=(
@@ -157,12 +167,12 @@ EXERCISE = Exercise(
             changed(outside=lambda xy, low, high: ((xy <= low) | (xy >= high)).any(axis=1, keepdims=True)),
         ),
         Mistake(
-            "places outside are not marked: clipping puts them into the cells at the border",
+            "positions outside are not marked: clipping puts them into the cells at the border",
             "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
             clipped,
         ),
         Mistake(
-            "places outside are not marked, and their numbers go beyond 0 to n - 1",
+            "positions outside are not marked, and their numbers go beyond 0 to n - 1",
             "Ask for xy < low and xy > high, and put -1 into both numbers of such a row.",
             changed(mark=unmarked),
             lambda *case: np.minimum(np.floor(parts(*case)), case[3] - 1),
@@ -175,8 +185,8 @@ EXERCISE = Exercise(
             changed(outside=each_by_itself),
         ),
         Mistake(
-            "only places with both x and y outside are marked",
-            "A place is outside where x or y is: np.any(..., axis=1).",
+            "only positions with both x and y outside are marked",
+            "A position is outside where x or y is: np.any(..., axis=1).",
             changed(outside=lambda xy, low, high: each_by_itself(xy, low, high).all(axis=1, keepdims=True)),
             lambda *case: np.where(
                 each_by_itself(*case[:3]).all(axis=1, keepdims=True),
@@ -185,18 +195,18 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            "places below low are not marked",
+            "positions below low are not marked",
             "Both xy < low and xy > high are outside.",
             changed(outside=lambda xy, low, high: (xy > high).any(axis=1, keepdims=True)),
         ),
         Mistake(
-            "places above high are not marked",
+            "positions above high are not marked",
             "Both xy < low and xy > high are outside.",
             changed(outside=lambda xy, low, high: (xy < low).any(axis=1, keepdims=True)),
             lambda *case: marked(clipped(*case), (case[0] < case[1]).any(axis=1, keepdims=True)),
         ),
         Mistake(
-            "int() cuts towards zero, so that places just below low come into cell 0: floor is asked for",
+            "int() cuts towards zero, so that positions just below low come into cell 0: floor is asked for",
             "np.floor(-0.4) is -1, int(-0.4) is 0.",
             lambda *case: marks_found_later(*case, np.trunc),
             lambda *case: marks_found_later(*case, np.trunc, edge=False),
@@ -216,6 +226,7 @@ EXERCISE = Exercise(
                 for mark in (marked, unmarked)
             ),
             *(lambda *case, k=k: np.minimum(cells(*case[:3], case[3] + k), case[3] - 1) for k in (-1, 1)),
+            *(_digitized(mark) for mark in (marked, unmarked)),
         ),
         Mistake(
             "low is not subtracted",
@@ -278,7 +289,7 @@ EXERCISE = Exercise(
     library=cell_index,
     hints=(
         "A cell is (high - low) / n wide, one number for x and one for y. (xy - low) / width says how many cells lie "
-        "between low and the place.",
+        "between low and the position.",
         "np.floor(...).astype(int) is the number of the cell. On the upper edge it gives n: np.minimum(..., n - 1).",
         "Outside is ((xy < low) | (xy > high)).any(axis=1). Put -1 into these rows last.",
     ),

@@ -33,12 +33,14 @@ def _exact(sizes, errors):
     return np.allclose(np.polyval(fitted, np.log(sizes)), np.log(errors), atol=1e-9)
 
 
+_BOTH = Mistake("both numbers of the fit are returned", "np.polyfit returns the slope first, then the constant term.")
+
 EXERCISE = Exercise(
     name="convergence_slope",
     points=1,
     arguments=("sizes", "errors"),
     cases=_cases,
-    returns=numbers(lambda sizes, errors: ()),
+    returns=numbers(lambda sizes, errors: (), {(2,): _BOTH}),
     properties=(
         Property("errors that are c h^p have the slope p", _close, where=_exact),
         Property("the slope is that of the least-squares line through all points (log h, log error)", _close),
@@ -55,6 +57,25 @@ EXERCISE = Exercise(
             "Both axes are logarithmic.",
             lambda h, e: np.polyfit(h, np.log(e), 1)[0],
             lambda h, e: np.polyfit(np.log(h), e, 1)[0],
+        ),
+        Mistake(
+            "the two logarithms have different bases",
+            "Take the same logarithm, any one, of both.",
+            *(
+                lambda h, e, base=base: right(h, e) * base
+                for base in (np.log(2), np.log(10), np.log2(10), *(1 / np.log([2, 10])), np.log10(2))
+            ),
+        ),
+        Mistake(
+            "the line is forced through the origin",
+            "log c is the constant term of the line: fit it too.",
+            lambda h, e: (np.log(h) @ np.log(e)) / (np.log(h) @ np.log(h)),
+            lambda h, e: np.mean(np.log(e) / np.log(h)),
+        ),
+        Mistake(
+            "the correlation is returned",
+            "It says how well a line fits, not how steep it is.",
+            lambda h, e: np.corrcoef(np.log(h), np.log(e))[0, 1],
         ),
         Mistake(
             "h and the error are swapped", "The error is over h.", lambda h, e: np.polyfit(np.log(e), np.log(h), 1)[0]

@@ -23,7 +23,7 @@ _ASKED_A_SYMBOL = Mistake(
 )
 _NUMBERS_NOT_TAKEN = Mistake(
     "the arguments are taken for symbols only",
-    "Whoever calls the function may give it numbers too: sp.cos(alpha) takes both.",
+    "The function is called with numbers too: sp.cos(alpha) takes both.",
 )
 
 
@@ -95,7 +95,7 @@ def _with_other_sign(i, j):
 
 
 def _swapped(a, alpha, d, theta):
-    """Sine and cosine swapped in both turns."""
+    """Sine and cosine swapped in both rotations."""
     c, s, ca, sa = np.sin(theta), np.cos(theta), np.sin(alpha), np.cos(alpha)
     return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
@@ -108,8 +108,8 @@ def dh_symbolic(a, alpha, d, theta):
     """Return the standard DH matrix of one row, a SymPy Matrix."""
     import sympy
 
-    def step(turn, along):
-        return sympy.Matrix(sympy.BlockMatrix([[turn, along], [sympy.zeros(1, 3), sympy.ones(1, 1)]]))
+    def step(rotation, along):
+        return sympy.Matrix(sympy.BlockMatrix([[rotation, along], [sympy.zeros(1, 3), sympy.ones(1, 1)]]))
 
     about_z = step(sympy.rot_ccw_axis3(theta), sympy.Matrix([0, 0, d]))
     return about_z * step(sympy.rot_ccw_axis1(alpha), sympy.Matrix([a, 0, 0]))
@@ -127,10 +127,10 @@ EXERCISE = Exercise(
             "the last row is 0, 0, 0, 1",
             lambda T, *case: np.allclose(T[3], [0, 0, 0, 1], rtol=0, atol=1e-9),
         ),
-        _column(0, "the x axis, the first column, is turned by theta about z: (cos theta, sin theta, 0)", _x_axis),
+        _column(0, "the x axis, the first column, is rotated by theta about z: (cos theta, sin theta, 0)", _x_axis),
         _column(
             2,
-            "the z axis, the third column, is turned by alpha about x, then by theta about z: "
+            "the z axis, the third column, is rotated by alpha about x, then by theta about z: "
             "(sin theta sin alpha, -cos theta sin alpha, cos alpha)",
             _z_axis,
         ),
@@ -146,31 +146,31 @@ EXERCISE = Exercise(
         Mistake("the matrix is transposed", "The origin stands in the last column.", lambda *case: _right(*case).T),
         Mistake(
             "alpha and theta are swapped",
-            "theta turns about z, alpha about x; the order is a, alpha, d, theta.",
+            "theta is the rotation about z, alpha about x; the order is a, alpha, d, theta.",
             lambda a, alpha, d, theta: _right(a, theta, d, alpha),
         ),
         Mistake(
             "a and d are swapped",
-            "d is the way along z, a that along x.",
+            "d is the translation along z, a that along x.",
             lambda a, alpha, d, theta: _right(d, alpha, a, theta),
         ),
         Mistake(
-            "the turn by theta goes the other way round",
+            "the rotation by theta has the wrong sense",
             "Rot_z has -sin theta in its first row.",
             lambda a, alpha, d, theta: _right(a, alpha, d, -theta),
         ),
         Mistake(
-            "the turn by alpha goes the other way round",
+            "the rotation by alpha has the wrong sense",
             "Rot_x has -sin alpha in its second row.",
             lambda a, alpha, d, theta: _right(a, -alpha, d, theta),
         ),
         Mistake(
-            "both turns go the other way round",
+            "both rotations have the wrong sense",
             "The minus stands above the diagonal of Rot_z and Rot_x.",
             lambda a, alpha, d, theta: _right(a, -alpha, d, -theta),
         ),
         Mistake(
-            "a sine or a cosine has its sign wrong",
+            "a sine or a cosine has the wrong sign",
             "Multiply the four matrices by SymPy and compare entry by entry.",
             *(_with_other_sign(i, j) for i, j in [(0, 1), (1, 0), (0, 2), (1, 2), (2, 1), (0, 3), (1, 3), (1, 1)]),
         ),
@@ -183,7 +183,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the matrices are added",
-            "One move after the other is a product.",
+            "One motion after another is a product.",
             lambda a, alpha, d, theta: _about_z(theta) + _along_z(d) + _along_x(a) + _about_x(alpha),
         ),
         Mistake("sine and cosine are swapped", "At the angle 0 the cosine is 1: it stands on the diagonal.", _swapped),
@@ -193,12 +193,12 @@ EXERCISE = Exercise(
             lambda a, alpha, d, theta: _right(a, np.deg2rad(alpha), d, np.deg2rad(theta)),
         ),
         Mistake(
-            "alpha turns about y",
+            "alpha rotates about y",
             "Rot_x(alpha) leaves the x axis where it is.",
             lambda a, alpha, d, theta: _right(a, 0, d, theta) @ transform(rot_y(alpha), np.zeros(3)),
         ),
         Mistake(
-            "the way a is not turned by theta",
+            "the translation a is not rotated by theta",
             "Trans_x(a) comes after Rot_z(theta), so it goes along the new x.",
             lambda a, alpha, d, theta: _along_x(a) @ _right(0, alpha, d, theta),
         ),
@@ -209,7 +209,7 @@ EXERCISE = Exercise(
             lambda a, alpha, d, theta: transform(rot_x(alpha) @ rot_z(theta), _origin(a, alpha, d, theta)),
         ),
         Mistake(
-            "the way d is turned by alpha",
+            "the translation d is rotated by alpha",
             "Trans_z(d) comes before Rot_x(alpha): it goes along the old z.",
             lambda a, alpha, d, theta: _right(a, alpha, 0, theta) @ _along_z(d),
         ),

@@ -4,13 +4,13 @@ import numpy as np
 from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.affine_models import clusters, models, with_one
-from course_lib.checks.decomposition_ik.cell_samples import cases
-from course_lib.checks.decomposition_ik.model_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
+from course_lib.checks.decomposition_ik.fit_cells_cases import cases
+from course_lib.checks.decomposition_ik.fit_cells_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
+from course_lib.checks.decomposition_ik.shared import clusters, models, with_one
 from course_lib.checks.decomposition_ik.split_branches import split_branches
-from course_lib.checks.decomposition_ik.two_links import same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import same_with_gaps
 
 _FINE = 1e-7  # radians
 _SHAPES = {
@@ -46,10 +46,10 @@ def _around(samples):
 def _errors(value, xy, q, cell, count):
     """How far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
     right, errors = models(xy, q, cell, count), {}
-    for place, samples in clusters(q, cell, count).items():
+    for position, samples in clusters(q, cell, count).items():
         if len(samples) > 2:
-            off = with_one(_around(xy[samples])) @ (value[place] - right[place]).T
-            errors[place] = np.where(np.isnan(off), np.inf, np.abs(off)).max(axis=0)
+            off = with_one(_around(xy[samples])) @ (value[position] - right[position]).T
+            errors[position] = np.where(np.isnan(off), np.inf, np.abs(off)).max(axis=0)
     return errors
 
 
@@ -59,7 +59,7 @@ def _fits(value, *case):
 
 def _tell_fit(value, *case):
     errors = _errors(value, *case)
-    (c, k), j = next((place, j) for place, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
+    (c, k), j = next((position, j) for position, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
     wanted, samples = models(*case)[c, k, j], clusters(*case[1:])[c, k]
     return (
         f"In cell {c}, cluster {k} has {len(samples)} samples, and for q{j + 1} the row {format_tuple(wanted)} "
@@ -67,34 +67,36 @@ def _tell_fit(value, *case):
     )
 
 
-def _size(place, *case):
-    n = len(clusters(*case[1:])[place])
+def _size(position, *case):
+    n = len(clusters(*case[1:])[position])
     return "1 sample" if n == 1 else f"{n} samples"
 
 
 def _too_many(value, *case):
     """The clusters with a model that are to have none."""
     missing = np.isnan(models(*case))
-    return [place for place in np.ndindex(value.shape[:2]) if not np.isnan(value[place][missing[place]]).all()]
+    return [
+        position for position in np.ndindex(value.shape[:2]) if not np.isnan(value[position][missing[position]]).all()
+    ]
 
 
 def _too_few(value, *case):
     """The clusters without a model that are to have one."""
     wanted = ~np.isnan(models(*case))
-    return [place for place in np.ndindex(value.shape[:2]) if np.isnan(value[place][wanted[place]]).any()]
+    return [position for position in np.ndindex(value.shape[:2]) if np.isnan(value[position][wanted[position]]).any()]
 
 
 def _tell_too_many(value, *case):
-    c, k = place = _too_many(value, *case)[0]
+    c, k = position = _too_many(value, *case)[0]
     return (
-        f"In cell {c}, cluster {k} has {_size(place, *case)}, and the first row of your model there is "
-        f"{format_tuple(value[place][0])}."
+        f"In cell {c}, cluster {k} has {_size(position, *case)}, and the first row of your model there is "
+        f"{format_tuple(value[position][0])}."
     )
 
 
 def _tell_too_few(value, *case):
-    c, k = place = _too_few(value, *case)[0]
-    return f"In cell {c}, cluster {k} has {_size(place, *case)}, and nan stands in your model there."
+    c, k = position = _too_few(value, *case)[0]
+    return f"In cell {c}, cluster {k} has {_size(position, *case)}, and your model there holds nan."
 
 
 def _linear_regression(xy, q):
@@ -115,7 +117,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda xy, q, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
     properties=(
         Property(
-            "a cluster with fewer than 3 samples has no model: nan stands there, in all 6 places",
+            "a cluster with fewer than 3 samples has no model: all 6 of its numbers are nan",
             lambda value, *case: not _too_many(value, *case),
             _tell_too_many,
         ),
@@ -131,6 +133,7 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=MISTAKES,
+    alike=same_with_gaps,
     library=fit_cells,
     hints=(
         "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",

@@ -1,10 +1,9 @@
-"""fk_2r: where the end of a planar arm with two links of one metre is."""
+"""fk_2r: the position of the tip of a planar arm with two links of one metre."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.lists import with_a_list
-from course_lib.checks.decomposition_ik.two_links import place
+from course_lib.checks.decomposition_ik.shared import position, with_a_list
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 
@@ -16,10 +15,10 @@ _WRONG_AXIS = Mistake(
     "x and y are stacked along the first axis",
     "np.stack([x, y], axis=-1) puts the two beside each other at the end.",
 )
-_ONE_NUMBER = Mistake("only one number comes back for each pair of angles", "A place is two numbers: x and y.")
-_THREE = Mistake("the places are those of space, with three numbers", "The arm is planar: x and y only.")
-_ONE_PLACE = Mistake(
-    "one place comes back for the whole batch", "Keep the axes of the batch: q[..., 0] has one number each row."
+_ONE_NUMBER = Mistake("only one number comes back for each pair of angles", "A position is two numbers: x and y.")
+_THREE = Mistake("the positions are those of space, with three numbers", "The arm is planar: x and y only.")
+_ONE_POSITION = Mistake(
+    "one position comes back for the whole batch", "Keep the axes of the batch: q[..., 0] has one number each row."
 )
 _COLUMNS_ONLY = Mistake(
     "q[:, 0] asks for a list of pairs: a single pair has no rows",
@@ -45,32 +44,32 @@ def _known_form(array, q):
     if len(batch) > 0 and shape == (2, *batch):
         return _WRONG_AXIS
     if len(batch) > 0 and shape in ((2,), (2, 1)):
-        return _ONE_PLACE
+        return _ONE_POSITION
     if len(batch) > 0 and (shape == (*q.shape[1:-1], 2, 2) or shape in (q.shape[1:], (2, *q.shape[1:]))):
         return _FIRST_ROWS
     return None
 
 
-def _from_elbow(places, q):
-    return places - np.stack([np.cos(q[..., 0]), np.sin(q[..., 0])], -1)
+def _from_elbow(positions, q):
+    return positions - np.stack([np.cos(q[..., 0]), np.sin(q[..., 0])], -1)
 
 
-def _worst(places, q):
-    """The angles and the place that is farthest from where it should be."""
-    off = np.linalg.norm(places - place(q), axis=-1).reshape(-1)
+def _worst(positions, q):
+    """The angles and the position that is farthest from where it should be."""
+    off = np.linalg.norm(positions - position(q), axis=-1).reshape(-1)
     k = np.argmax(off)
-    return q.reshape(-1, 2)[k], places.reshape(-1, 2)[k]
+    return q.reshape(-1, 2)[k], positions.reshape(-1, 2)[k]
 
 
-def _tell_length(places, q):
-    angles, end = _worst(places, q)
+def _tell_length(positions, q):
+    angles, end = _worst(positions, q)
     distance = np.linalg.norm(_from_elbow(end, angles))
     return f"For q = {format_tuple(angles)} it is {round(distance, 9):.4g} m away in your answer."
 
 
-def _tell_place(places, q):
-    angles, end = _worst(places, q)
-    wanted, found = format_tuple(np.round(place(angles), 9)), format_tuple(np.round(end, 9))
+def _tell_position(positions, q):
+    angles, end = _worst(positions, q)
+    wanted, found = format_tuple(np.round(position(angles), 9)), format_tuple(np.round(end, 9))
     return f"For q = {format_tuple(angles)} that is {wanted}. Yours is {found}."
 
 
@@ -100,20 +99,22 @@ EXERCISE = with_a_list(
         returns=numbers(lambda q: q.shape, _known_form),
         properties=(
             Property(
-                "with both angles zero the arm is stretched along x: the end is at (2, 0)",
-                lambda places, q: np.allclose(places, [2, 0], rtol=0, atol=1e-9),
+                "with both angles zero the arm is stretched along x: the tip is at (2, 0)",
+                lambda positions, q: np.allclose(positions, [2, 0], rtol=0, atol=1e-9),
                 where=lambda q: q.size > 0 and not q.any(),
             ),
             Property(
-                "the end is 1 m from the elbow, which is at (cos q1, sin q1)",
-                lambda places, q: np.allclose(np.linalg.norm(_from_elbow(places, q), axis=-1), 1, rtol=0, atol=1e-9),
+                "the tip is 1 m from the elbow, which is at (cos q1, sin q1)",
+                lambda positions, q: np.allclose(
+                    np.linalg.norm(_from_elbow(positions, q), axis=-1), 1, rtol=0, atol=1e-9
+                ),
                 seen=_tell_length,
             ),
             Property(
-                "the second link points in the direction q1 + q2: the end is at "
+                "the second link points in the direction q1 + q2: the tip is at "
                 "(cos q1 + cos(q1 + q2), sin q1 + sin(q1 + q2))",
-                lambda places, q: np.allclose(places, place(q), rtol=0, atol=1e-9),
-                seen=_tell_place,
+                lambda positions, q: np.allclose(positions, position(q), rtol=0, atol=1e-9),
+                seen=_tell_position,
             ),
         ),
         mistakes=(
@@ -123,25 +124,25 @@ EXERCISE = with_a_list(
                 _sum(_FIRST, _link(lambda t1, t2: t2)),
             ),
             Mistake(
-                "q2 is taken off q1",
-                "Both turn counter-clockwise: the second link points along q1 + q2.",
+                "q2 is subtracted from q1",
+                "Both are counted counter-clockwise: the second link points along q1 + q2.",
                 _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
                 _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
             ),
             Mistake(
                 "the angles are taken for degrees",
                 "Angles are radians everywhere: no np.deg2rad is needed.",
-                lambda q: place(np.deg2rad(q)),
+                lambda q: position(np.deg2rad(q)),
             ),
             Mistake(
-                "the angles are turned into degrees",
+                "the angles are converted to degrees",
                 "np.cos and np.sin take radians.",
-                lambda q: place(np.rad2deg(q)),
+                lambda q: position(np.rad2deg(q)),
             ),
             Mistake(
                 "x and y are swapped, or sine and cosine are: the cosines belong to x",
-                "At the angle 0 a link points along x: cos 0 = 1 stands in x, sin 0 = 0 in y.",
-                lambda q: place(q)[..., ::-1],
+                "At the angle 0 a link points along x: x = cos 0 = 1, y = sin 0 = 0.",
+                lambda q: position(q)[..., ::-1],
             ),
             Mistake(
                 "the second link is missing",
@@ -154,19 +155,19 @@ EXERCISE = with_a_list(
                 _sum(_nothing, _BOTH),
             ),
             Mistake(
-                "y has its sign turned",
-                "Angles turn from x to y: a small q1 gives a small y above 0.",
-                lambda q: place(-q),
+                "y has the wrong sign",
+                "Angles are counted from x towards y: a small q1 gives a small y above 0.",
+                lambda q: position(-q),
             ),
             Mistake(
-                "the second link is taken off the first",
-                "Both links add up: the end is elbow + second link.",
+                "the second link is subtracted from the first",
+                "Both links add up: the tip is elbow + second link.",
                 _sum(_FIRST, _link(lambda t1, t2: t1 + t2 + np.pi)),
             ),
             Mistake(
                 "q1 and q2 are swapped",
                 "q[..., 0] is the joint at the base.",
-                lambda q: place(q[..., ::-1]),
+                lambda q: position(q[..., ::-1]),
             ),
             Mistake(
                 "q1 is counted twice",
@@ -176,16 +177,16 @@ EXERCISE = with_a_list(
             Mistake(
                 "a link is not 1 m long",
                 "Both links are 1 m: nothing stands before the sines and cosines.",
-                lambda q: place(q) / 2,
-                lambda q: 2 * place(q),
+                lambda q: position(q) / 2,
+                lambda q: 2 * position(q),
             ),
             Mistake(
                 "x and y are stacked along the first axis and then put into rows",
                 "np.stack([x, y], axis=-1); reshape does not swap axes.",
-                lambda q: np.moveaxis(place(q), -1, 0).reshape(q.shape) if q.ndim > 1 else place(q),
+                lambda q: np.moveaxis(position(q), -1, 0).reshape(q.shape) if q.ndim > 1 else position(q),
             ),
         ),
-        library=lambda q: place(np.asarray(q, float)),
+        library=lambda q: position(np.asarray(q, float)),
         hints=(
             "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
             "q2 is counted from the first link, so the second one points in the direction q1 + q2.",

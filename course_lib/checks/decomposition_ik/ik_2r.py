@@ -1,9 +1,10 @@
-"""ik_2r: both pairs of joint angles that bring the end of a planar arm with two links of one metre to a place."""
+"""ik_2r: both pairs of joint angles that bring the tip of a planar arm with two links of one metre to a position."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.bends import (
+from course_lib.checks.decomposition_ik.ik_2r_mistakes import (
+    at_edge,
     by_arctan,
     corrected,
     correction,
@@ -12,7 +13,6 @@ from course_lib.checks.decomposition_ik.bends import (
     inside,
     mended,
     off,
-    on_rim,
     outside,
     q1_is,
     right_bend,
@@ -23,26 +23,30 @@ from course_lib.checks.decomposition_ik.bends import (
     with_q2,
     wrapped,
 )
-from course_lib.checks.decomposition_ik.two_links import place, solutions
+from course_lib.checks.decomposition_ik.shared import position, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
 
-_FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the rim, where a rounding of r moves q2 by its root
+_FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
 
 _ONLY_ONE = Mistake(
     "only one solution is returned",
     "The elbow can be on either side: q2 = arccos(...) and q2 = -arccos(...), each with its own q1.",
 )
 _NO_ROWS = Mistake(
-    "a place out of reach is given another form",
+    "a position out of reach is given another form",
     "Return two rows of NaN there, np.full((2, 2), np.nan), so that every answer has the shape (2, 2).",
+)
+_RAISED = Mistake(
+    "an error is raised for a position out of reach",
+    "Return two rows of NaN there, np.full((2, 2), np.nan): a table of queries goes on with the next one.",
 )
 _DIVIDED = Mistake(
     "y is divided by x, which may be 0",
     "np.arctan2(y, x) needs no quotient, and looks at both signs.",
 )
 _NO_COSINE = Mistake(
-    "arccos is asked outside [-1, 1]: out of reach, or by rounding on the rim",
+    "arccos gets a number outside [-1, 1]: out of reach, or by rounding at the edge",
     "Ask first whether r > 2 + 1e-9, and return NaN there; else clip the number to [-1, 1].",
 )
 
@@ -65,11 +69,11 @@ def _cases(rng):
     sizes = np.concatenate([rng.uniform(0.2, 1.3, 4), rng.uniform(1.5, 1.95, 4)])[[0, 4, 1, 5, 6, 2, 7, 3]]
     within = [np.round(r * _direction(a), 3) for r, a in zip(sizes, angles, strict=True)]
     beyond = np.nextafter(2, 3)
-    rim = [[2.0, 0], [0, -2.0], [beyond, 0], [0, beyond], [-beyond, 0], [1.9999, 0.0]]
-    rim += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
+    edge = [[2.0, 0], [0, -2.0], [beyond, 0], [0, beyond], [-beyond, 0], [1.9999, 0.0]]
+    edge += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
     far = [[3.0, 0], [0, -2.5], [1.6, 1.6], [-2.001, 0]]
     far += [r * _direction(a) for r, a in rng.uniform(2.1, 6, (3, 2))]
-    return [(np.array(xy),) for xy in [*named, *within, [0.0, 0.0], [0.01, -0.02], *rim, *far]]
+    return [(np.array(xy),) for xy in [*named, *within, [0.0, 0.0], [0.01, -0.02], *edge, *far]]
 
 
 def _direction(angle):
@@ -82,18 +86,18 @@ def _reaches(within):
 
 def _tell_end(q, xy):
     if np.isnan(q).any():
-        return f"This place is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
+        return f"This position is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
     row = int(np.argmax(off(q, xy)))
-    return f"With your {('first', 'second')[row]} row the end is at {format_tuple(np.round(place(q[row]), 6))}."
+    return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(position(q[row]), 6))}."
 
 
 def _tell_bend(q, xy):
     first, second = wrapped(q[:, 1])
-    return f"Your q2 are {first:.4g} and {second:.4g}, less whole turns."
+    return f"Your q2 are {first:.4g} and {second:.4g}, up to multiples of 2 pi."
 
 
 def ik_2r(xy):
-    """Return both solutions (..., 2, 2) for places (..., 2), q2 >= 0 first; NaN out of reach."""
+    """Return both solutions (..., 2, 2) for positions (..., 2), q2 >= 0 first; NaN out of reach."""
     xy = np.asarray(xy, float)
     in_reach = np.linalg.norm(xy, axis=-1) <= 2 + 1e-12
     return np.where(in_reach[..., None, None], solutions(xy), np.nan)
@@ -107,7 +111,7 @@ EXERCISE = Exercise(
     returns=_read,
     properties=(
         Property(
-            "each row brings the end to xy: cos q1 + cos(q1 + q2) = x, sin q1 + sin(q1 + q2) = y",
+            "each row brings the tip to xy: cos q1 + cos(q1 + q2) = x, sin q1 + sin(q1 + q2) = y",
             _reaches(_FINE),
             _tell_end,
             where=inside,
@@ -119,27 +123,27 @@ EXERCISE = Exercise(
             where=inside,
         ),
         Property(
-            "the end comes to xy on the rim of the workspace too, stretched, where both rows are the same",
+            "the tip reaches xy at the edge of the workspace too, stretched, where both rows are the same",
             lambda q, xy: _reaches(_ROUGH)(q, xy) and in_order(q, xy),
             _tell_end,
-            where=on_rim,
+            where=at_edge,
         ),
         Property(
-            "a place out of reach, farther than 2 m from the base, has two rows of NaN",
+            "a position out of reach, farther than 2 m from the base, has two rows of NaN",
             lambda q, xy: np.isnan(q).all(),
-            lambda q, xy: f"This place is {np.linalg.norm(xy):.6g} m from the base.",
+            lambda q, xy: f"This position is {np.linalg.norm(xy):.6g} m from the base.",
             where=outside,
             mistake=Mistake(
-                "a place out of reach is answered all the same: clipping hides that there is no solution",
+                "a position out of reach is answered nevertheless: clipping hides that there is no solution",
                 "Ask for the distance first: where it is beyond 2 by more than rounding, return two rows of NaN.",
             ),
         ),
     ),
     mistakes=(
         Mistake(
-            "places on the rim are taken for out of reach: rounding takes r a hair beyond 2",
+            "positions at the edge of the workspace count as out of reach: by rounding, r exceeds 2 by 4e-16",
             "Let only r > 2 + 1e-9 be out of reach, and np.clip the number to [-1, 1] before arccos.",
-            seen=lambda q, xy: on_rim(xy) and np.isnan(q).any(),
+            seen=lambda q, xy: at_edge(xy) and np.isnan(q).any(),
         ),
         Mistake(
             "only one solution is returned, twice",
@@ -158,7 +162,7 @@ EXERCISE = Exercise(
             lambda q, xy: np.deg2rad(q[::-1]),
         ),
         *mended(
-            "q1 and q2 have changed places in the rows",
+            "q1 and q2 have changed positions in the rows",
             "Each row is (q1, q2).",
             lambda q, xy: q[:, ::-1],
         ),
@@ -173,8 +177,8 @@ EXERCISE = Exercise(
             with_q2(lambda t1, t2, xy: t2 - t1),
         ),
         Mistake(
-            "q1 is the direction of the place alone, without the correction for the elbow",
-            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): the first link points beside the place.",
+            "q1 is the direction of the position alone, without the correction for the elbow",
+            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): the first link points beside the position.",
             seen=q1_is(lambda xy, t2: towards(xy)),
         ),
         Mistake(
@@ -183,19 +187,19 @@ EXERCISE = Exercise(
             seen=same_q1,
         ),
         *mended(
-            "the elbow correction of q1 has its sign wrong",
-            "q2 > 0 bends to the left, so the first link points to the right of the place: "
+            "the elbow correction of q1 has the wrong sign",
+            "q2 > 0 bends to the left, so the first link points to the right of the position: "
             "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2).",
             with_q1(lambda t1, t2, xy: 2 * towards(xy) - t1),
         ),
         Mistake(
-            "the place at the base is given NaN",
+            "the position at the base is given NaN",
             "There y / x is 0 / 0. Any q1 is right, so np.arctan2(0, 0) = 0 will do.",
             seen=lambda q, xy: not xy.any() and np.isnan(q).any(),
         ),
         *(
             Mistake(
-                "q1 is wrong by half a turn where x < 0: atan of y / x looks at one quotient only",
+                "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
                 "np.arctan2(y, x) looks at both signs.",
                 seen=by_arctan(side),
             )
@@ -217,7 +221,7 @@ EXERCISE = Exercise(
             seen=q1_is(lambda xy, t2: towards(xy) - t2),
         ),
         *mended(
-            "the angle inside the elbow is taken for q2: the law of cosines has its sign wrong",
+            "the angle inside the elbow is taken for q2: the law of cosines has the wrong sign",
             "q2 is what the second link bends from the first one's direction: r^2 = 2 + 2 cos q2.",
             lambda q, xy: corrected(supplement(q), xy),
             lambda q, xy: corrected(supplement(q[::-1]), xy),
@@ -249,7 +253,7 @@ EXERCISE = Exercise(
             seen=lambda q, xy: outside(xy) and np.isnan(q).any(),
         ),
         Mistake(
-            "NaN is returned for a place within reach",
+            "NaN is returned for a position within reach",
             "Print the number you give to arccos or to the root: it has to lie in its range up to r = 2.",
             seen=lambda q, xy: np.isnan(q).any(),
         ),
@@ -257,9 +261,9 @@ EXERCISE = Exercise(
     library=ik_2r,
     hints=(
         "r^2 = x^2 + y^2 = 2 + 2 cos q2 gives cos q2, and arccos gives q2 >= 0; -q2 is the other one.",
-        "The place lies in the direction atan2(y, x), the second link bends away from it: "
+        "The position lies in the direction atan2(y, x), the second link bends away from it: "
         "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2), for each q2.",
-        "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, a place on the rim may have r = 2 + 4e-16 "
+        "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, r may be 2 + 4e-16 at the edge "
         "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
     ),
     forbidden=(
@@ -270,6 +274,8 @@ EXERCISE = Exercise(
     errors=(
         ("ZeroDivisionError", "", _DIVIDED),
         ("ValueError", "math domain error", _NO_COSINE),
+        ("ValueError", "reach", _RAISED),
+        ("Exception", "reach", _RAISED),
         ("ValueError", "expected a number in range", _NO_COSINE),
     ),
 )

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.two_links import place, solutions
+from course_lib.checks.decomposition_ik.shared import position, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import near
 
@@ -17,7 +17,7 @@ def jacobian(q):
 
 def _step(change):
     """Return the answer that adds change(J, residual) to the angles."""
-    return lambda q, xy: q + change(jacobian(q), xy - place(q))
+    return lambda q, xy: q + change(jacobian(q), xy - position(q))
 
 
 right = _step(np.linalg.solve)
@@ -29,13 +29,26 @@ def _cases(rng):
     xy = np.stack([np.cos(a := rng.uniform(0.3, 2.4, 4)), np.sin(a)], -1) * rng.uniform(1.4, 1.8, (4, 1))
     elbow = solutions(xy)[np.arange(4), [0, 1, 0, 1]]
     near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
-    return [simple, *zip(near_ones, xy, strict=True), (there, place(there))]
+    return [simple, *zip(near_ones, xy, strict=True), (there, position(there))]
 
 
 def _absolute(q):
     """The Jacobian of those who take q2 for the direction of the second link."""
     return np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]])
 
+
+def _second_along_first(q):
+    """The Jacobian of those who differentiate the second link as if it pointed along q1."""
+    J = np.array([[-np.sin(q[0]), -np.sin(q[0])], [np.cos(q[0]), np.cos(q[0])]])
+    J[:, 0] += jacobian(q)[:, 1]
+    return J
+
+
+def _step_from(changed):
+    return lambda q, xy: q + np.linalg.solve(changed(q), xy - position(q))
+
+
+_SIGNS = [np.where(np.reshape(flipped, (2, 2)), -1, 1) for flipped in np.ndindex(2, 2, 2, 2) if 0 < sum(flipped) < 4]
 
 EXERCISE = Exercise(
     name="newton_step",
@@ -47,7 +60,7 @@ EXERCISE = Exercise(
         Property(
             "if q leads to xy already, it stays as it is",
             lambda answer, q, xy: near(answer, q),
-            where=lambda q, xy: near(place(q), xy),
+            where=lambda q, xy: near(position(q), xy),
         ),
         Property(
             "J times the change of q is xy - f(q)",
@@ -72,19 +85,31 @@ EXERCISE = Exercise(
         ),
         Mistake("J stands for its inverse", "Solve J step = residual for the step.", _step(lambda J, e: J @ e)),
         Mistake(
-            "only the change is returned",
-            "Add it to q.",
-            lambda q, xy: np.linalg.solve(jacobian(q), xy - place(q)),
+            "each entry of J is inverted by itself",
+            "J**-1 is 1 / J, entry by entry. np.linalg.solve(J, residual) solves J step = residual.",
+            _step(lambda J, e: (1 / J) @ e),
         ),
         Mistake(
-            "the position reached is not subtracted",
-            "The step has to mend what is missing: xy minus the position that q reaches.",
+            "an entry of J has the wrong sign",
+            "The derivative of the cosine is minus the sine, that of the sine is the cosine.",
+            *(_step(lambda J, e, signs=signs: np.linalg.solve(J * signs, e)) for signs in _SIGNS),
+        ),
+        Mistake(
+            "only the change is returned",
+            "Add it to q.",
+            lambda q, xy: np.linalg.solve(jacobian(q), xy - position(q)),
+        ),
+        Mistake(
+            "the position that q leads to is not subtracted from xy",
+            "The residual is xy - fk_2r(q): the position asked for minus the position reached.",
+            lambda q, xy: q + np.linalg.solve(jacobian(q), xy - q),
             lambda q, xy: q + np.linalg.solve(jacobian(q), xy),
         ),
         Mistake(
             "q2 is taken for the direction of the second link",
             "The second link points along q1 + q2.",
-            lambda q, xy: q + np.linalg.solve(_absolute(q), xy - place(q)),
+            lambda q, xy: q + np.linalg.solve(_absolute(q), xy - position(q)),
+            _step_from(_second_along_first),
         ),
         Mistake(
             "the second link does not move with q1",
@@ -99,9 +124,14 @@ EXERCISE = Exercise(
         Mistake("q is returned as it came", "Add the step.", lambda q, xy: q),
         Mistake(
             "more than one step is made",
-            "One step is asked; whoever needs more calls the function again.",
+            "One step is asked; call the function again for more.",
             lambda q, xy: right(right(q, xy), xy),
             lambda q, xy: right(right(right(q, xy), xy), xy),
+        ),
+        Mistake(
+            "the exact solution is returned, not one step",
+            "Return the angles after one step: neither the closed form nor a loop is needed.",
+            seen=lambda answer, q, xy: near(position(answer), xy) and not near(answer, q),
         ),
     ),
     hints=(

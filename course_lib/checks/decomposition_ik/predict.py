@@ -1,11 +1,11 @@
-"""predict: what the models of a place's cell say about its joint angles."""
+"""predict: what the models of a position's cell say about its joint angles."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import same_with_gaps
 
 _ONE_CLUSTER = Mistake(
     "only one of the two clusters predicts", "Each branch gives a pair of its own: the answer's shape is (m, 2, 2)."
@@ -19,7 +19,7 @@ _AXES = (
     "First the query, then the cluster, then the joint: angles[i, k, j].",
 )
 _LEFT_OUT = Mistake(
-    "queries without a cell are left out", "Row i belongs to query i: where there is no cell, nan stands in it."
+    "queries without a cell are left out", "Row i belongs to query i: if there is no cell, it holds nan."
 )
 
 
@@ -38,12 +38,12 @@ def _some_models(rng, count, without=()):
     """Return models of `count` cells; without: the (c, k) that have none."""
     found = rng.normal(size=(count, 2, 2, 3))
     found += np.where(found < 0, -0.2, 0.2)  # a factor of zero would hide a mistake
-    for place in without:
-        found[place] = np.nan
+    for position in without:
+        found[position] = np.nan
     return found
 
 
-def _places(rng, m):
+def _positions(rng, m):
     return np.round(rng.uniform((-1.5, 0.2), (1.5, 1.9), (m, 2)), 2)
 
 
@@ -52,15 +52,15 @@ def _cases(rng):
     many = np.concatenate([rng.permutation([-1, 0, 1, 2, 3, 4]), rng.integers(-1, 5, 6)])
     return [
         (np.round(_some_models(rng, 1), 2), np.array([0]), np.array([[1.0, 0.0]])),
-        (_some_models(rng, 1), np.array([0]), _places(rng, 1)),
-        (_some_models(rng, 1), np.array([-1]), _places(rng, 1)),
-        (_some_models(rng, 1, [(0, 1)]), np.array([0]), _places(rng, 1)),
-        (_some_models(rng, 1, [(0, 0)]), np.array([0, -1]), _places(rng, 2)),
-        (several, np.array([3, 0, 1]), _places(rng, 3)),
-        (several, np.array([2, -1, 3]), _places(rng, 3)),
+        (_some_models(rng, 1), np.array([0]), _positions(rng, 1)),
+        (_some_models(rng, 1), np.array([-1]), _positions(rng, 1)),
+        (_some_models(rng, 1, [(0, 1)]), np.array([0]), _positions(rng, 1)),
+        (_some_models(rng, 1, [(0, 0)]), np.array([0, -1]), _positions(rng, 2)),
+        (several, np.array([3, 0, 1]), _positions(rng, 3)),
+        (several, np.array([2, -1, 3]), _positions(rng, 3)),
         (several, np.array([1, 2]), np.array([[1, 1], [-1, 2]])),
-        (more, many, _places(rng, 12)),
-        (more, np.array([-1, -1]), _places(rng, 2)),
+        (more, many, _positions(rng, 12)),
+        (more, np.array([-1, -1]), _positions(rng, 2)),
     ]
 
 
@@ -99,7 +99,7 @@ def _known_form(array, models, cell, xy):
 
 
 def _wrong_gaps(angles, *case):
-    """The (query, cluster, joint) at which a number stands in the place of nan."""
+    """The (query, cluster, joint) at which there is a number instead of nan."""
     return np.argwhere(np.isnan(predictions(*case)) & ~np.isnan(angles))
 
 
@@ -144,59 +144,71 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=(
-        *like(
-            (
-                "cell -1 reads the models of the last cell",
-                "models[-1] is the last cell in Python, no error. Put nan where cell < 0.",
-            ),
+        Mistake(
+            "cell -1 reads the models of the last cell",
+            "models[-1] is the last cell in Python, no error. Put nan where cell < 0.",
             lambda models, cell, xy: _affine(models[cell], xy),
         ),
-        *like(
-            ("a missing prediction is 0 instead of nan", "0 is an angle like any other. Leave the nan."),
+        Mistake(
+            "a missing prediction is 0 instead of nan",
+            "0 is an angle like any other. Leave the nan.",
             _changed(np.nan_to_num),
             lambda models, cell, xy: np.where((cell < 0)[:, None, None], 0, predictions(models, cell, xy)),
-        ),
-        *like(
-            (
-                "queries without a cell read another cell's models",
-                "Ask for cell < 0 first: nan stands there, whatever the models are.",
+            lambda models, cell, xy: np.where(
+                (cell < 0)[:, None, None], np.nan, np.nan_to_num(predictions(models, cell, xy))
             ),
+        ),
+        Mistake(
+            "cell 0 is taken for none",
+            "Cells are counted from 0: only -1 is no cell.",
+            lambda models, cell, xy: predictions(models, np.where(cell == 0, -1, cell), xy),
+            lambda models, cell, xy: _affine(models[cell], xy) + np.where(cell == 0, np.nan, 0)[:, None, None],
+        ),
+        Mistake(
+            "queries without a cell read another cell's models",
+            "Ask for cell < 0 first: the answer there is nan, whatever the models are.",
             lambda models, cell, xy: _affine(models[np.maximum(cell, 0)], xy),
         ),
-        *like(
-            ("the intercept is forgotten", "A model has three numbers in each row: add A[j, 2]."),
+        Mistake(
+            "the intercept is forgotten",
+            "A model has three numbers in each row: add A[j, 2].",
             _by(_without_intercept),
         ),
-        *like(
-            ("x and y are swapped", "The first factor, A[j, 0], belongs to x, which is xy[:, 0]."),
+        Mistake(
+            "x and y are swapped",
+            "The first factor, A[j, 0], belongs to x, which is xy[:, 0].",
             _by(lambda models, xy: _affine(models, xy[:, ::-1])),
         ),
-        *like(
-            (
-                "the models are transposed",
-                "q_j is the sum of A[j, i] xy[i]: with einsum, the index of xy is the last one of the models.",
-            ),
+        Mistake(
+            "the models are transposed",
+            "q_j is the sum of A[j, i] xy[i]: with einsum, the index of xy is the last one of the models.",
             _by(_transposed),
         ),
-        *like(
-            ("the intercept is taken to stand first", "A[j, 0] is the factor of x, and A[j, 2] the intercept."),
+        Mistake(
+            "the intercept is taken to stand first",
+            "A[j, 0] is the factor of x, and A[j, 2] the intercept.",
             _by(lambda models, xy: _affine(models[..., [1, 2, 0]], xy)),
         ),
-        *like(
-            _AXES,
+        Mistake(
+            *_AXES,
             _changed(lambda right: right.swapaxes(1, 2)),
             _changed(lambda right: right.swapaxes(0, 1)),
         ),
-        *like(("the clusters are swapped", "Cluster 0 comes first."), _changed(lambda right: right[:, ::-1])),
-        *like(("q1 and q2 are swapped", "Row 0 of a model is q1's."), _changed(lambda right: right[..., ::-1])),
-        *like((_ONE_CLUSTER.name, _ONE_CLUSTER.hint), _changed(lambda right: right[:, [0, 0]])),
-        *like((_MEAN.name, _MEAN.hint), _changed(lambda right: right.mean(axis=1, keepdims=True)[:, [0, 0]])),
-        *like(("the angles are in degrees", "The models give radians already."), _changed(np.rad2deg)),
-        *like(
-            ("all queries read the models of one cell", "Query i lies in cell[i]: models[cell[i]]."),
+        Mistake("the clusters are swapped", "Cluster 0 comes first.", _changed(lambda right: right[:, ::-1])),
+        Mistake("q1 and q2 are swapped", "Row 0 of a model is q1's.", _changed(lambda right: right[..., ::-1])),
+        Mistake(_ONE_CLUSTER.name, _ONE_CLUSTER.hint, _changed(lambda right: right[:, [0, 0]])),
+        Mistake(_MEAN.name, _MEAN.hint, _changed(lambda right: right.mean(axis=1, keepdims=True)[:, [0, 0]])),
+        Mistake("the angles are in degrees", "The models give radians already.", _changed(np.rad2deg)),
+        Mistake(
+            "all queries read the models of one cell",
+            "Query i lies in cell[i]: models[cell[i]].",
             lambda models, cell, xy: predictions(models, np.where(cell < 0, cell, 0), xy),
+            lambda models, cell, xy: np.where(
+                (cell < 0)[:, None, None], np.nan, _affine(models[np.full(len(cell), cell[0])], xy)
+            ),
         ),
     ),
+    alike=same_with_gaps,
     library=predictions,
     hints=(
         "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] >= 0.",

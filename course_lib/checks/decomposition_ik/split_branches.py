@@ -1,21 +1,39 @@
 """split_branches: the samples of one cell in two clusters, one for each elbow."""
 
-import functools
+from dataclasses import replace
 
 import numpy as np
 from sklearn.cluster import KMeans
 from threadpoolctl import threadpool_limits
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.decomposition_ik.lists import with_a_list
-from course_lib.checks.decomposition_ik.two_links import lump, place, solutions
+from course_lib.checks.decomposition_ik.shared import (
+    best_split,
+    lump,
+    position,
+    rewired,
+    several,
+    solutions,
+    split,
+    with_a_list,
+    within,
+)
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import SAME_TWICE
 
+_RANDOM = Mistake(
+    "the labels depend on a random start",
+    "With KMeans(n_clusters=2, random_state=0) the same samples get the same labels each time.",
+)
+_ONE_SAMPLE = Mistake(
+    "equal samples, or a single one, are not treated apart",
+    "Count the different samples with len(np.unique(q, axis=0)); for 0 or 1 return zeros.",
+)
 _CENTRES = Mistake("the centres of the clusters are returned", "One label for each sample: labels_ of the KMeans.")
 
 
 def both_elbows(rng, middle, up, down, width=0.1):
-    """Return joint angles (up + down, 2) of places in a square cell: first those with q2 > 0."""
+    """Return joint angles (up + down, 2) of positions in a square cell: first those with q2 > 0."""
     xy = np.array(middle) + rng.uniform(-width / 2, width / 2, (up + down, 2))
     return np.concatenate([solutions(xy[:up])[:, 0], solutions(xy[up:])[:, 1]])
 
@@ -39,10 +57,24 @@ def _one_elbow(rng):
         *(largest, largest[::-1]),
         *(smallest, smallest[::-1]),
         rng.permutation(np.concatenate(towers)),  # q1 tells more than q2, unless both are scaled
+        rng.permutation(np.concatenate(towers))[:, ::-1],  # and here q2
     ]
 
 
 _TOWERS = [(0.6, 0.1, 8), (0.6, -0.1, 4), (1.4, 0.1, 4), (1.4, -0.1, 8)]
+
+
+_TIED = np.array([[1.75, 0.5], [-0.25, 0.5], [0.75, 1.5], [0.75, -0.5]])  # a square on its corner: two cuts are as good
+_TIMES = 20  # that it is asked: a random start gives the same cut each time with a chance of one in a million
+
+
+def _tied(q):
+    return np.array_equal(q, _TIED)
+
+
+def _unless_tied(function):
+    """The same function, which says nothing of the square: there a mistake may show either way."""
+    return lambda *case: None if _tied(case[-1]) else function(*case)
 
 
 def _cases(rng):
@@ -64,45 +96,14 @@ def _cases(rng):
         *(rng.permutation(cell) for cell in cells),
         *_one_elbow(rng),
         np.zeros((0, 2)),
+        *[_TIED] * _TIMES,
     ]
     return [(q.copy(),) for q in samples]
 
 
-def within(points, labels):
-    """Return the sum of the squared distances of points (m, 2) from the mean of their cluster."""
-    return sum(((own - own.mean(axis=0)) ** 2).sum() for own in (points[labels == k] for k in (0, 1)) if len(own))
-
-
-def several(q):
-    """Return whether there are two different samples at least."""
-    return len(q) > 1 and bool((q != q[0]).any())
-
-
-def best_split(points):
-    """Return labels (m,) of the two clusters of least sum of squares, for clusters that a straight line parts."""
-    return _best_split(np.ascontiguousarray(points, float).tobytes()).copy()
-
-
-@functools.lru_cache(maxsize=1000)
-def _best_split(data):
-    """Cut the points in two across each of many directions, after each point, and keep the best cut."""
-    points = np.frombuffer(data).reshape(-1, 2)
-    points, angles = points - points.mean(axis=0), np.linspace(0, np.pi, 180, endpoint=False)
-    order = np.argsort(points @ [np.cos(angles), np.sin(angles)], axis=0, kind="stable")
-    sums, n = np.cumsum(points[order], axis=0)[:-1], np.arange(1, len(points))[:, None]
-    gain = (sums**2).sum(axis=-1) * (1 / n + 1 / (len(points) - n))  # the two sums are opposite
-    cut, direction = np.unravel_index(np.argmax(gain), gain.shape)
-    labels = np.zeros(len(points), int)
-    labels[order[cut + 1 :, direction]] = 1
-    return labels
-
-
-def split(q, by=lambda q: q, number=lambda q, own: q[own, 1].mean()):
-    """Return the labels: clusters of by(q), of which the one with the larger number(q, own) is called 0."""
-    if not several(q):
-        return np.zeros(len(q), int)
-    labels = best_split(by(q))
-    return labels if number(q, labels == 0) > number(q, labels == 1) else 1 - labels
+def _one_best(q):
+    """Whether there are two different samples at least, and one best cut."""
+    return several(q) and not _tied(q)
 
 
 def _numbered(number):
@@ -110,16 +111,13 @@ def _numbered(number):
     return lambda q: split(q, number=number)
 
 
-def _by_limit(joint, limit):
-    """Both ways to call the samples on the two sides of a limit of one joint's angle."""
+def _by_limit(joint, *limits):
+    """Both ways to name the samples on the two sides of a limit of one joint's angle."""
 
-    def above(q):
-        return q[:, joint] > limit(q[:, joint])
+    def named(limit, compare):
+        return lambda q: compare(q[:, joint], limit(q[:, joint])) if several(q) else None
 
-    return (
-        lambda q: above(q) if several(q) else None,
-        lambda q: ~above(q) if several(q) else None,
-    )
+    return [named(limit, compare) for limit in limits for compare in (np.greater, np.less_equal, np.less)]
 
 
 def _scaled(q):
@@ -134,12 +132,9 @@ def _nearly_best(labels, q, by, most):
     return within(points, labels) <= most * within(points, best_split(points)) and not _least(labels, q)
 
 
-def _clustered(words, by, most=1.03):
+def _clustered(name, hint, by, most=1.03):
     """The mistake of those who cluster by(q): exactly so in all cases, or nearly so where it shows."""
-    return (
-        Mistake(*words, lambda q: split(q, by)),
-        Mistake(*words, seen=lambda labels, q: _nearly_best(labels, q, by, most)),
-    )
+    return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _nearly_best(labels, q, by, most))
 
 
 def _least(labels, q):
@@ -162,6 +157,96 @@ def split_branches(q):
     return labels if means[0] > means[1] else 1 - labels
 
 
+_MISTAKES = (
+    Mistake(
+        "there are more than two clusters",
+        "Two elbows, two clusters: KMeans(n_clusters=2).",
+        seen=lambda labels, q: {0, 1, 2} <= set(labels) <= set(range(9)),
+    ),
+    Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, q: set(labels) == {1, 2}),
+    Mistake(
+        "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
+        "Compare q[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
+        lambda q: 1 - split(q) if several(q) else None,
+    ),
+    Mistake(
+        "the samples are split by the sign of q2",
+        "A cell may hold one elbow only, and q2 has one sign: KMeans still finds two clusters.",
+        lambda q: q[:, 1] <= 0 if several(q) else None,
+        lambda q: q[:, 1] > 0 if several(q) else None,
+        lambda q: q[:, 1] <= 0,
+        lambda q: q[:, 1] > 0,
+    ),
+    Mistake(
+        "the samples are split at the mean or the median of q2",
+        "The clusters need not be of the same size, and KMeans looks at both angles.",
+        *_by_limit(1, np.mean, np.median),
+    ),
+    _clustered(
+        "the positions are clustered, not the joint angles",
+        "Both elbows reach the same positions: only q tells them apart.",
+        position,
+        1.1,
+    ),
+    _clustered(
+        "only q1 is looked at",
+        "Both columns of q go into KMeans, as they are.",
+        lambda q: q * [1, 0],
+    ),
+    _clustered(
+        "only q2 is looked at",
+        "Both columns of q go into KMeans, as they are.",
+        lambda q: q * [0, 1],
+    ),
+    _clustered(
+        "the angles are scaled before they are clustered",
+        "Both are radians: give q to KMeans as it is.",
+        _scaled,
+    ),
+    Mistake(
+        "the samples are split at the mean or the median of q1",
+        "KMeans looks at both angles, and sizes may differ.",
+        *_by_limit(0, np.mean, np.median),
+    ),
+    Mistake("the labels are sorted", "Label i belongs to sample i.", lambda q: np.sort(split(q))),
+    Mistake(
+        "q is sorted before it is clustered",
+        "Label i belongs to sample i: leave q as it is.",
+        lambda q: split(np.sort(q, axis=0)) if several(q) else None,
+        lambda q: split(q[np.argsort(q[:, 0])]) if several(q) else None,
+        lambda q: split(q[np.argsort(q[:, 1])]) if several(q) else None,
+    ),
+    Mistake(
+        "the clusters are ordered by q1",
+        "q2 is the second column: q[:, 1].",
+        _numbered(lambda q, own: q[own, 0].mean()),
+        _numbered(lambda q, own: -q[own, 0].mean()),
+    ),
+    Mistake(
+        "the clusters are ordered by the sum of q2",
+        "The mean, not the sum: sizes may differ.",
+        _numbered(lambda q, own: q[own, 1].sum()),
+    ),
+    Mistake(
+        "the clusters are ordered by their largest or smallest q2",
+        "The mean q2 of all samples counts.",
+        _numbered(lambda q, own: q[own, 1].max()),
+        _numbered(lambda q, own: q[own, 1].min()),
+    ),
+    Mistake(
+        "the clusters are ordered by the size of q2, without its sign",
+        "Leave abs away.",
+        _numbered(lambda q, own: np.abs(q[own, 1]).mean()),
+        _numbered(lambda q, own: np.abs(q[own, 1].mean())),
+    ),
+    Mistake(
+        "all samples are in one cluster",
+        "Return labels_ of the KMeans, unless all samples are equal.",
+        seen=lambda labels, q: several(q) and (labels == labels[0]).all(),
+    ),
+)
+
+
 EXERCISE = with_a_list(
     Exercise(
         name="split_branches",
@@ -177,20 +262,19 @@ EXERCISE = with_a_list(
                 "each label is 0 or 1",
                 lambda labels, q: np.isin(labels, (0, 1)).all(),
                 seen=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+                where=lambda q: not _tied(q),
             ),
             Property(
                 "with fewer than two different samples there is nothing to split: all labels are 0",
                 lambda labels, q: not labels.any(),
                 where=lambda q: not several(q),
-                mistake=Mistake(
-                    "equal samples, or a single one, are not treated apart",
-                    "Count the different samples with len(np.unique(q, axis=0)); for 0 or 1 return zeros.",
-                ),
+                mistake=_ONE_SAMPLE,
             ),
+            replace(SAME_TWICE, mistake=_RANDOM),
             Property(
                 "both labels occur, wherever there are two different samples",
                 lambda labels, q: labels.any() and not labels.all(),
-                where=several,
+                where=_one_best,
             ),
             Property(
                 "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
@@ -199,104 +283,17 @@ EXERCISE = with_a_list(
                 seen=lambda labels, q: (
                     f"Yours is {within(q, labels):.4g}, and {within(q, best_split(q)):.4g} is possible."
                 ),
-                where=several,
+                where=_one_best,
             ),
             Property(
                 "cluster 0 is the one whose mean q2 is the larger",
                 lambda labels, q: np.array_equal(labels, split(q)),
                 seen=_means,
-                where=several,
+                where=_one_best,
             ),
         ),
-        mistakes=(
-            Mistake(
-                "there are more than two clusters",
-                "Two elbows, two clusters: KMeans(n_clusters=2).",
-                seen=lambda labels, q: {0, 1, 2} <= set(labels) <= set(range(9)),
-            ),
-            Mistake("the labels are 1 and 2", "Return 0 and 1.", seen=lambda labels, q: set(labels) == {1, 2}),
-            Mistake(
-                "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
-                "Compare q[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
-                lambda q: 1 - split(q) if several(q) else None,
-            ),
-            Mistake(
-                "the samples are split by the sign of q2",
-                "A cell may hold one elbow only, and q2 has one sign: KMeans still finds two clusters.",
-                lambda q: q[:, 1] <= 0 if several(q) else None,
-                lambda q: q[:, 1] > 0 if several(q) else None,
-                lambda q: q[:, 1] <= 0,
-                lambda q: q[:, 1] > 0,
-            ),
-            *_clustered(
-                (
-                    "the places are clustered, not the joint angles",
-                    "Both elbows reach the same places: only q tells them apart.",
-                ),
-                place,
-                1.1,
-            ),
-            *_clustered(
-                ("only q1 is looked at", "Both columns of q go into KMeans, as they are."),
-                lambda q: q * [1, 0],
-            ),
-            *_clustered(
-                ("only q2 is looked at", "Both columns of q go into KMeans, as they are."),
-                lambda q: q * [0, 1],
-            ),
-            *_clustered(
-                ("the angles are scaled before they are clustered", "Both are radians: give q to KMeans as it is."),
-                _scaled,
-            ),
-            Mistake(
-                "the samples are split at the median of q1",
-                "KMeans looks at both angles, and sizes may differ.",
-                *_by_limit(0, np.median),
-                lambda q: q[:, 0] < np.median(q[:, 0]) if several(q) else None,
-            ),
-            Mistake(
-                "the samples are split at the median of q2",
-                "The clusters need not be of the same size.",
-                *_by_limit(1, np.median),
-                lambda q: q[:, 1] < np.median(q[:, 1]) if several(q) else None,
-            ),
-            Mistake("the labels are sorted", "Label i belongs to sample i.", lambda q: np.sort(split(q))),
-            Mistake(
-                "q is sorted before it is clustered",
-                "Label i belongs to sample i: leave q as it is.",
-                lambda q: split(np.sort(q, axis=0)) if several(q) else None,
-                lambda q: split(q[np.argsort(q[:, 0])]) if several(q) else None,
-                lambda q: split(q[np.argsort(q[:, 1])]) if several(q) else None,
-            ),
-            Mistake(
-                "the clusters are ordered by q1",
-                "q2 is the second column: q[:, 1].",
-                _numbered(lambda q, own: q[own, 0].mean()),
-                _numbered(lambda q, own: -q[own, 0].mean()),
-            ),
-            Mistake(
-                "the clusters are ordered by the sum of q2",
-                "The mean, not the sum: sizes may differ.",
-                _numbered(lambda q, own: q[own, 1].sum()),
-            ),
-            Mistake(
-                "the clusters are ordered by their largest or smallest q2",
-                "The mean q2 of all samples counts.",
-                _numbered(lambda q, own: q[own, 1].max()),
-                _numbered(lambda q, own: q[own, 1].min()),
-            ),
-            Mistake(
-                "the clusters are ordered by the size of q2, without its sign",
-                "Leave abs away.",
-                _numbered(lambda q, own: np.abs(q[own, 1]).mean()),
-                _numbered(lambda q, own: np.abs(q[own, 1].mean())),
-            ),
-            Mistake(
-                "all samples are in one cluster",
-                "Return labels_ of the KMeans, unless all samples are equal.",
-                seen=lambda labels, q: several(q) and (labels == labels[0]).all(),
-            ),
-        ),
+        mistakes=tuple(rewired(known, _unless_tied, _unless_tied) for known in _MISTAKES),
+        errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
         library=split_branches,
         hints=(
             "Fewer than two different samples, len(np.unique(q, axis=0)) < 2: return np.zeros(len(q), int).",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import solutions
+from course_lib.checks.decomposition_ik.shared import solutions
 from course_lib.checks.write_test import Version, WriteTest
 
 _REACH = 2 + 1e-9
@@ -18,7 +18,7 @@ def _changed(change):
 
 
 def _by_circles(xy):
-    """Return the same from the two points where circles around the base and the end meet: the elbows."""
+    """Return the same from the two points where circles around the base and the tip meet: the elbows."""
     r = np.linalg.norm(xy)
     if not 0 < r < _REACH:
         return closed_form(xy)

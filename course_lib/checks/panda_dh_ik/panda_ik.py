@@ -153,7 +153,7 @@ def _orientation_off(q, T, q0):
 
 def _moved(q, T, q0):
     j = int(np.argmax(np.abs(q - q0)))
-    return f"Your answer reaches T as well, but joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}."
+    return f"Your answer reaches T_target as well, but joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}."
 
 
 def _at(pose_of, target_of=lambda T: T, needed=1e-3):
@@ -198,16 +198,16 @@ _STUCK = Mistake(
 )
 _LAST = Mistake(
     "the steps got stuck, and the last angles are returned all the same",
-    "Test the error before you return: angles that do not reach T are no answer.",
+    "Test the error before you return: angles that do not reach T_target are no answer.",
 )
 _ORIENTATION_LEFT = Mistake(
-    "only the position is brought to T, not the orientation", "The error has six numbers: look at both halves."
+    "only the position is brought to T_target, not the orientation", "The error has six numbers: look at both halves."
 )
 
 EXERCISE = Exercise(
     name="panda_ik",
     points=4,
-    arguments=("T", "q0"),
+    arguments=("T_target", "q0"),
     cases=_cases,
     returns=_read,
     properties=(
@@ -219,30 +219,30 @@ EXERCISE = Exercise(
             mistake=Mistake("the limits are ignored", "Bring q back inside the limits after each step."),
         ),
         Property(
-            "the flange is within 1e-6 m of the position that T gives, in the world",
+            "the flange is within 1e-6 m of the position that T_target gives, in the world",
             _or_none(lambda q, T, q0: _left(q, T)[0] <= REACHED),
             _position_off,
             where=_reachable,
             mistake=_LAST,
         ),
         Property(
-            "the flange has the orientation of T, to 1e-6 rad",
+            "the flange has the orientation of T_target, to 1e-6 rad",
             _or_none(lambda q, T, q0: _left(q, T)[1] <= REACHED),
             _orientation_off,
             where=_reachable,
             mistake=_ORIENTATION_LEFT,
         ),
         Property(
-            "if q0 reaches T already, joint angles are returned: q0 is right",
+            "if q0 reaches T_target already, joint angles are returned: q0 is right",
             lambda q, *case: _given(q),
             where=_at_once,
             mistake=Mistake(
                 "NaN is returned although q0 is an answer",
-                "Look at the error before the first step. T is the flange's pose in the world, as panda_fk gives it.",
+                "Look at the error before the first step. T_target is a pose in the world, as those of panda_fk are.",
             ),
         ),
         Property(
-            "the iteration begins at q0: if q0 reaches T already, the answer is q0",
+            "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, T, q0: np.abs(q - q0).max() < 0.1,
             _moved,
             where=_at_once,
@@ -280,8 +280,8 @@ EXERCISE = Exercise(
             seen=_wrapped,
         ),
         Mistake(
-            "the base is forgotten: the flange is at T as seen from the base",
-            "T is given in the world, and the base is at (-0.2, 0.13, 0.6) there.",
+            "the base is forgotten: the flange is at T_target as seen from the base",
+            "T_target is given in the world, and the base is at (-0.2, 0.13, 0.6) there.",
             seen=_at(PANDA.fk),
         ),
         Mistake(
@@ -292,23 +292,25 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            "the flange is forgotten: the frame of joint 7 is at T",
+            "the flange is forgotten: the frame of joint 7 is at T_target",
             "The flange's pose is the last of the eight.",
             seen=lambda *case: _at(lambda q: frames(q)[6])(*case) or _at(lambda q: PANDA.frames(q)[6])(*case),
         ),
         Mistake(
             "the target's orientation is transposed",
-            "Print the error at your answer: is it that to T?",
+            "Print the error at your answer: is it that to T_target?",
             seen=_at(flange, lambda T: transform(T[:3, :3].T, T[:3, 3])),
         ),
-        Mistake("the inverse of T is reached", "Neither of the two poses is inverted.", seen=_at(flange, inverse)),
+        Mistake(
+            "the inverse of T_target is reached", "Neither of the two poses is inverted.", seen=_at(flange, inverse)
+        ),
         Mistake(
             _ORIENTATION_LEFT.name,
             _ORIENTATION_LEFT.hint,
             seen=lambda q, T, q0: _given(q) and _one_part(q, T, q0, 0),
         ),
         Mistake(
-            "only the orientation is brought to T, not the position",
+            "only the orientation is brought to T_target, not the position",
             _ORIENTATION_LEFT.hint,
             seen=lambda q, T, q0: _given(q) and _one_part(q, T, q0, 1),
         ),
@@ -319,11 +321,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "One start is a loop: the frames at q, the error to T, return q if it is small enough, else a damped step and "
-        "np.clip to the limits.",
+        "One start is a loop: the frames at q, the error to T_target, return q if it is small enough, else a damped "
+        "step and np.clip to the limits.",
         "A damping that follows the error converges fast and reaches 1e-6: for example eps = 0.05 * e @ e + 1e-12.",
-        "Around it a second loop over the starts: when 40 steps are not enough, q = random.uniform(low, high), with "
-        "random = np.random.default_rng(0). After 30 starts return np.full(7, np.nan).",
+        "Around it a second loop over the starts: when 20 steps are not enough, q = random.uniform(low, high), with "
+        "random = np.random.default_rng(0). After 15 starts return np.full(7, np.nan).",
     ),
     library=_solved,
     forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),

@@ -188,6 +188,16 @@ EXERCISE = Exercise(
             "The Jacobian is multiplied by joint velocities later; the angles only say where the axes are.",
             lambda screws, M, q: _right(screws, M, q) * q,
         ),
+        Mistake(
+            "the columns stand in the reverse order",
+            "The first joint's column is the first: after a loop from the last joint on, turn the list round.",
+            lambda screws, M, q: _right(screws, M, q)[:, ::-1],
+        ),
+        Mistake(
+            "Ad(M) stands where Ad(M^-1) belongs",
+            "M takes what the end-effector sees to what the base sees. The body screws need the other direction.",
+            lambda screws, M, q: _from_the_tool(_behind)(screws @ adjoint(M @ M).T, M, q),
+        ),
         reshaped(_right),
     ),
     hints=(

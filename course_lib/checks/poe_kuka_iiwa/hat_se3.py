@@ -82,6 +82,11 @@ EXERCISE = Exercise(
             "That is a pose after a small motion, I + [V]; asked for is [V] itself.",
             lambda twist: np.eye(4) + hat_se3(twist),
         ),
+        Mistake(
+            "digits after the point are cut off",
+            "The matrix is made to hold whole numbers: np.zeros((4, 4)), without int, has room for digits.",
+            lambda twist: None if np.all(twist == np.trunc(twist)) else np.trunc(hat_se3(twist)),
+        ),
         Mistake("the exponential is returned", "[V] is what the exponential is taken of.", exp_se3),
         Mistake(
             "the last row is that of a pose, (0, 0, 0, 1)",

@@ -144,6 +144,7 @@ EXERCISE = Exercise(
                 _formula(versine=lambda a: 1 - np.sin(a)),
                 _formula(np.cos, lambda a: 1 - np.sin(a)),
                 _formula(lambda a: 1 - np.cos(a), np.sin),
+                _formula(np.cos, np.sin),
             ),
         ),
         _in_R(

@@ -117,6 +117,12 @@ EXERCISE = Exercise(
             lambda omega, points: points * omega,
             lambda omega, points: -points * omega,
         ),
+        _in_v(
+            "v lies along omega: a dot product stands for the cross product",
+            "The velocity of a rotating point is perpendicular to the axis: np.cross(points, omega).",
+            lambda omega, points: (omega * points).sum(1, keepdims=True) * omega,
+            lambda omega, points: -(omega * points).sum(1, keepdims=True) * omega,
+        ),
         _in_v("v is 0 for every axis", "Only an axis through the origin has v = 0.", lambda omega, points: 0 * points),
         _in_v(
             "v is made with the direction of another joint, or with z for all",

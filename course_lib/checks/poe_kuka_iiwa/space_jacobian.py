@@ -16,7 +16,7 @@ from course_lib.checks.poe_kuka_iiwa.shared import (
     reshaped,
 )
 from course_lib.checks.vocabulary import SAME_TWICE, few_digits, halves_swapped, near, products, whole_numbers
-from course_lib.rigid import adjoint, inverse
+from course_lib.rigid import adjoint, exp_se3, inverse
 from course_lib.rotations import hat
 
 
@@ -34,6 +34,14 @@ def _added_up(screws, q):
     sums = np.cumsum([np.eye(4), *exponentials(screws, q)[:-1]], 0)
     blocks = [[[T[:3, :3], np.zeros((3, 3))], [hat(T[:3, 3]) @ T[:3, :3], T[:3, :3]]] for T in sums]
     return columns([np.block(block) for block in blocks], screws)
+
+
+def _of_moved_columns(screws, q):
+    T, found = np.eye(4), []
+    for S, angle in zip(screws, q, strict=True):
+        found.append(adjoint(T) @ S)
+        T = T @ exp_se3(found[-1] * angle)
+    return np.array(found).T
 
 
 EXERCISE = Exercise(
@@ -90,6 +98,11 @@ EXERCISE = Exercise(
             "The exponential of joint 1 stays on the left.",
             _moved_by(lambda each: [products(each[:i][::-1])[-1] for i in range(len(each))]),
             _moved_by(lambda each: [products(each[: i + 1][::-1])[-1] for i in range(len(each))]),
+        ),
+        Mistake(
+            "the exponentials are taken of the columns, which have moved already",
+            "e^[S] belongs to the screw axis at home: T = T @ exp_se3(S * angle), with S = screws[i].",
+            _of_moved_columns,
         ),
         Mistake(
             "every column is moved by all the joints",

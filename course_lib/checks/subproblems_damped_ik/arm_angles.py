@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.subproblems_damped_ik.shared import same_list
 from course_lib.checks.subproblems_damped_ik.six_axis_arm import (
     ELBOW,
     SHOULDER,
@@ -13,7 +14,6 @@ from course_lib.checks.subproblems_damped_ik.six_axis_arm import (
     center_of,
     every_solution,
     list_mistakes,
-    same_list,
 )
 from course_lib.subproblems import subproblem2, subproblem3
 
@@ -27,19 +27,23 @@ def _cases(rng):
     return [*reached, (np.array([0.5, 0.6, 0.4]),), (SHOULDER + np.array([0.0, 0.01, 0.02]),)]
 
 
+def _misses(q, center):
+    return np.linalg.norm(center_of(q) - center)
+
+
 def _tell(q, center):
     return f"({', '.join(f'{a:.4g}' for a in q)}) brings the wrist center to {format_array(center_of(q), 4)}."
 
 
-def _with(bend, part):
-    """The angles of somebody who bends the elbow by bend(center) and rotates part(q3) onto center - shoulder."""
+def _with(bend, part, axes=(Y, Z), origin=SHOULDER):
+    """The angles of somebody who bends the elbow by bend(center) and rotates part(q3) onto center - origin."""
 
     def answer(center):
         found = []
         for q3 in bend(center).theta:
-            reached = subproblem2(Y, Z, part(q3), center - SHOULDER)
-            found += [(-back, q2, q3) for q2, back in reached.theta]
-        return found or None
+            pairs = subproblem2(*axes, part(q3), center - origin).theta
+            found += [(-b, a, q3) if axes[0] is Y else (a, -b, q3) for a, b in pairs]
+        return found
 
     return answer
 
@@ -62,16 +66,18 @@ EXERCISE = Exercise(
     returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
     properties=every_solution(
         "each triple brings the wrist center to `center`",
-        lambda q, center: np.linalg.norm(center_of(q) - center),
+        _misses,
         _tell,
         arm_solutions,
     ),
     mistakes=(
-        *list_mistakes(arm_solutions),
+        *list_mistakes(arm_solutions, _misses),
         Mistake(
             "the distance is measured from another point than the shoulder",
             "Joints 1 and 2 leave the shoulder where it is, not the base.",
             _with(lambda c: subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(c)), _bent),
+            _with(lambda c: subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(c)), _bent, origin=0),
+            _with(_distance, _bent, origin=0),
             _with(lambda c: subproblem3(Y, WRIST - ELBOW, -ELBOW, np.linalg.norm(c)), _bent),
             _with(lambda c: subproblem3(Y, WRIST, SHOULDER, np.linalg.norm(c - SHOULDER)), _bent),
         ),
@@ -79,6 +85,16 @@ EXERCISE = Exercise(
             "the elbow is not bent when q1 and q2 are computed",
             "The point that joints 1 and 2 rotate is where joint 3 has brought the wrist center.",
             _with(_distance, lambda q3: WRIST - SHOULDER),
+        ),
+        Mistake(
+            "the two axes of subproblem 2 have changed places",
+            "p is rotated about the axis of joint 2 first, then about that of joint 1.",
+            _with(_distance, _bent, (Z, Y)),
+        ),
+        Mistake(
+            "the elbow is measured from the wrong end",
+            "Subproblem 3 wants both points from one origin, here the elbow: WRIST - ELBOW and SHOULDER - ELBOW.",
+            _with(lambda c: subproblem3(Y, WRIST - ELBOW, ELBOW - SHOULDER, np.linalg.norm(c - SHOULDER)), _bent),
         ),
     ),
     library=arm_solutions,

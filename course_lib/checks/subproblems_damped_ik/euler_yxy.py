@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.shared import different, mended, near, predicted
+from course_lib.checks.subproblems_damped_ik.shared import changed, different, in_degrees, same_list
 from course_lib.checks.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy
@@ -84,29 +84,24 @@ def _off(found, R):
     return f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}."
 
 
-def _of_another_order(words, *products):
-    """One mistake: the angles are right, but for another product of rotations."""
-    name, hint = words
-
-    def seen(product):
-        return lambda found, R: len(found) > 0 and all(np.abs(product(*one) - R).max() < 1e-6 for one in found)
-
-    return tuple(Mistake(name, hint, seen=seen(product)) for product in products)
+def _both(R):
+    return euler_yxy(R).theta
 
 
-def _second_made(words, *makings):
-    """One mistake: one triple is right, and the other is made of it wrongly."""
-    name, hint = words
+def _are_for(*products):
+    """Whether all triples are right for one of these other products of rotations: the `seen` of a mistake."""
 
-    def seen(making):
-        def made(found, R):
-            return len(found) == 2 and any(
-                _misses(one, R) < 1e-6 and bool(np.all(near(other, making(one)))) for one, other in (found, found[::-1])
-            )
+    def seen(found, R):
+        return len(found) > 0 and any(
+            all(np.abs(product(*one) - R).max() < 1e-6 for one in found) for product in products
+        )
 
-        return made
+    return seen
 
-    return tuple(Mistake(name, hint, seen=seen(making)) for making in makings)
+
+def _second_made(*makings):
+    """The wrong answers in which one triple is right and the other is made of it by one of the makings."""
+    return [lambda R, f=making, i=i: [_both(R)[i], f(_both(R)[i])] for making in makings for i in (0, 1)]
 
 
 def _shifted(name, hint, *shifts):
@@ -129,7 +124,7 @@ def _mixed(column):
     """The triples with the angles of one column exchanged."""
 
     def triples(R):
-        found = euler_yxy(R).theta.copy()
+        found = _both(R).copy()
         found[:, column] = found[::-1, column]
         return found
 
@@ -168,8 +163,8 @@ EXERCISE = Exercise(
             where=_end,
             mistake=Mistake(
                 "b1 and b3 are read off by themselves where sin(b2) = 0",
-                "At b2 = 0 only b1 + b3 counts, at b2 = pi only b1 - b3: take b1 = 0, and b3 from what is left of R, "
-                "Rx(-b2) Ry(-b1) R. Compare sin(b2) with a small bound, not with 0: there is rounding.",
+                "At b2 = 0 only b1 + b3 counts, at b2 = pi only b1 - b3: take b1 = 0, and b3 from Rx(-b2) Ry(-b1) R, "
+                "which is Ry(b3). Compare sin(b2) with a small bound, not with 0: there is rounding.",
             ),
         ),
     ),
@@ -184,80 +179,79 @@ EXERCISE = Exercise(
             "b1, b2 and b3 hang together: there are two triples, not more.",
             seen=lambda found, R: different(found) > 2 and different([t for t in found if _misses(t, R) < 1e-6]) == 2,
         ),
-        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
-        *mended(
-            (
-                "b1 has the other sign",
-                "Subproblem 2 gives the angle from R e_y back to Rx(b2) e_y: that is Ry(-b1), so b1 is the negative.",
+        in_degrees(_misses),
+        Mistake(
+            "b1 has the other sign",
+            "Subproblem 2 gives the angle from R e_y back to Rx(b2) e_y: that is Ry(-b1), so b1 is the negative.",
+            changed(_both, lambda triple: triple * [-1, 1, 1]),
+        ),
+        Mistake(
+            "b3 has the other sign",
+            "Ry(b3) rotates e_x to the first column of Rx(-b2) Ry(-b1) R.",
+            changed(_both, lambda triple: triple * [1, 1, -1]),
+        ),
+        Mistake(
+            "b2 has the other sign for these b1 and b3",
+            "R[2, 1] = cos(b1) sin(b2): sin(b2) and b1 go together.",
+            changed(_both, lambda triple: triple * [1, -1, 1]),
+        ),
+        Mistake(
+            "b1 and b3 are swapped",
+            "Ry(b1) stands on the left: it is the last to rotate a vector.",
+            changed(_both, lambda triple: triple[::-1]),
+        ),
+        Mistake(
+            "the triples are those of R^T",
+            "R, not its transpose: R[row, column].",
+            changed(_both, lambda triple: -triple[::-1]),
+        ),
+        Mistake("all three angles have the other sign", "Ry(b) rotates z towards x.", changed(_both, np.negative)),
+        Mistake(
+            "the angles are those about x, y and x",
+            "R = Ry(b1) Rx(b2) Ry(b3): y first and last.",
+            seen=_are_for(lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_x(c)),
+        ),
+        Mistake(
+            "the angles are those about other axes",
+            "R = Ry(b1) Rx(b2) Ry(b3): about y, x and y again.",
+            seen=_are_for(
+                lambda a, b, c: rot_z(a) @ rot_x(b) @ rot_z(c),
+                lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_z(c),
+                lambda a, b, c: rot_y(a) @ rot_z(b) @ rot_y(c),
+                lambda a, b, c: rot_x(a) @ rot_z(b) @ rot_x(c),
+                lambda a, b, c: rot_y(a) @ rot_x(b) @ rot_z(c),
+                lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_z(c),
+                lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_x(c),
             ),
-            _misses,
-            lambda triple: triple * [-1, 1, 1],
         ),
-        *mended(
-            ("b3 has the other sign", "Ry(b3) rotates e_x to the first column of Rx(-b2) Ry(-b1) R."),
-            _misses,
-            lambda triple: triple * [1, 1, -1],
-        ),
-        *mended(
-            (
-                "b2 has the other sign for these b1 and b3",
-                "R[2, 1] = cos(b1) sin(b2): sin(b2) and b1 go together.",
+        Mistake(
+            "the second triple is made by b2 + pi",
+            "That is another rotation. b2 changes its sign, b1 and b3 change by pi.",
+            *_second_made(
+                _moved(1, 0, 1, 0),
+                _moved(1, 1, 1, 1),
+                _moved(1, 1, 1, 0),
+                _moved(1, 0, 1, 1),
             ),
-            _misses,
-            lambda triple: triple * [1, -1, 1],
         ),
-        *mended(
-            ("b1 and b3 are swapped", "Ry(b1) stands on the left: it is the last to rotate a vector."),
-            _misses,
-            lambda triple: triple[::-1],
-        ),
-        *mended(
-            ("the triples are those of R^T", "R, not its transpose: R[row, column]."),
-            _misses,
-            lambda triple: -triple[::-1],
-        ),
-        *mended(("all three angles have the other sign", "Ry(b) rotates z towards x."), _misses, np.negative),
-        *_of_another_order(
-            ("the angles are those about x, y and x", "R = Ry(b1) Rx(b2) Ry(b3): y first and last."),
-            lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_x(c),
-        ),
-        *_of_another_order(
-            ("the angles are those about other axes", "R = Ry(b1) Rx(b2) Ry(b3): about y, x and y again."),
-            lambda a, b, c: rot_z(a) @ rot_x(b) @ rot_z(c),
-            lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_z(c),
-            lambda a, b, c: rot_y(a) @ rot_z(b) @ rot_y(c),
-            lambda a, b, c: rot_x(a) @ rot_z(b) @ rot_x(c),
-            lambda a, b, c: rot_y(a) @ rot_x(b) @ rot_z(c),
-            lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_z(c),
-            lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_x(c),
-        ),
-        *_second_made(
-            (
-                "the second triple is made by b2 + pi",
-                "That is another rotation. b2 changes its sign, b1 and b3 turn by pi.",
+        Mistake(
+            "the second triple is not made of the first as it should be",
+            "b2 changes its sign, and b1 and b3 each change by pi: (b1 + pi, -b2, b3 + pi).",
+            *_second_made(
+                lambda t: t * [1, -1, 1],
+                _moved(-1, 1, 0, 0),
+                _moved(-1, 0, 0, 1),
+                _moved(1, 1, 0, 1),
+                _moved(-1, 1, 1, 1),
+                lambda t: -t,
+                lambda t: [np.pi, 0, np.pi] - t,
+                lambda t: t[::-1],
+                lambda t: np.pi - t,
             ),
-            _moved(1, 0, 1, 0),
-            _moved(1, 1, 1, 1),
-            _moved(1, 1, 1, 0),
-            _moved(1, 0, 1, 1),
         ),
-        *_second_made(
-            (
-                "the second triple is not made of the first as it should be",
-                "b2 changes its sign, and b1 and b3 each turn by pi: (b1 + pi, -b2, b3 + pi).",
-            ),
-            lambda t: t * [1, -1, 1],
-            _moved(-1, 1, 0, 0),
-            _moved(-1, 0, 0, 1),
-            _moved(1, 1, 0, 1),
-            _moved(-1, 1, 1, 1),
-            lambda t: -t,
-            lambda t: [np.pi, 0, np.pi] - t,
-            lambda t: t[::-1],
-            lambda t: np.pi - t,
-        ),
-        *predicted(
-            ("angles of one triple stand in the other", "Take all three angles of a triple from the same solution."),
+        Mistake(
+            "angles of one triple stand in the other",
+            "Take all three angles of a triple from the same solution.",
             _mixed(0),
             _mixed(2),
         ),
@@ -267,26 +261,27 @@ EXERCISE = Exercise(
             _moved(-1, 0, 1, 0),
         ),
         _shifted(
-            "b1 or b3 is half a turn off",
+            "b1 or b3 is off by pi",
             "np.arctan looks at one quotient only, np.arctan2(R[0, 1], R[2, 1]) at both signs. Is each sign right?",
             _moved(1, 1, 0, 0),
             _moved(1, 0, 0, 1),
             _moved(1, 1, 0, 1),
         ),
-        *mended(
-            ("cosine and sine are swapped in b2", "R[1, 1] = cos(b2)."),
-            _misses,
-            lambda triple: triple * [1, -1, 1] + [0, np.pi / 2, 0],
+        Mistake(
+            "cosine and sine are swapped in b2",
+            "R[1, 1] = cos(b2).",
+            changed(_both, lambda triple: triple * [1, -1, 1] + [0, np.pi / 2, 0]),
         ),
     ),
-    library=lambda R: euler_yxy(R).theta,
+    alike=same_list,
+    library=_both,
     hints=(
         "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is subproblem 2.",
         "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) Ry(-b1) R: "
         "subproblem 1 for e_x.",
         "Or by entries: R[1, 1] = cos(b2), R[0, 1] = sin(b1) sin(b2), R[2, 1] = cos(b1) sin(b2), "
         "R[1, 0] = sin(b2) sin(b3), R[1, 2] = -sin(b2) cos(b3).",
-        "Where sin(b2) = 0, b1 is free: take 0, return the triple twice, and get b3 from what is left of R.",
+        "Where sin(b2) = 0, b1 is free: take 0, return the triple twice, and get b3 from Rx(-b2) Ry(-b1) R.",
     ),
     forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
 )

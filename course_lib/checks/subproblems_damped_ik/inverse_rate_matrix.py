@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.rate_matrix import quadrants, rates
+from course_lib.rotations import rot_y
 
 _SMALL = 0.01  # sines below this are near zero
 
@@ -55,6 +56,17 @@ def _minus(b2):
 def _reciprocals(b):
     A = rates(b)
     return np.divide(1, A, out=np.full((3, 3), np.inf), where=A != 0)
+
+
+def _with_first(quotient):
+    """A prediction: the inverse with quotient(b2) for cos b2 / sin b2 in row 1."""
+
+    def prediction(b):
+        exact = _right(b)
+        exact[0, [0, 2]] = -quotient(b[1]) * np.array([np.sin(b[0]), np.cos(b[0])])
+        return exact
+
+    return prediction
 
 
 EXERCISE = Exercise(
@@ -128,6 +140,22 @@ EXERCISE = Exercise(
             _by_formula(_minus, _cosecant),
             _by_formula(_cosecant, _minus),
             _by_formula(_minus, _minus),
+        ),
+        Mistake(
+            "Ry(b1) is on the wrong side, or is not inverted",
+            "(Ry(b1) B)^-1 = B^-1 Ry(-b1): the factors change places, and each is inverted.",
+            lambda b: rot_y(-b[0]) @ _right(b * [0, 1, 1]),
+            lambda b: rot_y(b[0]) @ _right(b * [0, 1, 1]),
+            lambda b: _right(b * [0, 1, 1]) @ rot_y(b[0]),
+            lambda b: _right(b * [0, 1, 1]),
+        ),
+        Mistake(
+            "cos b2 / sin b2 is missing in row 1, or upside down",
+            "From omega, b3' is read off first. Then b1' = (second number of Ry(-b1) omega) - cos(b2) b3'.",
+            _with_first(lambda b2: 0.0),
+            _with_first(np.tan),
+            _with_first(lambda b2: 1.0),
+            _with_first(lambda b2: 1 / np.sin(b2)),
         ),
         Mistake(
             "the inverse is damped",

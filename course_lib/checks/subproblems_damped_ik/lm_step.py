@@ -54,30 +54,22 @@ def _right(answer, *case):
     return off(answer, step(*case)) < allowed(*case)
 
 
-def _turns(answer, q, *rest):
+def _motion(answer, q, *rest):
     wanted = step(q, *rest) - q
-    turned = answer - q
-    j = int(np.argmax(np.abs(np.exp(1j * turned) - np.exp(1j * wanted)) > allowed(q, *rest)))
-    return f"Joint {j + 1} should move by {wanted[j]:.5g} rad; in your answer it moves by {turned[j]:.5g}."
+    moved = answer - q
+    j = int(np.argmax(np.abs(np.exp(1j * moved) - np.exp(1j * wanted)) > allowed(q, *rest)))
+    return f"Joint {j + 1} should move by {wanted[j]:.5g} rad; in your answer it moves by {moved[j]:.5g}."
 
 
-def _like(words, *formulas):
-    """One mistake, name and hint in `words`, made in more than one way: each formula(q, target, alpha, eps) the angles.
-
-    Each is kept as the mistake's answer too, for solve_lm.
-    """
-    name, hint = words
-
-    def alike(answer, predicted, *case):
-        share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
-        size = 1 + np.abs(predicted - case[0]).max()
-        return off(answer, predicted) < min(share * size, 0.01) and not _right(predicted, *case)
-
-    return (Mistake(name, hint, *formulas, alike=alike),)
+def _same(answer, predicted, *case):
+    """Whether an answer is that of a mistake; not if the mistake makes no difference in this case."""
+    share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
+    size = 1 + np.abs(predicted - case[0]).max()
+    return off(answer, predicted) < min(share * size, 0.01) and not _right(predicted, *case)
 
 
 def _by(step_of):
-    """The angles of somebody who takes off step_of(J, e, alpha, eps)."""
+    """The angles of somebody who subtracts step_of(J, e, alpha, eps)."""
     return lambda q, target, alpha, eps: q - step_of(jacobian(q), tip(q) - target, alpha, eps)
 
 
@@ -103,104 +95,128 @@ def _solution_of(mistake, matrix_of):
 
     def seen(answer, q, target, alpha, eps):
         J = jacobian(q)
-        turned = answer - q
-        missed = matrix_of(J.T @ J, eps) @ turned + alpha * J.T @ (tip(q) - target)
-        small = np.abs(missed).max() < 1e-6 * (1 + np.abs(turned).max())
+        moved = answer - q
+        missed = matrix_of(J.T @ J, eps) @ moved + alpha * J.T @ (tip(q) - target)
+        small = np.abs(missed).max() < 1e-6 * (1 + np.abs(moved).max())
         return small and not _there(q, target, alpha, eps)
 
     return Mistake(mistake.name, mistake.hint, seen=seen)
 
 
 def _parallel(answer, *case):
-    wanted, turned = step(*case) - case[0], answer - case[0]
+    wanted, moved = step(*case) - case[0], answer - case[0]
     size = wanted @ wanted
-    return size > 0 and np.abs(turned - (turned @ wanted) / size * wanted).max() < allowed(*case)
+    return size > 0 and np.abs(moved - (moved @ wanted) / size * wanted).max() < allowed(*case)
 
 
+WRAPPED = Mistake(
+    "the angles are wrapped, so that they jump by 2 pi",
+    "The path of a joint is its angle over time, without jumps: keep the angles as the steps make them.",
+)
 _I = np.eye(4)
 
-_NO_EPS = _like(
-    ("eps is not used: this is the Gauss-Newton step", "eps is added to the diagonal of J^T J."),
+_NO_EPS = Mistake(
+    "eps is not used: this is the Gauss-Newton step",
+    "eps is added to the diagonal of J^T J.",
     _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e),
 )
-_EVERY_ENTRY = _like(
-    ("eps is added to every entry of the matrix", "Only the diagonal is damped: eps * np.eye(4), not eps."),
+_EVERY_ENTRY = Mistake(
+    "eps is added to every entry of the matrix",
+    "Only the diagonal is damped: eps * np.eye(4), not eps.",
     _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J.T @ J + eps) @ J.T @ e),
     _by(lambda J, e, alpha, eps: alpha * J.T @ np.linalg.solve(J @ J.T + eps, e)),
 )
 
 WRONG_STEPS = (
-    *_like(
-        (
-            "the step leads away from the target",
-            "With e = p(q) - target the step is taken off: q - ..., with target - p(q) it is added. One sign, not two.",
-        ),
+    Mistake(
+        "the step leads away from the target",
+        "With e = p(q) - target the step is subtracted: q - ..., with target - p(q) it is added. One sign, not two.",
         _by(lambda J, e, alpha, eps: -alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)),
     ),
-    *_NO_EPS,
-    *_like(
-        ("eps is squared, or its root is taken", "eps stands in the formula as it is: J^T J + eps I."),
+    _NO_EPS,
+    Mistake(
+        "eps is squared, or its root is taken",
+        "eps stands in the formula as it is: J^T J + eps I.",
         _with(lambda alpha, eps: (alpha, eps**2)),
         _with(lambda alpha, eps: (alpha, eps**0.5)),
     ),
-    *_like(("eps is subtracted", "J^T J + eps I, with a plus."), _solved(lambda M, eps: M - eps * _I)),
-    *_like(
-        ("alpha is missing", "The whole step is multiplied by alpha."),
-        _with(lambda alpha, eps: (1.0, eps)),
-    ),
-    *_like(("alpha is squared", "The step is multiplied by alpha once."), _with(lambda alpha, eps: (alpha**2, eps))),
-    *_like(("alpha is divided by", "The step is multiplied by alpha."), _with(lambda alpha, eps: (1 / alpha, eps))),
-    *_like(("alpha and eps are swapped", "lm_step(q, target, alpha, eps)."), _with(lambda alpha, eps: (eps, alpha))),
-    *_like(
-        (
-            "this is gradient descent: the matrix J^T J + eps I is left out",
-            "Solve (J^T J + eps I) x = J^T e for x. The step is alpha x.",
-        ),
+    Mistake("eps is subtracted", "J^T J + eps I, with a plus.", _solved(lambda M, eps: M - eps * _I)),
+    Mistake("alpha is missing", "The whole step is multiplied by alpha.", _with(lambda alpha, eps: (1.0, eps))),
+    Mistake("alpha is squared", "The step is multiplied by alpha once.", _with(lambda alpha, eps: (alpha**2, eps))),
+    Mistake("alpha is divided by", "The step is multiplied by alpha.", _with(lambda alpha, eps: (1 / alpha, eps))),
+    Mistake("alpha and eps are swapped", "lm_step(q, target, alpha, eps).", _with(lambda alpha, eps: (eps, alpha))),
+    Mistake(
+        "this is gradient descent: the matrix J^T J + eps I is left out",
+        "Solve (J^T J + eps I) x = J^T e for x. The step is alpha x.",
         _by(lambda J, e, alpha, eps: alpha * J.T @ e),
         _by(lambda J, e, alpha, eps: alpha / eps * J.T @ e),
     ),
-    *_like(
-        ("the matrix is multiplied by, not divided by", "Solve (J^T J + eps I) x = J^T e for x: np.linalg.solve."),
+    Mistake(
+        "the matrix is multiplied by, not divided by",
+        "Solve (J^T J + eps I) x = J^T e for x: np.linalg.solve.",
         _by(lambda J, e, alpha, eps: alpha * (J.T @ J + eps * _I) @ J.T @ e),
     ),
-    *_EVERY_ENTRY,
-    *_like(
-        ("the diagonal is scaled by eps, as Marquardt did", "Here eps is added, to each entry of the diagonal."),
+    _EVERY_ENTRY,
+    Mistake(
+        "the diagonal is scaled by eps, as Marquardt did",
+        "Here eps is added, to each entry of the diagonal.",
         _solved(lambda M, eps: M + eps * np.diag(np.diag(M))),
         _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv((1 + eps) * J) @ e),
     ),
-    *_like(
-        ("each entry of the matrix is inverted by itself", "The inverse of a matrix is np.linalg.inv(M), not 1 / M."),
+    Mistake(
+        "each entry of the matrix is inverted by itself",
+        "The inverse of a matrix is np.linalg.inv(M), not 1 / M.",
         _by(lambda J, e, alpha, eps: alpha * (1 / (J.T @ J + eps * _I)) @ J.T @ e),
     ),
-    *_like(
-        ("only the step is returned", "The angles after the step: q minus it."),
+    Mistake(
+        "only the step is removed",
+        "The angles after the step: q minus it.",
         lambda *case: step(*case) - case[0],
         lambda *case: case[0] - step(*case),
     ),
-    *_like(
-        ("alpha multiplies q as well", "Only the step is multiplied by alpha."),
+    Mistake(
+        "alpha multiplies q as well",
+        "Only the step is multiplied by alpha.",
         lambda q, target, alpha, eps: alpha * step(q, target, 1.0, eps),
         lambda q, target, alpha, eps: (1 - alpha) * q + alpha * (step(q, target, 1.0, eps) - q),
     ),
-    *_like(
-        ("the error is divided by its length", "The step is made of e itself: near the target it gets small."),
+    Mistake(
+        "the error is divided by its length",
+        "The step is made of e itself: near the target it gets small.",
         _by(lambda J, e, alpha, eps: alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e / np.linalg.norm(e))),
     ),
-    *_like(
-        ("the error is not p(q) - target", "e = tip(q) - target: where the tip is, less where it should be."),
+    Mistake(
+        "the error is not p(q) - target",
+        "e = tip(q) - target: where the tip is, less where it should be.",
         lambda q, target, alpha, eps: step(q, 0 * target, alpha, eps),
         lambda q, target, alpha, eps: 2 * q - step(q, tip(q) + target, alpha, eps),
         lambda q, target, alpha, eps: step(q, tip(q) + target, alpha, eps),
         lambda q, target, alpha, eps: step(q, -target, alpha, eps),
         lambda q, target, alpha, eps: step(q, target[::-1], alpha, eps),
     ),
-    *_like(
-        ("the angles are not summed: link i points along q1 + ... + qi", "tip(q) is there, and planar_jacobian(q)."),
+    Mistake(
+        "eps is added to the step, not to the matrix",
+        "eps belongs to the diagonal of J^T J: J^T J + eps I.",
+        _by(lambda J, e, alpha, eps: alpha * (np.linalg.pinv(J) @ e + eps)),
+        _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e + eps),
+    ),
+    Mistake(
+        "the distance is taken for both coordinates of the error",
+        "e = tip(q) - target is a vector of two numbers. Its length alone has no direction.",
+        _by(
+            lambda J, e, alpha, eps: (
+                alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), np.full(2, np.linalg.norm(e)))
+            )
+        ),
+    ),
+    Mistake(
+        "the angles are not summed: link i points along q1 + ... + qi",
+        "tip(q) is there, and planar_jacobian(q).",
         _not_summed,
     ),
-    *_like(
-        ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg."),
+    Mistake(
+        "degrees and radians are mixed up",
+        "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
         lambda *case: case[0] + np.rad2deg(step(*case) - case[0]),
         lambda *case: case[0] + np.deg2rad(step(*case) - case[0]),
         lambda *case: np.rad2deg(step(*case)),
@@ -214,12 +230,17 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda *case: (4,)),
     properties=(
-        Property("at the target nothing moves: the answer is q", _right, _turns, where=_there),
+        Property("at the target nothing moves: the answer is q", _right, _motion, where=_there),
         Property(
             "the answer is q - alpha (J^T J + eps I)^-1 J^T (p(q) - target)",
             _right,
-            _turns,
+            _motion,
             where=lambda *case: not _there(*case),
+        ),
+        Property(
+            "the angles are not wrapped: the answer is q and a small step",
+            lambda answer, *case: np.abs(answer - step(*case)).max() < 1,
+            mistake=WRAPPED,
         ),
     ),
     mistakes=(
@@ -229,8 +250,8 @@ EXERCISE = Exercise(
             seen=lambda answer, q, *rest: q.dtype.kind == "i" and np.array_equal(answer, np.trunc(answer)),
         ),
         *WRONG_STEPS,
-        _solution_of(_NO_EPS[0], lambda M, eps: M),
-        _solution_of(_EVERY_ENTRY[0], lambda M, eps: M + eps),
+        _solution_of(_NO_EPS, lambda M, eps: M),
+        _solution_of(_EVERY_ENTRY, lambda M, eps: M + eps),
         Mistake(
             "a matrix is inverted that has no inverse: eps is missing in J^T J + eps I",
             "J^T J is 4 x 4 and of rank 2 at most. eps * np.eye(4), added to it, makes it invertible.",
@@ -242,12 +263,13 @@ EXERCISE = Exercise(
             seen=_parallel,
         ),
     ),
+    alike=_same,
     library=step,
     hints=(
         "J = planar_jacobian(q), e = tip(q) - target.",
         "The matrix is J.T @ J + eps * np.eye(4), the right side J.T @ e.",
         "q - alpha * np.linalg.solve(matrix, right side): a new array, so that q stays as it is.",
     ),
-    errors=(("LinAlgError", "ingular", _EVERY_ENTRY[0]),),
+    errors=(("LinAlgError", "ingular", _EVERY_ENTRY),),
     forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )

@@ -139,6 +139,11 @@ WRONG_MATRICES = (
         lambda b: rates(b * [1, -1, 1]),
     ),
     Mistake(
+        "both angles are taken with the other sign",
+        "Ry(b1) and Rx(b2) carry the axes along, not their inverses.",
+        lambda b: rates(-b),
+    ),
+    Mistake(
         "sin b1 has the wrong sign in one place",
         "Ry(b1) e_x has -sin b1 in row 3, Ry(b1) e_z has sin b1 in row 1.",
         _columns(_third, lambda c1, s1: (c1, 0, s1)),
@@ -198,6 +203,7 @@ WRONG_MATRICES = (
         "R = Ry(b1) Rx(b2) Ry(b3): the first and the last rotation are about y.",
         lambda b: np.column_stack([X, rot_x(b[0]) @ Y, rot_x(b[0]) @ rot_y(b[1]) @ X]),
         lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_y(b[0]) @ rot_x(b[1]) @ np.eye(3)[2]]),
+        lambda b: np.column_stack([Y, rot_y(b[0]) @ X, rot_y(b[0]) @ rot_x(b[1]) @ X]),
     ),
 )
 

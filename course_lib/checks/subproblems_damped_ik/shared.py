@@ -6,36 +6,36 @@ from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.rotations import exp_so3
 
-FINE, TOUCHING = 1e-9, 1e-6  # how far beside the mark a right answer may end; where two solutions meet, digits are lost
+FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two solutions coincide, digits are lost
 
 _NO_NUMBER = Mistake(
     "a root of a negative number is taken, or arccos is asked outside [-1, 1], where there is no solution",
-    "Look at the number first: where it is out of range, return an empty list.",
+    "Look at the number first: if it is out of range, return an empty list.",
 )
 _ROUNDED_OUT = Mistake(
-    "rounding takes a number a hair out of its range, where two solutions meet in one",
+    "rounding takes a number slightly out of its range, where the two solutions coincide",
     "np.clip(c, -1, 1) before arccos, max(s, 0) before the root.",
 )
 
 
-def turned(k, theta, p):
+def rotated(k, theta, p):
     """Return R(k, theta) p."""
     return exp_so3(theta * k) @ p
 
 
 def across(k, p):
-    """Return the part of p across the axis k."""
+    """Return the part of p perpendicular to the axis k."""
     return p - (k @ p) * k
 
 
-def angle_about(k, p, q):
-    """Return the turn about k from the direction of p to that of q."""
-    return np.arctan2(k @ np.cross(p, q), across(k, p) @ q)
+def angle_about(k, p, g):
+    """Return the angle about k from the direction of p to that of g."""
+    return np.arctan2(k @ np.cross(p, g), across(k, p) @ g)
 
 
-def by_arctan(k, p, q):
-    """The turn from p to q of somebody who looks at one quotient only."""
-    return np.arctan(np.divide(k @ np.cross(p, q), across(k, p) @ q))
+def by_arctan(k, p, g):
+    """Return the angle from p to g as somebody finds it who looks at one quotient only."""
+    return np.arctan(np.divide(k @ np.cross(p, g), across(k, p) @ g))
 
 
 def near(a, b, tolerance=1e-6):
@@ -43,9 +43,12 @@ def near(a, b, tolerance=1e-6):
     return np.abs(np.angle(np.exp(1j * (np.asarray(a) - b)))) < tolerance
 
 
-def alike(found, wanted):
-    """Return whether two lists hold the same solutions, in any order and however often."""
-    return len(found) > 0 and len(wanted) > 0 and _inside(found, wanted) and _inside(wanted, found)
+def same_list(found, wanted, *case):
+    """Return whether two lists hold the same solutions, in any order and however often: `alike` of these exercises."""
+    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
+    if len(found) == 0 or len(wanted) == 0 or found.shape[1:] != wanted.shape[1:]:
+        return len(found) == len(wanted)
+    return _inside(found, wanted) and _inside(wanted, found)
 
 
 def different(found):
@@ -54,63 +57,66 @@ def different(found):
 
 
 def _inside(some, others):
-    def same(a, b):
-        return bool(np.all(near(a, b)))
-
-    return all(any(same(a, b) for b in others) for a in some)
+    return all(any(np.all(near(a, b)) for b in others) for a in some)
 
 
-def unless_empty(reader, count):
-    """Return the reader, with a mistake of its own for nan where no solution exists: count(*arguments) of them do."""
+def unless_empty(reader, solutions):
+    """Return the reader, with a mistake of its own for nan where there are less than two solutions(*arguments)."""
 
     def asking(value, *case):
         try:
             return reader(value, *case)
         except Unreadable as wrong:
-            if wrong.mistake is NOT_A_NUMBER and count(*case) < 2:
-                raise Unreadable(str(wrong), (_NO_NUMBER, _ROUNDED_OUT)[count(*case)]) from None
+            count = len(solutions(*case))
+            if wrong.mistake is NOT_A_NUMBER and count < 2:
+                raise Unreadable(str(wrong), (_NO_NUMBER, _ROUNDED_OUT)[count]) from None
             raise
 
     return asking
 
 
-def predicted(words, *formulas):
-    """One mistake, name and hint in `words`, that may be made in more than one way: each a list of solutions."""
-    name, hint = words
+def changed(solutions, change):
+    """Return the wrong answer change(solution) for each right solution, an array; None if there is none."""
+
+    def answer(*case):
+        found = [np.array(one) for one in solutions(*case)]
+        return [change(one) for one in found] if found else None
+
+    return answer
+
+
+def where_two(solutions, misses, *mistakes):
+    """Return the mistakes, silent if there are not two solutions (none should be returned) or if both are found."""
+
+    def has_two(*case):
+        return len(solutions(*case)) == 2
+
+    def limited(answer):
+        def predicted(*case):
+            found = answer(*case) if has_two(*case) else None
+            return None if found is None or same_list(found, solutions(*case)) else found
+
+        return predicted
+
+    def watched(seen):
+        def speaks(found, *case):
+            complete = different(found) == 2 and all(misses(one, *case) < FINE for one in found)
+            return has_two(*case) and not complete and seen(found, *case)
+
+        return seen and speaks
+
     return tuple(
-        Mistake(name, hint, seen=lambda found, *case, f=formula: alike(found, f(*case))) for formula in formulas
+        Mistake(m.name, m.hint, *map(limited, m.answers), seen=watched(m.seen), shadowed_by=m.shadowed_by)
+        for m in mistakes
     )
 
 
-def mended(words, misses, *mendings):
-    """One mistake that can be mended: each of the mendings makes a right answer of a wrong solution."""
-    name, hint = words
-
-    def seen(mending):
-        return lambda found, *case: len(found) > 0 and all(misses(mending(one), *case) < 1e-6 for one in found)
-
-    return tuple(Mistake(name, hint, seen=seen(mending)) for mending in mendings)
-
-
-def where_two(count, misses, *mistakes):
-    """The mistakes, silent where there are no two solutions (none should be returned), and where both are found."""
-
-    def limited(seen):
-        def speaks(found, *case):
-            complete = different(found) == 2 and all(misses(one, *case) < FINE for one in found)
-            return count(*case) == 2 and not complete and seen(found, *case)
-
-        return speaks
-
-    return tuple(Mistake(mistake.name, mistake.hint, seen=limited(mistake.seen)) for mistake in mistakes)
-
-
-def all_of_them(equation, one, misses, tell, count, none, touch=()):
+def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
     """Return the properties of a list of all solutions.
 
-    equation: "each theta ...", what one solution does. one: what one is called. misses(solution, *arguments): how far
-    beside the mark it ends; tell(solution, *arguments): the same in words. count(*arguments): 2, 1 where two meet in
-    one, or 0. none: the properties where it is 0; touch: further ones where it is 1.
+    equation: "each theta ...", what one solution does. one: what one is called. misses(solution, *arguments): its
+    error; tell(solution, *arguments): the same in words. solutions(*arguments): two, one if the two coincide, or none.
+    none: the properties if there is none; touch: further ones if there is one.
     """
 
     def solved(within):
@@ -119,33 +125,31 @@ def all_of_them(equation, one, misses, tell, count, none, touch=()):
     def seen(found, *case):
         return tell(max(found, key=lambda solution: misses(solution, *case)), *case)
 
+    def has(count):
+        return lambda *case: len(solutions(*case)) == count
+
     return (
-        Property(equation, solved(FINE), seen, where=lambda *case: count(*case) == 2),
+        Property(equation, solved(FINE), seen, where=has(2)),
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,
             lambda found, *case: f"Yours has {different(found) or 'none'}.",
-            where=lambda *case: count(*case) == 2,
+            where=has(2),
         ),
         Property(
             f"each {one} is in the list once",
             lambda found, *case: len(found) == 2,
-            where=lambda *case: count(*case) == 2,
-            mistake=Mistake("a solution is given twice", "A multiple of 2 pi more or less makes no other solution."),
+            where=has(2),
+            mistake=Mistake("a solution is listed twice", "A multiple of 2 pi more or less makes no other solution."),
         ),
         *none,
-        Property(
-            f"{equation}, also here, where the two solutions meet in one",
-            solved(TOUCHING),
-            seen,
-            where=lambda *case: count(*case) == 1,
-        ),
+        Property(f"{equation}, also here, where the two solutions coincide", solved(TOUCHING), seen, where=has(1)),
         *touch,
     )
 
 
 def too_few(one, misses):
-    """The mistakes of those whose solutions are right, but not all of them."""
+    """Return the mistakes of an answer whose solutions are right, but not all of them."""
     return (
         Mistake(
             f"only one of the two {one}s is returned",
@@ -155,36 +159,73 @@ def too_few(one, misses):
             ),
         ),
         Mistake(
-            "solutions are taken for none",
-            "Print the number that decides whether there is a solution: for this input it lets two pass.",
+            "the list is empty although there are solutions",
+            "Print the number that decides whether there is a solution: for this input there are two.",
             seen=lambda found, *case: len(found) == 0,
         ),
     )
 
 
-def wrong_middles(goal, angles, misses):
-    """The ways to be wrong about the turn from p to `goal`, to whose sides the two answers lie.
+def in_degrees(misses):
+    """Return the mistake of angles in degrees; a multiple of 360 degrees more or less shows it too."""
+    return Mistake(
+        "the angles are in degrees",
+        "Angles are in radians.",
+        seen=lambda found, *case: len(found) > 0 and all(misses(np.deg2rad(one), *case) < TOUCHING for one in found),
+    )
 
-    angles(middle): the answers of somebody who takes middle(k, p, goal) for that turn.
+
+def either_side(middle, cosine):
+    """Return middle +- arccos(cosine); a cosine out of range is replaced by the nearest in range."""
+    aside = np.arccos(np.clip(cosine, -1, 1))
+    return [middle - aside, middle + aside]
+
+
+def swing_mistakes(to, solutions, misses, swing):
+    """Return the mistakes of subproblems 3 and 4 alike: the angles are middle +- swing.
+
+    to: the name of what p is rotated to. solutions(*arguments): the right angles. swing(about): the answer of
+    somebody who takes about(k, p, to) for the angle between p and it.
     """
-    take = f"theta = subproblem1(k, p, {goal}) +- arccos(...)."
-    turn = f"the angle from p to {goal}"
+    take = f"The two solutions lie on both sides of phi, the angle about k from p to {to}."
+    angle = f"the angle from p to {to}"
     return (
-        *predicted((f"{turn} is left out: arccos alone is the angle beside {goal}", take), angles(lambda *case: 0.0)),
-        *predicted(
-            (
-                f"{turn} is wrong beyond a quarter turn: arctan ends there",
-                "np.arctan2(sine, cosine) looks at both signs. Take subproblem1.",
+        in_degrees(misses),
+        Mistake(f"{angle} is left out: arccos alone is the angle beside {to}", take, swing(lambda *case: 0.0)),
+        Mistake(
+            f"{angle} is wrong beyond a quarter turn: arctan ends there",
+            "np.arctan2(sine, cosine) looks at both signs.",
+            swing(by_arctan),
+        ),
+        Mistake(
+            f"{angle} has sine and cosine swapped",
+            "np.arctan2(sine, cosine), in this order: atan2(B, A).",
+            swing(lambda *case: np.pi / 2 - angle_about(*case)),
+        ),
+        Mistake(
+            f"{angle} has lost its sign",
+            "arccos cannot tell one direction of rotation from the other. arctan2 of sine and cosine can.",
+            swing(lambda *case: abs(angle_about(*case))),
+        ),
+        Mistake(f"the angle from {to} to p is taken, not that from p to {to}", take, changed(solutions, np.negative)),
+        Mistake(
+            "the second solution is the first with the other sign",
+            take,
+            lambda *case: [solutions(*case)[0], -solutions(*case)[0]],
+            lambda *case: [solutions(*case)[1], -solutions(*case)[1]],
+        ),
+        Mistake(
+            "the second solution is pi minus the first, or half a revolution further on",
+            "arccos has two angles, +x and -x. " + take,
+            *(
+                lambda *case, i=i, f=f: [solutions(*case)[i], f(solutions(*case)[i])]
+                for i in (0, 1)
+                for f in (lambda x: np.pi - x, lambda x: np.pi + x)
             ),
-            angles(by_arctan),
         ),
-        *predicted(
-            (f"{turn} has sine and cosine swapped", "np.arctan2(sine, cosine), in this order: atan2(B, A)."),
-            angles(lambda *case: np.pi / 2 - angle_about(*case)),
+        Mistake(
+            "both angles lie on the same side",
+            take,
+            seen=lambda found, *case: len(found) == 2 and bool(near(found[0], found[1])),
         ),
-        *predicted(
-            (f"{turn} has lost its sign", "arccos cannot tell one way round from the other. Take subproblem1."),
-            angles(lambda *case: abs(angle_about(*case))),
-        ),
-        *mended((f"the angle from {goal} to p is taken, not that from p to {goal}", take), misses, np.negative),
     )

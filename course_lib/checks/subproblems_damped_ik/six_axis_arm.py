@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.subproblems_damped_ik.shared import alike, different
+from course_lib.checks.subproblems_damped_ik.shared import changed, different, in_degrees
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, rot_y, rot_z
 from course_lib.subproblems import euler_yxy, subproblem2, subproblem3
@@ -40,6 +40,13 @@ def all_solutions(T):
         rest = (rot_z(q[0]) @ rot_y(q[1] + q[2])).T @ moved[:3, :3]
         found += [(*q, *b) for b in euler_yxy(_SWAP @ rest @ _SWAP.T).theta]
     return found
+
+
+NOTHING_FOUND = Mistake(
+    "the list is empty although there are solutions",
+    "Print what each subproblem is given and what it returns: where does the first empty list come from?",
+    lambda *case: [],
+)
 
 
 def every_solution(equation, misses, tell, solutions):
@@ -80,25 +87,11 @@ def every_solution(equation, misses, tell, solutions):
     )
 
 
-def same_list(found, predicted, *case):
-    """Return whether two lists hold the same joint angles: the `alike` of these exercises."""
-    return len(found) > 0 and alike(np.reshape(found, (len(found), -1)), np.array(predicted))
-
-
-def changed(solutions, change):
-    """The prediction change(q) for each right solution q, an array; None if there is none."""
-
-    def answer(*case):
-        found = [np.array(q) for q in solutions(*case)]
-        return [change(q) for q in found] if found else None
-
-    return answer
-
-
-def list_mistakes(solutions):
+def list_mistakes(solutions, misses):
     """Return the mistakes that lists of joint angles have in common."""
     return (
-        Mistake("the angles are in degrees", "Angles are in radians.", changed(solutions, np.rad2deg)),
+        NOTHING_FOUND,
+        in_degrees(misses),
         Mistake(
             "q1 has the wrong sign",
             "In R(y, q2) p = R(z, -q1) (center - shoulder), the second angle of subproblem 2 is -q1.",

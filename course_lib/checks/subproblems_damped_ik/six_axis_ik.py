@@ -4,17 +4,18 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.subproblems_damped_ik.shared import changed, same_list
 from course_lib.checks.subproblems_damped_ik.six_axis_arm import (
     ARM,
     HOME,
+    NOTHING_FOUND,
+    WRIST,
     all_solutions,
     arm_solutions,
-    changed,
     every_solution,
     list_mistakes,
-    same_list,
 )
-from course_lib.rigid import transform
+from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_y, rot_z
 from course_lib.subproblems import euler_yxy
 
@@ -47,9 +48,17 @@ def _with(center, rest):
         found = []
         for q in arm_solutions(center(T)):
             found += [(*q, *b) for b in euler_yxy(rest(q, T)).theta]
-        return found or None
+        return found
 
     return answer
+
+
+def _by_motion(motion):
+    """The angles of somebody who takes motion(T) for the motion from home to T."""
+    return _with(
+        lambda T: motion(T)[:3, :3] @ WRIST + motion(T)[:3, 3],
+        lambda q, T: _SWAP @ _rotation(q).T @ motion(T)[:3, :3] @ _SWAP.T,
+    )
 
 
 def _center(T):
@@ -72,7 +81,7 @@ EXERCISE = Exercise(
     returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),
     properties=every_solution("each row brings the flange to T", _misses, _tell, all_solutions),
     mistakes=(
-        *list_mistakes(all_solutions),
+        *list_mistakes(all_solutions, _misses),
         Mistake(
             "the flange's position is taken for the wrist center",
             "Joints 4 to 6 move the flange, which is 72 mm beyond the wrist center.",
@@ -83,6 +92,9 @@ EXERCISE = Exercise(
             "At home the flange is ahead of the wrist center along the flange's own z axis.",
             _with(lambda T: T[:3, 3] + 0.072 * T[:3, 2], _rest),
             _with(lambda T: T[:3, 3] - [0.072, 0, 0], _rest),
+            _with(lambda T: T[:3, 3] - 0.072 * T[:3, 0], _rest),
+            _with(lambda T: T[:3, 3] - [0, 0, 0.072], _rest),
+            shadowed_by=NOTHING_FOUND.name,
         ),
         Mistake(
             "the home orientation is left out",
@@ -105,6 +117,22 @@ EXERCISE = Exercise(
             "x and y are not exchanged",
             "euler_yxy is for the axes y, x, y; this wrist has x, y, x: SWAP @ W @ SWAP.T.",
             _with(_center, lambda q, T: _rotation(q).T @ T[:3, :3] @ HOME[:3, :3].T),
+        ),
+        Mistake(
+            "HOME stands on the wrong side of T, or is left out",
+            "The motion from home to T is T HOME^-1: it takes HOME to T.",
+            _by_motion(lambda T: inverse(HOME) @ T),
+            _by_motion(lambda T: T),
+            _by_motion(lambda T: T @ HOME),
+            shadowed_by=NOTHING_FOUND.name,
+        ),
+        Mistake(
+            "the wrist center is not the point to which the motion takes WRIST",
+            "motion[:3, :3] @ WRIST + motion[:3, 3].",
+            _with(lambda T: (T @ inverse(HOME))[:3, 3], _rest),
+            _with(lambda T: WRIST + (T @ inverse(HOME))[:3, 3], _rest),
+            _with(lambda T: T[:3, :3] @ WRIST + T[:3, 3], _rest),
+            shadowed_by=NOTHING_FOUND.name,
         ),
         Mistake(
             "the wrist's angles are in reverse order",

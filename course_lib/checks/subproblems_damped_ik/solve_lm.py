@@ -7,16 +7,12 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.subproblems_damped_ik.lm_step import WRONG_STEPS, allowed, off, step
+from course_lib.checks.subproblems_damped_ik.lm_step import WRAPPED, WRONG_STEPS, allowed, off, step
 from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
 
 _TIPS = Mistake(
     "the positions of the tip are returned, not the joint angles",
     "Keep q after each step. The tips are made of it later.",
-)
-_WRAPPED = Mistake(
-    "the angles are wrapped, so that they jump by 2 pi",
-    "The path of a joint is its angle over time, without jumps: keep the angles as the steps make them.",
 )
 _TRANSPOSED = Mistake("the transpose is returned", "One row for each step, one column for each joint: np.array(...).T.")
 _NUMBERS = Mistake("one number is kept for each step", "Keep q itself, all four angles, after each step.")
@@ -52,74 +48,67 @@ def _read(value, q0, target, alpha, eps, steps):
 
 
 def _from(q0, count, *rest):
-    """The right way, of so many steps."""
-    way = [np.array(q0, float)]
+    """The right path of `count` steps."""
+    path = [np.array(q0, float)]
     for _ in range(count):
-        way.append(step(way[-1], *rest))
-    return np.array(way)
+        path.append(step(path[-1], *rest))
+    return np.array(path)
 
 
-def _way(q0, target, alpha, eps, steps):
+def _path(q0, target, alpha, eps, steps):
     return _from(q0, steps, target, alpha, eps)
 
 
-def _steps_that_fit(way, *rest):
+def _steps_that_fit(path, *rest):
     """Whether each row comes of the row before it by a step."""
-    return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(way)]
+    return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(path)]
 
 
-def _is_unwrapped(way, q0, *rest):
+def _is_unwrapped(path, q0, *rest):
     """Whether each row, right up to multiples of 2 pi, is where the step leads."""
-    wanted = [np.asarray(q0, float), *(step(before, *rest[:3]) for before in way[:-1])]
-    return np.abs(way - wanted).max() < 1
+    wanted = [np.asarray(q0, float), *(step(before, *rest[:3]) for before in path[:-1])]
+    return np.abs(path - wanted).max() < 1
 
 
-def _begins(way, q0, target, alpha, eps, steps):
-    return off(way[0], q0) < 1e-9 if len(way) else steps == 0
+def _begins(path, q0, target, alpha, eps, steps):
+    return off(path[0], q0) < 1e-9 if len(path) else steps == 0
 
 
-def _first_row(way, q0, *rest):
-    return f"Yours is {format_array(way[0], 5)}." if len(way) else "Your answer is empty."
+def _first_row(path, q0, *rest):
+    return f"Yours is {format_array(path[0], 5)}." if len(path) else "Your answer is empty."
 
 
-def _goes_on(way, q0, target, alpha, eps, steps):
-    return all(_steps_that_fit(way, target, alpha, eps))
+def _goes_on(path, q0, target, alpha, eps, steps):
+    return all(_steps_that_fit(path, target, alpha, eps))
 
 
-def _wrong_row(way, q0, target, alpha, eps, steps):
-    k = _steps_that_fit(way, target, alpha, eps).index(False)
-    wanted = step(way[k], target, alpha, eps)
-    yours = f"Your row {k + 1} is {format_array(way[k + 1], 5)}."
-    return f"From row {k}, {format_array(way[k], 5)}, a step leads to {format_array(wanted, 5)}. {yours}"
+def _wrong_row(path, q0, target, alpha, eps, steps):
+    k = _steps_that_fit(path, target, alpha, eps).index(False)
+    wanted = step(path[k], target, alpha, eps)
+    yours = f"Your row {k + 1} is {format_array(path[k + 1], 5)}."
+    return f"From row {k}, {format_array(path[k], 5)}, a step leads to {format_array(wanted, 5)}. {yours}"
 
 
-def _like(words, *formulas):
-    """One mistake, name and hint in `words`, made in more than one way: each formula(q0, ..., steps) the rows."""
-    name, hint = words
-
-    def seen(formula):
-        def matches(way, *case):
-            predicted = np.asarray(formula(*case))
-            return way.shape == predicted.shape and (way.size == 0 or off(way, predicted) < 1e-6)
-
-        return matches
-
-    return tuple(Mistake(name, hint, seen=seen(formula)) for formula in formulas)
+def _same(path, predicted, *case):
+    predicted = np.asarray(predicted)
+    return path.shape == predicted.shape and (path.size == 0 or off(path, predicted) < 1e-6)
 
 
-def _row_by_row(words, next_of):
-    """The mistake of those whose next row is next_of(q0, q, target, alpha, eps), q being the row before it."""
-    name, hint = words
+def _row_by_row(name, hint, *nexts):
+    """The mistake of somebody whose next row is one of next(q0, q, target, alpha, eps), q being the row before it."""
 
-    def seen(way, q0, target, alpha, eps, steps):
-        after = [next_of(q0, q, target, alpha, eps) for q in way[:-1]]
-        return len(after) > 0 and off(way[1:], after) < 1e-6 * (1 + np.abs(after).max())
+    def seen(path, q0, target, alpha, eps, steps):
+        for next_of in nexts:
+            after = [next_of(q0, q, target, alpha, eps) for q in path[:-1]]
+            if after and off(path[1:], after) < 1e-6 * (1 + np.abs(after).max()):
+                return True
+        return False
 
     return Mistake(name, hint, seen=seen)
 
 
 def _rows_of(change):
-    """The rows that change(way, steps) makes of the right way, of two steps more than are asked for."""
+    """The rows that change(path, steps) makes of the right path, of two steps more than are asked for."""
     return lambda q0, target, alpha, eps, steps: change(_from(q0, steps + 2, target, alpha, eps), steps)
 
 
@@ -134,22 +123,32 @@ def _kept(J_of, e_of):
 
 
 def _changing(q0, target, alpha, eps, steps, change):
-    """The way with change(alpha, k) in step k, k from 1 on."""
-    way = [np.array(q0, float)]
+    """The path with change(alpha, k) in step k, k from 1 on."""
+    path = [np.array(q0, float)]
     for k in range(1, steps + 1):
-        way.append(step(way[-1], target, change(alpha, k), eps))
-    return np.array(way)
+        path.append(step(path[-1], target, change(alpha, k), eps))
+    return np.array(path)
 
 
-def _part_of_the_way(way, *case):
-    right = _way(*case)
-    return 0 < len(way) < len(right) and off(way, right[: len(way)]) < 1e-6
+def _with_fixed(a, e):
+    """The answer of somebody who takes a for alpha, or e for eps; None where that makes no difference."""
+
+    def answer(q0, target, alpha, eps, steps):
+        used = alpha if a is None else a, eps if e is None else e
+        return None if used == (alpha, eps) else _from(q0, steps, target, *used)
+
+    return answer
+
+
+def _part_of_the_path(path, *case):
+    right = _path(*case)
+    return 0 < len(path) < len(right) and off(path, right[: len(path)]) < 1e-6
 
 
 def _of_a_wrong_step(mistake):
-    """The mistake of those who repeat a wrong step."""
-    words = (f"each step is wrong: {mistake.name}", mistake.hint)
-    return tuple(_row_by_row(words, lambda q0, *case, wrong=wrong: wrong(*case)) for wrong in mistake.answers)
+    """The mistake of somebody who repeats a wrong step."""
+    nexts = (lambda q0, *case, wrong=wrong: wrong(*case) for wrong in mistake.answers)
+    return _row_by_row(f"each step is wrong: {mistake.name}", mistake.hint, *nexts)
 
 
 def _first(q0, q):
@@ -175,90 +174,110 @@ EXERCISE = Exercise(
         ),
         Property(
             "there are steps + 1 rows: q0, and one after each step",
-            lambda way, q0, target, alpha, eps, steps: len(way) == steps + 1,
-            lambda way, q0, target, alpha, eps, steps: (
-                f"With steps = {steps} that is {steps + 1}. Yours has {len(way)}."
+            lambda path, q0, target, alpha, eps, steps: len(path) == steps + 1,
+            lambda path, q0, target, alpha, eps, steps: (
+                f"With steps = {steps} that is {steps + 1}. Yours has {len(path)}."
             ),
         ),
         Property(
             "no angle jumps by 2 pi: the path of a joint has no gaps",
             _is_unwrapped,
-            mistake=_WRAPPED,
+            mistake=WRAPPED,
         ),
     ),
     mistakes=(
         Mistake(
             "digits after the point are cut off",
             "An array made like q0, or np.array([1, -1, 1, 0]), holds whole numbers only: np.array(q0, float).",
-            seen=lambda way, q0, *rest: q0.dtype.kind == "i" and len(way) > 1 and np.array_equal(way, np.trunc(way)),
-        ),
-        *_like(
-            ("q0 is missing: the first row is that after the first step", "Keep q0 before the loop begins."),
-            _rows_of(lambda way, steps: way[1 : steps + 1]),
-            _rows_of(lambda way, steps: way[1 : steps + 2]),
-            _rows_of(lambda way, steps: way[1:steps]),
-        ),
-        *_like(
-            ("only the last angles are returned", "Keep q after each step: the whole path is asked for."),
-            _rows_of(lambda way, steps: way[steps : steps + 1]),
-        ),
-        *_like(
-            (
-                "every row is the same array, changed in place: all show the last angles",
-                "Appending q does not copy it. Make a new array in each step, or append q.copy().",
+            seen=lambda path, q0, *rest: (
+                q0.dtype.kind == "i" and len(path) > 1 and np.array_equal(path, np.trunc(path))
             ),
-            _rows_of(lambda way, steps: np.tile(way[steps], (steps + 1, 1))),
-            _rows_of(lambda way, steps: np.tile(way[steps], (steps, 1))),
         ),
-        *_like(
-            ("the rows stand in reverse order", "q0 is the first row, the last angles are the last."),
-            _rows_of(lambda way, steps: way[steps::-1]),
+        Mistake(
+            "q0 is missing: the first row is that after the first step",
+            "Keep q0 before the loop begins.",
+            _rows_of(lambda path, steps: path[1 : steps + 1]),
+            _rows_of(lambda path, steps: path[1 : steps + 2]),
+            _rows_of(lambda path, steps: path[1:steps]),
         ),
-        *_like(
-            ("one step too few is made", "range(steps) counts steps of them, from 0 to steps - 1."),
-            _rows_of(lambda way, steps: way[:steps]),
+        Mistake(
+            "only the last angles are returned",
+            "Keep q after each step: the whole path is asked for.",
+            _rows_of(lambda path, steps: path[steps : steps + 1]),
         ),
-        *_like(
-            ("one step too many is made", "range(steps) counts steps of them; with q0 that makes steps + 1 rows."),
-            _rows_of(lambda way, steps: way[: steps + 2]),
+        Mistake(
+            "every row is the same array, changed in place: all show the last angles",
+            "Appending q does not copy it. Make a new array in each step, or append q.copy().",
+            _rows_of(lambda path, steps: np.tile(path[steps], (steps + 1, 1))),
+            _rows_of(lambda path, steps: np.tile(path[steps], (steps, 1))),
         ),
-        *_like(
-            ("q0 stands there twice", "q0 once, and then the angles after each step."),
-            _rows_of(lambda way, steps: np.vstack([way[:1], way[: steps + 1]])),
-            _rows_of(lambda way, steps: np.vstack([way[:1], way[:steps]])),
+        Mistake(
+            "the rows stand in reverse order",
+            "q0 is the first row, the last angles are the last.",
+            _rows_of(lambda path, steps: path[steps::-1]),
         ),
-        *_like(
-            ("all steps start from q0", "Each step starts where the last one ended: q = lm_step(q, ...)."),
+        Mistake(
+            "one step too few is made",
+            "range(steps) counts steps of them, from 0 to steps - 1.",
+            _rows_of(lambda path, steps: path[:steps]),
+        ),
+        Mistake(
+            "one step too many is made",
+            "range(steps) counts steps of them; with q0 that makes steps + 1 rows.",
+            _rows_of(lambda path, steps: path[: steps + 2]),
+        ),
+        Mistake(
+            "q0 stands there twice",
+            "q0 once, and then the angles after each step.",
+            _rows_of(lambda path, steps: np.vstack([path[:1], path[: steps + 1]])),
+            _rows_of(lambda path, steps: np.vstack([path[:1], path[:steps]])),
+        ),
+        Mistake(
+            "all steps start from q0",
+            "Each step starts where the last one ended: q = lm_step(q, ...).",
             lambda q0, target, alpha, eps, steps: np.array([q0] + [step(q0, target, alpha, eps)] * steps),
         ),
-        *_like(
-            ("q stays at q0: no step is kept", "q = lm_step(q, ...): the result needs a name."),
+        Mistake(
+            "q stays at q0: no step is kept",
+            "q = lm_step(q, ...): the result needs a name.",
             lambda q0, target, alpha, eps, steps: np.tile(q0, (steps + 1, 1)),
         ),
-        *_like(
-            ("the last row is never filled", "With steps + 1 rows there are steps steps to fill in: rows 1 to steps."),
-            _rows_of(lambda way, steps: np.vstack([way[:steps], np.zeros((1, 4))])),
+        Mistake(
+            "the last row is never filled",
+            "With steps + 1 rows there are steps steps to fill in: rows 1 to steps.",
+            _rows_of(lambda path, steps: np.vstack([path[:steps], np.zeros((1, 4))])),
         ),
         _row_by_row(
-            ("J and the error are not made anew in each step", "Both change with q: make them in the loop."),
+            "J and the error are not made anew in each step",
+            "Both change with q: make them in the loop.",
             _kept(_first, _first),
         ),
         _row_by_row(
-            ("J is not made anew in each step", "J changes with q: make it in the loop."), _kept(_first, _latest)
+            "J is not made anew in each step", "J changes with q: make it in the loop.", _kept(_first, _latest)
         ),
         _row_by_row(
-            ("the error is not made anew in each step", "e = tip(q) - target, with the q of now."),
+            "the error is not made anew in each step",
+            "e = tip(q) - target, with the present q.",
             _kept(_latest, _first),
         ),
-        *_like(
-            (
-                "the steps are kept rather than the angles",
-                "Keep q after each step, not what is taken off it.",
-            ),
-            lambda q0, *rest: np.vstack([q0, np.diff(_way(q0, *rest), axis=0)]),
+        Mistake(
+            "the steps are kept rather than the angles",
+            "Keep q after each step, not what is taken off it.",
+            lambda q0, *rest: np.vstack([q0, np.diff(_path(q0, *rest), axis=0)]),
         ),
-        *_like(
-            ("alpha changes from step to step", "alpha is the same in all steps."),
+        Mistake(
+            "alpha or eps is a fixed number, not the argument",
+            "lm_step(q, target, alpha, eps): pass on the numbers that your function is given.",
+            *(_with_fixed(a, e) for a, e in ((0.2, 2.0), (0.2, None), (None, 2.0), (1.0, None), (None, 1.0))),
+        ),
+        Mistake(
+            "the number of steps is fixed",
+            "Make `steps` steps, as many as your function is told.",
+            seen=lambda path, *case: len(path) in (100, 101) and len(path) != case[-1] + 1,
+        ),
+        Mistake(
+            "alpha changes from step to step",
+            "alpha is the same in all steps.",
             *(
                 lambda q0, target, alpha, eps, steps, change=change: _changing(q0, target, alpha, eps, steps, change)
                 for change in (lambda a, k: a**k, lambda a, k: a / k)
@@ -267,14 +286,15 @@ EXERCISE = Exercise(
         Mistake(
             "it stops before all steps are made",
             "All steps are asked for, also when the tip is there already: the array has steps + 1 rows.",
-            seen=_part_of_the_way,
+            seen=_part_of_the_path,
         ),
-        *(mistake for wrong in WRONG_STEPS for mistake in _of_a_wrong_step(wrong)),
+        *map(_of_a_wrong_step, WRONG_STEPS),
     ),
-    library=_way,
+    alike=_same,
+    library=_path,
     hints=(
         "A list with a copy of q0 in it, and a loop over range(steps) that appends lm_step of the last entry.",
-        "way = [np.array(q0, float)], then way.append(lm_step(way[-1], target, alpha, eps)), then np.array(way).",
+        "path = [np.array(q0, float)], then path.append(lm_step(path[-1], target, alpha, eps)), then np.array(path).",
         "lm_step must not change its q in place: the rows kept before would change with it.",
     ),
     forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),

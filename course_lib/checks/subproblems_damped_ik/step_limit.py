@@ -55,6 +55,7 @@ EXERCISE = Exercise(
             _by(lambda s, eps: 2 * (1 + eps / s[1] ** 2)),
             _by(lambda s, eps: 2 * (1 + eps / np.mean(s) ** 2)),
             _by(lambda s, eps: 2 * (1 + eps / np.prod(s))),
+            _by(lambda s, eps: 2 * (1 + eps / np.sum(s**2))),
         ),
         Mistake(
             "s is not squared, or eps is",

@@ -7,12 +7,13 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.subproblems_damped_ik.shared import (
     all_of_them,
     angle_about,
+    changed,
     different,
-    mended,
+    in_degrees,
     near,
-    predicted,
+    rotated,
+    same_list,
     too_few,
-    turned,
     unless_empty,
     where_two,
 )
@@ -38,14 +39,14 @@ def _meeting(rng, cosine, turns, size):
     meet = size * (
         rng.uniform(0.3, 0.6) * (rng.choice([-1, 1]) * k1 + rng.choice([-1, 1]) * e) + rng.uniform(0.5, 1) * n
     )
-    p1, p2 = turned(k1, -turns[0], meet), turned(k2, -turns[1], meet)
+    p1, p2 = rotated(k1, -turns[0], meet), rotated(k2, -turns[1], meet)
     return k1, k2, p1, p2
 
 
 def _apart(rng, cosine, side):
     """Points on small circles on one sphere, each about its own axis: they do not meet."""
     k1, k2, n, e = _axes(rng, cosine)
-    return k1, k2, 2 * turned(e, 0.3, k1), 2 * side * turned(n, 0.3, k2)
+    return k1, k2, 2 * rotated(e, 0.3, k1), 2 * side * rotated(n, 0.3, k2)
 
 
 def _around(rng, reach, size):
@@ -65,7 +66,7 @@ def _cases(rng):
 
     meeting = [
         (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -2, 1])),
-        (Z, _ANGLED, np.array([0.0, 5, 2]), turned(_ANGLED, 1.0, np.array([3.0, 4, 2]))),
+        (Z, _ANGLED, np.array([0.0, 5, 2]), rotated(_ANGLED, 1.0, np.array([3.0, 4, 2]))),
         _meeting(rng, 0.0, (small(1), small(-1)), 1.0),
         _meeting(rng, 0.5, (large(1), small(1)), 1.0),
         _meeting(rng, 0.7, (small(-1), large(1)), 2.0),
@@ -86,13 +87,14 @@ def _cases(rng):
     return meeting + other_length + apart + touching
 
 
-def _count(*case):
-    right = subproblem2(*case)
-    return int(right.count) if right.exact else 0
+def solutions(k1, k2, p1, p2):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem2(k1, k2, p1, p2)
+    return list(answers.theta[: answers.count]) if answers.exact else []
 
 
 def _misses(pair, k1, k2, p1, p2):
-    return np.linalg.norm(turned(k1, pair[0], p1) - turned(k2, pair[1], p2)) / np.linalg.norm(p1)
+    return np.linalg.norm(rotated(k1, pair[0], p1) - rotated(k2, pair[1], p2)) / np.linalg.norm(p1)
 
 
 def _same_length(k1, k2, p1, p2):
@@ -174,35 +176,21 @@ def _with_foot(foot):
     return _through(meeting)
 
 
-_ONE = "pair"
-_NEGATED = (
-    "theta2 has the other sign: it rotates the meeting point to p2",
-    "Here R(k1, theta1) p1 = R(k2, theta2) p2: theta2 rotates p2 to the meeting point. In R(-theta2) R(theta1) p1 = p2 "
-    "it stands on the other side.",
-)
-
-
-def solutions(k1, k2, p1, p2):
-    """All solutions as the exercise asks for them; none where there is only a nearest one."""
-    answers = subproblem2(k1, k2, p1, p2)
-    return list(answers.theta[: answers.count]) if answers.exact else []
-
-
 EXERCISE = Exercise(
     name="subproblem2",
     points=3,
     arguments=("k1", "k2", "p1", "p2"),
     cases=_cases,
-    returns=unless_empty(rows(2, "a list of pairs (theta1, theta2), empty where there is none"), _count),
+    returns=unless_empty(rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions),
     properties=all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",
-        _ONE,
+        "pair",
         _misses,
         _gap,
-        _count,
+        solutions,
         none=(
             Property(
-                "the list is empty where p1 and p2 are not equally far from the origin: no rotation changes a length",
+                "the list is empty if p1 and p2 are not equally far from the origin: no rotation changes a length",
                 _is_empty,
                 _gap_of_the_first,
                 where=lambda *case: not _same_length(*case),
@@ -212,12 +200,12 @@ EXERCISE = Exercise(
                 ),
             ),
             Property(
-                "the list is empty where the circles do not meet",
+                "the list is empty if the circles do not meet",
                 _is_empty,
                 _gap_of_the_first,
-                where=lambda *case: _same_length(*case) and _count(*case) == 0,
+                where=lambda *case: _same_length(*case) and not solutions(*case),
                 mistake=Mistake(
-                    "a pair is returned where there is none",
+                    "a pair is returned although the circles miss",
                     "If c^2 is negative by more than rounding, the circles do not meet.",
                 ),
             ),
@@ -226,7 +214,7 @@ EXERCISE = Exercise(
             Property(
                 "where the circles touch, the list holds the one pair",
                 lambda pairs, *case: len(pairs) > 0,
-                where=lambda *case: _count(*case) == 1,
+                where=lambda *case: len(solutions(*case)) == 1,
                 mistake=Mistake(
                     "circles that touch are taken for circles that miss",
                     "There c^2 is 0, and rounding may make it slightly negative: the task says from where on it is "
@@ -236,9 +224,9 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=where_two(
-        _count,
+        solutions,
         _misses,
-        *too_few(_ONE, _misses),
+        *too_few("pair", _misses),
         Mistake(
             "every theta1 stands beside every theta2",
             "Each meeting point gives one theta1 and one theta2: two pairs, not four.",
@@ -254,36 +242,37 @@ EXERCISE = Exercise(
             "Each row, or tuple, is one pair (theta1, theta2).",
             seen=_columns,
         ),
-        *mended(_NEGATED, _misses, lambda pair: pair * [1, -1]),
-        *mended(
-            ("theta1 has the other sign", "theta1 rotates p1 onto the meeting point, not back."),
-            _misses,
-            lambda pair: pair * [-1, 1],
+        Mistake(
+            "theta2 has the other sign: it rotates the meeting point to p2",
+            "Here R(k1, theta1) p1 = R(k2, theta2) p2: theta2 rotates p2 to the meeting point. In "
+            "R(-theta2) R(theta1) p1 = p2 it stands on the other side.",
+            changed(solutions, lambda pair: pair * [1, -1]),
         ),
-        *mended(
-            ("both angles have the other sign", "subproblem1(k1, p1, z): from p1 to the meeting point z."),
-            _misses,
-            np.negative,
+        Mistake(
+            "theta1 has the other sign",
+            "theta1 rotates p1 onto the meeting point, not back.",
+            changed(solutions, lambda pair: pair * [-1, 1]),
         ),
-        *mended(
-            ("theta1 and theta2 are swapped", "Each pair is (theta1, theta2), in this order."),
-            _misses,
-            lambda pair: pair[::-1],
+        Mistake(
+            "both angles have the other sign",
+            "subproblem1(k1, p1, z): from p1 to the meeting point z.",
+            changed(solutions, np.negative),
         ),
-        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
-        *predicted(
-            (
-                "the axes are taken to be perpendicular",
-                "z = a k1 + b k2 + c (k1 x k2) has k1 . z = a + b (k1 . k2): two equations for a and b.",
-            ),
+        Mistake(
+            "theta1 and theta2 are swapped",
+            "Each pair is (theta1, theta2), in this order.",
+            changed(solutions, lambda pair: pair[::-1]),
+        ),
+        in_degrees(_misses),
+        Mistake(
+            "the axes are taken to be perpendicular",
+            "z = a k1 + b k2 + c (k1 x k2) has k1 . z = a + b (k1 . k2): two equations for a and b.",
             _with_foot(lambda c, h1, h2: (h1, h2)),
             _through(lambda c, h1, h2, size: (h1, h2, size**2 - h1**2 - h2**2)),
         ),
-        *predicted(
-            (
-                "Pythagoras is used with a wrong length: the part along k1 x k2 is not what is left of |p1|^2",
-                "|z|^2 = |a k1 + b k2|^2 + c^2 |k1 x k2|^2, and |z| = |p1|.",
-            ),
+        Mistake(
+            "Pythagoras is used with a wrong length: the part along k1 x k2 is not what is left of |p1|^2",
+            "|z|^2 = |a k1 + b k2|^2 + c^2 |k1 x k2|^2, and |z| = |p1|.",
             _with_rest(lambda a, b, c, size, h1, h2: _rest(a, b, c, size)),
             _with_rest(lambda a, b, c, size, h1, h2: (size**2 - a * a - b * b) / (1 - c * c)),
             _with_rest(lambda a, b, c, size, h1, h2: size**2 - a * a - b * b),
@@ -295,11 +284,9 @@ EXERCISE = Exercise(
             _with_rest(lambda a, b, c, size, h1, h2: _rest(a, b, -c, size) / (1 - c * c)),
             _with_rest(lambda a, b, c, size, h1, h2: (_rest(a, b, c, size) / (1 - c * c)) ** 2),
         ),
-        *predicted(
-            (
-                "a and b of the meeting point z = a k1 + b k2 +- c (k1 x k2) are wrong",
-                "They come from two equations: k1 . z = k1 . p1 and k2 . z = k2 . p2.",
-            ),
+        Mistake(
+            "a and b of the meeting point z = a k1 + b k2 +- c (k1 x k2) are wrong",
+            "They come from two equations: k1 . z = k1 . p1 and k2 . z = k2 . p2.",
             _with_foot(lambda c, h1, h2: _foot(c, h2, h1)),
             _with_foot(lambda c, h1, h2: _foot(-c, h1, h2)),
             _with_foot(lambda c, h1, h2: tuple(-x for x in _foot(c, h1, h2))),
@@ -307,6 +294,7 @@ EXERCISE = Exercise(
             _with_foot(lambda c, h1, h2: tuple(x * np.sqrt(1 - c * c) for x in _foot(c, h1, h2))),
         ),
     ),
+    alike=same_list,
     library=solutions,
     hints=(
         "p1 runs on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "

@@ -8,16 +8,15 @@ from course_lib.checks.subproblems_damped_ik.shared import (
     across,
     all_of_them,
     angle_about,
-    mended,
-    predicted,
+    either_side,
+    rotated,
+    same_list,
+    swing_mistakes,
     too_few,
-    turned,
     unless_empty,
     where_two,
-    wrong_middles,
 )
 from course_lib.checks.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
-from course_lib.checks.subproblems_damped_ik.subproblem3 import either_side
 from course_lib.checks.vocabulary import unit
 from course_lib.subproblems import subproblem4
 
@@ -26,8 +25,8 @@ def _reachable(rng, aside, middle, size):
     """A direction h, a point p, and the height at which p is rotated `aside` beyond h."""
     k = unit(rng)
     h, p = size * off_axis(k, rng), off_axis(k, rng)
-    h = turned(k, angle_about(k, h, p) + middle, h)
-    return k, h, p, float(h @ turned(k, angle_about(k, p, h) + aside, p))
+    h = rotated(k, angle_about(k, h, p) + middle, h)
+    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
 
 
 def _cases(rng):
@@ -60,20 +59,21 @@ def _cases(rng):
 def _range(k, h, p):
     """The lowest and the highest that p comes."""
     middle = angle_about(k, p, h)
-    return [h @ turned(k, middle + aside, p) for aside in (np.pi, 0.0)]
+    return [h @ rotated(k, middle + aside, p) for aside in (np.pi, 0.0)]
 
 
-def _count(*case):
-    right = subproblem4(*case)
-    return int(right.count) if right.exact else 0
+def _solutions(k, h, p, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem4(k, h, p, d)
+    return list(answers.theta[: answers.count]) if answers.exact else []
 
 
 def _misses(theta, k, h, p, d):
-    return abs(h @ turned(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
+    return abs(h @ rotated(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
 
 
 def _tell(theta, k, h, p, d):
-    return f"With {theta:.6g} it is {round(h @ turned(k, theta, p), 9):.6g}; d is {d:.6g}."
+    return f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}."
 
 
 def _nothing_there(found, k, h, p, d):
@@ -117,70 +117,54 @@ def _both_sides_by_arcsine(k, h, p, d):
     return [first, 2 * angle_about(k, p, h) - first]
 
 
-_ONE = "angle"
-
-
-def _solutions(k, h, p, d):
-    """All solutions as the exercise asks for them; none where there is only a nearest one."""
-    answers = subproblem4(k, h, p, d)
-    return list(answers.theta[: answers.count]) if answers.exact else []
-
-
 EXERCISE = Exercise(
     name="subproblem4",
     points=2,
     arguments=("k", "h", "p", "d"),
     cases=_cases,
-    returns=unless_empty(rows(1, "a list of angles, empty where there is none"), _count),
+    returns=unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     properties=all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
-        _ONE,
+        "angle",
         _misses,
         _tell,
-        _count,
+        _solutions,
         none=(
             Property(
-                "the list is empty where d is higher or lower than p comes",
+                "the list is empty if p never comes to the height d",
                 lambda found, *case: len(found) == 0,
                 _nothing_there,
-                where=lambda *case: _count(*case) == 0,
+                where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
-                    "an angle is returned where there is none",
-                    "Where the cosine leaves [-1, 1], no rotation does it. Clipping hides that.",
+                    "an angle is returned although no angle is right",
+                    "If |e| > r, no rotation does it. Clipping hides that.",
                 ),
             ),
         ),
     ),
     mistakes=where_two(
-        _count,
+        _solutions,
         _misses,
-        *too_few(_ONE, _misses),
-        *mended(("the angles are in degrees", "Angles are in radians."), _misses, np.deg2rad),
-        *predicted(
-            (
-                "the height along the axis is forgotten",
-                "(k . h)(k . p) of the height never changes: d and h . p both contain it.",
-            ),
+        *too_few("angle", _misses),
+        Mistake(
+            "the height along the axis is forgotten",
+            "(k . h)(k . p) of the height never changes: d and h . p both contain it.",
             _by_cosine(lambda d, kh, kp: d),
             lambda k, h, p, d: _wave(k, h, h @ p, p, d),
             _by_cosine(lambda d, kh, kp: d, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
         ),
-        *predicted(
-            (
-                "the height along the axis is taken off wrongly",
-                "The constant (k . h)(k . p) is subtracted twice: from d, giving e, and from h . p, giving A.",
-            ),
+        Mistake(
+            "the height along the axis is subtracted wrongly",
+            "The constant (k . h)(k . p) is subtracted twice: from d, giving e, and from h . p, giving A.",
             _by_cosine(lambda d, kh, kp: d + kh * kp),
             _by_cosine(lambda d, kh, kp: d - kh),
             lambda k, h, p, d: _wave(k, h, h @ p, p, d - (k @ h) * (k @ p)),
             lambda k, h, p, d: _wave(k, h, h @ p + (k @ h) * (k @ p), p, d - (k @ h) * (k @ p)),
             _by_cosine(lambda d, kh, kp: d - kp),
         ),
-        *predicted(
-            (
-                "lengths are divided out that are not those of the parts across the axis",
-                "The height swings by |h'| |p'|, with h' = h - (k . h) k and p' = p - (k . p) k.",
-            ),
+        Mistake(
+            "lengths are divided out that are not those of the parts across the axis",
+            "The height swings by |h'| |p'|, with h' = h - (k . h) k and p' = p - (k . p) k.",
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(b)),
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(p)),
@@ -190,25 +174,31 @@ EXERCISE = Exercise(
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(b) / np.linalg.norm(h)),
             _by_cosine(_right_offset, lambda a, b, h, p: (np.linalg.norm(a) * np.linalg.norm(b)) ** 2),
         ),
-        *predicted(
-            ("h is divided by its length, and d is not", "h need not have length one: leave it as it is."),
+        Mistake(
+            "h is divided by its length, and d is not",
+            "h need not have length one: leave it as it is.",
             lambda k, h, p, d: _by_cosine(_right_offset)(k, h / np.linalg.norm(h), p, d),
         ),
-        *wrong_middles("h", lambda middle: _by_cosine(_right_offset, middle=middle), _misses),
-        *predicted(
-            (
-                "sine and cosine are swapped",
-                "At theta = subproblem1(k, p, h) the height is greatest: cos(0) = 1 belongs to it.",
-            ),
+        *swing_mistakes("h", _solutions, _misses, lambda middle: _by_cosine(_right_offset, middle=middle)),
+        Mistake(
+            "sine and cosine are swapped",
+            "At theta = subproblem1(k, p, h) the height is greatest: cos(0) = 1 belongs to it.",
             _by_sine,
             _both_sides_by_arcsine,
         ),
-        *predicted(
-            ("the height is taken to be -d", "Where R p points along h, d is positive."),
+        Mistake(
+            "r is not the root of A^2 + B^2",
+            "A cos(theta) + B sin(theta) swings between -r and r, with r = np.hypot(A, B).",
+            lambda k, h, p, d: _by_cosine(_right_offset, lambda a, b, h, p: (a @ b) + k @ np.cross(b, a))(k, h, p, d),
+        ),
+        Mistake(
+            "the height is taken to be -d",
+            "Where R p points along h, d is positive.",
             _by_cosine(lambda d, kh, kp: kh * kp - d),
             _by_cosine(lambda d, kh, kp: -d - kh * kp),
         ),
     ),
+    alike=same_list,
     library=_solutions,
     hints=(
         "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the constant, A and B first.",

@@ -60,9 +60,12 @@ EXERCISE = Exercise(
             lambda R, b: np.array([rot_y(-b[0]) @ R @ Y] * 2),
         ),
         Mistake(
-            "the left side is changed, not the right one",
+            "the left side is changed, which was right",
             "The left side was right. What should stand on the right, if both are multiplied by Ry(-b1)?",
             lambda R, b: np.array([R @ Y, rot_y(b[0]) @ rot_x(b[1]) @ Y]),
+            lambda R, b: np.array([R @ Y, rot_x(b[1]) @ Y]),
+            lambda R, b: np.array([rot_y(b[0]) @ R @ Y, rot_y(b[0]) @ rot_x(b[1]) @ Y]),
+            lambda R, b: np.array([rot_y(b[0]) @ R @ Y, rot_x(b[1]) @ Y]),
         ),
         Mistake(
             "the right side has the wrong sign of an angle",
@@ -76,6 +79,7 @@ EXERCISE = Exercise(
             "On the left R acts on e_y. On which vector does the right side act?",
             _with_right(lambda b: rot_x(b[1]) @ X),
             _with_right(lambda b: rot_x(b[1]) @ Z),
+            _with_right(lambda b: rot_x(b[1]) @ rot_y(b[2]) @ X),
         ),
         Mistake(
             "a factor too many stands on the right",

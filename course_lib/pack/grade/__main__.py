@@ -18,7 +18,7 @@ from course_lib.pack.grade.gradebook import IDENTITY, RosterUnreadable, gradeboo
 from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
 from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
 from course_lib.pack.grade.sandbox import notice, remove_old_folders
-from course_lib.pack.grade.submission import grade as grade_one
+from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals, totals_text
 
 
@@ -62,7 +62,7 @@ def _grade(chosen, grade):
         read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
         seed = _seed(output / "seed", given)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
-        grade = grade or functools.partial(grade_one, hidden=hidden)
+        grade = grade or Grader(hidden)
         remove_old_folders()
         print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)

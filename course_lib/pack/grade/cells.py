@@ -13,6 +13,7 @@ RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # ce
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
+SETTERS = ("set", "seed")  # how functions of numpy begin that change it
 SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # what they bind is bound for certain, whatever it was before
 
 
@@ -70,6 +71,35 @@ def needed(found, names):
             if name in each.binds and isinstance(each.tree, SIMPLE):
                 break
     return [each for each, keep in zip(found, kept, strict=True) if keep]
+
+
+def alike_alone(found, names):
+    """Return those of the names whose functions do the same where only what they need is run, and not all names' code.
+
+    That is so if the other statements do no more than define functions and set variables.
+    """
+    modules = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
+    kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree, modules)}
+    return [name for name in names if kept <= {id(each) for each in needed(found, [name])}]
+
+
+def _only_defines(tree, modules):
+    """Whether a statement imports, defines a function or sets variables, and calls only functions of modules."""
+    if isinstance(tree, IMPORTS):
+        return True
+    if isinstance(tree, ast.FunctionDef) and not tree.decorator_list:
+        values = [*tree.args.defaults, *filter(None, tree.args.kw_defaults)]
+    elif isinstance(tree, ast.Assign) and not any(map(_changes, tree.targets)):
+        values = [tree.value]
+    else:
+        return False
+    calls = [node.func for value in values for node in ast.walk(value) if isinstance(node, ast.Call)]
+    return all(isinstance(f, ast.Attribute) and _base(f) <= modules and not f.attr.startswith(SETTERS) for f in calls)
+
+
+def _changes(target):
+    """Whether an assignment to this target changes what a variable holds: a[0] or a.b."""
+    return any(isinstance(node, ast.Attribute | ast.Subscript) for node in ast.walk(target))
 
 
 def parsed(source):

@@ -80,8 +80,9 @@ def ungraded_result(submission, reason, state):
 def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
     """Return [(submission, result)] in the order of `submissions`; what the files hold already is not graded again.
 
-    results: folder of the results' files. grade(content, notebook, seed): returns a result. jobs: how many at once,
-    -1 for as many as there are processors. scheduler: address of a Dask cluster that does the work, or "".
+    results: folder of the results' files. grade(content, notebook, seed): returns a result; its method `prepare`, if it
+    has one, is called in each process at work. jobs: how many at once, -1 for as many as there are processors.
+    scheduler: address of a Dask cluster that does the work, or "".
     """
     done, left = {}, {}
     for submission in submissions:
@@ -165,6 +166,8 @@ def _one(submission, grade, seed, whose, content):
     elif whose != course_hash():
         return submission, digest, {"stop": f"The worker {platform.node()} has another version of the course."}
     try:
+        if hasattr(grade, "prepare"):  # here and not in the process of each submission
+            grade.prepare()
         return submission, digest, {"result": call_bounded(grade, content, submission.notebook, seed)}
     except OutOfBounds as reason:
         return submission, digest, {"failed": f"It could not be graded: {reason}."}

@@ -42,8 +42,8 @@ def main():
 
     order = json.loads(requests.readline())
     run = run_whole if order["whole"] else run_needed
-    space, defined = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
-    say(defined=[name for name in order["names"] if name in defined])
+    space, defined, alike = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
+    say(defined=[name for name in order["names"] if name in defined], alike=alike)
     while line := requests.readline():
         asked = json.loads(line)
         name = asked["ask"]
@@ -56,7 +56,7 @@ def main():
 
 
 def run_whole(sources, names, without, say):
-    """Run the cells as Jupyter does, going on after errors; return their namespace, and what it holds."""
+    """Run the cells as Jupyter does, going on after errors; return what run_needed does."""
     from cells import without_stubs
     from IPython.core.interactiveshell import InteractiveShell
     from traitlets.config import Config
@@ -71,13 +71,16 @@ def run_whole(sources, names, without, say):
             error = done.error_before_exec or done.error_in_exec
             if error is not None:
                 say(failed=number, error=words(error))
-    return shell.user_ns, shell.user_ns
+    return shell.user_ns, shell.user_ns, []
 
 
 def run_needed(sources, names, without, say):
-    """Run only what the functions of these names need, statement by statement; return their namespace, and all names
-    that the cells bind."""
-    from cells import needed, statements
+    """Run only what the functions of these names need, statement by statement.
+
+    Returns their namespace, all names that the cells bind, and the names of functions for which it would change nothing
+    if only what they themselves need were run.
+    """
+    from cells import alike_alone, needed, statements
 
     module = types.ModuleType("__main__")
     space = vars(module)
@@ -88,6 +91,7 @@ def run_needed(sources, names, without, say):
         linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
     found = statements(sources)
     left = [each for each in needed(found, names) if (each.cell, each.tree.lineno) not in without]
+    alike = [] if without else alike_alone(found, names)
     for _ in range(2):  # again, for cells that were moved before those that they need
         failed = []
         for each in left:
@@ -97,9 +101,10 @@ def run_needed(sources, names, without, say):
             except NameError:
                 failed.append(each)
             except BaseException as error:
+                alike = []
                 say(failed=each.cell, error=words(error))
         left = failed
-    return space, {name for each in found for name in each.binds}
+    return space, {name for each in found for name in each.binds}, [] if left else alike
 
 
 def words(error):

@@ -20,6 +20,8 @@ from course_lib.pack.grade.control_group import ControlGroup
 from course_lib.pack.grade.isolate import below
 from course_lib.pack.grade.visible import visible_paths
 
+# Inside, the folders that a path such as ../.venv/bin/python leads through are not there.
+PYTHON = os.path.join(os.path.realpath(os.path.dirname(sys.executable)), os.path.basename(sys.executable))
 FIRST_UID = 200_000  # with root: one user for each sandbox, whom nothing on the machine belongs to
 NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
 NOTICES = {
@@ -317,9 +319,9 @@ def _command(each, folder, limits, script, hidden):
         "uid": uid,
         "limits": _numbers(limits, uid),
         "filter": call_filter().hex(),
-        "command": [sys.executable, "-I", f"{course}/{script}", course],
+        "command": [PYTHON, "-I", f"{course}/{script}", course],
     }
-    start = [sys.executable, "-I", "-S"]
+    start = [PYTHON, "-I", "-S"]
     if each == BUBBLEWRAP:
         return [*_bubblewrap(folder, limits, hidden), *start, "/isolate.py", json.dumps(wanted)]
     return [*start, isolate.__file__, json.dumps(wanted)]

@@ -17,12 +17,13 @@ from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
-from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow
+from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow, notice
 from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
 JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
 MOST_CALLS = 10_000  # of candidates, by one student's test
+OWN_ERRORS = {"ValueError", "ZeroDivisionError", "IndexError", "LinAlgError", "AssertionError"}  # no lack raises these
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
@@ -32,6 +33,19 @@ class Outcome:
 
     verdict: Verdict
     again: frozenset = frozenset()
+
+
+@dataclass(frozen=True)
+class Cells:
+    """What is known of a run of the cells when one of its functions is asked.
+
+    final: whether a function that is not there is nowhere. alike: whether it would change nothing for this one if only
+    what it needs were run. left_out: why something was left out, or "".
+    """
+
+    final: bool
+    alike: bool = False
+    left_out: str = ""
 
 
 def _computed():
@@ -88,6 +102,21 @@ def grade(text, notebook, seed, limits=None, hidden=()):
     return _result(notebook, release, course, _problems(run), outcomes, cells)
 
 
+@dataclass(frozen=True)
+class Grader:
+    """Grades submissions, each with grade(). hidden: folders that no submission must see, wherever they lie."""
+
+    hidden: tuple = ()
+
+    def prepare(self):
+        """Load and find out what every submission needs, once for all processes that are forked from this one."""
+        courses()
+        notice()  # tries what this system offers
+
+    def __call__(self, content, notebook, seed):
+        return grade(content, notebook, seed, hidden=self.hidden)
+
+
 def ask_all(run):
     """Return {exercise's name: Outcome}, trying the cheap ways first."""
     everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
@@ -122,9 +151,13 @@ def attempt(run, exercises, forbidden, whole):
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
         order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
         with Sandbox(files, run.limits, run.hidden) as sandbox:
-            guilty, end, defined = run_cells(sandbox, order, run)
+            guilty, end, told = run_cells(sandbox, order, run)
             if not end:
-                return {e.name: ask(sandbox, run, e, whole or e.name in defined, how) for e in exercises}
+                alike = () if how else told["alike"]
+                return {
+                    e.name: ask(sandbox, run, e, Cells(whole or e.name in told["defined"], e.name in alike, how))
+                    for e in exercises
+                }
         how = str(end)
         if guilty is None:
             break
@@ -137,7 +170,8 @@ def attempt(run, exercises, forbidden, whole):
 
 
 def run_cells(sandbox, order, run):
-    """Let the cells run. Returns what ran last, the Ended if it ended the sandbox, and which names the cells define."""
+    """Let the cells run. Returns what ran last, the Ended if it ended the sandbox, and what the runner told at the end:
+    {"defined": names that the cells define, "alike": names that another run alone would not change}."""
     limits, current = run.limits, None
     begin = looked = time.monotonic()
     left = limits.notebook_cpu_seconds
@@ -148,23 +182,20 @@ def run_cells(sandbox, order, run):
             message = sandbox.receive(clock, min(limits.cell_cpu_seconds, left))
             if time.monotonic() - looked > 1:
                 looked, left = time.monotonic(), limits.notebook_cpu_seconds - (sandbox.computed() or 0)
-            if isinstance(message.get("defined"), list):
-                return current, None, message["defined"]
+            if isinstance(message.get("defined"), list) and isinstance(message.get("alike"), list):
+                return current, None, message
             place = message.get("running")
             if isinstance(place, list) and len(place) == 2 and all(isinstance(number, int) for number in place):
                 current = place
     except Ended as end:
-        return current, end, []
+        return current, end, {}
 
 
-def ask(sandbox, run, exercise, final, left_out):
-    """Put an exercise's questions to the sandbox and judge what comes back.
-
-    final: whether a function that is not there is nowhere. left_out: why something was left out of this run, or "".
-    """
+def ask(sandbox, run, exercise, cells):
+    """Put an exercise's questions to the sandbox, which has run these Cells, and judge what comes back."""
     if run.over():
         return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
-    student = Student(sandbox, run, exercise.name)
+    student = Student(sandbox, run, exercise)
     try:
         with cpu_deadline(JUDGING_SECONDS):
             verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
@@ -178,22 +209,28 @@ def ask(sandbox, run, exercise, final, left_out):
         return Outcome(Verdict(exercise, ERROR, student.ended), again)
     if verdict.state == RIGHT:
         return Outcome(verdict)
-    if left_out and (verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and final)):
-        reason = f"{verdict.reason}\nA cell that it may need was left out: {left_out}.".strip()
+    if cells.left_out and (verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and cells.final)):
+        reason = f"{verdict.reason}\nA cell that it may need was left out: {cells.left_out}.".strip()
         verdict = replace(verdict, state=ERROR, reason=reason)
     if verdict.state == NOT_ATTEMPTED:
-        bound_somehow = not final and notebook_file.may_bind(run.sources, exercise.name)
+        bound_somehow = not cells.final and notebook_file.may_bind(run.sources, exercise.name)
         return Outcome(verdict, frozenset({WHOLE}) if bound_somehow else frozenset())
+    if cells.alike and not student.hindered:
+        return Outcome(verdict)
     elsewhere = notebook_file.may_bind(run.sources, student.missing)
     return Outcome(verdict, frozenset({ALONE, WHOLE} if elsewhere else {ALONE}))
 
 
 class Student:
-    """Passes one exercise's questions to a sandbox. See judge."""
+    """Passes one exercise's questions to a sandbox. See judge.
 
-    def __init__(self, sandbox, run, name):
-        self._sandbox, self._run, self._name = sandbox, run, name
-        self.ended, self.missing, self.too_slow = "", "", False
+    ended: why no reply came, or "". too_slow: whether that was for want of time. missing: a name that was not there
+    when the function was called, or "". hindered: whether something that this run lacks may have changed an answer.
+    """
+
+    def __init__(self, sandbox, run, exercise):
+        self._sandbox, self._run, self._name, self._forbidden = sandbox, run, exercise.name, exercise.forbidden
+        self.ended, self.missing, self.too_slow, self.hindered = "", "", False, True
 
     def reply(self, questions, consult=None):
         limits = self._run.limits
@@ -213,7 +250,7 @@ class Student:
             return ""
         text = message.get("reply")
         if isinstance(text, str):
-            self.missing = _missing_name(text)
+            self.missing, self.hindered = _obstacles(text, self._forbidden)
             return text
         self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
@@ -225,15 +262,20 @@ class Student:
         return message
 
 
-def _missing_name(reply):
-    """The name that was not there when the function was called, or ""."""
+def _obstacles(reply, forbidden):
+    """Return (a name that was not there when the function was called, or ""; whether the run may have hindered it).
+
+    It may if it called a function that only other exercises forbid, or raised what the lack of one may raise.
+    """
     try:
-        errors = (answer["error"] for answer in json.loads(reply)["answers"] if "error" in answer)
+        told = json.loads(reply)
+        errors = [answer["error"] for answer in told["answers"] if "error" in answer]
         messages = (error["message"] for error in errors if error["type"] == "NameError")
         found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
-        return found[1] if found else ""
+        hindered = {error["type"] for error in errors} - OWN_ERRORS or set(told["refused"]) - set(forbidden)
+        return found[1] if found else "", bool(hindered)
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
-        return ""
+        return "", True
 
 
 def _time_is_up(limits):

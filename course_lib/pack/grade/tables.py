@@ -111,7 +111,7 @@ def grades_text(everything, marks_of):
 def _lines(each, marks_of):
     """Yield exercise, points, of, state and message for what one file holds."""
     if each.superseded_by:
-        yield "", "", "", "not count_noun", f"Another file of this notebook counts: {each.superseded_by}."
+        yield "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
         return
     if each.graded and (late := lateness(each)):
         yield "", "", "", "late", late

@@ -22,7 +22,7 @@ def visible_paths(hidden=()):
     (False, True)
     """
     shown = {path for path in SYSTEM if os.path.lexists(path)}
-    for prefix in {sys.prefix, sys.base_prefix, os.path.realpath(sys.prefix), os.path.realpath(sys.base_prefix)}:
+    for prefix in {f(prefix) for prefix in (sys.prefix, sys.base_prefix) for f in (os.path.abspath, os.path.realpath)}:
         shown |= {path for path in (os.path.join(prefix, part) for part in OF_PYTHON) if os.path.lexists(path)}
     covered = {os.path.realpath(path) for path in [*hidden, *_project()]} - {"/"}
     covered = {path for path in covered if os.path.isdir(path) and any(_below(path, outer) for outer in shown)}

@@ -162,21 +162,21 @@ def wrong_only_one_marked(xy, low, high, n):
 
 
 def wrong_both_outside_asked(xy, low, high, n):
-    """only places with both"""
+    """only positions with both"""
     index = np.minimum(np.floor(_parts(xy, low, high, n)), n - 1)
     index[((xy < low) | (xy > high)).all(axis=1)] = -1
     return index
 
 
 def wrong_below_not_marked(xy, low, high, n):
-    """places below low are not marked"""
+    """positions below low are not marked"""
     index = np.minimum(np.floor(_parts(xy, low, high, n)), n - 1)
     index[(xy > high).any(axis=1)] = -1
     return index
 
 
 def wrong_above_not_marked(xy, low, high, n):
-    """places above high are not marked"""
+    """positions above high are not marked"""
     index = np.clip(np.floor(_parts(xy, low, high, n)), 0, n - 1)
     index[(xy < low).any(axis=1)] = -1
     return index
@@ -240,7 +240,7 @@ def wrong_transposed(xy, low, high, n):
 
 
 def wrong_outside_left_out(xy, low, high, n):
-    """places outside the box are left out"""
+    """positions outside the box are left out"""
     index = right_floor(xy, low, high, n)
     return index[index[:, 0] >= 0]
 

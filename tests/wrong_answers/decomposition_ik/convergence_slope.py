@@ -43,5 +43,5 @@ def wrong_arguments_of_polyfit(sizes, errors):
 
 
 def wrong_whole_fit(sizes, errors):
-    """another form"""
+    """both numbers of the fit"""
     return np.polyfit(np.log(sizes), np.log(errors), 1)

@@ -89,17 +89,17 @@ def wrong_order_reversed(a, alpha, d, theta):
 
 
 def wrong_sine_sign_of_theta(a, alpha, d, theta):
-    """the turn by theta goes the other way round"""
+    """the rotation by theta has the wrong sense"""
     return _rz(-theta) * _move(a, d) * _rx(alpha)
 
 
 def wrong_sine_sign_of_alpha(a, alpha, d, theta):
-    """the turn by alpha goes the other way round"""
+    """the rotation by alpha has the wrong sense"""
     return _rz(theta) * _move(a, d) * _rx(-alpha)
 
 
 def wrong_sympys_rot_axis(a, alpha, d, theta):
-    """both turns go the other way round"""
+    """both rotations have the wrong sense"""
     T = sp.eye(4)
     T[:3, :3] = sp.rot_axis3(theta) * sp.rot_axis1(alpha)
     T[:3, 3] = sp.rot_axis3(theta) * sp.Matrix([a, 0, d])
@@ -107,14 +107,14 @@ def wrong_sympys_rot_axis(a, alpha, d, theta):
 
 
 def wrong_one_sign(a, alpha, d, theta):
-    """a sine or a cosine has its sign wrong"""
+    """a sine or a cosine has the wrong sign"""
     T = right_entry_by_entry(a, alpha, d, theta)
     T[1, 2] = sp.cos(theta) * sp.sin(alpha)
     return T
 
 
 def wrong_minus_forgotten(a, alpha, d, theta):
-    """a sine or a cosine has its sign wrong"""
+    """a sine or a cosine has the wrong sign"""
     T = right_entry_by_entry(a, alpha, d, theta)
     T[0, 1] = sp.sin(theta) * sp.cos(alpha)
     return T
@@ -214,7 +214,7 @@ def wrong_sine_and_cosine(a, alpha, d, theta):
 
 
 def wrong_way_not_turned(a, alpha, d, theta):
-    """the way a is not turned"""
+    """the translation a is not rotated"""
     return _move(a, 0) * _rz(theta) * _move(0, d) * _rx(alpha)
 
 
@@ -224,12 +224,12 @@ def wrong_alpha_first(a, alpha, d, theta):
 
 
 def wrong_d_last(a, alpha, d, theta):
-    """the way d is turned by alpha"""
+    """the translation d is rotated by alpha"""
     return _rz(theta) * _move(a, 0) * _rx(alpha) * _move(0, d)
 
 
 def wrong_about_y(a, alpha, d, theta):
-    """alpha turns about y"""
+    """alpha rotates about y"""
     Ry = sp.Matrix(
         [
             [sp.cos(alpha), 0, sp.sin(alpha), 0],

@@ -190,12 +190,12 @@ def wrong_empty_is_zero(xy, q, cell, count):
 
 
 def wrong_two_samples_fitted(xy, q, cell, count):
-    """fewer than 3 samples are fitted all the same"""
+    """fewer than 3 samples are fitted nevertheless"""
     return _models(xy, q, cell, count, _fit, least=2)
 
 
 def wrong_any_sample_fitted(xy, q, cell, count):
-    """fewer than 3 samples are fitted all the same"""
+    """fewer than 3 samples are fitted nevertheless"""
     return _models(xy, q, cell, count, lambda x, t: _lstsq(x, t).T, least=1)
 
 
@@ -210,7 +210,7 @@ def wrong_three_samples_left_out(xy, q, cell, count):
 
 
 def wrong_forward(xy, q, cell, count):
-    """place and joint angles are exchanged"""
+    """position and joint angles are exchanged"""
     return _models(xy, q, cell, count, lambda xy, q: _fit(q, xy))
 
 

@@ -66,7 +66,7 @@ def wrong_degrees(q):
 
 
 def wrong_into_degrees(q):
-    """turned into degrees"""
+    """converted to degrees"""
     q = np.asarray(q, float)
     return right_both_angles(np.rad2deg(q))
 
@@ -139,14 +139,14 @@ def wrong_first_link_missing(q):
 
 
 def wrong_difference(q):
-    """q2 is taken off q1"""
+    """q2 is subtracted from q1"""
     q = np.asarray(q, float)
     t1, t2 = q[..., 0], q[..., 1]
     return np.stack([np.cos(t1) + np.cos(t1 - t2), np.sin(t1) + np.sin(t1 - t2)], axis=-1)
 
 
 def wrong_sign_of_y(q):
-    """y has its sign turned"""
+    """y has the wrong sign"""
     q = np.asarray(q, float)
     return right_both_angles(q) * [1, -1]
 

@@ -121,7 +121,7 @@ def wrong_correction_left_out(xy):
 
 
 def wrong_sign_of_correction(xy):
-    """the elbow correction of q1 has its sign wrong"""
+    """the elbow correction of q1 has the wrong sign"""
     if _far(xy):
         return OUT
     return [[np.arctan2(xy[1], xy[0]) + t / 2, t] for t in (_bend(xy), -_bend(xy))]
@@ -175,7 +175,7 @@ def wrong_degrees(xy):
 
 
 def wrong_not_clipped(xy):
-    """places on the rim"""
+    """positions at the edge"""
     if _far(xy):
         return OUT
     bend = np.arccos((xy @ xy - 2) / 2)
@@ -183,7 +183,7 @@ def wrong_not_clipped(xy):
 
 
 def wrong_rim_out_of_reach(xy):
-    """places on the rim"""
+    """positions at the edge"""
     return OUT if np.hypot(*xy) > 2 else right_law_of_cosines(xy)
 
 
@@ -207,22 +207,22 @@ def wrong_half_nan(xy):
 
 
 def wrong_empty_list(xy):
-    """a place out of reach is given another form"""
+    """a position out of reach is given another form"""
     return [] if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_one_row_of_nan(xy):
-    """a place out of reach is given another form"""
+    """a position out of reach is given another form"""
     return np.array([np.nan, np.nan]) if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_zeros_out_of_reach(xy):
-    """a place out of reach is answered"""
+    """a position out of reach is answered"""
     return np.zeros((2, 2)) if _far(xy) else right_law_of_cosines(xy)
 
 
 def wrong_law_of_cosines(xy):
-    """the law of cosines has its sign wrong"""
+    """the law of cosines has the wrong sign"""
     if _far(xy):
         return OUT
     bend = np.arccos(np.clip((2 - xy @ xy) / 2, -1, 1))
@@ -255,7 +255,7 @@ def wrong_root_for_square(xy):
 
 
 def wrong_columns(xy):
-    """have changed places"""
+    """have changed positions"""
     return np.array(right_law_of_cosines(xy))[:, ::-1]
 
 

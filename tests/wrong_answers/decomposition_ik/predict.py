@@ -137,7 +137,7 @@ def wrong_clipped_to_the_first_cell(models, cell, xy):
 
 
 def wrong_first_cell_taken_for_none(models, cell, xy):
-    """unnamed"""
+    """cell 0 is taken for none"""
     angles = np.full((len(xy), 2, 2), np.nan)
     angles[cell > 0] = _affine(models[cell[cell > 0]], xy[cell > 0])
     return angles

@@ -50,15 +50,6 @@ def right_scipys_as_a_column(q):
     return np.where(best[1] == upper, 0.0, 1.0)[:, None]
 
 
-def right_kmeans_of_unsettled_order(q):
-    q = np.asarray(q, float)
-    labels = np.zeros(len(q), dtype=np.int32)
-    if len(q) > 1 and not np.allclose(q, q[0]):
-        found = KMeans(n_clusters=2, n_init=10).fit(q)
-        labels[:] = found.predict(q) != found.cluster_centers_[:, 1].argmax()
-    return labels
-
-
 def _kmeans(q):
     return KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q)
 
@@ -105,13 +96,13 @@ def wrong_sign_of_q2_where_samples_differ(q):
 
 
 def wrong_median_of_q1(q):
-    """at the median of q1"""
+    """the mean or the median of q1"""
     q = np.asarray(q, float)
     return np.zeros(len(q)) if _alike(q) else q[:, 0] > np.median(q[:, 0])
 
 
 def wrong_median_of_q2(q):
-    """at the median of q2"""
+    """the mean or the median of q2"""
     q = np.asarray(q, float)
     return np.zeros(len(q)) if _alike(q) else q[:, 1] < np.median(q[:, 1])
 
@@ -174,7 +165,7 @@ def wrong_all_in_one(q):
 
 
 def wrong_places_clustered(q):
-    """the places are clustered, not the joint angles"""
+    """the positions are clustered, not the joint angles"""
     q = np.asarray(q, float)
     if _alike(q):
         return np.zeros(len(q))
@@ -265,3 +256,19 @@ def wrong_changed_in_place(q):
         return np.zeros(len(q))
     q -= q.mean(axis=0)
     return _larger_first(q, _kmeans(q))
+
+
+def wrong_no_random_state(q):
+    """depend on a random start"""
+    q = np.asarray(q, float)
+    labels = np.zeros(len(q), dtype=np.int32)
+    if len(q) > 1 and not np.allclose(q, q[0]):
+        found = KMeans(n_clusters=2, n_init=10).fit(q)
+        labels[:] = found.predict(q) != found.cluster_centers_[:, 1].argmax()
+    return labels
+
+
+def wrong_split_at_the_mean(q):
+    """at the mean or the median of q2"""
+    q = np.asarray(q, float)
+    return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)

@@ -1,21 +1,13 @@
 """What students write for fit_rotation(src, dst), after they have looked for the bug."""
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from course_lib.registration import register_points
 
 
 def centred(src, dst):
     return src - src.mean(0), dst - dst.mean(0)
-
-
-def as_given(src, dst):
-    a, b = centred(src, dst)
-    U, _, Vt = np.linalg.svd(b.T @ a)
-    R = U @ Vt
-    if np.linalg.det(R) < 0:
-        R[:, 2] = -R[:, 2]
-    return R
 
 
 def right_sign_inside(src, dst):
@@ -32,8 +24,8 @@ def right_last_column_of_U(src, dst):
     return (U @ Vt).tolist()
 
 
-def right_by_the_library(src, dst):
-    return register_points(src, dst)[:3, :3]
+def right_by_scipy(src, dst):
+    return Rotation.align_vectors(*centred(dst, src))[0].as_matrix()
 
 
 def right_from_the_other_product(src, dst):
@@ -121,9 +113,16 @@ def wrong_identity_for_reflections(src, dst):
     return R if np.linalg.det(R) > 0 else np.eye(3)
 
 
+def wrong_library(src, dst):
+    """course_lib.registration.register_points is called"""
+    return register_points(src, dst)[:3, :3]
+
+
 def wrong_whole_pose(src, dst):
     """the whole pose"""
-    return register_points(src, dst)
+    T = np.eye(4)
+    T[:3, :3] = right_sign_inside(src, dst)
+    return T
 
 
 def wrong_vectors_transposed(src, dst):

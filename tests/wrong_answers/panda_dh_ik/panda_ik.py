@@ -204,12 +204,12 @@ def wrong_flange_forgotten(T, q0):
 
 
 def wrong_only_the_place(T, q0):
-    """only the position is brought to T, not the orientation"""
+    """only the position is brought to T_target, not the orientation"""
     return search(T, q0, weights=(1, 1, 1, 0, 0, 0))
 
 
 def wrong_only_the_turn(T, q0):
-    """only the orientation is brought to T, not the position"""
+    """only the orientation is brought to T_target, not the position"""
     q = search(T, q0, weights=(0, 0, 0, 1, 1, 1))
     return np.full(7, np.nan) if out_of_reach(T) else q
 

@@ -50,8 +50,14 @@ def wrong_weights_unused(q, J, e, eps, weights):
 
 
 def wrong_divided(q, J, e, eps, weights):
-    """divided by the weights"""
+    """divided by zero"""
     roots = np.sqrt(weights)
+    return q + step(J / roots[:, None], e / roots, eps)
+
+
+def wrong_divided_where_it_can_be(q, J, e, eps, weights):
+    """divided by the weights"""
+    roots = np.sqrt(np.where(np.array(weights) > 0, weights, np.inf))
     return q + step(J / roots[:, None], e / roots, eps)
 
 
@@ -62,7 +68,7 @@ def wrong_normalized(q, J, e, eps, weights):
 
 
 def wrong_weight_in_the_middle_only(q, J, e, eps, weights):
-    """unnamed"""
+    """only one of J and e is weighted"""
     W = np.diag(weights)
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(J)), W @ W @ e)
 
@@ -83,6 +89,6 @@ def wrong_columns(q, J, e, eps, weights):
 
 
 def wrong_damping_weighted_too(q, J, e, eps, weights):
-    """the damping is weighted too"""
+    """the weights are not used"""
     W = np.diag(weights)
     return q + J.T @ W @ np.linalg.solve(J @ J.T @ W + eps * W, e)

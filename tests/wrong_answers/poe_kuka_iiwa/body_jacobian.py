@@ -108,7 +108,7 @@ def wrong_matrix_inverse_of_the_jacobian(screws, M, q):
 
 
 def wrong_columns_backwards(screws, M, q):
-    """unnamed"""
+    """the columns stand in the reverse order"""
     return right_from_the_space_jacobian(screws, M, q)[:, ::-1]
 
 

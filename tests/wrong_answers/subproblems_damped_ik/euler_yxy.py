@@ -225,7 +225,7 @@ def wrong_arcsin(R):
 
 
 def wrong_arctan(R):
-    """half a turn off"""
+    """off by pi"""
     sine = np.hypot(R[0, 1], R[2, 1])
     if sine < 1e-9:
         return right_by_entries(R)

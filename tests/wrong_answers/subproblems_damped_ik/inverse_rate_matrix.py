@@ -169,6 +169,6 @@ def wrong_fixed_axes_before(b):
 
 
 def wrong_tangent_for_cotangent(b):
-    """unnamed"""
+    """cos b2 / sin b2 is missing in row 1, or upside down"""
     c1, s1, c2, s2 = _parts(b)
     return np.array([[-s1 * s2 / c2, 1, -c1 * s2 / c2], [c1, 0, -s1], [s1 / s2, 0, c1 / s2]])

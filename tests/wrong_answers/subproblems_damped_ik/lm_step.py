@@ -37,11 +37,10 @@ def right_singular_values(q, target, alpha, eps):
     return q - alpha * Vt.T @ np.diag(s / (s**2 + eps)) @ U.T @ (tip(q) - target)
 
 
-def right_least_squares_and_wrapped(q, target, alpha, eps):
+def right_least_squares(q, target, alpha, eps):
     A = np.vstack([planar_jacobian(q), np.sqrt(eps) * np.eye(4)])
     e = np.concatenate([tip(q) - target, np.zeros(4)])
-    found = q - alpha * np.linalg.lstsq(A, e, rcond=None)[0]
-    return (found + np.pi) % (2 * np.pi) - np.pi
+    return q - alpha * np.linalg.lstsq(A, e, rcond=None)[0]
 
 
 def right_by_differences_and_loops(q, target, alpha, eps):

@@ -52,5 +52,5 @@ def wrong_half(J, eps):
 
 
 def wrong_frobenius(J, eps):
-    """unnamed"""
+    """another singular value than the largest"""
     return 2 * (1 + eps / np.linalg.norm(J) ** 2)

@@ -210,7 +210,7 @@ def wrong_lengths_not_compared(k1, k2, p1, p2):
 
 
 def wrong_clipped(k1, k2, p1, p2):
-    """a pair is returned where there is none"""
+    """a pair is returned although"""
     if not np.isclose(p1 @ p1, p2 @ p2):
         return []
     a, b = foot(k1, k2, p1, p2)
@@ -219,7 +219,7 @@ def wrong_clipped(k1, k2, p1, p2):
 
 
 def wrong_root_of_the_size(k1, k2, p1, p2):
-    """a pair is returned where there is none"""
+    """a pair is returned although"""
     a, b = foot(k1, k2, p1, p2)
     return _through(a, b, abs(rest(k1, k2, p1, p2)), k1, k2, p1, p2)
 
@@ -256,14 +256,14 @@ def wrong_a_flag_beside_the_list(k1, k2, p1, p2):
 
 
 def wrong_lengths_compared_exactly(k1, k2, p1, p2):
-    """solutions are taken for none"""
+    """the list is empty although"""
     if np.linalg.norm(p1) != np.linalg.norm(p2):
         return []
     return right_textbook(k1, k2, p1, p2)
 
 
 def wrong_far_too_strict(k1, k2, p1, p2):
-    """solutions are taken for none"""
+    """the list is empty although"""
     return right_textbook(k1, k2, p1, p2) if rest(k1, k2, p1, p2) > 1 else []
 
 

@@ -88,12 +88,12 @@ def wrong_nothing_projected(k, h, p, d):
 
 
 def wrong_height_added(k, h, p, d):
-    """the height along the axis is taken off wrongly"""
+    """the height along the axis is subtracted wrongly"""
     return _two(k, h, p, (d + (k @ h) * (k @ p)) / lengths(k, h, p))
 
 
 def wrong_height_of_p_alone(k, h, p, d):
-    """the height along the axis is taken off wrongly"""
+    """the height along the axis is subtracted wrongly"""
     return _two(k, h, p, (d - k @ p) / lengths(k, h, p))
 
 
@@ -182,13 +182,13 @@ def wrong_out_of_range_by_math(k, h, p, d):
 
 
 def wrong_clipped(k, h, p, d):
-    """an angle is returned where there is none"""
+    """an angle is returned although"""
     cosine = np.clip((d - (k @ h) * (k @ p)) / lengths(k, h, p), -1, 1)
     return [turn(k, p, h) + np.arccos(cosine), turn(k, p, h) - np.arccos(cosine)]
 
 
 def wrong_too_low_is_not_seen(k, h, p, d):
-    """an angle is returned where there is none"""
+    """an angle is returned although"""
     cosine = (d - (k @ h) * (k @ p)) / lengths(k, h, p)
     if cosine > 1:
         return []
@@ -197,7 +197,7 @@ def wrong_too_low_is_not_seen(k, h, p, d):
 
 
 def wrong_compared_with_full_lengths(k, h, p, d):
-    """an angle is returned where there is none"""
+    """an angle is returned although"""
     if abs(d) > np.linalg.norm(h) * np.linalg.norm(p):
         return []
     cosine = np.clip((d - (k @ h) * (k @ p)) / lengths(k, h, p), -1, 1)
@@ -222,7 +222,7 @@ def wrong_sign_of_both(k, h, p, d):
 
 
 def wrong_strictly_positive_only(k, h, p, d):
-    """solutions are taken for none"""
+    """the list is empty although"""
     return right_by_the_angle_beside_h(k, h, p, d) if d > 0 else []
 
 
@@ -251,7 +251,7 @@ def wrong_the_librarys(k, h, p, d):
 
 
 def wrong_A_with_the_constant(k, h, p, d):
-    """the height along the axis is taken off wrongly"""
+    """the height along the axis is subtracted wrongly"""
     A, B, constant = h @ p, h @ np.cross(k, p), (k @ h) * (k @ p)
     r, phi = np.hypot(A, B), np.arctan2(B, A)
     if abs(d - constant) > r:

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.affine_models import clusters, least_squares, models
-from course_lib.checks.decomposition_ik.split_branches import split
-from course_lib.checks.decomposition_ik.two_links import like, same_with_gaps
+from course_lib.checks.decomposition_ik.shared import clusters, least_squares, models, position, split
+from course_lib.checks.decomposition_ik.split_branches import split_branches
 from course_lib.checks.exercise import Mistake
+from course_lib.checks.vocabulary import same_with_gaps
 
 ONE_FOR_BOTH = (
     "one model serves both branches",
@@ -54,7 +54,7 @@ def _one_cluster(q):
 
 
 def _outside_last(writes):
-    """The answer of those for whom cell -1 is a cell too, whose models go to the last place where writes(*case)."""
+    """The answer of those for whom cell -1 is a cell too, whose models go to the last position where writes(*case)."""
 
     def answer(xy, q, cell, count):
         found = models(xy, q, np.where(cell < 0, count, cell), count + 1)
@@ -68,11 +68,11 @@ def _outside_last(writes):
 def _few_fitted(value, xy, q, cell, count):
     """Whether everything is right but that clusters of one or two samples have a model too."""
     right = models(xy, q, cell, count)
-    few = [place for place, samples in clusters(q, cell, count).items() if 0 < len(samples) < 3]
+    few = [model for model, samples in clusters(q, cell, count).items() if 0 < len(samples) < 3]
     changed = np.array(value)
-    for place in few:
-        changed[place] = np.nan
-    return bool(few) and not np.isnan([value[place] for place in few]).all() and same_with_gaps(changed, right)
+    for model in few:
+        changed[model] = np.nan
+    return bool(few) and not np.isnan([value[model] for model in few]).all() and same_with_gaps(changed, right)
 
 
 def _any_order(value, *case):
@@ -82,94 +82,91 @@ def _any_order(value, *case):
 
 
 MISTAKES = (
-    *like(
-        ("the intercept stands first", "The order is the factor of x, that of y, and then the intercept."),
+    Mistake(
+        "the intercept stands first",
+        "The order is the factor of x, that of y, and then the intercept.",
         _changed(lambda right: right[..., [2, 0, 1]]),
     ),
-    *like(
-        (
-            "the models have no intercept: they are forced through zero",
-            "LinearRegression fits one unless fit_intercept=False; lstsq needs a column of ones.",
-        ),
+    Mistake(
+        "the models have no intercept: they are forced through zero",
+        "LinearRegression fits one unless fit_intercept=False; lstsq needs a column of ones.",
         _fitted(_through_zero),
         _changed(lambda right: right * [1, 1, 0]),
     ),
-    *like(
-        ("the intercept is the mean of the angles", "The intercept is the angle at x = y = 0: intercept_."),
+    Mistake(
+        "the intercept is the mean of the angles",
+        "The intercept is the angle at x = y = 0: intercept_.",
         _fitted(_about_the_mean),
     ),
-    *like(
-        (
-            "the coefficients are transposed",
-            "coef_[j, i] is the factor of coordinate i for angle j: it is A[j, i] already. lstsq gives (3, 2).",
-        ),
+    Mistake(
+        "the coefficients are transposed",
+        "coef_[j, i] is the factor of coordinate i for angle j: it is A[j, i] already. lstsq gives (3, 2).",
         _fitted(lambda xy, q: _transposed(least_squares(xy, q))),
         _fitted(lambda xy, q: least_squares(xy, q).T.reshape(2, 3)),
     ),
-    *like(
-        ("the factors of x and y are swapped", "xy[:, 0] is x: its factor stands first."),
+    Mistake(
+        "the factors of x and y are swapped",
+        "xy[:, 0] is x: its factor stands first.",
         _changed(lambda right: right[..., [1, 0, 2]]),
     ),
-    *like(("q1 and q2 are swapped", "Row 0 is for q1."), _changed(lambda right: right[:, :, ::-1])),
-    *like(
-        ("the models are in degrees", "Angles are radians everywhere."),
+    Mistake("q1 and q2 are swapped", "Row 0 is for q1.", _changed(lambda right: right[:, :, ::-1])),
+    Mistake(
+        "the models are in degrees",
+        "Angles are radians everywhere.",
         _changed(np.rad2deg),
     ),
-    *like(
-        THETA1_ONLY,
+    Mistake(
+        *THETA1_ONLY,
         _second_row(lambda row: row),
         _second_row(np.zeros_like),
         _second_row(lambda row: np.full_like(row, np.nan)),
     ),
-    *like(
-        ONE_FOR_BOTH,
+    Mistake(
+        *ONE_FOR_BOTH,
         one_for_both,
         _changed(lambda right: right[:, [0, 0]]),
         lambda *case: models(*case, labels=_one_cluster),
     ),
-    *like(
-        (
-            "place and joint angles are exchanged: these are models of the places",
-            "The inverse is asked: fit(xy, q), from the place to the angles.",
-        ),
+    Mistake(
+        "position and joint angles are exchanged: these are models of the positions",
+        "The inverse is asked: fit(xy, q), from the position to the angles.",
         _fitted(lambda xy, q: least_squares(q, xy)),
     ),
-    *like(
-        (
-            "the samples outside all cells, with number -1, go into the last cell",
-            "models[-1] is the last cell in Python. Go through c in range(count) and take cell == c.",
-        ),
+    Mistake(
+        "the samples outside all cells, with number -1, go into the last cell",
+        "models[-1] is the last cell in Python. Go through c in range(count) and take cell == c.",
         lambda xy, q, cell, count: models(xy, q, cell % count, count),
         _outside_last(lambda cell, count: True),
         _outside_last(lambda cell, count: not (cell == count - 1).any()),
     ),
-    *like(
-        (
-            "a missing model is 0 instead of nan",
-            "0 is an angle like any other. Begin with np.full((count, 2, 2, 3), np.nan).",
-        ),
+    Mistake(
+        "a missing model is 0 instead of nan",
+        "0 is an angle like any other. Begin with np.full((count, 2, 2, 3), np.nan).",
         _changed(np.nan_to_num),
     ),
-    *like(
-        ("a cluster of exactly 3 samples is left out", "Three samples determine a plane: fewer than 3 is < 3."),
+    Mistake(
+        "a cluster of exactly 3 samples is left out",
+        "Three samples determine a plane: fewer than 3 is < 3.",
         lambda *case: models(*case, least=4),
     ),
-    *like(
-        (
-            "the samples of all cells are clustered together",
-            "Each cell has clusters of its own: split_branches(q[own]).",
-        ),
+    Mistake(
+        "the samples of all cells are clustered together",
+        "Each cell has clusters of its own: split_branches(q[own]).",
         _together,
     ),
-    *like(
-        (
-            "the samples are split by the sign of q2",
-            "A cell may hold one elbow only, and q2 has one sign: take the two clusters of split_branches.",
-        ),
+    Mistake(
+        "the positions are clustered, not the joint angles",
+        "Both elbows reach the same positions: only q tells them apart. split_branches(q[own]).",
+        lambda *case: models(*case, labels=lambda q: split(position(q))),
+        lambda *case: models(*case, labels=lambda q: split_branches(position(q))),
+    ),
+    Mistake(
+        "the samples are split by the sign of q2",
+        "A cell may hold one elbow only, and q2 has one sign: take the two clusters of split_branches.",
         lambda *case: models(*case, labels=lambda q: q[:, 1] <= 0),
     ),
     Mistake(
-        "clusters of fewer than 3 samples are fitted all the same",
+        "clusters of fewer than 3 samples are fitted nevertheless",
         "A plane has three unknowns: with two samples, many fit. Ask if (labels == k).sum() < 3.",
         seen=_few_fitted,
     ),

@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import solutions
+from course_lib.checks.decomposition_ik.shared import solutions
 
 _WIDTH = 0.16  # metres: half a cell, from its middle to its border
 
 
 def both(rng, middle, up, down):
-    """Return places and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
+    """Return positions and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
 
     The first three of each lie near three corners of the cell, so that they determine a plane well.
     """
-    xy = np.concatenate([_places(rng, middle, n) for n in (up, down)])
+    xy = np.concatenate([_positions(rng, middle, n) for n in (up, down)])
     elbow = np.repeat([0, 1], [up, down])
     return xy, solutions(xy)[np.arange(len(xy)), elbow]
 
@@ -25,13 +25,13 @@ def one_elbow(rng, middle, elbow, n):
     return xy, solutions(xy)[:, elbow]
 
 
-def _places(rng, middle, n):
+def _positions(rng, middle, n):
     corners = np.array([[-1, -1], [1, -0.9], [-0.8, 1]])[:n] * rng.uniform(0.9, 1, (min(n, 3), 1))
     return middle + _WIDTH * np.concatenate([corners, rng.uniform(-1, 1, (max(n - 3, 0), 2))])
 
 
 def mixed(rng, cells, count):
-    """Return (xy, q, cell, count) of [(number, (places, angles))], the samples in any order."""
+    """Return (xy, q, cell, count) of [(number, (positions, angles))], the samples in any order."""
     xy, q = (np.concatenate([samples[i] for _, samples in cells]) for i in (0, 1))
     cell = np.concatenate([np.full(len(samples[0]), number) for number, samples in cells])
     order = rng.permutation(len(cell))

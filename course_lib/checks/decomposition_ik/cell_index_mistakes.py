@@ -1,10 +1,10 @@
-"""The cells that places lie in, and what a mistake in one of the steps makes of them."""
+"""The cells that positions lie in, and what a mistake in one of the steps makes of them."""
 
 import numpy as np
 
 
 def parts(xy, low, high, n):
-    """How many cells, whole and broken, lie between low and each place."""
+    """How many cells, whole and broken, lie between low and each position."""
     with np.errstate(all="ignore"):
         return (xy - low) / (high - low) * n
 

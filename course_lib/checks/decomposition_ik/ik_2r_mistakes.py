@@ -2,19 +2,19 @@
 
 import numpy as np
 
-from course_lib.checks.decomposition_ik.two_links import place
+from course_lib.checks.decomposition_ik.shared import position
 from course_lib.checks.exercise import Mistake
 
-_RIM = 2 - 1e-3  # from here on it is near the rim
+_EDGE = 2 - 1e-3  # from here on it is near the edge
 _FOLDED = np.pi - 1e-6  # q2 and -q2 are the same from here on
 
 
 def inside(xy):
-    return np.linalg.norm(xy) < _RIM
+    return np.linalg.norm(xy) < _EDGE
 
 
-def on_rim(xy):
-    return _RIM <= np.linalg.norm(xy) < 2 + 1e-9
+def at_edge(xy):
+    return _EDGE <= np.linalg.norm(xy) < 2 + 1e-9
 
 
 def outside(xy):
@@ -26,8 +26,8 @@ def wrapped(angle):
 
 
 def off(q, xy):
-    """How far from xy the end is, (2,), for both rows."""
-    return np.linalg.norm(place(q) - xy, axis=-1)
+    """How far from xy the tip is, (2,), for both rows."""
+    return np.linalg.norm(position(q) - xy, axis=-1)
 
 
 def in_order(q, xy):
@@ -35,7 +35,7 @@ def in_order(q, xy):
     bend = wrapped(q[:, 1])
     if (np.abs(bend) > _FOLDED).all():
         return True
-    return bend[0] >= -1e-3 * on_rim(xy) and bend[1] <= 1e-3 * on_rim(xy)
+    return bend[0] >= -1e-3 * at_edge(xy) and bend[1] <= 1e-3 * at_edge(xy)
 
 
 def mended(name, hint, *mendings):

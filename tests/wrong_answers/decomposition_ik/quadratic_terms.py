@@ -1,0 +1,54 @@
+"""What students write for quadratic_terms(xy)."""
+
+import numpy as np
+from sklearn.preprocessing import PolynomialFeatures
+
+
+def right_columns(xy):
+    x, y = np.asarray(xy).T
+    return np.column_stack([np.ones(len(x)), x, y, x**2, x * y, y**2])
+
+
+def right_by_scikit_learn(xy):
+    return PolynomialFeatures(2).fit_transform(xy)
+
+
+def right_as_lists(xy):
+    return [[1, x, y, x * x, x * y, y * y] for x, y in xy]
+
+
+def wrong_no_constant(xy):
+    """one of the six terms is missing"""
+    return right_columns(xy)[:, 1:]
+
+
+def wrong_no_product(xy):
+    """one of the six terms is missing"""
+    return right_columns(xy)[:, [0, 1, 2, 3, 5]]
+
+
+def wrong_affine(xy):
+    """the terms of degree two are missing"""
+    return right_columns(xy)[:, :3]
+
+
+def wrong_product_last(xy):
+    """in another order"""
+    return right_columns(xy)[:, [0, 1, 2, 3, 5, 4]]
+
+
+def wrong_expanded(xy):
+    """the product is counted twice"""
+    return right_columns(xy) * [1, 1, 1, 1, 2, 1]
+
+
+def wrong_rows(xy):
+    """along the first axis"""
+    return right_columns(xy).T
+
+
+def wrong_sum(xy):
+    """the product is x + y"""
+    terms = right_columns(xy)
+    terms[:, 4] = terms[:, 1] + terms[:, 2]
+    return terms
