@@ -7,8 +7,11 @@ from contextlib import contextmanager
 import nbformat
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
+
+PATIENCE = 120_000  # milliseconds: a machine may be busy, and only what fails waits so long
+expect.set_options(timeout=PATIENCE)
 
 # The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).
 CONTRAST = """element => {
@@ -52,6 +55,7 @@ class Visit:
             viewport={"width": width, "height": 844},
             **context,
         )
+        self.context.set_default_timeout(PATIENCE)
         self.page = self.context.new_page()
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.on("pageerror", lambda error: self.complaints.append(str(error)))

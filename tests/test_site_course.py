@@ -10,7 +10,6 @@ from playwright.sync_api import expect
 from site_visits import OPEN, Visit, assert_readable
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-expect.set_options(timeout=30_000)  # a machine may be busy
 
 # Whatever can be pressed, chosen or typed into, and can be seen.
 CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summary, [tabindex='0']")]
