@@ -8,9 +8,9 @@ from numpy.testing import assert_allclose
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
 from site_visits import Visit
+from two_sliders import explorer
 
 from course_lib.arms import planar_arm
-from course_lib.figures.explorer import explorer
 from course_lib.figures.rigid_motion import body_movie
 from course_lib.pack.site.build import build
 

@@ -92,7 +92,7 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("dead_reckoning_toy", {"dt": 0}, "dt"),
         ("dead_reckoning_toy", {"plan": [((1, 2), 3)]}, "plan"),
         ("circles_toy", {"between": 0}, "between"),
-        ("circles_toy", {"p": 181}, "p"),
+        ("circles_toy", {"p1": 181}, "p1"),
         ("cells_toy", {"size": 0.1}, "size"),
         ("cells_toy", {"lengths": [1, 1, 1]}, "lengths"),
         ("iiwa_toy", {"q": [0.0]}, "q"),

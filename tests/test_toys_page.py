@@ -204,8 +204,8 @@ def test_circles_meet_touch_and_miss(visit):
     box = come(visit, "circles_toy")
     for p, q, said in ((50, 45, "twice"), (30, 40, "touch"), (20, 20, "farther apart"), (100, 20, "inside the other")):
         put(box, "Between the axes k1, k2", 70)
-        put(box, "From k1 to p", p)
-        put(box, "From k2 to q", q)
+        put(box, "From k1 to p1", p)
+        put(box, "From k2 to p2", q)
         expect(box.locator("p[role=status]")).to_contain_text(said)
 
 
