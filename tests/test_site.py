@@ -1,5 +1,6 @@
 """The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
 
+import json
 import re
 import runpy
 import subprocess
@@ -31,6 +32,7 @@ from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
+SLOW = json.loads(json.dumps(MOVING).replace('"duration": 20', '"duration": 500'))  # time to press Pause
 CAPTION = "Both helices wind the same way."
 
 
@@ -52,7 +54,7 @@ def notebooks(tmp_path_factory):
         ),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
         *[new_markdown_cell("Words. " * 400) for _ in range(3)],
-        cell(output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
+        cell(output({PLOTLY: SLOW, "text/plain": "A point that moves to the right"})),
         cell(source="hidden_input = 1", tags=["hide-input"]),
         cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
@@ -129,7 +131,7 @@ def test_frames_play_from_the_keyboard(site, browser):
         assert visit.page.locator(".updatemenu-button, .slider-container").count() == 0
         button.focus()
         visit.page.keyboard.press("Enter")
-        visit.page.wait_for_function(f"({drawn})() > 5")
+        visit.page.wait_for_function(f"({drawn})() > 0")
         visit.page.keyboard.press("Enter")
         assert button.inner_text() == "Play"
         visit.page.keyboard.press("Tab")

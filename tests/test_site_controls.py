@@ -17,7 +17,6 @@ from course_lib.pack.site.build import build
 TIMES = np.linspace(0, 1, 21)
 POSES = np.stack([np.linspace(-6, 6, 21), np.linspace(-5, 2, 21), np.linspace(0, 2, 21)], -1)
 ALPHAS, EPSILONS, START = np.array([0.05, 0.2, 2.8]), np.array([0.5, 2, 8]), (1, 2)
-expect.set_options(timeout=30_000)  # a machine may be busy
 OWN = ".updatemenu-container, .updatemenu-button, .slider-container"  # what plotly draws
 NAMES = ("step size alpha", "damping epsilon (m²)")
 
