@@ -259,6 +259,22 @@ def test_what_the_instructor_should_look_at_is_said_at_the_end(place, capsys):
     assert "1 mark there cannot be taken: the column `state` says why." in said
 
 
+def test_files_that_are_refused_and_releases_that_differ_are_said_at_the_end(place, capsys):
+    def of_its_release(content, notebook, seed):
+        return grade(content, notebook, seed) | {"release": json.loads(content)["release"]}
+
+    for i in range(3):
+        hand_in(place / "in", f"s{i}_01_rotations.ipynb", points=[1], release="0.2" if i else "0.1")
+    for i in range(12):
+        (place / "in" / f"t{i:02}.docx").write_text("no notebook")
+    run(place, "--jobs", "1", grade=of_its_release)
+    said = capsys.readouterr().out
+    assert "t00.docx: It is no notebook" in said
+    assert "t10.docx" not in said
+    assert "... and 2 more, with their reasons in the table." in said
+    assert "The notebooks are not all of one release: 2 from 0.2, 1 from 0.1." in said
+
+
 def test_without_a_folder_make_says_what_to_name(capsys):
     assert main([""]) == 1
     assert "make grade SUBMISSIONS=folder" in capsys.readouterr().err

@@ -1,20 +1,27 @@
 """The README says what is true."""
 
 import base64
+import io
 import re
 from pathlib import Path
 
 import nbformat
+import numpy as np
+from matplotlib.image import imread
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def test_its_picture_is_the_still_of_a_figure_in_the_notebook():
+def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
     (picture,) = re.findall(r"!\[[^\]]{40,}\]\((\S+)\)", README)
-    cells = nbformat.read(ROOT / "notebooks" / "01_rotations.ipynb", 4).cells
-    stills = [o.data["image/png"] for c in cells for o in c.get("outputs", []) if "image/png" in o.get("data", {})]
-    assert (ROOT / picture).read_bytes() in [base64.b64decode(still) for still in stills]
+    shown, found = imread(ROOT / picture), []
+    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")):
+        outputs = [output for cell in nbformat.read(path, 4).cells for output in cell.get("outputs", [])]
+        found += [output.data["image/png"] for output in outputs if "image/png" in output.get("data", {})]
+    stills = [imread(io.BytesIO(base64.b64decode(still))) for still in found]
+    distances = [np.abs(still - shown).mean() for still in stills if still.shape == shown.shape]
+    assert min(distances) < 0.005, "copy the new still of the figure"
 
 
 def test_every_command_and_file_it_names_is_there():

@@ -9,7 +9,6 @@ import pytest
 from leaks import ROOT, answer_cells, code, lines, secrets, texts
 
 from course_lib.pack.site import formulas
-from course_lib.pack.site.build import build
 
 TAG = re.compile(r"<[^>]+>")
 VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
@@ -88,24 +87,21 @@ def secret_formulas():
     return {each for each in secret if len(each) > 150 and each not in open_to_all}
 
 
-@pytest.fixture(scope="module")
-def sites(tmp_path_factory):
+@pytest.fixture
+def sites(course, course_without_answers):
     """The course as a site with solutions and as one without."""
-    folder = tmp_path_factory.mktemp("leaks")
-    for name in ("yes", "no"):
-        build(ROOT / "notebooks", folder / name, solutions=name == "yes")
-    return folder
+    return {"yes": course, "no": course_without_answers}
 
 
 def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
-    assert {text for _, text in leaks(sites / "yes", wanted)} == set(wanted)
+    assert {text for _, text in leaks(sites["yes"], wanted)} == set(wanted)
 
 
 def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
-    (file,) = (sites / "no").glob("*.zip")
+    (file,) = sites["no"].glob("*.zip")
     assert len(notebooks(file)) == len(list((ROOT / "notebooks").glob("*.ipynb")))
-    for page in (sites / "no").glob("0*.html"):
+    for page in sites["no"].glob("0*.html"):
         assert f'href="{file.name}"' in page.read_text(encoding="utf-8")
     with zipfile.ZipFile(tmp_path / "planted.zip", "w") as archive:
         archive.write(ROOT / "notebooks/02_rigid_motion.ipynb", "notebooks/02_rigid_motion.ipynb")
@@ -114,7 +110,7 @@ def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
 
 def test_a_site_without_solutions_holds_none_of_their_formulas(sites, secret_formulas):
     full, bare = (
-        "".join(page.read_text(encoding="utf-8") for page in (sites / name).glob("*.html")) for name in ("yes", "no")
+        "".join(page.read_text(encoding="utf-8") for page in sites[name].glob("*.html")) for name in ("yes", "no")
     )
     assert len(secret_formulas) > 10
     assert [each for each in secret_formulas if each not in full] == [], "looked for as pages write them"
@@ -122,18 +118,18 @@ def test_a_site_without_solutions_holds_none_of_their_formulas(sites, secret_for
 
 
 def test_a_site_without_solutions_holds_no_line_and_no_sentence_of_them(sites, wanted):
-    assert leaks(sites / "no", wanted) == set()
+    assert leaks(sites["no"], wanted) == set()
 
 
 def test_no_check_says_right_and_every_other_output_stays(sites):
-    for page in (sites / "no").glob("*.html"):
-        bare, full = page.read_text("utf-8"), (sites / "yes" / page.name).read_text("utf-8")
+    for page in sites["no"].glob("*.html"):
+        bare, full = page.read_text("utf-8"), (sites["yes"] / page.name).read_text("utf-8")
         assert not VERDICT.search(bare), page.name
         for output in ('class="plotly-figure"', 'class="picture', 'class="output stream'):
             assert bare.count(output) == full.count(output), page.name
         assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", bare)
-    assert any(VERDICT.search(page.read_text("utf-8")) for page in (sites / "yes").glob("*.html"))
-    pages = "".join(page.read_text("utf-8") for page in (sites / "no").glob("*.html"))
+    assert any(VERDICT.search(page.read_text("utf-8")) for page in sites["yes"].glob("*.html"))
+    pages = "".join(page.read_text("utf-8") for page in sites["no"].glob("*.html"))
     code = [cell.source for _, cell in answer_cells() if cell.cell_type == "code"]
     unwritten = [source for source in code if not source.rpartition("END SOLUTION")[2].strip()]  # the rest hold a bug
     assert pages.count("NotImplementedError") >= len(unwritten)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.figures.moving import movie, path, plane_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
+from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREY, plane_figure
 
 
 def arm_movie(name, points, times):
@@ -39,28 +39,4 @@ def arm_paths(contents, every=10):
         half = points.shape[1] - 1 + 0.3  # for links of one metre
         ax.set(title=title, xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)")
     axes[0].set_ylabel("y (m)")
-    return fig
-
-
-arm_ways = arm_paths  # the name in notebook 3
-
-
-def descents(runs, target, last=99):
-    """Return, for several runs towards one target, the tips' paths with the last postures, and the errors.
-
-    runs: {label: points (n, links + 1, 2)}, one posture a step. target: (2,). last: the last step drawn.
-    """
-    fig, (plane, error) = plane_figure(9.6, 4.2, 2, width_ratios=[1, 1.15])
-    for i, (colour, (label, points)) in enumerate(zip(COLOURS, runs.items(), strict=False)):
-        points = points[: last + 1]
-        style = ("-", "--", ":", "-.")[i % 4]
-        plane.plot(*points[:, -1].T, color=colour, linestyle=style, linewidth=1.5)
-        plane.plot(*points[-1].T, "-o", color=colour, linewidth=6, markersize=9, markeredgecolor="white", alpha=0.7)
-        miss = np.linalg.norm(points[:, -1] - target, axis=-1)
-        error.semilogy(miss, color=colour, linestyle=style, linewidth=2, label=label)
-    plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
-    half = points.shape[1] - 1 + 0.3  # for links of one metre
-    plane.set(xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)", ylabel="y (m)")
-    error.set(xlabel="steps", ylabel="distance from the target (m)")
-    error.legend(frameon=False)
     return fig

@@ -166,11 +166,7 @@ EXERCISE = Exercise(
             "T itself is given: the body starts at the identity and ends at T.",
             lambda T: log_se2(inverse(T)),
         ),
-        Mistake(
-            "omega is in degrees",
-            "Angles are in radians.",
-            _omega_alone(lambda T: np.rad2deg(_angle(T))),
-        ),
+        Mistake("omega is in degrees", "Angles are in radians.", _omega_alone(lambda T: np.rad2deg(_angle(T)))),
     ),
     library=log_se2,
     hints=(

@@ -21,6 +21,8 @@ from course_lib.pack.grade.sandbox import notice, remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals, totals_text
 
+MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
+
 
 def main(arguments=None, grade=None):
     """Grade; return 1 with a plain sentence if that fails. grade: what grades one submission, in tests."""
@@ -169,7 +171,14 @@ def _summary(output, everything, listed):
     states = Counter(each.result.get("state", "unreadable" if each.unreadable else "graded") for each in everything)
     said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
     lines = [f"{output / 'grades.csv'}: {said}."]
-    lines += [f"{each.submission.place}: {each.result['problems'][0]}" for each in everything if each.unreadable]
+    troubled = [e for e in everything if e.unreadable or e.result.get("state") == "refused"]
+    lines += [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled[:MOST_LISTED]]
+    if len(troubled) > MOST_LISTED:
+        lines.append(f"... and {len(troubled) - MOST_LISTED} more, with their reasons in the table.")
+    releases = Counter(each.result["release"] or "none" for each in everything if each.graded and not each.unreadable)
+    if len(releases) > 1:
+        counts = ", ".join(f"{count} from {name}" for name, count in releases.most_common(MOST_LISTED))
+        lines.append(f"The notebooks are not all of one release: {counts}.")
     if left := sum(answer.points is None for _, _, answer in listed):
         lines.append(f"{count_noun(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
     if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
