@@ -40,7 +40,7 @@ def _short(value):
     return "< 1e-06" if 0 <= value < 1e-6 else f"{value:.2g}"
 
 
-def compared(errors, exists, measured=None):
+def compared(errors, exists, measured=None, rough=()):
     """Print a table that compares methods; return the mean errors, {name: cm}.
 
     Parameters
@@ -51,6 +51,9 @@ def compared(errors, exists, measured=None):
         Whether there is such a solution; a dict has one array for each name.
     measured : dict, optional
         {name: {"bytes": memory, "seconds": for a query}}, to be shown beside the errors.
+
+    rough : sequence of str, optional
+        Names whose largest error is left out, because it differs between machines.
 
     Examples
     --------
@@ -63,7 +66,8 @@ def compared(errors, exists, measured=None):
     for name, error in errors.items():
         found = cells.scores(error, ~np.isnan(error), exists[name] if isinstance(exists, dict) else exists)
         mean[name] = found["mean"]
-        rows[name] = [found["mean"], found["worst"], f"{found['answered']:.1%}", found["invented"]]
+        worst = "" if name in rough else found["worst"]
+        rows[name] = [found["mean"], worst, f"{found['answered']:.1%}", found["invented"]]
         if measured:
             rows[name] += [f"{measured[name]['bytes'] / 1000:.0f}", f"{1e6 * measured[name]['seconds']:.2g}"]
     columns = ["mean (cm)", "worst (cm)", "answered", "invented", "memory (kB)", "time (µs)"]

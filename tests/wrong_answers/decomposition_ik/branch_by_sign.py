@@ -45,3 +45,9 @@ def wrong_k_means_if_both_signs(q):
         return negative.astype(int)
     found = KMeans(n_clusters=2, random_state=0).fit(q)
     return found.labels_ if found.cluster_centers_[0, 1] > found.cluster_centers_[1, 1] else 1 - found.labels_
+
+
+def wrong_one_elbow_is_branch_0(q):
+    """samples that all have q2 < 0 are in branch 0"""
+    negative = q[:, 1] < 0
+    return np.zeros(len(q), int) if negative.all() else negative.astype(int)

@@ -45,3 +45,19 @@ def wrong_arguments_of_polyfit(sizes, errors):
 def wrong_whole_fit(sizes, errors):
     """both numbers of the fit"""
     return np.polyfit(np.log(sizes), np.log(errors), 1)
+
+
+def wrong_two_bases(sizes, errors):
+    """the two logarithms have different bases"""
+    return np.polyfit(np.log2(sizes), np.log10(errors), 1)[0]
+
+
+def wrong_through_the_origin(sizes, errors):
+    """forced through the origin"""
+    x, y = np.log(sizes), np.log(errors)
+    return (x @ y) / (x @ x)
+
+
+def wrong_correlation(sizes, errors):
+    """the correlation is returned"""
+    return np.corrcoef(np.log(sizes), np.log(errors))[0, 1]

@@ -62,3 +62,18 @@ def wrong_until_it_converges(q, xy):
     for _ in range(3):
         q = q + np.linalg.solve(_J(q), xy - _fk(q))
     return q
+
+
+def wrong_angles_subtracted(q, xy):
+    """the position that q leads to is not subtracted"""
+    return q + np.linalg.inv(_J(q)) @ (xy - q)
+
+
+def wrong_each_entry_inverted(q, xy):
+    """each entry of J is inverted by itself"""
+    return q + _J(q) ** -1 @ (xy - _fk(q))
+
+
+def wrong_sign_of_a_sine(q, xy):
+    """an entry of J has the wrong sign"""
+    return q + np.linalg.solve(_J(q) * [[-1, -1], [1, 1]], xy - _fk(q))
