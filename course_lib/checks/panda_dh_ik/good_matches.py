@@ -107,7 +107,7 @@ def _spread(points):
 
 
 def _cases(rng):
-    return [_case(rng, 6, 1), _case(rng, 6, 2), _case(rng, 7, 2, misleading=True), _case(rng, 7, 3), _case(rng, 5, 0)]
+    return [_case(rng, 6, 1), _case(rng, 7, 2), _case(rng, 7, 2, misleading=True), _case(rng, 8, 3), _case(rng, 5, 0)]
 
 
 EXERCISE = Exercise(

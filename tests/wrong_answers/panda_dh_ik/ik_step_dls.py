@@ -64,8 +64,8 @@ def wrong_inverse_of_J(q, J, e, eps):
 
 
 def wrong_eps_to_every_entry_and_solved(q, J, e, eps):
-    """Singular matrix"""
-    return q + np.linalg.solve(J.T @ J + eps, J.T @ e)
+    """eps is added to every entry"""
+    return q + np.linalg.pinv(J.T @ J + eps) @ J.T @ e
 
 
 def wrong_size_of_the_unit_matrix(q, J, e, eps):
