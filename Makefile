@@ -39,14 +39,14 @@ lab: environment ## open the notebooks in JupyterLab
 
 # One pytest run, whose summary ends the output. With ONLY, one process: what has that in its name takes seconds. Matplotlib builds its font list beforehand, for it
 # tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
-# worker (loadfile), since its cells share a kernel.
+# worker (loadfile), since its cells share a kernel; conftest.py says which files go first.
 test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name
 	$(PY) -m ruff check --no-cache .
 	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" $(PY) -m pytest -o cache_dir=build/pytest \
-		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile) \
-		--nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
+		--nbval --nbval-current-env --nbval-cell-timeout=600 tests $(NOTEBOOKS)
 
 html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, SINGLE=yes for one file a page
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")

@@ -1,5 +1,6 @@
 import os
 import zipfile
+from contextlib import contextmanager
 from pathlib import Path
 
 import nbformat
@@ -33,6 +34,18 @@ def pytest_ignore_collect(collection_path):
     return not (only in name or (name.endswith(".py") and only in collection_path.read_text(encoding="utf-8"))) or None
 
 
+# What takes longest, by processor time: it goes first, so that the processes that share the files end together.
+LONGEST = ["test_site_course.py", "test_bank.py", "test_grade_hostile.py", "test_mutants.py", "test_site_pages.py"]
+LONGEST += ["test_site_leaks.py", "test_site.py", "test_site_controls.py", "test_site_answers.py", "test_site_again.py"]
+LONGEST += ["test_grade_submission.py", "test_toys_page.py", "05_panda_dh_ik.ipynb", "test_toys_lab.py"]
+LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade_jobs.py", "test_notebook_runner.py"]
+
+
+def pytest_collection_modifyitems(items):
+    ranks = {name: rank for rank, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: ranks.get(item.path.name, len(ranks)))
+
+
 @pytest.fixture(scope="session")
 def solutions():
     """The notebook's name -> the sources of its first code cell (imports) and of the authors' solutions."""
@@ -44,14 +57,40 @@ def solutions():
     return read
 
 
-@pytest.fixture(scope="session")
-def course(tmp_path_factory):
-    """The folder of the whole course as a site."""
+def built_once(tmp_path_factory, solutions):
+    """The folder of the whole course as a site, which the first process that asks for it builds for all of them."""
     from course_lib.pack.site.build import build  # here, for most tests need none
 
-    folder = tmp_path_factory.mktemp("course") / "html"
-    build(NOTEBOOKS, folder)
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"course-{solutions}"
+    with locked(folder.with_suffix(".lock")):
+        build(NOTEBOOKS, folder, solutions=solutions)  # which does nothing where all is as it was
     return folder
+
+
+@contextmanager
+def locked(path):
+    """Wait until no other process is at work here."""
+    with path.open("w") as file:
+        try:
+            import fcntl
+        except ImportError:  # on Windows one process tests
+            yield
+            return
+        fcntl.flock(file, fcntl.LOCK_EX)  # which the system takes off a process that ends
+        yield
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory):
+    """The folder of the whole course as a site, to be looked at and left as it is."""
+    return built_once(tmp_path_factory, solutions=True)
+
+
+@pytest.fixture(scope="session")
+def course_without_answers(tmp_path_factory):
+    """The folder of the whole course as a site without solutions, to be looked at and left as it is."""
+    return built_once(tmp_path_factory, solutions=False)
 
 
 @pytest.fixture

@@ -148,6 +148,9 @@ EQUIVALENT = {
         "c, s = (np.cos(-omega), np.sin(omega))": "sign",
         "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
     },
+    "log_se2": {
+        "across = omega / 2 * np.sinc(omega / (-2 * np.pi)) ** 2": "sign",
+    },
     "two_link_angles": {
         "inside = np.arctan2(np.sin(theta2), 1 + np.cos(-theta2))": "sign",
         "for theta2 in (-bend, bend):": "order",
@@ -238,6 +241,9 @@ EQUIVALENT = {
         "in_order = q[0, 1] >= -1e-06 and q[1, 1] < 1e-06": "free choice",
         "leads_there = np.allclose(fk_2r(q), xy, atol=1.1e-06)": "free choice",
         "leads_there = np.allclose(xy, fk_2r(q), atol=1e-06)": "order",
+    },
+    "predict_square": {
+        "q2 = sign * np.sqrt(np.maximum(0, square))": "order",
     },
     "newton_step": {
         "second_link = np.array([-np.sin(both), np.cos(-both)])": "sign",
@@ -347,15 +353,15 @@ EQUIVALENT = {
     },
     "subproblem1": {
         "p_across = p": "axis part",
-        "q_across = q": "axis part",
+        "g_across = g": "axis part",
         "p_across = p - p @ k * k": "order",
-        "q_across = q - q @ k * k": "order",
-        "return np.arctan2(np.cross(p_across, q_across) @ k, p_across @ q_across)": "order",
-        "return np.arctan2(k @ np.cross(p_across, q_across), q_across @ p_across)": "order",
+        "g_across = g - g @ k * k": "order",
+        "return np.arctan2(np.cross(p_across, g_across) @ k, p_across @ g_across)": "order",
+        "return np.arctan2(k @ np.cross(p_across, g_across), g_across @ p_across)": "order",
         "p_across = p + k @ p * k": "axis part",
-        "q_across = q + k @ q * k": "axis part",
+        "g_across = g + k @ g * k": "axis part",
         "p_across = p - k": "axis part",
-        "q_across = q - k": "axis part",
+        "g_across = g - k": "axis part",
     },
     "subproblem2": {
         "if abs(np.linalg.norm(p2) - np.linalg.norm(p1)) > 1e-09:": "order",

@@ -7,8 +7,11 @@ from contextlib import contextmanager
 import nbformat
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
+
+PATIENCE = 120_000  # milliseconds: a machine may be busy, and only what fails waits so long
+expect.set_options(timeout=PATIENCE)
 
 # The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).
 CONTRAST = """element => {
@@ -44,7 +47,7 @@ class Visit:
     """A page that was opened offline, and what happened meanwhile."""
 
     def __init__(self, browser, file, *, theme="light", width=1280, query="", without=None, **context):
-        self.requests, self.complaints = [], []
+        self.requests, self.complaints, self.drawn = [], [], None
         self.context = browser.new_context(
             offline=True,
             color_scheme=theme,
@@ -52,6 +55,7 @@ class Visit:
             viewport={"width": width, "height": 844},
             **context,
         )
+        self.context.set_default_timeout(PATIENCE)
         self.page = self.context.new_page()
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
@@ -71,9 +75,11 @@ class Visit:
     def __exit__(self, *error):
         self.context.close()
 
-    def draw_figures(self):
-        """Scroll to each figure; return how many traces each shows."""
-        traces = []
+    def draw_figures(self, examine=None):
+        """Scroll to each figure, once; return how many traces each shows. examine(box) sees those that plotly drew."""
+        if self.drawn is not None and examine is None:
+            return self.drawn
+        self.drawn = traces = []
         for box in self.page.locator(".plotly-figure").all():
             box.scroll_into_view_if_needed()
             if box.get_attribute("data-without-plotly") is not None:  # a toy draws itself
@@ -82,6 +88,8 @@ class Visit:
                 continue
             box.locator(".main-svg").first.wait_for()
             traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
+            if examine:
+                examine(box)
         return traces
 
 
@@ -135,26 +143,29 @@ def assert_readable(visit, notebook, width):
     return facts
 
 
-# Takes off the page what says no more to axe-core than the rest does, since that takes milliseconds for each element,
-# and a page has ten thousand: the strokes of formulas, which no rule looks at, and of the words in code and in formulas
-# each that looks as an earlier one does (the same tags, classes, colours and sizes from the word up to the page).
+# Takes off the page what says no more to axe-core than the rest does, since it takes milliseconds for each element and
+# a page has ten thousand: the strokes of formulas, which no rule looks at, and of the words in code and in formulas
+# those that look as an earlier one does (the same tags, classes, colours and sizes from the word up to the page).
 THIN_OUT = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
-  const looks = new Map([[null, ""]]), seen = new Set();
+  const numbers = new Map(), looks = new Map([[null, 0]]), again = [];
   const look = (e) => {
     if (!looks.has(e)) {
       const s = getComputedStyle(e), attributes = [...e.attributes].filter(({ name }) => name !== "href");
-      looks.set(e, [look(e.parentElement), e.tagName, ...attributes.map(({ name, value }) => name + value), s.color,
-        s.backgroundColor, s.backgroundImage, s.fontSize, s.fontWeight, s.opacity, s.filter, s.position].join());
+      const words = [look(e.parentElement), e.tagName, ...attributes.map(({ name, value }) => name + value), s.color,
+        s.backgroundColor, s.backgroundImage, s.fontSize, s.fontWeight, s.opacity, s.filter, s.position].join();
+      if (!numbers.has(words)) numbers.set(words, numbers.size + 1);
+      looks.set(e, numbers.get(words));
     }
     return looks.get(e);
   };
+  const seen = new Set();
   for (const e of document.querySelectorAll("article pre span, article math *")) {
     if (e.childElementCount) continue;
-    const known = seen.has(look(e));
+    if (seen.has(look(e))) again.push(e);
     seen.add(look(e));
-    if (known) e.replaceWith(e.textContent);
   }
+  again.forEach((e) => e.replaceWith(e.textContent));  // afterwards, for each change costs the next look its styles
 }"""
 
 

@@ -39,7 +39,7 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def movies():
-    return [rigid_motion.body_movie("body", POSES, TIMES), planar_arm.arm_movie("arm", POINTS, TIMES)]
+    return [rigid_motion.body_movie("body", POSES, TIMES)["fig"], planar_arm.arm_movie("arm", POINTS, TIMES)]
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +65,7 @@ def written(movies, tmp_path_factory):
 @pytest.fixture
 def short(tmp_path):
     """A notebook with one movie of two frames."""
-    movie = rigid_motion.body_movie("body", POSES[:2], TIMES[:2])
+    movie = rigid_motion.body_movie("body", POSES[:2], TIMES[:2])["fig"]
     write(tmp_path, "01.ipynb", cell(output({FIGURE: stored(movie)})))
     return tmp_path / "01.ipynb"
 

@@ -8,7 +8,14 @@ import re
 import pytest
 
 MODULES = ["rotations", "rigid", "planar", "subproblems", "arms", "ik", "registration", "grid_ik", "trajectory"]
-PICTURES = ["figures.plots", "figures.space", "figures.moving"]  # which refuse nothing
+PICTURES = [
+    "figures.plots",
+    "figures.space",
+    "figures.moving",
+    "figures.rigid_motion",
+    "figures.damped_steps",
+    "figures.subproblems_damped_ik",
+]  # which refuse nothing
 # Other modules of the library call these with arrays that are looked at already.
 WITHIN = {"checked_pose", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
 

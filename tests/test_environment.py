@@ -53,7 +53,7 @@ def machine(tmp_path):
             env=environment | variables,
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=600,
         )
 
     def called():

@@ -1,6 +1,7 @@
 """Verdicts: replies that nobody honest writes, and each kind of exercise."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,17 @@ from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, TEST_LOG, right
 
 from course_lib import rotations
 from course_lib.checks import wire
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, judge, with_blame
+from course_lib.checks.exercise import (
+    ERROR,
+    FORGOTTEN_RETURN,
+    NOT_ATTEMPTED,
+    RIGHT,
+    UNCHANGED,
+    WRONG,
+    Here,
+    judge,
+    with_blame,
+)
 from course_lib.checks.notebook import describe
 
 
@@ -78,6 +89,14 @@ def test_broken_code_as_it_is_given_is_a_state_of_its_own():
     assert "the bug is still there" in describe(judge(DOUBLE, Here(lambda x: x + 2)))
     assert judge(DOUBLE, Here(lambda x: 2 * x)).state == RIGHT
     assert judge(DOUBLE, Here(lambda x: 3 * x)).state == WRONG
+
+
+def test_code_that_forgets_its_return_can_be_the_bug_that_is_still_there():
+    exercise = replace(DOUBLE, broken=lambda x: None)
+    assert judge(exercise, Here(lambda x: None)).state == UNCHANGED
+    assert judge(exercise, Here(lambda x: x + 2)).state == WRONG
+    assert judge(exercise, Here(lambda x: 2 * x)).state == RIGHT
+    assert judge(DOUBLE, Here(lambda x: None)).mistake == FORGOTTEN_RETURN
 
 
 # Write the test

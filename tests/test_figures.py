@@ -31,7 +31,7 @@ def space_figures(R):
     return [
         figures.rotations_on_sphere({"a": R, "b": R}),
         figures.frames({"a": R[0]}),
-        figures.turning_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2])),
+        figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2])),
     ]
 
 
@@ -135,7 +135,7 @@ def test_the_nearest_rotation_sits_at_the_bottom_of_the_curve():
     assert marked.get_ydata()[0] == pytest.approx(min(curve.get_ydata()), abs=1e-9)
 
 
-def test_the_turning_point_is_drawn_by_the_function_it_is_given():
-    still = figures.turning_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2]), lambda w: np.eye(3))
+def test_the_rotated_point_is_drawn_by_the_function_it_is_given():
+    still = figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2]), lambda w: np.eye(3))
     way = next(t for t in still.data if len(t.x) == 60)
     assert np.ptp(way.x) == np.ptp(way.y) == np.ptp(way.z) == 0

@@ -4,6 +4,7 @@ import numpy as np
 from helpers import shown
 
 from course_lib.figures import decomposition_ik as figures
+from course_lib.figures import decomposition_pictures as pictures
 from course_lib.figures.style import COLOURS
 
 
@@ -16,7 +17,7 @@ def offsets(ax):
     return [np.asarray(dots.get_offsets()) for dots in ax.collections]
 
 
-def test_both_postures_lead_from_the_base_to_the_place():
+def test_both_elbows_lead_from_the_base_to_the_position():
     solutions = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
     fig = figures.two_elbows(solutions, np.array([1.0, 1.0]))
     for line, elbow in zip(fig.axes[0].lines, ([1, 0], [0, 1]), strict=False):
@@ -61,14 +62,41 @@ def test_larger_errors_are_larger_and_darker():
     assert png_only(fig)
 
 
-def test_costs_stand_where_memory_and_error_are_with_their_time():
+def test_costs_stand_where_memory_and_error_are_with_their_names():
     table = {
         "table": {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7},
         "formula": {"bytes": 16, "mean_error": 2e-16, "seconds": 1e-7},
     }
     (ax,) = figures.costs(table).axes
     assert [tuple(line.get_xydata()[0]) for line in ax.lines] == [(240000, 2e-3), (16, 2e-16)]
-    assert [text.get_text() for text in ax.texts] == ["table\n0.16 µs a query", "formula\n0.1 µs a query"]
+    assert [text.get_text() for text in ax.texts] == ["table", "formula"]
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     assert len({line.get_color() for line in ax.lines}) == 2
     assert ax.lines[0].get_color() == COLOURS[0]
+
+
+def test_the_words_of_two_elbows_say_whether_the_tips_arrive():
+    q = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
+    assert pictures.two_elbows(q, np.array([1.0, 1.0]))["caption"] == "Both elbows lead to the same position."
+    assert "miss it by 10.0 and 10.0 cm" in pictures.two_elbows(q, np.array([1.0, 1.1]))["caption"]
+
+
+def test_the_words_of_a_curve_name_its_largest_value():
+    alt = pictures.by_bend(np.array([0, 2, 10, 90]), np.array([0.1, 0.3, 0.02]))["alt"]
+    assert "largest, 0.30 cm, between 2 and 10 degrees" in alt
+
+
+def test_each_picture_has_words_and_a_caption():
+    xy, share = np.array([[0.0, 1.0], [1.0, 1.0]]), np.linspace(5, 100, 5)
+    cost = {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7}
+    made = [
+        pictures.samples(xy, np.array([[0, 0], [1, 1]]), xy.min(0), xy.max(0) + 1, 2),
+        pictures.clusters({"one": (xy, np.array([0, 1]))}),
+        pictures.percentiles(share, {"box": share / 100}),
+        pictures.errors(xy, {"better": np.array([0.1, 2.0])}, "Notice the second."),
+        pictures.convergence(np.array([0.2, 0.1]), {"affine": np.array([0.04, 0.01])}, {"affine": 2.0}),
+        pictures.costs({"table": cost}),
+    ]
+    assert all(picture["caption"].endswith(".") and len(picture["alt"]) > 60 for picture in made)
+    assert "the largest 2.0 at (1.0, 1.0) m" in made[3]["alt"]
+    assert "240,000 bytes, 2e-03 m, 0.16 µs" in made[5]["alt"]

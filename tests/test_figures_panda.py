@@ -51,7 +51,7 @@ def test_both_conventions_are_drawn_on_the_same_arm_with_arrows_along_their_axes
         of = numbers(triad["intensity"])
         for T in shown_frames:
             for k in range(3):
-                tip = T[:3, 3] + 0.15 * T[:3, k]
+                tip = T[:3, 3] + 0.13 * T[:3, k]
                 assert np.linalg.norm(vertices[of == colours[k]] - tip, axis=1).min() < 2e-3
     assert [note["text"] for note in figure["layout"]["annotations"]] == ["modified", "standard"]
 
@@ -128,3 +128,29 @@ def test_the_mug_moves_as_it_is_told():
     handle = mug[np.hypot(mug[:, 0], mug[:, 1]).argmax()]
     assert handle[0] > 0.06
     assert abs(handle[1]) < 0.01
+
+
+def test_the_four_parameters_are_drawn_with_their_angles_and_names():
+    a, alpha, d, theta = 0.8, 0.7, 0.6, 0.9
+    figure = stored(figures.four_parameters(a, alpha, d, theta))
+    arcs = [places(t) for t in figure["data"] if t.get("mode") == "lines" and len(t["x"]) > 2]
+    for arc, angle in zip(arcs, (alpha, theta), strict=True):
+        along = np.diff(arc, axis=0)
+        along /= np.linalg.norm(along, axis=1, keepdims=True)
+        swept = np.arccos(along[0] @ along[-1]) * len(along) / (len(along) - 1)
+        assert abs(swept - angle) < 0.05
+    names = {name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]}
+    assert {"a", "d", "\u03b1", "θ"} <= names
+
+
+def test_the_camera_hangs_where_it_is_and_looks_at_the_table():
+    frames = T_W0 @ ARM.frames(Q)
+    grippers, mugs = frames[:, -1] @ IN_FLANGE, np.tile(rigid.transform(np.eye(3), [0.3, 0, 0.6]), (4, 1, 1))
+    camera = rigid.transform(rotations.rot_x(np.pi), [0.3, 0.1, 1.4])
+    arguments = frames, grippers, np.full(4, 0.08), mugs, TIMES, BASE
+    more = stored(figures.pick("pick", *arguments, camera))["data"]
+    less = stored(figures.pick("pick", *arguments))["data"]
+    assert len(more) == len(less) + 1
+    seen = next(p for p in map(places, more) if len(p) < 1000 and abs(p[:, 2].max() - 1480) < 2)
+    assert np.abs(seen[:, 0] - 300).max() < 60, "in millimetres, as films are"
+    assert seen[:, 2].min() < 1400, "its lens looks down"

@@ -9,10 +9,9 @@ from matplotlib.colors import same_color
 from numpy.testing import assert_allclose
 
 from course_lib.arms import planar_arm
-from course_lib.figures import panels
+from course_lib.figures import damped_steps, panels
 from course_lib.figures import planar_arm as arms
 from course_lib.figures import rigid_motion as bodies
-from course_lib.figures import subproblems_damped_ik as damping
 from course_lib.figures.moving import plane_layout
 from course_lib.figures.style import CRIMSON
 from course_lib.planar import interpolate_arm, interpolate_body
@@ -31,7 +30,7 @@ CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-
 
 
 def movies(shake=1.0):
-    return [bodies.body_movie("body", POSES * shake, TIMES), arms.arm_movie("arm", POINTS * shake, TIMES)]
+    return [bodies.body_movie("body", POSES * shake, TIMES)["fig"], arms.arm_movie("arm", POINTS * shake, TIMES)]
 
 
 def plain_figures():
@@ -42,13 +41,13 @@ def plain_figures():
             {"angle (rad)": {"a": TIMES, "b": -TIMES}, "rate (rad/s)": {"a": TIMES**2, "b": TIMES}},
             xlabel="t (s)",
         ),
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]}),
-        bodies.tracks(ends, {"goal": POINTS[-1, -1]}),
-        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]}),
-        arms.arm_ways({"one": POINTS, "two": POINTS[::-1]}),
-        arms.descents({"run": POINTS}, TARGET),
-        damping.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}),
-        damping.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, [(0.2, 2.0), (2.8, 2.0)]),
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
+        bodies.tracks(ends, {"goal": POINTS[-1, -1]})["fig"],
+        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
+        arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
+        damped_steps.descents({"run": POINTS}, TARGET)["fig"],
+        damped_steps.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6})["fig"],
+        damped_steps.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, [(0.2, 2.0), (2.8, 2.0)])["fig"],
     ]
 
 
@@ -165,7 +164,7 @@ def test_panels_hold_what_their_names_say_under_one_legend():
 
 def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
     for ax, poses in zip(
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7).axes, (POSES, POSES[::-1]), strict=True
+        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7)["fig"].axes, (POSES, POSES[::-1]), strict=True
     ):
         way, *outlines = drawn_lines(ax)
         assert_allclose(way, poses[:, :2])
@@ -179,56 +178,71 @@ def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
 
 
 def test_tracks_draw_what_they_are_given():
-    (ax,) = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)}).axes
+    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)})["fig"]
+    (ax,) = fig.axes
     a, b, goal = drawn_lines(ax)
     assert_allclose(a, POSES[:, :2])
     assert_allclose(b, POINTS[:, -1])
     assert_allclose(goal, [[1, 2]])
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["a", "b", "goal"]
-    (ax,) = bodies.joint_tracks({"a": ANGLES}).axes
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b", "goal"]
+    (ax,) = bodies.joint_tracks({"a": ANGLES})["fig"].axes
     assert_allclose(drawn_lines(ax), [ANGLES])
 
 
-def test_arm_ways_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
-    (ax,) = arms.arm_ways({"one": POINTS}, every=7).axes
+def test_arm_paths_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
+    (ax,) = arms.arm_paths({"one": POINTS}, every=7).axes
     *postures, way = drawn_lines(ax)
     assert_allclose(postures, POINTS[[0, 7, 14, 21, 28, 30]])
     assert_allclose(way, POINTS[:, -1])
     assert [same_color(line.get_color(), CRIMSON) for line in ax.lines[:-1]] == 5 * [False] + [True]
 
 
-def test_descents_draw_tip_posture_and_distance_up_to_the_last_step():
-    plane, error = arms.descents({"run": POINTS, "back": POINTS[::-1]}, TARGET, last=20).axes
-    way, posture, way_back, posture_back, goal = drawn_lines(plane)
-    assert_allclose(way, POINTS[:21, -1])
-    assert_allclose(posture, POINTS[20])
-    assert_allclose(way_back, POINTS[:9:-1, -1])
-    assert_allclose(posture_back, POINTS[10])
+def test_descents_draw_tip_last_configuration_and_distance():
+    drawn = damped_steps.descents({"run": POINTS, "back": POINTS[::-1]}, TARGET)
+    plane, error = drawn["fig"].axes
+    tips, arm, tips_back, arm_back, goal = drawn_lines(plane)
+    assert_allclose(tips, POINTS[:, -1])
+    assert_allclose(arm, POINTS[-1])
+    assert_allclose(tips_back, POINTS[::-1, -1])
+    assert_allclose(arm_back, POINTS[0])
     assert_allclose(goal, [TARGET])
-    distances = np.hypot(*(POINTS[:21, -1] - TARGET).T)
-    assert_allclose(drawn_lines(error)[0], np.stack([np.arange(21), distances], -1))
-    assert error.get_yscale() == "log"
+    distances = np.hypot(*(POINTS[:, -1] - TARGET).T)
+    assert_allclose(drawn_lines(error)[0], np.stack([np.arange(N), distances], -1))
     assert [line.get_color() for line in error.lines] == [line.get_color() for line in plane.lines[:4:2]]
+    low, high = np.transpose([plane.get_xlim(), plane.get_ylim()])
+    shown = np.concatenate([POINTS[:, -1], POINTS[-1], POINTS[0], [TARGET]])
+    assert ((low < shown) & (shown < high)).all(), "everything drawn lies in the window"
+    assert f"run: ends {distances[-1]:.2g} m from it" in drawn["alt"]
+
+
+def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
+    jumping = POINTS * np.where(np.arange(N) % 2, 1, -1)[:, None, None]
+    closer = POINTS[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
+    drawn = damped_steps.descents({"jumps": jumping, "closer": closer}, POINTS[-1, -1])
+    plane, error = drawn["fig"].axes
+    assert [line.get_linestyle() for line in plane.lines[:2]] == ["None", "--"]
+    assert error.get_yscale() == "log"
+    assert "jumps: jumps about" in drawn["alt"]
 
 
 def test_gains_peak_at_the_root_of_the_damping():
-    (ax,) = damping.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}).axes
+    (ax,) = damped_steps.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6})["fig"].axes
     lines = {line.get_label(): np.transpose(line.get_data()) for line in ax.lines}
-    s, factor = lines["no damping: 1/s"].T
+    s, factor = lines["no damping: $1/s$"].T
     assert_allclose(factor, 1 / s)
     for eps in (0.5, 2, 50):
-        assert_allclose(lines[rf"$\epsilon$ = {eps:g}"], np.stack([s, s / (s**2 + eps)], -1))
+        assert_allclose(lines[rf"$\epsilon$ = {eps:g} m$^2$"], np.stack([s, s / (s**2 + eps)], -1))
     dots = [np.transpose(line.get_data())[0] for line in ax.lines if line.get_marker() == "o"]
     assert_allclose([dot[0] for dot in dots], np.sqrt([0.5, 2]), err_msg="that of 50 lies outside")
     for dot, eps in zip(dots, (0.5, 2), strict=True):
         assert dot[1] == pytest.approx(max(s / (s**2 + eps)), rel=1e-4)
     assert [line.get_xdata()[0] for line in ax.lines[-2:]] == [1.1, 2.6]
-    assert [(note.get_text(), note.xy[0]) for note in ax.texts] == [("s2", 1.1), ("s1", 2.6)]
+    assert [(note.get_text(), note.xy[0]) for note in ax.texts] == [("$s_2$", 1.1), ("$s_1$", 2.6)]
 
 
 def test_the_step_map_shows_each_run_where_it_belongs_and_the_limit():
     runs = [(0.2, 2.0), (2.8, 2.0)]
-    ax, _ = damping.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, runs).axes
+    ax, _ = damped_steps.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, runs)["fig"].axes
     (mesh,) = ax.collections
     assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
     corners = mesh.get_coordinates()  # of 5 rows and 7 columns of cells, each about its own run

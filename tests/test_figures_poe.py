@@ -64,7 +64,7 @@ def test_plain_pictures_show_the_pairs_that_their_axes_name():
     for fig, scale in ((projections, [1, 1, 1]), (pairs, [1, 1, 1, 2, 2, 2])):
         assert set(shown(fig).data) == {"image/png", "text/plain"}
         for ax, factor in zip(fig.axes, scale, strict=True):
-            names = [label.split()[0][-1] for label in (ax.get_xlabel(), ax.get_ylabel())]
+            names = [label.split()[0].strip("$")[-1] for label in (ax.get_xlabel(), ax.get_ylabel())]
             line = ax.lines[0]
             for name, numbers in zip(names, (line.get_xdata(), line.get_ydata()), strict=True):
                 np.testing.assert_allclose(numbers, factor * path[:, "xyz".index(name)])

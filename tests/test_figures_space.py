@@ -21,42 +21,46 @@ def unit(v):
     return np.array(v) / np.linalg.norm(v)
 
 
-K, P, Q = unit([0.0, 0.6, 0.8]), np.array([1.2, 0.1, 0.2]), np.array([-0.6, 1.0, 1.1])
+K, P, G = unit([0.0, 0.6, 0.8]), np.array([1.2, 0.1, 0.2]), np.array([-0.6, 1.0, 1.1])
 K1, K2, P1, P2 = unit([0.1, 0.2, 1]), unit([1, 0.1, 0.2]), unit([0.8, 0.6, 0.3]), unit([0.5, 0.3, -0.8])
 MISS = EZ, EX, unit([0.5, 0.2, 1]), unit([1, 0.5, -0.1])
-K3, P3, Q3, D3 = unit([0.2, 0.1, 1.0]), np.array([1.0, 0.2, 0.3]), np.array([0.2, 0.9, 0.5]), 0.7
+K3, P3, G3, D3 = unit([0.2, 0.1, 1.0]), np.array([1.0, 0.2, 0.3]), np.array([0.2, 0.9, 0.5]), 0.7
 H, D4 = 2 * unit([-0.3, 0.8, 0.6]), 0.8  # not of length one
 SHARE = np.linspace(0, 1, 21)[:, None]
 STEADY = exp_so3(SHARE * [0.3, 1.2, -0.5])
 TRACKS = {"steady": STEADY, "winding": STEADY @ exp_so3(np.sin(np.pi * SHARE) * [0, 0.2, 0.4])}
 
 
-def turn_onto(shake=1.0):
-    return figures.turn_onto(K, P * shake, Q * shake, subproblems.subproblem1(K, P, Q).theta * shake)
+def rotated_onto(shake=1.0):
+    return figures.rotated_onto(K, P * shake, G * shake, subproblems.subproblem1(K, P, G).theta * shake)["fig"]
 
 
 def circles_meet(shake=1.0):
-    return figures.circles_meet(K1, K2, P1 * shake, P2 * shake, subproblems.subproblem2(K1, K2, P1, P2).theta * shake)
+    return figures.circles_meet(K1, K2, P1 * shake, P2 * shake, subproblems.subproblem2(K1, K2, P1, P2).theta * shake)[
+        "fig"
+    ]
 
 
 def circles_miss(shake=1.0):
-    return figures.circles_meet(*MISS, subproblems.subproblem2(*MISS).theta[:1] * shake)
+    return figures.circles_meet(*MISS, subproblems.subproblem2(*MISS).theta[:1] * shake)["fig"]
 
 
 def circle_and_sphere(shake=1.0):
-    theta = subproblems.subproblem3(K3, P3, Q3, D3).theta
-    return figures.circle_and_sphere(K3, P3 * shake, Q3 * shake, D3 * shake, theta * shake)
+    theta = subproblems.subproblem3(K3, P3, G3, D3).theta
+    return figures.circle_and_sphere(K3, P3 * shake, G3 * shake, D3 * shake, theta * shake)["fig"]
 
 
 def circle_and_plane(shake=1.0):
-    return figures.circle_and_plane(K3, H, P3 * shake, D4 * shake, subproblems.subproblem4(K3, H, P3, D4).theta * shake)
+    return figures.circle_and_plane(
+        K3, H, P3 * shake, D4 * shake, subproblems.subproblem4(K3, H, P3, D4).theta * shake
+    )["fig"]
 
 
-def turns_on_sphere(shake=1.0):
-    return figures.turns_on_sphere({name: R * shake for name, R in TRACKS.items()})
+def orientation_paths(shake=1.0):
+    return figures.orientation_paths({name: R * shake for name, R in TRACKS.items()})["fig"]
 
 
-SCENES = [turn_onto, circles_meet, circles_miss, circle_and_sphere, circle_and_plane, turns_on_sphere]
+SCENES = [rotated_onto, circles_meet, circles_miss, circle_and_sphere, circle_and_plane, orientation_paths]
 
 
 def traces(figure, colour, mode="lines"):
@@ -129,21 +133,21 @@ def test_scenes_stand_side_by_side_under_their_titles():
 # ---- subproblems ----
 
 
-def test_subproblem_1_shows_the_circle_and_the_place_on_it_nearest_to_q():
-    figure = stored(turn_onto())
+def test_subproblem_1_shows_the_circle_and_the_point_on_it_nearest_to_g():
+    figure = stored(rotated_onto())
     (circle,) = traces(figure, BLUE)
     assert_circle(circle, K, P)
     (dots,) = traces(figure, BLACK, "markers")
-    assert_allclose(dots, [P, Q], atol=ROUNDED)
+    assert_allclose(dots, [P, G], atol=ROUNDED)
     ((end,),) = traces(figure, CRIMSON, "markers")
-    assert np.linalg.norm(end - Q) <= np.linalg.norm(circle - Q, axis=-1).min() + ROUNDED
+    assert np.linalg.norm(end - G) <= np.linalg.norm(circle - G, axis=-1).min() + ROUNDED
     assert_allclose([end @ K, np.linalg.norm(end)], [P @ K, np.linalg.norm(P)], atol=ROUNDED)
     ((foot, p),), ((same_foot, tip),) = traces(figure, GREY), traces(figure, CRIMSON)
     assert_allclose([p, tip, foot], [P, end, same_foot], atol=ROUNDED)
     assert_allclose([(P - foot) @ K, *np.cross(foot, K)], 0, atol=ROUNDED)
     (axis,) = arrows(figure, 1)
     assert_on_axis(axis, K)
-    assert set(named(figure)) == {"p", "q", "R p", "k"}
+    assert set(named(figure)) == {"p", "g", "R p", "k"}
 
 
 def test_subproblem_2_marks_where_the_circles_meet():
@@ -159,12 +163,13 @@ def test_subproblem_2_marks_where_the_circles_meet():
     assert np.linalg.norm(meetings[0] - meetings[1]) > 0.1
     words = named(figure)
     assert set(words) == {"p1", "p2", "k1", "k2", "1", "2"}
-    assert_allclose([words["1"], words["2"]], 1.12 * meetings[:, 0], atol=ROUNDED)
+    for name, dot in [("p1", P1), ("p2", P2), ("1", meetings[0, 0]), ("2", meetings[1, 0])]:
+        assert 0.15 < np.linalg.norm(words[name] - dot) < 0.5, "beside its dot, not under it"
     for axis, k in zip(arrows(figure, 2), (K1, K2), strict=True):
         assert_on_axis(axis, k)
 
 
-def test_subproblem_2_joins_the_nearest_places_of_circles_that_miss():
+def test_subproblem_2_joins_the_nearest_points_of_circles_that_miss():
     figure = stored(circles_miss())
     (first,), (second,) = traces(figure, BLUE), traces(figure, GREEN)
     ((a, b),) = traces(figure, CRIMSON, "markers")
@@ -178,14 +183,14 @@ def test_subproblem_2_joins_the_nearest_places_of_circles_that_miss():
 def test_subproblem_3_shows_the_sphere_and_where_the_circle_pierces_it():
     figure = stored(circle_and_sphere())
     (ball,) = [np.array([t[c] for c in "xyz"]) for t in figure["data"] if t["type"] == "surface"]
-    assert_allclose(np.linalg.norm(ball - Q3[:, None, None], axis=0), D3, atol=ROUNDED)
+    assert_allclose(np.linalg.norm(ball - G3[:, None, None], axis=0), D3, atol=ROUNDED)
     ((circle,), (answers,)) = traces(figure, BLUE), traces(figure, CRIMSON, "markers")
     assert_circle(circle, K3, P3)
-    assert_allclose(np.linalg.norm(answers - Q3, axis=-1), D3, atol=ROUNDED)
+    assert_allclose(np.linalg.norm(answers - G3, axis=-1), D3, atol=ROUNDED)
     assert_allclose(answers @ K3, P3 @ K3, atol=ROUNDED)
     assert_allclose(np.linalg.norm(answers, axis=-1), np.linalg.norm(P3), atol=ROUNDED)
     assert np.linalg.norm(answers[0] - answers[1]) > 0.1
-    assert set(named(figure)) == {"p", "q", "k", "1", "2"}
+    assert set(named(figure)) == {"p", "g", "k", "1", "2"}
 
 
 def test_subproblem_4_shows_the_plane_and_where_the_circle_cuts_it():
@@ -211,11 +216,11 @@ def test_subproblem_4_shows_the_plane_and_where_the_circle_cuts_it():
     assert set(named(figure)) == {"p", "k", "h", "1", "2"}
 
 
-# ---- turns ----
+# ---- orientations ----
 
 
-def test_turns_on_the_sphere_follow_e_x():
-    figure = stored(turns_on_sphere())
+def test_orientations_on_the_sphere_follow_e_x():
+    figure = stored(orientation_paths())
     for (name, R), colour in zip(TRACKS.items(), (BLUE, CRIMSON), strict=True):
         (way,) = traces(figure, colour)
         assert_allclose(way, R[:, :, 0], atol=ROUNDED)
@@ -224,4 +229,4 @@ def test_turns_on_the_sphere_follow_e_x():
     assert [t["name"] for t in figure["data"] if t["showlegend"]] == list(TRACKS)
     (ends,) = traces(figure, BLACK, "markers")
     assert_allclose(ends, STEADY[[0, -1], :, 0], atol=ROUNDED)
-    assert_allclose([named(figure)["start"], named(figure)["end"]], 1.2 * ends, atol=ROUNDED)
+    assert_allclose([named(figure)["start"], named(figure)["end"]], 1.15 * ends + [0, 0, 0.17], atol=2 * ROUNDED)

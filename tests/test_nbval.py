@@ -34,7 +34,7 @@ CELLS = {
 @pytest.fixture(scope="module")
 def executed():
     notebook = new_notebook(cells=[new_code_cell(source) for source, _ in CELLS.values()])
-    NotebookClient(notebook, timeout=120).execute()
+    NotebookClient(notebook, timeout=600).execute()
     return notebook
 
 

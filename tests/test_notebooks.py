@@ -49,7 +49,7 @@ def outputs(notebook):
 
 def executed(notebook, folder):
     """The notebook run from top to bottom; an error does not stop it."""
-    NotebookClient(notebook, timeout=120, allow_errors=True, resources={"metadata": {"path": str(folder)}}).execute()
+    NotebookClient(notebook, timeout=600, allow_errors=True, resources={"metadata": {"path": str(folder)}}).execute()
     return notebook
 
 

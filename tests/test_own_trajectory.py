@@ -55,7 +55,7 @@ def run_with(path):
         source = cell.source.replace(LINE, f"TRAJECTORY = {str(path)!r}")
         exec(compile(source, cell.id, "exec"), space)
         if cell.id == "setup":
-            space["show"] = lambda fig, alt: told.append(alt)
+            space["show"] = lambda fig, alt, caption: told.append(alt)
     return space, told
 
 

@@ -19,7 +19,7 @@ WHICH = nbformat.v4.new_code_cell("import course_lib\nprint(course_lib.__file__)
 def test_every_cell_runs_and_every_check_says_not_attempted_yet(unpacked, name):
     notebook = nbformat.read(unpacked / "notebooks" / name, 4)
     notebook.cells.append(WHICH.copy())
-    client = NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(unpacked / "notebooks")}})
+    client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(unpacked / "notebooks")}})
     client.execute(env={**os.environ, "PYTHONPATH": str(unpacked)})  # raises where a cell does
     assert notebook.cells[-1].outputs[0].text.strip() == str(unpacked / "course_lib" / "__init__.py")
 

@@ -1,5 +1,6 @@
 """The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
 
+import json
 import re
 import runpy
 import subprocess
@@ -30,6 +31,8 @@ from site_visits import CONTRAST, OPEN, Visit, assert_readable
 from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
+CHOICE = "<details><summary>a</summary>Prediction</details>"
+SLOW = json.loads(json.dumps(MOVING).replace('"duration": 20', '"duration": 500'))  # time to press Pause
 CAPTION = "Both helices wind the same way."
 
 
@@ -44,10 +47,14 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
         cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side'), caption_output(CAPTION)),
         cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
-        cell(output({"text/html": CHECK}), new_output("stream", text="distance 1.48 " * 30)),
+        cell(
+            output({"text/html": CHECK}),
+            output({"text/html": CHOICE}),
+            new_output("stream", text="distance 1.48 " * 30),
+        ),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
         *[new_markdown_cell("Words. " * 400) for _ in range(3)],
-        cell(output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
+        cell(output({PLOTLY: SLOW, "text/plain": "A point that moves to the right"})),
         cell(source="hidden_input = 1", tags=["hide-input"]),
         cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
@@ -83,9 +90,10 @@ def test_page_works_offline(site, notebooks, browser, theme, width):
         for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
             assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
         style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
-        ground, dimmed = "rgb(255, 255, 255)", "brightness(0.88)" if theme == "dark" else "none"
-        assert visit.page.locator(".plotly-figure").first.evaluate(style) == [ground, "none"]
-        assert visit.page.locator("img.picture").first.evaluate(style) == [ground, dimmed]
+        white, dimmed = "rgb(255, 255, 255)", "brightness(0.88)" if theme == "dark" else "none"
+        ground = "rgb(27, 31, 36)" if theme == "dark" else white
+        assert visit.page.locator(".plotly-figure.drawn").first.evaluate(style) == [ground, "none"]
+        assert visit.page.locator("img.picture").first.evaluate(style) == [white, dimmed]
 
 
 def test_figure_turns_and_stays_turned(site, browser):
@@ -123,7 +131,7 @@ def test_frames_play_from_the_keyboard(site, browser):
         assert visit.page.locator(".updatemenu-button, .slider-container").count() == 0
         button.focus()
         visit.page.keyboard.press("Enter")
-        visit.page.wait_for_function(f"({drawn})() > 5")
+        visit.page.wait_for_function(f"({drawn})() > 0")
         visit.page.keyboard.press("Enter")
         assert button.inner_text() == "Play"
         visit.page.keyboard.press("Tab")
@@ -163,12 +171,12 @@ def test_paper_holds_every_word_and_nothing_beyond_its_edge(site, browser, tmp_p
         printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
         visit.page.evaluate(OPEN)
         read = """() => {
-          const silent = document.querySelectorAll("article :is(.math, .plotly-figure, .headerlink)");
+          const silent = document.querySelectorAll("article :is(.math, .plotly-figure, .headerlink, button)");
           silent.forEach((part) => part.remove());
           return document.querySelector("article").innerText;
         }"""
         words = {*re.findall(r"[A-Za-z]{4,}", visit.page.evaluate(read))}
-        assert {"return", "orthogonal", "Rubric"} <= words, "what is folded shut"
+        assert {"return", "orthogonal", "Rubric", "Prediction"} <= words, "what is folded shut"
         letters = "".join(printed.stdout.split())
         assert [word for word in words if word not in letters] == []
     with Visit(browser, page, width=680) as visit:  # A4 within its margins

@@ -11,9 +11,10 @@ from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
 
-@pytest.fixture
-def notebooks(tmp_path):
-    folder = tmp_path / "notebooks"
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The folder of notebooks, beside it the site made of them, and what was said meanwhile."""
+    folder = tmp_path_factory.mktemp("made") / "notebooks"
     both = {PLOTLY: HELIX, "image/png": png()}
     cells = [
         cell(source=SOLUTION, nbgrader=NBGRADER),
@@ -22,18 +23,32 @@ def notebooks(tmp_path):
     ]
     write(folder, "01_rotations.ipynb", new_markdown_cell(TEXT + "\nSee [the next](02_rigid_motion.ipynb)."), *cells)
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
-    return folder
+    said, _ = built(folder)
+    return folder, said
+
+
+@pytest.fixture
+def notebooks(made, tmp_path):
+    """A copy of the notebooks, and beside it of their site."""
+    for each in made[0].parent.iterdir():
+        shutil.copytree(each, tmp_path / each.name)
+    return tmp_path / "notebooks"
+
+
+def written(notebooks):
+    """The moment in which each page was written."""
+    return {page.name: page.stat().st_mtime_ns for page in (notebooks.parent / "html").glob("*.html")}
 
 
 def built(notebooks, **settings):
     """Build; return what was said, and the moment in which each page was written."""
     said = []
     build(notebooks, notebooks.parent / "html", said.append, **settings)
-    return said, {page.name: page.stat().st_mtime_ns for page in (notebooks.parent / "html").glob("*.html")}
+    return said, written(notebooks)
 
 
-def test_progress_names_each_notebook(notebooks):
-    said, _ = built(notebooks)
+def test_progress_names_each_notebook(made):
+    _, said = made
     assert said[:2] == [
         "01_rotations.ipynb: 2 live figures, 0 pictures",
         "02_rigid_motion.ipynb: 0 live figures, 0 pictures",
@@ -41,7 +56,7 @@ def test_progress_names_each_notebook(notebooks):
 
 
 def test_what_is_unchanged_is_left_as_it_is(notebooks):
-    _, first = built(notebooks)
+    first = written(notebooks)
     said, second = built(notebooks)
     assert said == [f"Nothing has changed since {notebooks.parent / 'html' / 'index.html'} was written."]
     assert second == first
@@ -62,7 +77,7 @@ def rewrite(notebooks):
     ids=["a notebook", "a file beside it", "a page", "a library"],
 )
 def test_whatever_changed_is_seen(notebooks, change):
-    _, first = built(notebooks)
+    first = written(notebooks)
     change(notebooks)
     said, second = built(notebooks)
     assert said[-1].startswith("Wrote")
@@ -71,7 +86,6 @@ def test_whatever_changed_is_seen(notebooks, change):
 
 
 def test_other_settings_are_seen(notebooks):
-    built(notebooks)
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")
     built(notebooks, solutions=False)
@@ -88,16 +102,23 @@ def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):
         built(notebooks)
 
 
+@pytest.fixture(scope="module")
+def singles(made, tmp_path_factory):
+    """The site of which each page is one file."""
+    folder = tmp_path_factory.mktemp("singles") / "html"
+    build(made[0], folder, single=True)
+    return folder
+
+
 @pytest.mark.parametrize("width", [390, 1280])
-def test_a_single_page_needs_no_other_file(notebooks, browser, tmp_path, width):
-    built(notebooks, single=True)
+def test_a_single_page_needs_no_other_file(singles, made, browser, tmp_path, width):
     alone = tmp_path / "alone" / "lesson.html"
     alone.parent.mkdir()
-    shutil.copy(notebooks.parent / "html/01_rotations.html", alone)
+    shutil.copy(singles / "01_rotations.html", alone)
     with Visit(browser, alone, width=width) as visit:
-        assert_readable(visit, notebooks / "01_rotations.ipynb", width)
+        assert_readable(visit, made[0] / "01_rotations.ipynb", width)
         assert [url for url in visit.requests if url.startswith("file:")] == [alone.as_uri()]
         links = [link.get_attribute("href") for link in visit.page.locator("a[href]").all()]
         assert [link[:5] for link in links if not link.startswith("#")] == ["data:"]
         assert visit.page.get_by_text("the next").is_visible()
-    assert 'href="https://numpy.org"' in (notebooks.parent / "html/02_rigid_motion.html").read_text("utf-8")
+    assert 'href="https://numpy.org"' in (singles / "02_rigid_motion.html").read_text("utf-8")

@@ -38,9 +38,17 @@ def notebooks(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def page(notebooks):
-    build(notebooks, notebooks.parent / "html")
-    return notebooks.parent / "html/01.html"
+def site(notebooks):
+    """The site, made with solutions (True) or without (False)."""
+    made = {solutions: notebooks.parent / f"html-{solutions}" for solutions in (True, False)}
+    for solutions, folder in made.items():
+        build(notebooks, folder, solutions=solutions)
+    return made
+
+
+@pytest.fixture
+def page(site):
+    return site[True] / "01.html"
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -86,14 +94,13 @@ def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(
         assert visit.page.locator("details.hide[open]").count() == 0
 
 
-def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(notebooks, tmp_path):
-    build(notebooks, tmp_path / "html", solutions=False)
-    text = (tmp_path / "html/01.html").read_text(encoding="utf-8")
+def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site):
+    text = (site[False] / "01.html").read_text(encoding="utf-8")
     assert "NotImplementedError" in text
     assert "Type your answer here." in text
     assert "A result" in text
     assert not [words for words in ("gooseberry", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
-    assert "orthogon" not in (tmp_path / "html/_static/sections.js").read_text(encoding="utf-8")
+    assert "orthogon" not in (site[False] / "_static/sections.js").read_text(encoding="utf-8")
 
 
 def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):
@@ -105,9 +112,8 @@ def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answ
 
 
 @pytest.mark.parametrize("solutions", [True, False])
-def test_a_page_offers_its_notebook_as_students_get_it(notebooks, browser, tmp_path, solutions):
-    build(notebooks, tmp_path / "html", solutions=solutions)
-    with Visit(browser, tmp_path / "html/01.html") as visit:
+def test_a_page_offers_its_notebook_as_students_get_it(notebooks, site, browser, tmp_path, solutions):
+    with Visit(browser, site[solutions] / "01.html") as visit:
         link = visit.page.get_by_role("link", name="Download this notebook, without solutions")
         with visit.page.expect_download() as started:
             link.press("Enter")

@@ -8,16 +8,15 @@ from numpy.testing import assert_allclose
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
 from site_visits import Visit
+from two_sliders import explorer
 
 from course_lib.arms import planar_arm
-from course_lib.figures.explorer import explorer
 from course_lib.figures.rigid_motion import body_movie
 from course_lib.pack.site.build import build
 
 TIMES = np.linspace(0, 1, 21)
 POSES = np.stack([np.linspace(-6, 6, 21), np.linspace(-5, 2, 21), np.linspace(0, 2, 21)], -1)
 ALPHAS, EPSILONS, START = np.array([0.05, 0.2, 2.8]), np.array([0.5, 2, 8]), (1, 2)
-expect.set_options(timeout=30_000)  # a machine may be busy
 OWN = ".updatemenu-container, .updatemenu-button, .slider-container"  # what plotly draws
 NAMES = ("step size alpha", "damping epsilon (m²)")
 
@@ -46,7 +45,7 @@ def explored():
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES)), stored(explored()), COLOURED
+    return stored(body_movie("body", POSES, TIMES)["fig"]), stored(explored()), COLOURED
 
 
 @pytest.fixture(scope="module")

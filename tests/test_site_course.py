@@ -10,18 +10,48 @@ from playwright.sync_api import expect
 from site_visits import OPEN, Visit, assert_readable
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-expect.set_options(timeout=30_000)  # a machine may be busy
 
 # Whatever can be pressed, chosen or typed into, and can be seen.
 CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summary, [tabindex='0']")]
   .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".plotly-figure"))"""
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def test_works_offline(course, browser, notebook, theme):
-    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=390) as visit:
-        assert_readable(visit, notebook, width=390)
+LOOKS = {"phone": (390, "dark"), "desktop": (1280, "light")}
+
+
+@pytest.fixture(
+    scope="module", params=[(n, look) for n in NOTEBOOKS for look in LOOKS], ids=lambda p: f"{p[0].stem}-{p[1]}"
+)
+def page(course, browser, request):
+    """A notebook, a screen's width and the visit to the notebook's page on it: to draw its figures takes seconds."""
+    notebook, look = request.param
+    width, theme = LOOKS[look]
+    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=width) as visit:
+        yield notebook, width, visit
+
+
+def test_play_moves_every_figure_that_has_frames(page):
+    def plays(box):
+        live, button = box.locator(".plotly-live"), box.locator(".plotly-player button")
+        if not button.count():
+            return
+        drawn = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
+        before = live.evaluate(drawn)
+        button.click()
+        visit.page.wait_for_function(
+            f"([live, before]) => ({drawn})(live) !== before", arg=[live.element_handle(), before]
+        )
+        if button.inner_text() == "Pause":
+            button.click()
+
+    _, _, visit = page
+    visit.draw_figures(plays)
+    assert visit.complaints == []
+
+
+def test_works_offline(page):
+    notebook, width, visit = page
+    assert_readable(visit, notebook, width)
 
 
 def test_is_small_and_holds_each_library_once(course):
@@ -48,25 +78,6 @@ def test_every_link_leads_somewhere(course):
             count += 1
     assert count > 500
     assert {"index.html", "errata.html", "sources.html", "notation.html"} < set(pages)
-
-
-@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def test_play_moves_every_figure_that_has_frames(course, browser, notebook):
-    with Visit(browser, course / f"{notebook.stem}.html") as visit:
-        visit.draw_figures()
-        for box in visit.page.locator(".plotly-figure:has(.plotly-player button)").all():
-            box.scroll_into_view_if_needed()
-            live, button = box.locator(".plotly-live"), box.locator(".plotly-player button")
-            expect(live.locator(".main-svg").first).to_be_visible()
-            drawn = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
-            before = live.evaluate(drawn)
-            button.click()
-            visit.page.wait_for_function(
-                f"([live, before]) => ({drawn})(live) !== before", arg=[live.element_handle(), before]
-            )
-            if button.inner_text() == "Pause":
-                button.click()
-        assert visit.complaints == []
 
 
 def test_the_keyboard_alone_reaches_everything(course, browser):

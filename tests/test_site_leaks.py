@@ -1,15 +1,15 @@
 """A site without solutions holds none: every file of it is searched, and the search is tried on the site with them."""
 
-import base64
 import html
 import re
+import zipfile
 
+import nbformat
 import pytest
 from leaks import ROOT, answer_cells, code, lines, secrets, texts
 
-from course_lib.pack.site.build import build
+from course_lib.pack.site import formulas
 
-DOWNLOAD = re.compile(r'href="data:application/x-ipynb\+json;base64,([^"]*)"')
 TAG = re.compile(r"<[^>]+>")
 VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
 
@@ -32,13 +32,22 @@ def shown(page):
 
 
 def said(file):
-    """What one file of a site says: a page with the notebook that it offers, or bytes taken for text."""
+    """What one file of a site says: a page, the notebooks in the zip, or bytes taken for text.
+
+    What else is in the zip is searched by the tests of the release.
+    """
+    if file.suffix == ".zip":
+        parts = [part for name, content in notebooks(file) for part in texts(name, content)]
+        return "\n\n".join([*parts, *map(words, parts)])
     if file.suffix != ".html":
         text = file.read_bytes().decode(errors="replace")
         return text + "\n\n" + words(text) if file.name == "sections.js" else text
-    page = file.read_text(encoding="utf-8")
-    parts = [part for content in DOWNLOAD.findall(page) for part in texts("a.ipynb", base64.b64decode(content))]
-    return "\n\n".join([*shown(page), *parts, *map(words, parts)])
+    return "\n\n".join(shown(file.read_text(encoding="utf-8")))
+
+
+def notebooks(file):
+    with zipfile.ZipFile(file) as archive:
+        return [(name, archive.read(name)) for name in archive.namelist() if name.endswith(".ipynb")]
 
 
 def leaks(site, wanted):
@@ -49,45 +58,78 @@ def leaks(site, wanted):
 
 @pytest.fixture(scope="module")
 def wanted():
-    # A sentence that is all formulas has no words left to look for.
+    # A sentence that is all formulas has no words left to look for; its formulas are looked for below.
     return {text: exercise for text, exercise in secrets(words).items() if len(text) >= 12}
 
 
+def mathml(texts):
+    """The formulas of Markdown texts, as pages hold them for those who do not see: as MathML."""
+    found = [
+        formulas.typeset(" ".join(tex.split()), display=bool(sign == "$$"))
+        for text in texts
+        for sign, tex in re.findall(r"(\$\$?)([^$]+)\$", re.sub(r"`[^`]*`|^```.*?^```", " ", text))
+    ]
+    return {re.search(r"<math\b[^>]*>(.*)</math>", made, re.DOTALL)[1] for made in found}
+
+
 @pytest.fixture(scope="module")
-def sites(tmp_path_factory):
+def secret_formulas():
+    """The formulas that stand in model answers alone, and are long enough to be no single letter."""
+    answers = {cell.id for _, cell in answer_cells()}
+    cells = [
+        cell
+        for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+        for cell in nbformat.read(path, 4).cells
+        if cell.cell_type == "markdown"
+    ]
+    secret = mathml(cell.source for cell in cells if cell.id in answers)
+    open_to_all = "".join(mathml(cell.source for cell in cells if cell.id not in answers))
+    return {each for each in secret if len(each) > 150 and each not in open_to_all}
+
+
+@pytest.fixture
+def sites(course, course_without_answers):
     """The course as a site with solutions and as one without."""
-    folder = tmp_path_factory.mktemp("leaks")
-    for name in ("yes", "no"):
-        build(ROOT / "notebooks", folder / name, solutions=name == "yes")
-    return folder
+    return {"yes": course, "no": course_without_answers}
 
 
 def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
-    assert {text for _, text in leaks(sites / "yes", wanted)} == set(wanted)
+    assert {text for _, text in leaks(sites["yes"], wanted)} == set(wanted)
 
 
 def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
-    pages = [page.read_text(encoding="utf-8") for page in (sites / "no").glob("*.html")]
-    assert sum(len(DOWNLOAD.findall(page)) for page in pages) == len(list((ROOT / "notebooks").glob("*.ipynb")))
-    book = base64.b64encode((ROOT / "notebooks/02_rigid_motion.ipynb").read_bytes()).decode()
-    (tmp_path / "planted.html").write_text(f'<a href="data:application/x-ipynb+json;base64,{book}">')
+    (file,) = sites["no"].glob("*.zip")
+    assert len(notebooks(file)) == len(list((ROOT / "notebooks").glob("*.ipynb")))
+    for page in sites["no"].glob("0*.html"):
+        assert f'href="{file.name}"' in page.read_text(encoding="utf-8")
+    with zipfile.ZipFile(tmp_path / "planted.zip", "w") as archive:
+        archive.write(ROOT / "notebooks/02_rigid_motion.ipynb", "notebooks/02_rigid_motion.ipynb")
     assert {"wrap_angle", "explain_wrap"} <= {exercise for exercise, _ in leaks(tmp_path, wanted)}
 
 
+def test_a_site_without_solutions_holds_none_of_their_formulas(sites, secret_formulas):
+    full, bare = (
+        "".join(page.read_text(encoding="utf-8") for page in sites[name].glob("*.html")) for name in ("yes", "no")
+    )
+    assert len(secret_formulas) > 10
+    assert [each for each in secret_formulas if each not in full] == [], "looked for as pages write them"
+    assert [each for each in secret_formulas if each in bare] == []
+
+
 def test_a_site_without_solutions_holds_no_line_and_no_sentence_of_them(sites, wanted):
-    assert leaks(sites / "no", wanted) == set()
+    assert leaks(sites["no"], wanted) == set()
 
 
 def test_no_check_says_right_and_every_other_output_stays(sites):
-    for page in (sites / "no").glob("*.html"):
-        bare, full = page.read_text("utf-8"), (sites / "yes" / page.name).read_text("utf-8")
+    for page in sites["no"].glob("*.html"):
+        bare, full = page.read_text("utf-8"), (sites["yes"] / page.name).read_text("utf-8")
         assert not VERDICT.search(bare), page.name
         for output in ('class="plotly-figure"', 'class="picture', 'class="output stream'):
             assert bare.count(output) == full.count(output), page.name
         assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", bare)
-    assert any(VERDICT.search(page.read_text("utf-8")) for page in (sites / "yes").glob("*.html"))
-    pages = "".join(page.read_text("utf-8") for page in (sites / "no").glob("*.html"))
+    assert any(VERDICT.search(page.read_text("utf-8")) for page in sites["yes"].glob("*.html"))
+    pages = "".join(page.read_text("utf-8") for page in sites["no"].glob("*.html"))
     code = [cell.source for _, cell in answer_cells() if cell.cell_type == "code"]
     unwritten = [source for source in code if not source.rpartition("END SOLUTION")[2].strip()]  # the rest hold a bug
     assert pages.count("NotImplementedError") >= len(unwritten)

@@ -13,8 +13,8 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
+from site_visits import PATIENCE
 
-expect.set_options(timeout=60_000)  # a machine may be busy
 ROOT = Path(__file__).parent.parent
 PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
 SOURCES = (
@@ -85,13 +85,14 @@ def server(tmp_path_factory):
 @pytest.fixture(scope="module")
 def lab(server, browser):
     context = browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce")
+    context.set_default_timeout(PATIENCE)
     page = context.new_page()
     page.asked = []
     page.on("request", lambda request: page.asked.append(request.url))
     page.goto(server)
     expect(page.locator(".jp-Notebook").first).to_be_visible()
     expect(page.locator(".jp-Notebook .jp-CodeCell")).to_have_count(len(SOURCES))
-    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached", timeout=60_000)
+    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached")
     yield page
     context.close()
 
@@ -151,8 +152,7 @@ def test_a_right_one_moves_the_arm_and_agrees(lab):
     out.get_by_label("Joint 1", exact=True).focus()
     for _ in range(5):
         lab.keyboard.press("ArrowRight")
-    lab.wait_for_timeout(1000)
-    assert canvas.evaluate("c => c.toDataURL()") != before
+    lab.wait_for_function("([c, before]) => c.toDataURL() !== before", arg=[canvas.element_handle(), before])
     expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
 
 

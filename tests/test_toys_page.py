@@ -8,7 +8,7 @@ from helpers import FIGURE, stored
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
-from site_visits import Visit, violations
+from site_visits import PATIENCE, Visit, violations
 
 from course_lib import figures
 from course_lib.arms import iiwa14
@@ -17,7 +17,6 @@ from course_lib.pack.site.build import build
 TOYS = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
 TOYS["jog"] = lambda: figures.jog(iiwa14())
 TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in ("gimbals", "order", "belt")}
-expect.set_options(timeout=30_000)  # a machine may be busy
 
 
 @pytest.fixture(scope="module")
@@ -56,13 +55,17 @@ def picture(box):
       + [...box.querySelectorAll("pre, p")].map((p) => p.textContent).join()""")
 
 
-def changes(visit, box, before):
-    visit.page.wait_for_timeout(50)
-    for _ in range(100):
-        if picture(box) != before:
-            return True
+def comes(visit, condition):
+    """Wait until a condition holds, for a toy draws when the browser is ready for it; return whether it ever does."""
+    for _ in range(PATIENCE // 50):
         visit.page.wait_for_timeout(50)
+        if condition():
+            return True
     return False
+
+
+def changes(visit, box, before):
+    return comes(visit, lambda: picture(box) != before)
 
 
 @pytest.mark.parametrize("name", TOYS)
@@ -161,18 +164,20 @@ def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
     box = come(visit, "panda_toy")
     pose = box.locator("pre").inner_text()
     joints = [box.get_by_label(f"Joint {i}", exact=True) for i in range(1, 8)]
-    before = [float(joint.input_value()) for joint in joints]
+
+    def values():
+        return [float(joint.input_value()) for joint in joints]
+
+    before = values()
     for share in (0.0, 0.3, 1.0):
         put(box, "Elbow (gripper stays)", share)
         expect(box.locator("pre")).to_contain_text("the gripper moved by")
-        visit.page.wait_for_timeout(100)
+        assert comes(visit, lambda before=before: np.abs(np.subtract(values(), before)).max() > 3)
         words = box.locator("pre").inner_text()
         assert float(re.search(r"gripper moved by (\S+) mm", words)[1]) < 1e-3
         if share == 0.3:
             assert words.startswith(pose.split("\n\n")[0].splitlines()[0])
-        after = [float(joint.input_value()) for joint in joints]
-        assert np.abs(np.subtract(after, before)).max() > 3
-        before = after
+        before = values()
 
 
 def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
@@ -199,8 +204,8 @@ def test_circles_meet_touch_and_miss(visit):
     box = come(visit, "circles_toy")
     for p, q, said in ((50, 45, "twice"), (30, 40, "touch"), (20, 20, "farther apart"), (100, 20, "inside the other")):
         put(box, "Between the axes k1, k2", 70)
-        put(box, "From k1 to p", p)
-        put(box, "From k2 to q", q)
+        put(box, "From k1 to p1", p)
+        put(box, "From k2 to p2", q)
         expect(box.locator("p[role=status]")).to_contain_text(said)
 
 

@@ -156,7 +156,7 @@ class Exercise:
     alike : callable
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
     broken : callable, optional
-        If the task is to find a bug: a function that answers as the broken code does.
+        If the task is to find a bug: a function that answers as the broken code does, None included.
     """
 
     name: str
@@ -208,8 +208,8 @@ class Exercise:
         return Verdict(self, RIGHT, note=note)
 
     def _is_unchanged(self, cases, values):
-        pairs = [(attempt(self.broken, *case), value, case) for case, value in zip(cases, values, strict=True)]
-        return all(value is not None and same(value, broken) for broken, value, _ in pairs)
+        pairs = [(attempt(self.broken, *case), value) for case, value in zip(cases, values, strict=True)]
+        return all(broken is None if value is None else same(value, broken) for broken, value in pairs)
 
 
 class Unreadable(ValueError):

@@ -33,21 +33,19 @@ def conventions(contents, base):
     poses = _bodies(next(iter(contents.values())), base)
     model, share = arm_model(arm), 1 / len(contents)
     vertices = model.placed(poses)
-    height, drawn, scenes = 440, [], []
+    height, drawn, scenes = 470, [], []
     aspect = 700 * share / height
     for i, frames in enumerate(contents.values()):
         name = "scene" if i == 0 else f"scene{i + 1}"
         shown = [T for k, T in enumerate(frames[:-1]) if not any(np.allclose(T, other) for other in frames[:k])]
-        triads = Model.of([part for k in range(len(shown)) for part in scene.triad(k, np.eye(4), 0.15)])
+        triads = Model.of([part for k in range(len(shown)) for part in scene.triad(k, np.eye(4), 0.13)])
         words = numbers(frames[:-1])
-        reach = np.concatenate([vertices, triads.placed(shown), scene.rim(vertices, base[2])])
+        reach = np.concatenate([vertices, triads.placed(shown)])
         settings = scene.fitted_scene(reach, _VIEW, aspect=aspect, domain=(i * share, (i + 1) * share))
         scenes.append(settings)
-        drawn += [*scene.floor(vertices, height=base[2], scene=name), triads.trace(shown, name)]
-        drawn.append(model.trace(poses, name, opacity=0.4))
-        drawn += scene.labels(
-            words, settings, [T[:3, 3] + 0.15 * T[:3, j] for T in shown for j in range(3)], aspect=aspect, scene=name
-        )
+        drawn += [triads.trace(shown, name), model.trace(poses, name, opacity=0.3)]
+        taken = [T[:3, 3] + along * T[:3, j] for T in shown for j in range(3) for along in (0.05, 0.09, 0.13)]
+        drawn += scene.labels(words, settings, taken, size=17, aspect=aspect, scene=name, gap=0.07)
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(contents)))
 
 
@@ -82,10 +80,10 @@ def four_parameters(a, alpha, d, theta):
     perpendicular += [Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016))]
     perpendicular += [Part(0, X_RED + 2, meshes.arrow(along_x[:3, 3], z2, d, 0.016))]
     model = Model.of([*still, *perpendicular])
-    tilt = _arc(along_x[:3, 3], np.array([0, 0, 1.0]), z2, 1.4 * size)
+    tilt = _arc(along_x[:3, 3], np.array([0, 0, 1.0]), z2, 2.1 * size)
     swing = _arc(foot, along_x[:3, 0], x2, 1.3 * size)
     helpers = [
-        line([along_x[:3, 3], along_x[:3, 3] + 0.5 * np.array([0, 0, 1])], GREY, 4, "scene", "dash"),
+        line([along_x[:3, 3], along_x[:3, 3] + 0.75 * np.array([0, 0, 1])], GREY, 4, "scene", "dash"),
         line([foot, foot + 0.5 * along_x[:3, 0]], GREY, 4, "scene", "dash"),
         line(tilt, ORANGE, 6, "scene"),
         line(swing, ORANGE, 6, "scene"),
@@ -96,7 +94,12 @@ def four_parameters(a, alpha, d, theta):
         "x₁": np.array([0.35 * a, 0, 0]),
         "x₂": foot + 0.6 * x2,
     }
-    middles = {"a": np.array([0.7 * a, 0, 0]), "\u03b1": tilt[8], "d": along_x[:3, 3] + 0.5 * d * z2, "θ": swing[8]}
+    middles = {
+        "a": np.array([0.7 * a, 0, 0]),
+        "\u03b1": tilt[8] + 0.05 * (tilt[8] - along_x[:3, 3]) / size,
+        "d": along_x[:3, 3] + 0.5 * d * z2,
+        "θ": swing[8],
+    }
     reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, np.array(list(ends.values())) * 1.08])
     height = 400
     settings = scene.fitted_scene(reach, (0.75, -1.25, 0.35), aspect=700 / height, fill=0.9)
@@ -147,11 +150,27 @@ def null_space(name, frames, times, base):
 
 def iterations(counts, most):
     """Return histograms of how many iterations each target took, a panel a method. counts: {method: (n,)}."""
-    fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts), sharey=True)
+    fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
     for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):
         ax.hist(taken, np.linspace(0, most, 26), color=colour)
         ax.set(title=title, xlabel="iterations")
     axes[0].set_ylabel("targets reached")
+    return fig
+
+
+def shares(x, y, xlabel, ylabel, *, log=""):
+    """Return a plot of measured shares (n,) against x (n,), a dot for each; log: "x" for a logarithmic axis.
+
+    Examples
+    --------
+    >>> shares([1, 2], [0.5, 0.6], "starts", "share").axes[0].get_ylim()[0]
+    0.0
+    """
+    fig, (ax,) = plane_figure(7.2, 3.4)
+    ax.plot(x, y, "o-", color=BLUE, linewidth=2)
+    ax.set(xlabel=xlabel, ylabel=ylabel, ylim=(0, 1))
+    if log:
+        ax.set_xscale("log")
     return fig
 
 
@@ -164,29 +183,30 @@ def matches(template, scene_points, T, wrong):
         Metres.
     T : array_like, shape (4, 4)
         The mug's pose by registration.
-    wrong : int
-        Which match was dropped; it is drawn in red, with a dashed line to where it should be.
+    wrong : int or sequence of int
+        Which matches were dropped; they are drawn in red, with dashed lines to where they should be.
 
     Returns
     -------
     plotly.graph_objects.Figure
     """
     mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
+    wrong = np.atleast_1d(wrong)
     laid = template[wrong] @ T[:3, :3].T + T[:3, 3]
     for i, (seen, pose, colour) in enumerate(((template, np.eye(4), BLUE), (scene_points, T, GREEN))):
         name = "scene" if i == 0 else f"scene{i + 1}"
-        reach = np.concatenate([mug.placed([pose]), seen, [laid] if i else seen])
+        reach = np.concatenate([mug.placed([pose]), seen, laid if i else seen])
         settings = scene.fitted_scene(
             reach, (1.2, -1.3, 0.8), aspect=350 / height, fill=0.85, domain=(i / 2, (i + 1) / 2)
         )
         scenes.append(settings)
-        drawn += [mug.trace([pose], name, opacity=0.45), points(seen, 6, colour, name)]
-        numbers = {str(k): point for k, point in enumerate(seen)}
-        drawn += scene.labels(numbers, settings, aspect=350 / height, scene=name, gap=0.06)
-    drawn += [
-        points(scene_points[[wrong]], 9, CRIMSON, name),
-        line([scene_points[wrong], laid], CRIMSON, 5, name, "dash"),
-    ]
+        drawn += [mug.trace([pose], name, opacity=0.22), points(seen, 6, colour, name)]
+        names = {str(k): point for k, point in enumerate(seen)}
+        across = np.linspace(0.15, 1, 8)[:, None, None]
+        dashes = (seen[wrong] + across * (laid - seen[wrong])).reshape(-1, 3) if i else ()
+        drawn += scene.labels(names, settings, dashes, aspect=350 / height, scene=name, size=17, gap=0.085)
+    drawn.append(points(scene_points[wrong], 9, CRIMSON, name))
+    drawn += [line([scene_points[k], to], CRIMSON, 5, name, "dash") for k, to in zip(wrong, laid, strict=True)]
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"]))
 
 

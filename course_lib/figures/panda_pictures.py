@@ -23,7 +23,7 @@ def through_the_table(q):
     """
     height = panda().fk(q)[2, 3]
     edge = solids.scene.table(0, np.zeros(2), 0.5)
-    fig = solids.draw(panda(), q, extra=edge, view=[-1.4, -0.6, 0.25], base_frame=False)
+    fig = solids.draw(panda(), q, extra=edge, view=[-1.5, 0.7, 0.3], base_frame=False)
     alt = f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top."
     return {"fig": fig, "alt": alt, "caption": "The arm bends down beside its base, through the table."}
 
@@ -116,7 +116,7 @@ def share_by_damping(dampings, shares):
     >>> share_by_damping([0.01, 1.0], [0.7, 0.1])["alt"][-31:]
     'At both ends it is 70% and 10%.'
     """
-    fig = lines(dampings, {"reached": np.array(shares)}, xlabel="damping", ylabel="share reached", log="x")
+    fig = drawn.shares(dampings, shares, "damping", "share of targets reached", log="x")
     alt = (
         f"The share of targets that is reached, against the damping on a logarithmic axis. It is highest, "
         f"{max(shares):.0%}, at {dampings[np.argmax(shares)]:g}. "
@@ -133,7 +133,7 @@ def share_by_starts(shares):
     >>> share_by_starts(np.array([0.5, 0.6, 0.65]))["alt"][-40:]
     '50% with one start, 65% after 3 of them.'
     """
-    fig = lines(np.arange(1, 1 + len(shares)), {"reached": shares}, xlabel="starts", ylabel="share of targets reached")
+    fig = drawn.shares(np.arange(1, 1 + len(shares)), shares, "starts", "share of targets reached")
     alt = (
         f"The share of random targets that is reached, against the number of starts: {shares[0]:.0%} with one start, "
         f"{shares[-1]:.0%} after {len(shares)} of them."
@@ -150,10 +150,10 @@ def fastest_joint(times, speeds):
     >>> fastest_joint([0, 1], {"free": np.array([1.0, 30.0])})["alt"].split(": ")[1]
     'free 30 rad/s.'
     """
-    shown = {name: np.clip(each, 1e-3, 20) for name, each in speeds.items()}
-    fig = lines(times, shown, xlabel="time (s)", ylabel="fastest joint (rad/s)", log="y")
+    shown = {name: np.minimum(each, 20) for name, each in speeds.items()}
+    fig = lines(times, shown, xlabel="time (s)", ylabel="fastest joint (rad/s)")
     most = ", ".join(f"{name} {max(each):.2g} rad/s" for name, each in speeds.items())
-    alt = f"The speed of the fastest joint over time, on a logarithmic axis. Its largest value: {most}."
+    alt = f"The speed of the fastest joint over time. Its largest value: {most}."
     caption = "Close to the stretched arm the undamped joints would have to be ever faster; the others fall behind."
     return {"fig": fig, "alt": alt, "caption": caption}
 
@@ -161,19 +161,20 @@ def fastest_joint(times, speeds):
 def matches(template, scene, T, wrong):
     """Return a mug's key points (n, 3) on the template, and in the scene with the mug at the pose T (4, 4).
 
-    wrong: the number of one of the wrong matches.
+    wrong: the numbers of the wrong matches.
 
     Examples
     --------
     >>> points = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
-    >>> "lead from point 2" in matches(points, points, np.eye(4), 2)["alt"]
+    >>> "lead from point 2 to" in matches(points, points, np.eye(4), [2])["alt"]
     True
     """
     off = 1000 * np.linalg.norm(template @ T[:3, :3].T + T[:3, 3] - scene, axis=1)
+    apart = " and ".join(f"point {k} to its place, {off[k]:.0f} mm away" for k in wrong)
     alt = (
         f"Left the template, a mug with {len(template)} numbered key points on it. Right the scene: the same mug "
-        f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; "
-        f"dashes lead from point {wrong} to its place, {off[wrong]:.0f} mm away."
+        f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; dashes "
+        f"lead from {apart}."
     )
     caption = "The wrong matches lie off the mug by the same shift, so that they agree with each other."
     return {"fig": drawn.matches(template, scene, T, wrong), "alt": alt, "caption": caption}
@@ -206,7 +207,7 @@ def iterations(counts, most):
         f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in counts.items() if len(taken)
     ]
     alt = f"Histograms: how many iterations the reached targets took. {'; '.join(said)}."
-    caption = "Small peaks on the right are targets that a later start has reached."
+    caption = "Each panel has its own scale. Small peaks on the right are targets that a later start has reached."
     return {"fig": drawn.iterations(counts, most), "alt": alt, "caption": caption}
 
 

@@ -3,17 +3,17 @@
 import numpy as np
 
 from course_lib.figures.moving import movie, path, plane_layout
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
+from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREY, plane_figure
 
 
 def arm_movie(name, points, times):
     """Return an arm in red with its tip's dashed blue path. points: (n, links + 1, 2), base first. times: (n,)."""
     points = np.round(points, 3)
     half = points.shape[1] - 1 + 0.4  # for links of one metre
-    way = path(points[:, -1], BLUE, dash="dash")
+    trail = path(points[:, -1], BLUE, dash="dash")
     base = path(points[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"})
     moving = [[_body(arm)] for arm in points]
-    return movie(name, plane_layout(half), [way, base], moving, times)
+    return movie(name, plane_layout(half), [trail, base], moving, times)
 
 
 def _body(arm):
@@ -22,7 +22,7 @@ def _body(arm):
     return trace.update(marker={"line": {"color": "white", "width": 3}})
 
 
-def arm_ways(contents, every=10):
+def arm_paths(contents, every=10):
     """Return arms side by side, drawn at every so many instants, the later the darker, with the tip's path.
 
     contents: {title: points (n, links + 1, 2)}.
@@ -39,25 +39,4 @@ def arm_ways(contents, every=10):
         half = points.shape[1] - 1 + 0.3  # for links of one metre
         ax.set(title=title, xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)")
     axes[0].set_ylabel("y (m)")
-    return fig
-
-
-def descents(runs, target, last=99):
-    """Return, for several runs towards one target, the tips' paths with the last postures, and the errors.
-
-    runs: {label: points (n, links + 1, 2)}, one posture a step. target: (2,). last: the last step drawn.
-    """
-    fig, (plane, error) = plane_figure(9.6, 4.2, 2, width_ratios=[1, 1.15])
-    for i, (colour, (label, points)) in enumerate(zip(COLOURS, runs.items(), strict=False)):
-        points = points[: last + 1]
-        style = ("-", "--", ":", "-.")[i % 4]
-        plane.plot(*points[:, -1].T, color=colour, linestyle=style, linewidth=1.5)
-        plane.plot(*points[-1].T, "-o", color=colour, linewidth=6, markersize=9, markeredgecolor="white", alpha=0.7)
-        miss = np.linalg.norm(points[:, -1] - target, axis=-1)
-        error.semilogy(miss, color=colour, linestyle=style, linewidth=2, label=label)
-    plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
-    half = points.shape[1] - 1 + 0.3  # for links of one metre
-    plane.set(xlim=(-half, half), ylim=(-half, half), aspect="equal", xlabel="x (m)", ylabel="y (m)")
-    error.set(xlabel="steps", ylabel="distance from the target (m)")
-    error.legend(frameon=False)
     return fig

@@ -92,7 +92,7 @@ def plane_projections(path):
         ax.plot(*path[0, [i, j]], "o", color=CRIMSON, label="start")
         ax.set(aspect="equal", xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
         ax.margins(0.15)
-    axes[0].legend(frameon=False, loc="lower left")
+    fig.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", frameon=False)
     return fig
 
 
@@ -107,6 +107,6 @@ def against_each_other(velocities):
             ax.plot(v[:, i], v[:, j], color=colour, linewidth=1.8)
             ax.grid(color="#dddddd", linewidth=0.6)
             ax.spines[["top", "right"]].set_visible(False)
-            ax.set(xlabel=f"v{'xyz'[i]} (m/s)", ylabel=f"v{'xyz'[j]} (m/s)")
-        row[1].set_title(title)
+            ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
+        row[1].set_title(title, fontweight="bold", pad=10)
     return fig

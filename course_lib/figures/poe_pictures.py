@@ -1,12 +1,12 @@
 """Pictures of notebook 4 with alternative text made from their data: show(**pictures.three_views("ur5e")).
 
-Each function returns {"fig": a figure, "alt": what it shows in words}.
+Each function returns {"fig": a figure, "alt": what it shows in words, "caption": what to notice}.
 """
 
 import numpy as np
 
 from course_lib.figures import poe_kuka_iiwa
-from course_lib.figures.plots import lines, panels
+from course_lib.figures.plots import lines, panels, pi_ticks
 from course_lib.figures.solids import arm_model, film, link_poses, scene
 from course_lib.figures.space import line
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
@@ -64,22 +64,23 @@ def three_views(name, arm):
     Returns
     -------
     dict
-        "fig" and "alt", for show.
+        "fig", "alt" and "caption", for show.
     """
     from matplotlib.figure import Figure
 
     data = _ARMS[name]
     corners = np.array(data["corners"])
     size = np.ptp(corners, axis=0) + 2 * _MARGIN
-    layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE, _END], [_TOP, "."]]
+    layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE], [_TOP], [_END]]
     widths = [size[_VIEWS[view][0]] for view in layout[0]]
     heights = [size[_VIEWS[row[0]][1]] for row in layout]
-    scale = 9.6 / sum(widths) if name == "ur5e" else 3.4
+    scale = 6.4 / sum(widths) if name == "ur5e" else 3.4
     size = (scale * sum(widths) + 1.2, scale * sum(heights) + 0.8)
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
         _draw_view(ax, view, corners, arm, data)
-    return {"fig": fig, "alt": _told(name, arm, data)}
+    caption = "A cross is an arrow that points away from you, a dot one that points at you."
+    return {"fig": fig, "alt": _told(name, arm, data), "caption": caption}
 
 
 def _draw_view(ax, view, corners, arm, data):
@@ -185,7 +186,26 @@ def _direction(vector):
 
 
 def wrong_frame(paths, table):
-    """Return the paths {label: (n, 3)} of a gripper in the plane of x and z, above a table at height `table` (m)."""
+    """Return the paths of a gripper in the plane of x and z, above a table.
+
+    Parameters
+    ----------
+    paths : dict
+        Label to positions, shape (n, 3), in metres.
+    table : float
+        Its height, in metres.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> drawn = wrong_frame({"A": np.zeros((2, 3)), "B": np.array([[0, 0, 0.3], [0, 0, 0.1]])}, 0.2)
+    >>> drawn["caption"]
+    'The path of B ends 20 cm from where it began; that of A stays.'
+    """
     fig, (ax,) = plane_figure(6.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
         ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
@@ -199,28 +219,50 @@ def wrong_frame(paths, table):
     ends = "; ".join(f"{label}: the gripper moves by {100 * moved[label]:.0f} cm" for label in paths)
     lowest = min(path[:, 2].min() for path in paths.values())
     through = "One path goes through the table." if lowest < table else "No path touches the table."
-    return {"fig": fig, "alt": f"The gripper's path seen from the side, above a table. {ends}. {through}"}
+    farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
+    caption = (
+        f"The path of {farthest} ends {100 * moved[farthest]:.0f} cm from where it began; that of {nearest} stays."
+    )
+    alt = f"The gripper's path seen from the side, above a table. {ends}. {through}"
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def digits_lost(sizes, errors):
-    """Return the relative errors {label: (n,)} over the angle, both logarithmic."""
-    fig = lines(sizes, errors, log="xy", xlabel="angle a (rad)", ylabel="relative error")
+    """Return relative errors over the angle, both logarithmic.
+
+    Parameters
+    ----------
+    sizes : array_like, shape (n,)
+        Angles, in radians.
+    errors : dict
+        Label to relative errors, shape (n,).
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+    """
+    fig = lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error")
     told = ", ".join(f"{label} at most {error.max():.0e}" for label, error in errors.items())
-    return {"fig": fig, "alt": f"The relative error over the angle, both logarithmic: {told}."}
+    alt = f"The relative error over the angle, both logarithmic: {told}."
+    caption = "Below an angle of about $10^{-8}$ the textbook's formula has not one digit left."
+    return {"fig": fig, "alt": alt.replace("$", ""), "caption": caption}
 
 
 def screw_motion(poses, through, axis):
     """Return a frame moving along a screw. poses: (n, 4, 4). The axis: a point (3,) and a direction (3,)."""
     rise = (poses[-1, :3, 3] - poses[0, :3, 3]) @ axis
     alt = f"A frame moves along a helix about a screw axis, which it does not touch, and rises by {rise:.2f} m."
-    return {"fig": poe_kuka_iiwa.screw_motion(poses, through, axis), "alt": alt}
+    caption = "The frame rotates about the axis and slides along it; its origin keeps its distance from the axis."
+    return {"fig": poe_kuka_iiwa.screw_motion(poses, through, axis), "alt": alt, "caption": caption}
 
 
 def arm_with_axes(arm):
     """Return the arm at joint angles zero, with the axis of each joint."""
     arrows = ", ".join(f"{i} {_direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
     alt = f"The arm with all joint angles zero and the axes of its {arm.n} joints, which point along {arrows}."
-    return {"fig": poe_kuka_iiwa.arm_with_axes(arm), "alt": alt}
+    caption = "Axes 1, 3, 5 and 7 lie on one line; axes 2, 4 and 6 cross it."
+    return {"fig": poe_kuka_iiwa.arm_with_axes(arm), "alt": alt, "caption": caption}
 
 
 def arm_movie(arm, motion, most=40):
@@ -233,7 +275,8 @@ def arm_movie(arm, motion, most=40):
     model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
     still = [line(path, BLUE, 5, "scene", "dash")]
     fig = film("iiwa", model, link_poses(arm, motion.q[shown]), motion.t[shown], still=still, view=(0.1, 1.0, 0.5))
-    return {"fig": fig, "alt": alt}
+    caption = "The end-effector follows the dashed path; the joints choose the smallest velocity that does it."
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def plane_projections(path):
@@ -242,7 +285,8 @@ def plane_projections(path):
     crossings = [_crossings(first[:, pair]) for pair in ((0, 1), (0, 2), (1, 2))]
     told = ", ".join(f"{name} {n} times" for name, n in zip(("x-y", "x-z", "y-z"), crossings, strict=True))
     alt = f"The path of the end-effector in the three coordinate planes. In the first round it crosses itself: {told}."
-    return {"fig": poe_kuka_iiwa.plane_projections(path), "alt": alt}
+    caption = "One path in space, three shadows: where one crosses itself, another may not."
+    return {"fig": poe_kuka_iiwa.plane_projections(path), "alt": alt, "caption": caption}
 
 
 def _first_round(path):
@@ -270,34 +314,75 @@ def _side(a, b, c):
 
 def velocities_over_time(t, v):
     """Return the components of linear velocities {frame: (n, 3)} over time, a panel for each frame."""
-    contents = {f"{frame}: v (m/s)": {f"v{c}": part[:, i] for i, c in enumerate("xyz")} for frame, part in v.items()}
+    contents = {f"{frame}: v (m/s)": {f"$v_{c}$": part[:, i] for i, c in enumerate("xyz")} for frame, part in v.items()}
     speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
     alt = f"Three panels: the components of the linear velocity over time, as each frame sees it: {speeds}."
     fig = panels(t, contents, xlabel="time (s)")
-    fig.set_size_inches(9, 2.8)
-    return {"fig": fig, "alt": alt}
+    fig.set_size_inches(9.6, 3.2)
+    caption = "The body and the hybrid twist have the same speed at each instant; only the axes differ."
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def velocities_against_each_other(v):
     """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
     alt = f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}."
     fig = poe_kuka_iiwa.against_each_other(v)
-    fig.set_size_inches(7.2, 6.4)
-    return {"fig": fig, "alt": alt}
+    fig.set_size_inches(7.2, 7.2)
+    caption = "Look for curves that you can name: only one row has them."
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def along_the_trajectory(t, series, ylabel):
-    """Return one or more series {label: (n,)} over time."""
+def along_the_trajectory(t, series, ylabel, caption=""):
+    """Return series over time.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+        In seconds.
+    series : dict
+        Label to values, shape (n,).
+    ylabel : str
+        What they are, with the unit.
+    caption : str, optional
+        What to notice.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+    """
     told = ", ".join(f"{label} between {y.min():.3g} and {y.max():.3g}" for label, y in series.items())
-    return {"fig": lines(t, series, xlabel="time (s)", ylabel=ylabel), "alt": f"Over time: {told} ({ylabel})."}
+    fig = lines(t, series, xlabel="time (s)", ylabel=ylabel)
+    return {"fig": fig, "alt": f"Over time: {told} ({ylabel}).", "caption": caption}
 
 
-def singular_values(angles, values, name):
-    """Return the smallest singular value over one joint angle, for several configurations {label: (n,)}."""
+def singular_values(arm, configurations, angles):
+    """Return the smallest singular value of the Jacobian over one joint angle, for several configurations.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    configurations : dict
+        Label to a pair: the joint that varies, counted from 1, and all joint angles, shape (n,), in radians.
+    angles : array_like, shape (m,)
+        The values of the angle that varies, in radians.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+    """
     fig, (ax,) = plane_figure(6.4, 3)
-    for colour, (label, y) in zip(COLOURS, values.items(), strict=False):
-        ax.plot(angles, y, color=colour, linewidth=2, label=label)
-    ax.set(xlabel=f"{name} (rad)", ylabel="smallest singular value", ylim=(0, None))
+    lows = []
+    for colour, (label, (joint, q)) in zip(COLOURS, configurations.items(), strict=False):
+        at = np.tile(np.asarray(q, float), (len(angles), 1))
+        at[:, joint - 1] = angles
+        smallest = np.linalg.svd(arm.space_jacobian(at), compute_uv=False)[:, 5]
+        ax.plot(angles, smallest, color=colour, linewidth=2, label=label)
+        lows.append(f"{label}: least {smallest.min():.2g} at {angles[smallest.argmin()]:.2f} rad")
+    ax.set(xlabel="the angle that varies (rad)", ylabel="smallest singular value", ylim=(0, None))
+    pi_ticks(ax.xaxis, 4)
     ax.legend(frameon=False)
-    lows = "; ".join(f"{label}: least {y.min():.2g} at {angles[y.argmin()]:.2f} rad" for label, y in values.items())
-    return {"fig": fig, "alt": f"The smallest singular value of the Jacobian over {name}. {lows}."}
+    alt = f"The smallest singular value of the Jacobian over an angle. {'; '.join(lows)}."
+    caption = "Where a curve touches zero the arm is singular; a straight wrist alone is not enough."
+    return {"fig": fig, "alt": alt, "caption": caption}

@@ -3,6 +3,7 @@
 import numpy as np
 import plotly.graph_objects as go
 
+from course_lib.figures.plots import pi_ticks
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, box
 from course_lib.figures.solids.model import BLACK as BLACK_PART
@@ -13,9 +14,9 @@ from course_lib.rotations import exp_so3
 
 
 def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
-    """Return rotations drawn on spheres side by side: where each takes e_axis, with an arrow for its twist.
+    """Return rotations drawn on spheres side by side: where each takes e_axis, with a short line for the next axis.
 
-    samples: {title: R (n, 3, 3)}. axis: 0, 1 or 2. The arrow points where the next axis goes.
+    samples: {title: R (n, 3, 3)}. axis: 0, 1 or 2. The short line has the direction in which the next axis goes.
     """
     fig = go.Figure(layout=space_layout(list(samples), camera))
     for i, R in enumerate(samples.values()):
@@ -23,9 +24,9 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
         foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
         fig.add_trace(go.Surface(**sphere(0.97), scene=name))
         fig.add_traces(fixed_frame(name, 1.2))
-        fig.add_trace(points(foot, 1.8, BLACK, name))
-        fig.add_trace(segments(foot, tip, BLUE, 2.5, name))
-    return fig
+        fig.add_trace(segments(foot, tip, BLUE, 3, name))
+        fig.add_trace(points(foot, 0.9, BLACK, name))
+    return fig.update_annotations(font_size=16)
 
 
 def frames(rotations, view=(1.35, 1.1, 0.8)):
@@ -62,7 +63,7 @@ def frames(rotations, view=(1.35, 1.1, 0.8)):
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(rotations)))
 
 
-def turning_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
+def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
     """Return the path of the point p under exp(t w), t from 0 to 1, about the axis w.
 
     Parameters
@@ -94,7 +95,7 @@ def turning_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
 
 
 def angle_histogram(samples):
-    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of even rotations.
+    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of uniform rotations.
 
     samples: {title: R (n, 3, 3)}.
     """
@@ -106,22 +107,23 @@ def angle_histogram(samples):
         ax.hist(np.arccos(cosine), 30, range=(0, np.pi), density=True, **bars)
         ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
         ax.set(title=title, xlabel="rotation angle a (rad)")
+        pi_ticks(ax.xaxis, 4)
         ax.legend(frameon=False, loc="upper left")
     axes[0].set_ylabel("density (1/rad)")
     return fig
 
 
 def height_histogram(samples):
-    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; even ones are flat at 1/2.
+    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
 
     samples: {title: R (n, 3, 3)}.
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        for j, (colour, style) in enumerate(zip(FRAME_COLOURS, ("-", "--", ":"), strict=True)):
+        for j, (colour, style) in enumerate(zip((BLACK, BLUE, RED), ("-", "--", ":"), strict=True)):
             density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
             ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
-        ax.axhline(0.5, color=BLACK, linewidth=1)
+        ax.axhline(0.5, color=GREY, linewidth=1)
         ax.set(title=title, xlabel="height z of the image", xticks=[-1, -0.5, 0, 0.5, 1])
         ax.legend(frameon=False)
     axes[0].set_ylabel("density")
@@ -134,9 +136,10 @@ def nearest_on_circle(M, candidates):
     M: (2, 2). candidates: {name: R (2, 2)}, two at most.
     """
     fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
-    turn = np.linspace(0, 2 * np.pi, 721)
-    plane.plot(np.cos(turn), np.sin(turn), color=GREY, linewidth=1)
-    plane.plot(*(M @ [np.cos(turn), np.sin(turn)]), color=BLACK, linewidth=1, linestyle="--")
+    circle = np.linspace(0, 2 * np.pi, 721)
+    circle = np.array([np.cos(circle), np.sin(circle)])
+    plane.plot(*circle, color=GREY, linewidth=1)
+    plane.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
     looks = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
     for colour, style, marker, (name, R) in looks:
         for j in range(2):
@@ -151,6 +154,7 @@ def nearest_on_circle(M, candidates):
     R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
     gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))
     distance.plot(around, gap, color=BLACK, linewidth=1.2, zorder=1, label="all rotations")
+    pi_ticks(distance.xaxis, 8)
     distance.set(xlabel="angle of R (rad)", ylabel="distance from M (Frobenius norm)")
     distance.legend(frameon=False)
     return fig

@@ -1,6 +1,6 @@
 """Pictures of notebook 1 with alternative text made from their data: show(**pictures.rotated_point(w, p)).
 
-Each function returns {"fig": a figure, "alt": what it shows in words}.
+Each function returns {"fig": a figure, "alt": what it shows in words, "caption": what to notice}.
 """
 
 import numpy as np
@@ -19,7 +19,11 @@ def frames(orientations):
         stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
         said.append(f"{title}: {axes}{stretched}")
     alt = f"A box with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
-    return {"fig": rotations.frames(orientations), "alt": alt}
+    grown = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
+    caption = "The two products end in different orientations: the order counts."
+    if grown > 1.01:
+        caption = f"A rotation keeps all three axes at length one; here one of them grows to {grown:.2f}."
+    return {"fig": rotations.frames(orientations), "alt": alt, "caption": caption}
 
 
 def rotated_point(w, p, exp=exp_so3):
@@ -27,7 +31,8 @@ def rotated_point(w, p, exp=exp_so3):
     heights = [w @ exp(t * w) @ p / np.linalg.norm(w) for t in np.linspace(0, 1, 9)]
     plane = "in a plane perpendicular to it" if np.ptp(heights) < 1e-6 else "which leaves the plane perpendicular to it"
     alt = f"A point p moves about the axis w by {np.linalg.norm(w):.2f} rad to R p, along an arc {plane}."
-    return {"fig": rotations.turning_point(w, p, exp), "alt": alt}
+    caption = "The point keeps its height along the axis $w$ and its distance from it."
+    return {"fig": rotations.rotated_point(w, p, exp), "alt": alt, "caption": caption}
 
 
 def series_errors(errors):
@@ -37,35 +42,41 @@ def series_errors(errors):
         for label, e in errors.items()
     ]
     terms = np.arange(1, 1 + len(next(iter(errors.values()))))
-    fig = lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of R^T R - I")
-    return {"fig": fig, "alt": f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}."}
+    fig = lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of $R^T R - I$")
+    alt = f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}."
+    return {"fig": fig, "alt": alt, "caption": "The error rises at first, and the longer, the larger the angle."}
 
 
 def log_errors(short_of_pi, errors):
     """Return errors of logarithms, {label: errors (n,)}, at angles that are so much (n,) short of pi."""
     drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
     said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
-    axes = {"xlabel": "pi minus the angle (rad)", "ylabel": "error (rad)"}
+    axes = {"xlabel": r"$\pi - a$ (rad)", "ylabel": "error (rad)"}
     fig = lines(short_of_pi, drawn, log="xy", **axes)
     alt = f"Errors of logarithms against the distance from half a turn, both axes logarithmic. {'; '.join(said)}."
-    return {"fig": fig, "alt": alt}
+    caption = "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit after digit."
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def euler_rates(beta, smallest):
     """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,)."""
-    fig = lines(beta, {"": smallest}, xlabel="pitch beta (rad)", ylabel="smallest singular value")
+    fig = lines(beta, {"": smallest}, xlabel=r"pitch $\beta$ (rad)", ylabel="smallest singular value", parts_of_pi=4)
     top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
     alt = f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
     alt += f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock."
-    return {"fig": fig, "alt": alt}
+    caption = (
+        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any rates of the angles."
+    )
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def double_cover(angle, values):
     """Return entries of a quaternion and of a matrix, {label: values (n,)}, against the angle of rotation (n,)."""
     once = np.argmin(np.abs(angle - 2 * np.pi))
-    said = [f"{label} begins at {v[0]:.2g} and is {v[once]:.2g} after one full turn" for label, v in values.items()]
-    fig = lines(angle, values, xlabel="angle of rotation (rad)", ylabel="value")
-    return {"fig": fig, "alt": f"Two curves over {angle[-1] / 2 / np.pi:.2g} full turns: {'; '.join(said)}."}
+    said = [f"{label} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for label, v in values.items()]
+    fig = lines(angle, values, xlabel="angle of rotation (rad)", ylabel="value", parts_of_pi=1)
+    alt = f"Two curves over {angle[-1] / 2 / np.pi:.2g} revolutions: {'; '.join(said)}."
+    return {"fig": fig, "alt": alt, "caption": "The matrix repeats after $2\\pi$, the quaternion only after $4\\pi$."}
 
 
 def interpolation(t, angles):
@@ -76,8 +87,15 @@ def interpolation(t, angles):
         bend = np.abs(gap).max()
         shape = f"differs from a straight line by up to {bend:.2g} rad" if bend > 1e-6 else "is a straight line"
         said.append(f"{label} {shape}")
+    caption = (
+        "Slerp rotates at constant speed; the straight line, normalised, is slow at its ends and fast in the middle."
+    )
     fig = lines(t, angles, xlabel="t", ylabel="angle from the start (rad)")
-    return {"fig": fig, "alt": f"The angle from the start against t, in two ways: {'; '.join(said)}."}
+    return {
+        "fig": fig,
+        "alt": f"The angle from the start against t, by two methods: {'; '.join(said)}.",
+        "caption": caption,
+    }
 
 
 def nearest_on_circle(M, candidates):
@@ -85,7 +103,8 @@ def nearest_on_circle(M, candidates):
     said = [f"{name} at {np.linalg.norm(M - R):.4f}" for name, R in candidates.items()]
     alt = "Left, the columns of M and of two rotations in the unit circle, with the ellipse that M makes of it. Right, "
     alt += f"the curve of distances from M to the rotations around, with two marks: {', '.join(said)}."
-    return {"fig": rotations.nearest_on_circle(M, candidates), "alt": alt}
+    caption = "Only one of the two marks lies at the minimum of the curve."
+    return {"fig": rotations.nearest_on_circle(M, candidates), "alt": alt, "caption": caption}
 
 
 def on_sphere(samples):
@@ -95,7 +114,19 @@ def on_sphere(samples):
         for title, R in samples.items()
     ]
     alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
-    return {"fig": rotations.rotations_on_sphere(samples), "alt": alt}
+    caption = "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike."
+    return {"fig": rotations.rotations_on_sphere(samples), "alt": alt, "caption": caption}
+
+
+def angles(samples):
+    """Return histograms of the rotation angle under samples {title: R (n, 3, 3)}, with the density of uniform ones."""
+    said = []
+    for title, R in samples.items():
+        cosine = (np.trace(R, axis1=1, axis2=2) - 1) / 2
+        said.append(f"{title}: {np.mean(cosine > 0):.0%} are below a right angle")
+    alt = f"Histograms of the rotation angle, with the density (1 - cos a)/pi. {'; '.join(said)}."
+    caption = "Small angles are rare among uniform rotations; the naive sampler draws too many just above $\\pi/2$."
+    return {"fig": rotations.angle_histogram(samples), "alt": alt, "caption": caption}
 
 
 def heights(samples):
@@ -105,7 +136,8 @@ def heights(samples):
         means = _numbers(R[:, 2].mean(0))
         said.append(f"{title}: the images of e_x, e_y, e_z have the mean heights {means}")
     alt = f"Histograms of the heights of the images of the three axes, flat at one half if uniform. {'; '.join(said)}."
-    return {"fig": rotations.height_histogram(samples), "alt": alt}
+    caption = "Right, every height is equally frequent, for all three axes; left, for none of them."
+    return {"fig": rotations.height_histogram(samples), "alt": alt, "caption": caption}
 
 
 def _size_of_errors(errors):

@@ -1,156 +1,215 @@
-"""The pictures of notebook 3: the subproblems' circles, turns on the sphere, and what step size and damping do."""
+"""The pictures in space of notebook 3: circles of the subproblems, and paths of orientations on the sphere.
+
+Each function returns {"fig", "alt", "caption"}, for ``show(**...)``.
+"""
 
 import numpy as np
 import plotly.graph_objects as go
-from matplotlib.colors import TwoSlopeNorm
 
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import AXIS, VIOLET
 from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout, sphere
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
 from course_lib.rotations import exp_so3
 
-CAMERA = (1.3, 1.0, 0.7)
+CAMERA = np.array([1.3, 1.0, 0.7])
+_TO_EYE = CAMERA / np.linalg.norm(CAMERA)
 
 
-def turn_onto(k, p, q, theta):
-    """Return subproblem 1: the circle of p about k, and where the turn by theta takes p, beside q."""
-    end = _turned(k, theta, p)
-    drawn = [*_circle(k, p, BLUE), *_named({"p": p, "q": q}), *_named({"R p": 1.0 * end}, CRIMSON)]
+def rotated_onto(k, p, g, theta):
+    """Return the picture of subproblem 1: the circle of p about k, and R(k, theta) p beside g.
+
+    Parameters
+    ----------
+    k, p, g : array_like, shape (3,)
+        A unit axis, the point that rotates, and the goal.
+    theta : float
+        The angle, in radians.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> rotated_onto([0, 0, 1], [1, 0, 0], [0, 2, 0], 1.5)["alt"][-36:]
+    'R p is 1.005 from g; p itself 2.236.'
+    """
+    k, p, g = (np.asarray(x, float) for x in (k, p, g))
+    end, reach = _rotated(k, theta, p), _reach([p, g])
+    drawn = [*_circle(k, p, BLUE), *_named({"p": p, "g": g}, k, reach), *_named({"R p": end}, k, reach, CRIMSON)]
     drawn += [line([_foot(k, p), p], GREY, 3, "scene"), line([_foot(k, p), end], CRIMSON, 4, "scene")]
-    return _scene([k], ["k"], drawn, [p, q])
+    gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
+    alt = f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}."
+    caption = (
+        "The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it."
+    )
+    return {"fig": _scene([k], ["k"], drawn, reach), "alt": alt, "caption": caption}
 
 
 def circles_meet(k1, k2, p1, p2, theta):
-    """Return subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
+    """Return the picture of subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
 
-    theta: (m, 2), the answers.
+    Parameters
+    ----------
+    k1, k2, p1, p2 : array_like, shape (3,)
+        Two unit axes, and the point that rotates about each.
+    theta : array_like, shape (m, 2)
+        The pairs of angles, in radians; points that they do not bring together are joined by a line.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circles_meet(z, x, x, z, [(np.pi / 2, -np.pi / 2)])["alt"][-28:]
+    'k2; they touch in one point.'
     """
-    drawn = [*_circle(k1, p1, BLUE), *_circle(k2, p2, GREEN), *_named({"p1": p1, "p2": p2})]
+    reach = _reach([p1, p2])
+    drawn = [*_circle(k1, p1, BLUE), *_circle(k2, p2, GREEN)]
+    drawn += [*_named({"p1": p1}, k1, reach, BLUE), *_named({"p2": p2}, k2, reach, GREEN)]
+    meeting = 0
     for i, (t1, t2) in enumerate(theta):
-        first, second = _turned(k1, t1, p1), _turned(k2, t2, p2)
-        name = f"{i + 1}" if np.linalg.norm(first - second) < 1e-6 else ""
+        first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
+        together = bool(np.linalg.norm(first - second) < 1e-6)
+        meeting += together
         drawn += [points([first, second], 6, CRIMSON, "scene"), line([first, second], CRIMSON, 5, "scene")]
-        drawn.append(name_at(1.12 * first, name, CRIMSON, "scene"))
-    return _scene([k1, k2], ["k1", "k2"], drawn, [p1, p2])
+        drawn.append(_name_beside(first, first, f"{i + 1}" * together, reach, CRIMSON))
+    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(meeting, 2)]
+    alt = f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}."
+    caption = "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$."
+    return {"fig": _scene([k1, k2], ["k1", "k2"], drawn, reach), "alt": alt, "caption": caption}
 
 
-def circle_and_sphere(k, p, q, d, theta):
-    """Return subproblem 3: the circle of p about k, and the sphere of radius d about q that it pierces."""
-    ball = sphere(d)
-    for c, centre in zip("xyz", q, strict=True):
+def circle_and_sphere(k, p, g, d, theta):
+    """Return the picture of subproblem 3: the circle of p about k, and the sphere of radius d about g.
+
+    Parameters
+    ----------
+    k, p, g : array_like, shape (3,)
+        A unit axis, the point that rotates, and the goal.
+    d : float
+        The distance from the goal.
+    theta : array_like, shape (m,)
+        The angles at which the circle pierces the sphere, in radians.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circle_and_sphere(z, x, x, 1.0, [np.pi / 3, -np.pi / 3])["alt"][-40:]
+    '1 about g at two points, marked 1 and 2.'
+    """
+    ball, reach = sphere(d), _reach([p, np.abs(g) + d])
+    for c, centre in zip("xyz", g, strict=True):
         ball[c] = np.round(ball[c] + centre, 3)
     ball |= {"opacity": 0.45, "colorscale": [[0, ORANGE], [1, ORANGE]]}
-    drawn = [go.Surface(**ball), *_circle(k, p, BLUE), *_named({"p": p, "q": q}), *_answers(k, p, theta)]
-    return _scene([k], ["k"], drawn, [p, np.abs(q) + d])
+    drawn = [go.Surface(**ball), *_circle(k, p, BLUE), *_named({"p": p}, k, reach)]
+    drawn += [points([g], 5, BLACK, "scene"), name_at(g + (d + 0.15 * reach) * _TO_EYE, "g", BLACK, "scene")]
+    drawn += _answers(k, p, theta, reach)
+    alt = f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}."
+    caption = "Where the circle goes through the ball, $R\\,p$ is at the wanted distance from $g$."
+    return {"fig": _scene([k], ["k"], drawn, reach), "alt": alt, "caption": caption}
 
 
 def circle_and_plane(k, h, p, d, theta):
-    """Return subproblem 4: the circle of p about k, and the plane of the points at height d along h."""
+    """Return the picture of subproblem 4: the circle of p about k, and the plane of the points at height d along h.
+
+    Parameters
+    ----------
+    k, h, p : array_like, shape (3,)
+        A unit axis, the direction of the height, and the point that rotates.
+    d : float
+        The height, h . R p = d.
+    theta : array_like, shape (m,)
+        The angles at which the circle pierces the plane, in radians.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> circle_and_plane(z, x, x, 1.0, [0.0])["alt"][-36:]
+    'across the direction h at one point.'
+    """
     n = h / np.linalg.norm(h)
     a = np.cross(n, [1, 0, 0] if abs(n[0]) < 0.8 else [0, 1, 0])
     a = a / np.linalg.norm(a)
     b, middle, r = np.cross(n, a), d / np.linalg.norm(h) * n, 1.1 * np.linalg.norm(p)
     corners = [middle + r * (i * a + j * b) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     x, y, z = np.round(corners, 3).T
+    reach = _reach([p, *corners])
     faces = {"i": [0, 0], "j": [1, 2], "k": [2, 3]}
     plane = go.Mesh3d(x=x, y=y, z=z, **faces, color=ORANGE, opacity=0.45, hoverinfo="skip")
-    drawn = [plane, *_circle(k, p, BLUE), *_named({"p": p}), *_answers(k, p, theta)]
-    return _scene([k, n], ["k", "h"], drawn, corners)
+    drawn = [plane, *_circle(k, p, BLUE), *_named({"p": p}, k, reach), *_answers(k, p, theta, reach)]
+    alt = f"The circle of p about the axis k pierces a plane across the direction h at {_count(theta)}."
+    caption = "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value twice."
+    return {"fig": _scene([k, n], ["k", "h"], drawn, reach), "alt": alt, "caption": caption}
 
 
-def turns_on_sphere(tracks):
-    """Return where turning frames take e_x, on a sphere. tracks: {label: R (n, 3, 3)}, the same ends."""
+def orientation_paths(tracks):
+    """Return where rotating frames take e_x, on a sphere.
+
+    Parameters
+    ----------
+    tracks : dict
+        Label to rotations, shape (n, 3, 3), with the same first and last one.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> orientation_paths({"still": np.array([np.eye(3), np.eye(3)])})["alt"][-31:]
+    'still on a path of length 0.00.'
+    """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
-    layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.5)  # the eye stands before the tracks
+    layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.5)  # the eye is in front of the paths
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
+    lengths = {}
     for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
         drawn.append(line(R[:, :, 0], colour, 7, "scene", dash).update(name=label, showlegend=True))
+        lengths[label] = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
     ends = next(iter(tracks.values()))[[0, -1], :, 0]
     drawn.append(points(ends, 6, BLACK, "scene"))
-    drawn += [name_at(1.2 * end, name, BLACK, "scene") for name, end in zip(("start", "end"), ends, strict=True)]
+    drawn += [
+        name_at(np.add(1.15 * end, [0, 0, 0.17]), name, BLACK, "scene")
+        for name, end in zip(("start", "end"), ends, strict=True)
+    ]
     legend = {"orientation": "h", "x": 0.5, "xanchor": "center", "y": 1.0, "yanchor": "bottom"}
-    return go.Figure(drawn, layout={**layout, "annotations": [], "showlegend": True, "legend": legend}).update_traces(
+    fig = go.Figure(drawn, layout={**layout, "annotations": [], "showlegend": True, "legend": legend}).update_traces(
         selector={"showlegend": None}, showlegend=False
     )
+    said = "; ".join(f"{label} on a path of length {length:.2f}" for label, length in lengths.items())
+    alt = f"Where e_x goes on the unit sphere, in motions between the same two orientations: {said}."
+    caption = "With constant $\\omega$ every point runs on a circle about $\\omega$; with constant rates it does not."
+    return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def columns_and_ellipse(points, J, scale=0.3):
-    """Return {"fig", "alt"}: a planar arm, the columns of its Jacobian as arrows, and the manipulability ellipse.
-
-    points: (n + 1, 2), base first. J: (2, n). scale: metres drawn for one metre of J.
-    """
-    fig, (ax,) = plane_figure(6.0, 4.6)
-    ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
-    tip = points[-1]
-    for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
-        ax.annotate("", tip + scale * column, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2})
-        ax.annotate(f"$J_{j + 1}$", tip + scale * column * 1.08, color=colour, ha="center", va="center")
-    U, s, _ = np.linalg.svd(J)
-    t = np.linspace(0, 2 * np.pi, 121)
-    ax.plot(*(tip[:, None] + scale * U @ (s[:, None] * [np.cos(t), np.sin(t)])), color=BLACK, linewidth=1.5)
-    ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
-    ax.margins(0.12)
-    alt = (
-        f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
-        + ", ".join(f"{length:.1f}" for length in np.linalg.norm(J, axis=0))
-        + f" m show the Jacobian's columns; an ellipse with half axes of {s[0]:.1f} and {s[1]:.1f} m surrounds the tip."
-    )
-    return {"fig": fig, "alt": alt}
-
-
-def gains(epsilons, values):
-    """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
-
-    values: {label: s}, singular values to point out.
-    """
-    s = np.linspace(0.01, 4.2, 300)
-    fig, (ax,) = plane_figure(7.2, 3.6)
-    ax.plot(s, 1 / s, color=BLACK, linewidth=1, label="no damping: 1/s")
-    for colour, style, eps in zip(COLOURS, ("-", "--", ":", "-."), epsilons, strict=False):
-        ax.plot(s, s / (s**2 + eps), color=colour, linestyle=style, linewidth=2, label=rf"$\epsilon$ = {eps:g}")
-        if np.sqrt(eps) < s[-1]:
-            ax.plot(np.sqrt(eps), 1 / (2 * np.sqrt(eps)), "o", color=colour)
-    for label, value in values.items():
-        ax.axvline(value, color=GREY, linewidth=1)
-        ax.annotate(label, (value, 1.5), xytext=(4, 0), textcoords="offset points", color=GREY)
-    ax.set(ylim=(0, 2.2), xlabel="singular value s of the Jacobian (m)", ylabel="joint step per error (rad/m)")
-    ax.legend(frameon=False, loc="upper center", ncols=2)
-    return fig
-
-
-def step_map(alphas, epsilons, errors, largest, runs):
-    """Return the error left after a run, for step sizes and dampings, with the limit 2 (1 + eps/s1^2).
-
-    errors: (len(alphas), len(epsilons)), metres. largest: s1, the largest singular value at the goal. runs: the pairs
-    (alpha, eps) to mark.
-    """
-    fig, (ax,) = plane_figure(7.2, 4.4)
-    levels = TwoSlopeNorm(-2, -8, 0.5)
-    image = ax.pcolormesh(alphas, epsilons, np.log10(errors.T), cmap="RdBu_r", norm=levels, rasterized=True)
-    limit = 2 * (1 + np.array(epsilons) / largest**2)
-    ax.plot(limit, epsilons, color=BLACK, linewidth=2, label=r"$\alpha = 2(1 + \epsilon/s_1^2)$")
-    ax.plot(*np.transpose(runs), "o", color=BLACK, markerfacecolor="white", markersize=8, label="the report's runs")
-    ax.set(xscale="log", yscale="log", xlim=(alphas[0], alphas[-1]), ylim=(epsilons[0], epsilons[-1]))
-    ax.set(xlabel=r"step size $\alpha$", ylabel=r"damping $\epsilon$ (m$^2$)")
-    ax.legend(loc="lower left")
-    fig.colorbar(image, ax=ax, label="log10 of the distance left (m)")
-    return fig
-
-
-def _scene(axes, names, drawn, far):
-    reach = max(np.linalg.norm(point) for point in far)
+def _scene(axes, names, drawn, reach):
     ends = [reach * np.asarray(k) for k in axes]
     arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends])
     drawn = [*drawn, arrows.trace([np.eye(4)])]
     drawn += [name_at(1.1 * end, name, AXIS, "scene") for end, name in zip(ends, names, strict=True)]
-    points = [np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1) for trace in drawn]
-    settings = scene.fitted_scene(np.concatenate(points), CAMERA, fill=0.8)
-    return go.Figure(drawn, layout=scene.layout([settings], height=420))
+    corners = [np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1) for trace in drawn]
+    settings = scene.fitted_scene(np.concatenate(corners), CAMERA, fill=0.82)
+    return go.Figure(drawn, layout=scene.layout([settings], height=460))
 
 
-def _turned(k, theta, p):
+def _reach(far):
+    return 1.15 * max(np.linalg.norm(point) for point in far)
+
+
+def _rotated(k, theta, p):
     return exp_so3(theta * np.asarray(k, float)) @ p
 
 
@@ -159,13 +218,28 @@ def _foot(k, p):
 
 
 def _circle(k, p, colour):
-    return [line([_turned(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5, "scene")]
+    return [line([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5, "scene")]
 
 
-def _named(places, colour=BLACK):
-    dots = points(list(places.values()), 5, colour, "scene")
-    return [dots, *(name_at(1.13 * np.asarray(place), name, colour, "scene") for name, place in places.items())]
+def _named(at, k, reach, colour=BLACK):
+    """Dots with names beside them: outward from the axis as the eye sees it, clear of dot, circle and sphere."""
+    drawn = [points(list(at.values()), 6, colour, "scene")]
+    for name, point in at.items():
+        drawn.append(_name_beside(point, np.asarray(point) - _foot(k, point), name, reach, colour))
+    return drawn
 
 
-def _answers(k, p, theta):
-    return _named({f"{i + 1}": _turned(k, t, p) for i, t in enumerate(theta)}, CRIMSON)
+def _name_beside(point, outward, name, reach, colour):
+    seen = outward - (outward @ _TO_EYE) * _TO_EYE
+    if np.linalg.norm(seen) < 0.3 * np.linalg.norm(outward):  # it points at the eye
+        seen = np.array([0, 0, 1.0])
+    at = point + reach * (0.17 * seen / np.linalg.norm(seen) + 0.1 * _TO_EYE)
+    return name_at(at, name, colour, "scene")
+
+
+def _answers(k, p, theta, reach):
+    return _named({f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}, k, reach, CRIMSON) if len(theta) else []
+
+
+def _count(theta):
+    return {0: "no point", 1: "one point", 2: "two points, marked 1 and 2"}[len(theta)]

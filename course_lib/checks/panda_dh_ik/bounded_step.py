@@ -99,7 +99,7 @@ EXERCISE = Exercise(
             lambda J, v, bound, eps: np.clip(_free(J, v, bound, eps), -bound, bound),
         ),
         Mistake("the best step without bounds is scaled down afterwards", _AFTERWARDS, _scaled, _shorter),
-        Mistake("joints move in one direction only", "A joint may move both ways.", _one_sided),
+        Mistake("joints move in one direction only", "A joint may move in both directions.", _one_sided),
         Mistake(
             "the damping is left out",
             "eps |q_dot|^2 belongs to what is minimized: rows of its own below J.",

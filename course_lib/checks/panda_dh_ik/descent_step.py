@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.panda_dh_ik.pose_error_mistakes import left
+from course_lib.checks.panda_dh_ik.pose_error_mistakes import pose_error
 from course_lib.checks.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian
 from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near
 from course_lib.rigid import inverse, log_se3, transform
@@ -17,7 +17,7 @@ def _step(error):
     return lambda q, J, T, T_target, step: q + step * J.T @ error(T, T_target)
 
 
-right = _step(left)
+right = _step(pose_error)
 
 
 def _of_the_world(T, T_target):
@@ -63,18 +63,18 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         few_digits(right),
-        Mistake("the step leads away from the target", "e is target minus current.", _step(lambda *c: -left(*c))),
+        Mistake("the step leads away from the target", "e is target minus current.", _step(lambda *c: -pose_error(*c))),
         Mistake(
             "only one half of the error is mended",
             _PAIR,
-            _step(lambda *c: np.concatenate([_of_the_world(*c)[:3], -left(*c)[3:]])),
-            _step(lambda *c: np.concatenate([left(*c)[:3], -left(*c)[3:]])),
-            _step(lambda *c: np.concatenate([-left(*c)[:3], left(*c)[3:]])),
+            _step(lambda *c: np.concatenate([_of_the_world(*c)[:3], -pose_error(*c)[3:]])),
+            _step(lambda *c: np.concatenate([pose_error(*c)[:3], -pose_error(*c)[3:]])),
+            _step(lambda *c: np.concatenate([-pose_error(*c)[:3], pose_error(*c)[3:]])),
         ),
         Mistake(
             "the translation still holds a part of the rotation",
             _PAIR,
-            _step(lambda T, T_target: np.concatenate([(T_target @ inverse(T))[:3, 3], left(T, T_target)[3:]])),
+            _step(lambda T, T_target: np.concatenate([(T_target @ inverse(T))[:3, 3], pose_error(T, T_target)[3:]])),
             _step(lambda T, T_target: np.roll(log_se3(T_target @ inverse(T)), 3)),
         ),
         Mistake(
@@ -82,23 +82,27 @@ EXERCISE = Exercise(
             "The geometric Jacobian is along the world's axes.",
             _step(
                 lambda T, T_target: np.concatenate(
-                    [T[:3, :3].T @ left(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])]
+                    [T[:3, :3].T @ pose_error(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])]
                 )
             ),
-            _step(lambda T, T_target: np.concatenate([left(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])])),
+            _step(
+                lambda T, T_target: np.concatenate(
+                    [pose_error(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])]
+                )
+            ),
             _step(lambda T, T_target: np.roll(log_se3(inverse(T) @ T_target), 3)),
         ),
         Mistake(
             "phi stands before the difference of the positions",
             "The rows of J are (v, omega).",
-            _step(lambda *c: np.roll(left(*c), 3)),
+            _step(lambda *c: np.roll(pose_error(*c), 3)),
         ),
         Mistake("only the step is returned", "Add it to q.", lambda *case: right(*case) - case[0]),
         Mistake("step is not used", "J^T e is multiplied by step.", lambda *case: right(*case[:4], 1.0)),
         Mistake(
             "the pseudoinverse stands for the transpose",
             "The bug is not there: J.T is what the method is called after.",
-            lambda q, J, T, T_target, step: q + step * np.linalg.pinv(J) @ left(T, T_target),
+            lambda q, J, T, T_target, step: q + step * np.linalg.pinv(J) @ pose_error(T, T_target),
         ),
     ),
     hints=(

@@ -1,4 +1,4 @@
-"""The known ways to go wrong in dh_modified and dh_standard."""
+"""The known mistakes in dh_modified and dh_standard."""
 
 import itertools
 
@@ -50,7 +50,7 @@ def _other_sign(convention, i, j):
 
 
 def _others(known, answers):
-    """Return the answers that differ from those known: some of the steps may change places, and some entries are 0."""
+    """Return the answers that differ from those known: some of the steps commute, and some entries are 0."""
     known = [answer(*_ROW) for answer in known]
     return [answer for answer in answers if not any(np.allclose(answer(*_ROW), each) for each in known)]
 

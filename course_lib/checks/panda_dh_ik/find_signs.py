@@ -1,4 +1,4 @@
-"""find_signs: which joints a standard table counts the other way, by a search over all patterns of signs."""
+"""find_signs: which joints of a standard table have the opposite sign, by a search over all patterns of signs."""
 
 import itertools
 
@@ -49,9 +49,9 @@ def _one_at_a_time(table, q, poses):
 
 
 def _case(rng, n, zero=None, noise=0.0, misleading=False):
-    """Return a table, configurations, and the poses that they have if some joints are counted the other way.
+    """Return a table, configurations, and the poses that they have if some joints have the opposite sign.
 
-    The last row has a = 0, so that no position shows which way the last joint rotates.
+    The last row has a = 0, so that no position shows the sign of the last joint.
     """
     while True:
         table = np.round(rng.uniform(0.2, 0.8, (n, 3)), 2)
@@ -114,9 +114,9 @@ EXERCISE = Exercise(
         Mistake("only positions are compared", _WHOLE_POSE, _chosen(lambda gaps: gaps[..., 0].max(1))),
         Mistake("only the last configuration is compared", _EVERY, _chosen(lambda gaps: gaps[:, -1].max(1))),
         Mistake("only the first configuration is compared", _EVERY, _chosen(lambda gaps: gaps[:, 0].max(1))),
-        negated(right, "all signs are the other way round", "1 means: as the table says."),
-        Mistake("no joint is counted the other way", "Try all patterns.", lambda table, *rest: np.ones(len(table))),
-        Mistake("all joints are counted the other way", "Try all patterns.", lambda table, *rest: -np.ones(len(table))),
+        negated(right, "all signs are opposite", "1 means: as the table says."),
+        Mistake("no joint has the sign -1", "Try all patterns.", lambda table, *rest: np.ones(len(table))),
+        Mistake("all joints have the sign -1", "Try all patterns.", lambda table, *rest: -np.ones(len(table))),
         Mistake(
             "one joint is decided after the other",
             "The best sign of one joint depends on those of the others: try all patterns.",

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik import shared_points
-from course_lib.checks.panda_dh_ik.shared_points import TRIANGLE, moved, product, registered
+from course_lib.checks.panda_dh_ik.shared_points import TRIANGLE, moved, registered
 from course_lib.checks.vocabulary import FINE, few_digits, near, orthogonality_error
 from course_lib.rigid import transform
 from course_lib.rotations import nearest_so, rot_z
@@ -21,7 +21,8 @@ def right(src, dst):
 
 
 def _product(src, dst):
-    return product(src, dst, np.ones(len(src)))
+    """Return the sum of b a^T, summed as the broken code does: in planes, rounding decides about reflections."""
+    return (dst - dst.mean(0)).T @ (src - src.mean(0))
 
 
 def _nearest_orthogonal(src, dst):

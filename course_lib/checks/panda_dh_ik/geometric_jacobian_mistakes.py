@@ -1,4 +1,4 @@
-"""The right geometric Jacobian, and the known ways to go wrong in it."""
+"""The right geometric Jacobian, and the known mistakes in it."""
 
 import numpy as np
 

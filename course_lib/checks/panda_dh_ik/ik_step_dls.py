@@ -189,7 +189,7 @@ _MISTAKES = (
         _by(lambda J, e, eps: _step(J, _unit(e), eps)),
     ),
     Mistake(
-        "J and J^T have changed places, which shows only if J is square",
+        "J and J^T are swapped, which shows only if J is square",
         _FORMULA,
         _if_square(lambda J, e, D: J @ np.linalg.solve(J.T @ J + D, e)),
         _if_square(lambda J, e, D: J.T @ np.linalg.solve(J.T @ J + D, e)),

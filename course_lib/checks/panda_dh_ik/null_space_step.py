@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.shared import HIGH, LOW, panda_jacobian, truncated
 from course_lib.checks.vocabulary import away_from_zero, few_digits, near
 
-_PROJECTOR = "J^+ J projects on the joint motions that move the end-effector. What is left of I without it?"
+_PROJECTOR = "J^+ J projects on the joint motions that move the end-effector. Which projector keeps the others?"
 _SINGULAR = Mistake("J J^T is inverted, which fails at a singularity", "np.linalg.pinv works there too.")
 _FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])
 

@@ -1,4 +1,4 @@
-"""The known ways to go wrong in panda_fk."""
+"""The known mistakes in panda_fk."""
 
 import itertools
 
@@ -60,7 +60,7 @@ def _with_base(*indices):
     return answer
 
 
-def _other_way(*joints):
+def _negated_joints(*joints):
     return chain(angles=lambda q: np.where(np.isin(np.arange(1, 8), joints), -q, q))
 
 
@@ -103,7 +103,7 @@ MISTAKES = (
         _flange_at(lambda T: along_z(-FLANGE) @ T),
     ),
     Mistake(
-        "the flange is moved the other way, or along another axis",
+        "the flange is moved in the opposite direction, or along another axis",
         _FLANGE,
         chain(flange=along_z(-FLANGE)),
         chain(flange=along_x(FLANGE)),
@@ -152,8 +152,13 @@ MISTAKES = (
         lambda q: np.concatenate([[frames(q)[6]] * 7, frames(q)[7:]]),
         lambda q: np.array([frames(q)[7]] * 8),
     ),
-    Mistake("joints 4 and 6 rotate the other way, as in the report's table", _SIGN, _other_way(4, 6)),
-    Mistake("some joint rotates the other way", _SIGN, *map(_other_way, range(1, 8)), _other_way(*range(1, 8))),
+    Mistake("joints 4 and 6 rotate in the opposite direction, as in the report's table", _SIGN, _negated_joints(4, 6)),
+    Mistake(
+        "some joint rotates in the opposite direction",
+        _SIGN,
+        *map(_negated_joints, range(1, 8)),
+        _negated_joints(*range(1, 8)),
+    ),
     Mistake(
         "the angles are taken for degrees",
         "Angles are in radians throughout.",
@@ -198,7 +203,7 @@ MISTAKES = (
     ),
     Mistake(
         "0.136 stands for 0.316, as in the report",
-        "In the report two digits of d_3 have changed places. " + _SHEET,
+        "In the report two digits of d_3 are swapped. " + _SHEET,
         chain(edited((2, 2, 0.136))),
         chain(edited((2, 2, 0.136)), flange=along_z(0.109)),
     ),

@@ -123,7 +123,7 @@ def _given(q):
     return np.isfinite(q).all()
 
 
-def _left(q, T):
+def _distances(q, T):
     return _missing(flange(q), T)
 
 
@@ -148,7 +148,7 @@ def _position_off(q, T, q0):
 
 
 def _orientation_off(q, T, q0):
-    return f"With your angles its orientation is {_left(q, T)[1]:.3g} rad away from that."
+    return f"With your angles its orientation is {_distances(q, T)[1]:.3g} rad away from that."
 
 
 def _moved(q, T, q0):
@@ -173,13 +173,13 @@ def _wrapped(q, T, q0):
 
 
 def _nearly(q, T, q0):
-    return _given(q) and bool(REACHED < _left(q, T).max() < NEAR)
+    return _given(q) and bool(REACHED < _distances(q, T).max() < NEAR)
 
 
 def _one_part(q, T, q0, part):
     """Return whether the position (0) or the orientation (1) is reached and the other one is not."""
-    left = _left(q, T)
-    return _reachable(T, q0) and left[part] <= REACHED < left[1 - part]
+    distances = _distances(q, T)
+    return _reachable(T, q0) and distances[part] <= REACHED < distances[1 - part]
 
 
 _EARLY = (
@@ -220,14 +220,14 @@ EXERCISE = Exercise(
         ),
         Property(
             "the flange is within 1e-6 m of the position that T_target gives, in the world",
-            _or_none(lambda q, T, q0: _left(q, T)[0] <= REACHED),
+            _or_none(lambda q, T, q0: _distances(q, T)[0] <= REACHED),
             _position_off,
             where=_reachable,
             mistake=_LAST,
         ),
         Property(
             "the flange has the orientation of T_target, to 1e-6 rad",
-            _or_none(lambda q, T, q0: _left(q, T)[1] <= REACHED),
+            _or_none(lambda q, T, q0: _distances(q, T)[1] <= REACHED),
             _orientation_off,
             where=_reachable,
             mistake=_ORIENTATION_LEFT,
@@ -272,7 +272,7 @@ EXERCISE = Exercise(
         Mistake(
             "the answer is in degrees",
             "Angles are in radians throughout.",
-            seen=lambda q, T, q0: _given(q) and (_left(np.deg2rad(q), T) < 1e-3).all(),
+            seen=lambda q, T, q0: _given(q) and (_distances(np.deg2rad(q), T) < 1e-3).all(),
         ),
         Mistake(
             "multiples of 2 pi are added, and lead out of the limits",
@@ -285,7 +285,7 @@ EXERCISE = Exercise(
             seen=_at(PANDA.fk),
         ),
         Mistake(
-            "the base's pose is applied the wrong way",
+            "the base's pose is inverted, or on the wrong side",
             "The flange in the world is T_w0 times the flange in the base.",
             seen=lambda *case: any(
                 _at(PANDA.fk, lambda T, A=A: A @ T)(*case) for A in (T_W0, inverse(T_W0) @ inverse(T_W0))

@@ -1,4 +1,4 @@
-"""pose_error: what is left to do from one pose to another, as the geometric Jacobian counts it."""
+"""pose_error: the error from one pose to another that belongs to the geometric Jacobian."""
 
 import numpy as np
 
@@ -8,18 +8,18 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.panda_dh_ik.pose_error_mistakes import (
     MISTAKES,
     alike,
-    angle_left,
-    half_turn,
-    left,
-    position_left,
-    rotation_left,
+    angle_between,
+    nearly_pi,
+    pose_error,
+    position_between,
+    rotation_between,
 )
 from course_lib.checks.vocabulary import FINE, any_pose, away_from_zero, near, unit
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, length
 
 # As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below pi.
-_ROUNDED_HALF_TURN = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
+_ROUNDED_PI = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
 _TINY = 1e-6  # below it, rounding takes part of the digits of a product of rotations
 _AT_NO_ROTATION = Mistake(
     "the logarithm divides by zero, or asks arccos outside [-1, 1], at hardly any rotation",
@@ -48,7 +48,7 @@ def _read(value, T, T_target):
     try:
         return _fitted(value, T, T_target)
     except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and length(left(T, T_target)[3:]) < _TINY:
+        if wrong.mistake is NOT_A_NUMBER and length(pose_error(T, T_target)[3:]) < _TINY:
             raise Unreadable(str(wrong), _AT_NO_ROTATION) from None
         if isinstance(value, list | tuple) and [np.size(part) for part in value] == [3, 3]:
             raise Unreadable(str(wrong), _HALVES) from None
@@ -76,7 +76,7 @@ def _cases(rng):
     rotated += [_rotated(same[0], phi) for phi in (nearly_half, -nearly_half)]
     rotated += [_rotated(T, np.pi * axis) for T in (np.eye(4), at) for axis in np.eye(3)]
     rotated += [_rotated(transform(exp_so3(179 * degree * x), [0.5, 0, 1]), 2 * degree * x)]
-    rotated += [(T, T @ _ROUNDED_HALF_TURN) for T in (np.eye(4), at)]
+    rotated += [(T, T @ _ROUNDED_PI) for T in (np.eye(4), at)]
     return [*named, *any_two, *far, *((T, T.copy()) for T in same), *shifted, *rotated, named[1]]
 
 
@@ -96,24 +96,26 @@ def _same_orientation(T, T_target):
 
 def _fine(T, T_target):
     """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some digits."""
-    to_half = np.pi - angle_left(T, T_target)
-    return 1e-7 if half_turn(T, T_target) else max(FINE, 1e-14 / to_half**2)
+    to_half = np.pi - angle_between(T, T_target)
+    return 1e-7 if nearly_pi(T, T_target) else max(FINE, 1e-14 / to_half**2)
 
 
 def _off_rotation(e, T, T_target):
-    ours = left(T, T_target)[3:]
+    wanted = pose_error(T, T_target)[3:]
     return (
-        f"{np.rad2deg(length(ours)):.4g} degrees are left, phi = {format_tuple(ours)}; yours are "
+        f"{np.rad2deg(length(wanted)):.4g} degrees are between them, phi = {format_tuple(wanted)}; yours are "
         f"{np.rad2deg(length(e[3:])):.4g}, phi = {format_tuple(e[3:])}."
     )
 
 
 def _off_tiny(e, T, T_target):
-    return f"The angle left is {angle_left(T, T_target):.3g} rad; yours differs by {_gap(e, T, T_target):.2g}."
+    return (
+        f"The angle between them is {angle_between(T, T_target):.3g} rad; yours differs by {_gap(e, T, T_target):.2g}."
+    )
 
 
 def _gap(e, T, T_target):
-    return length(e[3:] - left(T, T_target)[3:])
+    return length(e[3:] - pose_error(T, T_target)[3:])
 
 
 EXERCISE = Exercise(
@@ -130,9 +132,9 @@ EXERCISE = Exercise(
         ),
         Property(
             "the first three numbers are p_target - p, along the world's axes",
-            lambda e, T, T_target: near(e[:3], position_left(T, T_target)),
+            lambda e, T, T_target: near(e[:3], position_between(T, T_target)),
             seen=lambda e, T, T_target: (
-                f"That is {format_tuple(position_left(T, T_target))}; yours are {format_tuple(e[:3])}."
+                f"That is {format_tuple(position_between(T, T_target))}; yours are {format_tuple(e[:3])}."
             ),
         ),
         Property(
@@ -143,7 +145,9 @@ EXERCISE = Exercise(
         ),
         Property(
             "the rotation vector phi takes R to R_target: exp([phi]) R = R_target",
-            lambda e, T, T_target: np.abs(exp_so3(e[3:]) - rotation_left(T, T_target)).max() < 10 * _fine(T, T_target),
+            lambda e, T, T_target: (
+                np.abs(exp_so3(e[3:]) - rotation_between(T, T_target)).max() < 10 * _fine(T, T_target)
+            ),
             seen=_off_rotation,
         ),
         Property(
@@ -151,30 +155,31 @@ EXERCISE = Exercise(
             lambda e, T, T_target: length(e[3:]) < np.pi + max(1e-6, _fine(T, T_target)),
             seen=_off_rotation,
             mistake=Mistake(
-                "the long way round is taken",
+                "the longer rotation is taken",
                 "2 pi - a about the opposite axis is the same rotation by a smaller angle.",
             ),
         ),
         Property(
             "a tiny rotation keeps its digits, as the last steps to a target need them",
-            lambda e, T, T_target: _gap(e, T, T_target) <= 1e-5 * angle_left(T, T_target),
+            lambda e, T, T_target: _gap(e, T, T_target) <= 1e-5 * angle_between(T, T_target),
             seen=_off_tiny,
-            where=lambda T, T_target: 0 < angle_left(T, T_target) < 1e-2 and not _same_orientation(T, T_target),
+            where=lambda T, T_target: 0 < angle_between(T, T_target) < 1e-2 and not _same_orientation(T, T_target),
         ),
         Property(
             "phi is the logarithm of R_target R^T as a rotation vector",
             lambda e, T, T_target: _gap(e, T, T_target) < _fine(T, T_target),
             seen=_off_rotation,
-            where=lambda T, T_target: not half_turn(T, T_target),
+            where=lambda T, T_target: not nearly_pi(T, T_target),
         ),
     ),
     mistakes=MISTAKES,
     hints=(
-        "Positions may be subtracted. Rotations are compared by a product: X with X R = R_target is what is left.",
+        "Positions may be subtracted. Rotations are compared by a product: "
+        "the rotation between them is X with X R = R_target.",
         "X = R_target R^T is along the world's axes, as the Jacobian's lower half is. log_so3 gives its vector.",
         "np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)])",
     ),
-    library=left,
+    library=pose_error,
     alike=alike,
     errors=(
         (

@@ -1,4 +1,4 @@
-"""The right pose error, and the known ways to go wrong in it."""
+"""The right pose error, and the known mistakes in it."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from course_lib.checks.vocabulary import near
 from course_lib.rigid import inverse, log_se3
 from course_lib.rotations import length, log_so3, matrix_to_quaternion
 
-NEARLY_HALF = np.pi - 1e-6  # rad; beyond it phi and -phi are both right
+NEARLY_PI = np.pi - 1e-6  # rad; beyond it phi and -phi are both right
 
 _POSITION = "Positions are subtracted, target minus current, along the world's axes."
 _FROM_TO = "The error leads from T to T_target."
@@ -20,55 +20,55 @@ _SPACE = (
 _ANGLES = "From 179 to -179 degrees it is 2, not -358, and such differences fit no Jacobian of angular velocities."
 
 
-def position_left(T, T_target):
+def position_between(T, T_target):
     return T_target[:3, 3] - T[:3, 3]
 
 
-def rotation_left(T, T_target):
+def rotation_between(T, T_target):
     return T_target[:3, :3] @ T[:3, :3].T
 
 
-def left(T, T_target):
-    """Return the right answer (6,); at half a turn phi and -phi are both right."""
-    return np.concatenate([position_left(T, T_target), log_so3(rotation_left(T, T_target))])
+def pose_error(T, T_target):
+    """Return the right answer (6,); at an angle of pi phi and -phi are both right."""
+    return np.concatenate([position_between(T, T_target), log_so3(rotation_between(T, T_target))])
 
 
-def angle_left(T, T_target):
-    return length(left(T, T_target)[3:])
+def angle_between(T, T_target):
+    return length(pose_error(T, T_target)[3:])
 
 
-def half_turn(T, T_target):
-    return angle_left(T, T_target) > NEARLY_HALF
+def nearly_pi(T, T_target):
+    return angle_between(T, T_target) > NEARLY_PI
 
 
-def alike(e, predicted, T, T_target, turns=False):
+def alike(e, predicted, T, T_target, up_to_two_pi=False):
     """Return whether two errors are the same, phi to the digits that a small angle has, and up to its sign at pi.
 
-    turns: up to multiples of 2 pi in each entry of phi.
+    up_to_two_pi: up to multiples of 2 pi in each entry of phi.
     """
     e, predicted = np.asarray(e, float), np.asarray(predicted, float)
     if e.shape != (6,) or not same(e[:3], predicted[:3]):
         return False
     phi = predicted[3:]
-    gaps = [e[3:] - guess for guess in ((phi, -phi) if length(phi) > NEARLY_HALF else (phi,))]
-    gaps = [gap - turns * 2 * np.pi * np.round(gap / (2 * np.pi)) for gap in gaps]
-    return min(np.abs(gap).max() for gap in gaps) <= 1e-4 * min(angle_left(T, T_target), 0.01) + 1e-12
+    gaps = [e[3:] - guess for guess in ((phi, -phi) if length(phi) > NEARLY_PI else (phi,))]
+    gaps = [gap - up_to_two_pi * 2 * np.pi * np.round(gap / (2 * np.pi)) for gap in gaps]
+    return min(np.abs(gap).max() for gap in gaps) <= 1e-4 * min(angle_between(T, T_target), 0.01) + 1e-12
 
 
-def _alike_up_to_turns(*case):
-    return alike(*case, turns=True)
+def _alike_up_to_two_pi(*case):
+    return alike(*case, up_to_two_pi=True)
 
 
 def _swapped(e, predicted, *case):
-    """As alike, for answers whose halves have changed places."""
+    """As alike, for answers whose halves are swapped."""
     return np.shape(e) == (6,) and alike(np.roll(e, 3), np.roll(predicted, 3), *case)
 
 
-def _with(position=position_left, phi=None):
+def _with(position=position_between, phi=None):
     """Return an answer with another position(T, T_target), or another phi(R, R_target)."""
 
     def answer(T, T_target):
-        vector = log_so3(rotation_left(T, T_target)) if phi is None else phi(T[:3, :3], T_target[:3, :3])
+        vector = log_so3(rotation_between(T, T_target)) if phi is None else phi(T[:3, :3], T_target[:3, :3])
         return np.concatenate([position(T, T_target), vector])
 
     return answer
@@ -101,12 +101,12 @@ def _body(T, T_target):
     return inverse(T) @ T_target
 
 
-def _in_hand(R, R_target):
+def _in_flange(R, R_target):
     return log_so3(R.T @ R_target)
 
 
-def _position_in_hand(T, T_target):
-    return T[:3, :3].T @ position_left(T, T_target)
+def _position_in_flange(T, T_target):
+    return T[:3, :3].T @ position_between(T, T_target)
 
 
 def _rolled(answer, sign=1):
@@ -129,20 +129,20 @@ def _skew_part(M):
 
 
 def _cut_off(e, T, T_target):
-    return not e[3:].any() and 0 < angle_left(T, T_target) < 0.02 and near(e[:3], position_left(T, T_target))
+    return not e[3:].any() and 0 < angle_between(T, T_target) < 0.02 and near(e[:3], position_between(T, T_target))
 
 
 def _few_small_digits(e, T, T_target):
-    return angle_left(T, T_target) < 1e-2 and np.abs(e - left(T, T_target)).max() < 1e-7
+    return angle_between(T, T_target) < 1e-2 and np.abs(e - pose_error(T, T_target)).max() < 1e-7
 
 
-def _at_half_a_turn(e, T, T_target):
-    return angle_left(T, T_target) > np.pi - 1e-3 and near(e[:3], position_left(T, T_target))
+def _near_pi(e, T, T_target):
+    return angle_between(T, T_target) > np.pi - 1e-3 and near(e[:3], position_between(T, T_target))
 
 
 def _nearly(e, T, T_target):
-    right = left(T, T_target)
-    both = (right, right * [1, 1, 1, -1, -1, -1]) if half_turn(T, T_target) else (right,)
+    right = pose_error(T, T_target)
+    both = (right, right * [1, 1, 1, -1, -1, -1]) if nearly_pi(T, T_target) else (right,)
     return min(np.abs(e - each).max() for each in both) <= 3e-3 * max(1, np.abs(right).max())
 
 
@@ -153,7 +153,7 @@ MISTAKES = (
     Mistake(
         "pi is taken for a rotation of 0, or its axis is wrong",
         "There R_target R^T is symmetric, so X - X^T is 0, as the sine is. rotations.log_so3 handles it.",
-        seen=_at_half_a_turn,
+        seen=_near_pi,
     ),
     Mistake(
         "small rotations are cut off to zero",
@@ -162,13 +162,13 @@ MISTAKES = (
     ),
     Mistake(
         "digits of small rotations are lost, as arccos of the trace loses them",
-        "The trace is 3 - angle^2: of an angle of 1e-9 nothing is left in it. rotations.log_so3 keeps all digits.",
+        "The trace is 3 - angle^2: an angle of 1e-9 does not change it. rotations.log_so3 keeps all digits.",
         seen=_few_small_digits,
     ),
     Mistake(
         "the logarithm fails both at tiny angles and at pi",
         "At the one arccos loses its digits, at the other X - X^T is 0. rotations.log_so3 handles both.",
-        seen=lambda *case: _few_small_digits(*case) or _at_half_a_turn(*case),
+        seen=lambda *case: _few_small_digits(*case) or _near_pi(*case),
     ),
     Mistake("the error has the wrong sign: current minus target", _FROM_TO, lambda *case: -_right(*case)),
     Mistake(
@@ -176,7 +176,7 @@ MISTAKES = (
         "This notebook's order is (v, omega): position first.",
         *(
             _rolled(answer, sign)
-            for answer in (_right, _with(_position_in_hand, _in_hand), _with(lambda *c: _space(*c)[:3, 3]))
+            for answer in (_right, _with(_position_in_flange, _in_flange), _with(lambda *c: _space(*c)[:3, 3]))
             for sign in (1, -1)
         ),
         lambda *case: log_se3(_space(*case)),
@@ -187,26 +187,26 @@ MISTAKES = (
         "phi has the wrong sign: the logarithm of R R_target^T", _FROM_TO, _log(lambda R, R_target: R @ R_target.T)
     ),
     Mistake(
-        "the position error has the wrong sign: p - p_target", _FROM_TO, _with(lambda *case: -position_left(*case))
+        "the position error has the wrong sign: p - p_target", _FROM_TO, _with(lambda *case: -position_between(*case))
     ),
     Mistake(
         "the whole error is seen from the end-effector",
         _POSITION + " " + _WORLD,
-        _with(_position_in_hand, _in_hand),
-        lambda *case: -_with(_position_in_hand, _in_hand)(*case),
+        _with(_position_in_flange, _in_flange),
+        lambda *case: -_with(_position_in_flange, _in_flange)(*case),
         lambda *case: np.roll(log_se3(_body(*case)), 3),
     ),
     Mistake(
         "phi is seen from the end-effector: the logarithm of R^T R_target",
         _WORLD,
-        _with(phi=_in_hand),
+        _with(phi=_in_flange),
         _log(lambda R, R_target: R_target.T @ R),
     ),
     Mistake(
         "the difference of the positions is rotated into the end-effector's axes",
         _POSITION,
-        _with(_position_in_hand),
-        _with(lambda T, T_target: T_target[:3, :3].T @ position_left(T, T_target)),
+        _with(_position_in_flange),
+        _with(lambda T, T_target: T_target[:3, :3].T @ position_between(T, T_target)),
     ),
     Mistake(
         "the translation holds a part of the rotation: it is that of T_target T^-1, or of T T_target^-1",
@@ -218,12 +218,12 @@ MISTAKES = (
         _with(lambda T, T_target: -_space(T_target, T)[:3, 3]),
         lambda *case: np.roll(log_se3(_space(*case)), 3),
     ),
-    Mistake("roll, pitch and yaw are subtracted", _ANGLES, *map(_subtracted, _MEASURES), alike=_alike_up_to_turns),
+    Mistake("roll, pitch and yaw are subtracted", _ANGLES, *map(_subtracted, _MEASURES), alike=_alike_up_to_two_pi),
     Mistake(
         "roll, pitch and yaw of R_target R^T stand for its rotation vector",
         "They are three rotations one after the other; phi is one rotation about one axis.",
         *(_with(phi=lambda R, R_target, m=m: m(R_target @ R.T)) for m in _MEASURES),
-        alike=_alike_up_to_turns,
+        alike=_alike_up_to_two_pi,
     ),
     Mistake(
         "two rotation vectors are subtracted",
@@ -246,7 +246,7 @@ MISTAKES = (
         *(_stretched(lambda a, k=k: k * np.sin(a / 2)) for k in (1, 2, 0.5, -1, -2)),
     ),
     Mistake(
-        "the long way round is taken",
+        "the longer rotation is taken",
         "2 pi - a about the opposite axis is the same rotation by a smaller angle.",
         _stretched(lambda a: a - 2 * np.pi),
     ),

@@ -27,7 +27,7 @@ PREDICTIONS = (
         "a",
         {
             "a": "Yes: a success rate says as much about the targets as about the method. Always state both.",
-            "b": "The method is the same, but on its way to a far target it meets more limits and local minima.",
+            "b": "The method is the same, but on the path to a far target it meets more limits and local minima.",
             "c": "Near targets need few small steps. What should stop a descent there?",
         },
     ),

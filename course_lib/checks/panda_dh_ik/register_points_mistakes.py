@@ -1,9 +1,16 @@
-"""The known ways to go wrong in register_points: answers are functions of (src, dst, weights)."""
+"""The known mistakes in register_points: answers are functions of (src, dst, weights)."""
 
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, same
-from course_lib.checks.panda_dh_ik.shared_points import centroid, flat, product, registered, turned_over, vanishing
+from course_lib.checks.panda_dh_ik.shared_points import (
+    best_is_reflection,
+    centroid,
+    flat,
+    product,
+    registered,
+    vanishing,
+)
 from course_lib.checks.vocabulary import few_digits, inverted, pose
 from course_lib.rotations import nearest_so
 
@@ -45,10 +52,10 @@ def _textbook(R, c_src, c_dst):
     return c_dst - R @ c_src
 
 
-def fit(centre=_share, pull=_share, rotation=nearest_so, place=_textbook, centred=True, column=None, dtype=None):
+def fit(centre=_share, pull=_share, rotation=nearest_so, position=_textbook, centred=True, column=None, dtype=None):
     """Return an answer with other parts in place of the right ones.
 
-    centre, pull: the weights of the centroids and of the product b a^T. rotation: makes R of that product. place: makes
+    centre, pull: the weights of the centroids and of the product b a^T. rotation: makes R of it. position: makes
     p of R and the centroids, weighted by `column` if given. centred: whether the centroids are subtracted.
     """
 
@@ -57,14 +64,14 @@ def fit(centre=_share, pull=_share, rotation=nearest_so, place=_textbook, centre
         if dtype is not None:
             a, b = (np.trunc(part) if points.dtype.kind == "i" else part for part, points in ((a, src), (b, dst)))
         R = rotation((pull(weights)[:, None] * b).T @ a)
-        return pose(R, place(R, *((column or centre)(weights) @ points for points in (src, dst))))
+        return pose(R, position(R, *((column or centre)(weights) @ points for points in (src, dst))))
 
     return answer
 
 
-def _placed(place):
-    """A prediction: the right R, and the column place(R, middle of src, middle of dst)."""
-    return fit(place=place)
+def _with_position(position):
+    """A prediction: the right R, and the column position(R, middle of src, middle of dst)."""
+    return fit(position=position)
 
 
 def _mirrored(src, dst, weights):
@@ -78,7 +85,7 @@ def _with_block(block, src, dst, weights):
     return pose(block, centroid(dst, weights) - block @ centroid(src, weights))
 
 
-def _shows(blocks, where=lambda *case: flat(*case) or turned_over(*case)):
+def _shows(blocks, where=lambda *case: flat(*case) or best_is_reflection(*case)):
     """Return a `seen`: whether T has one of the blocks(src, dst, weights), in cases of the kind `where`."""
 
     def seen(T, *case):
@@ -253,7 +260,7 @@ MISTAKES = (
     ),
     Mistake(
         "the weights multiply the points before the centroid is subtracted",
-        "Subtract the centroid first, then weigh what is left.",
+        "Subtract the centroid first, then weigh the differences.",
         *_weighed_first(),
     ),
     Mistake(
@@ -273,21 +280,23 @@ MISTAKES = (
         fit(rotation=lambda H: nearest_so(H).T),
         lambda *case: pose(registered(*case)[:3, :3].T, registered(*case)[:3, 3]),
     ),
-    Mistake("p is the difference of the centroids, without R", _COLUMN, _placed(lambda R, c, d: d - c)),
-    Mistake("p has the wrong sign", _COLUMN, _placed(lambda R, c, d: R @ c - d)),
-    Mistake("p has its plus and minus mixed up", _COLUMN, _placed(lambda R, c, d: R @ c + d)),
-    Mistake("p is made with R^T in place of R", _COLUMN, _placed(lambda R, c, d: d - R.T @ c)),
+    Mistake("p is the difference of the centroids, without R", _COLUMN, _with_position(lambda R, c, d: d - c)),
+    Mistake("p has the wrong sign", _COLUMN, _with_position(lambda R, c, d: R @ c - d)),
+    Mistake("p has its plus and minus mixed up", _COLUMN, _with_position(lambda R, c, d: R @ c + d)),
+    Mistake("p is made with R^T in place of R", _COLUMN, _with_position(lambda R, c, d: d - R.T @ c)),
     Mistake(
         "p is made with src and dst swapped",
         _COLUMN,
-        _placed(lambda R, c, d: c - R @ d),
-        _placed(lambda R, c, d: c - R.T @ d),
-        _placed(lambda R, c, d: R @ d - c),
+        _with_position(lambda R, c, d: c - R @ d),
+        _with_position(lambda R, c, d: c - R.T @ d),
+        _with_position(lambda R, c, d: R @ d - c),
     ),
-    Mistake("p is R times the difference of the centroids", _COLUMN, _placed(lambda R, c, d: R @ (d - c))),
-    Mistake("p is the centroid of dst alone", _COLUMN, _placed(lambda R, c, d: d)),
-    Mistake("the column p is left empty", _COLUMN, _placed(lambda R, c, d: 0 * d)),
-    Mistake("R c is taken entry by entry", "The matrix product is @.", _placed(lambda R, c, d: d - (R * c).sum(0))),
+    Mistake("p is R times the difference of the centroids", _COLUMN, _with_position(lambda R, c, d: R @ (d - c))),
+    Mistake("p is the centroid of dst alone", _COLUMN, _with_position(lambda R, c, d: d)),
+    Mistake("the column p is left empty", _COLUMN, _with_position(lambda R, c, d: 0 * d)),
+    Mistake(
+        "R c is taken entry by entry", "The matrix product is @.", _with_position(lambda R, c, d: d - (R * c).sum(0))
+    ),
     Mistake(
         "the rotation is left out",
         "The centroids fit, but the points around them have to fit as well.",
@@ -304,7 +313,7 @@ MISTAKES = (
     Mistake("only three of the points are used", "All points that have weight count.", _by_three, _of_the_first_three),
     _shown("the sign is taken from the determinant of the sum of the b_i a_i^T", _DETERMINANT, _without_normal, flat),
     _shown(
-        "the sign is left to chance if the determinant of the sum of the b_i a_i^T is zero or tiny",
+        "the sign is random if the determinant of the sum of the b_i a_i^T is zero or tiny",
         _DETERMINANT,
         _reflections,
         vanishing,
@@ -330,7 +339,7 @@ MISTAKES = (
         _in_four_columns,
     ),
     Mistake(
-        "the best linear map is turned into a rotation afterwards",
+        "the best linear map is replaced by the nearest rotation afterwards",
         "The rotation nearest to that map is not the one with the least sum of squares.",
         _of_linear(nearest_so),
         _of_linear(nearest_so, weighted=False),

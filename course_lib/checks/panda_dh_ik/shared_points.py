@@ -59,7 +59,7 @@ def vanishing(src, dst, weights):
     return abs(np.linalg.det(product(src, dst, weights))) < _FLAT
 
 
-def turned_over(src, dst, weights):
+def best_is_reflection(src, dst, weights):
     """Whether the best fit would be a reflection, were it allowed."""
     return not flat(src, dst, weights) and np.linalg.det(product(src, dst, weights)) < 0
 
@@ -104,7 +104,7 @@ def exactly(rng, weights):
 
 
 def noisy(rng, weights, noise=0.3):
-    """A case with partners beside the places that a pose takes the points to."""
+    """A case with partners near the points that a pose takes src to."""
 
     def draw():
         src, dst, _ = exactly(rng, weights)
@@ -131,25 +131,25 @@ def reflecting(rng, weights):
 
 
 def in_a_plane(rng):
-    """Four exact cases in planes across an axis: in each numpy's two ways, U V^T is a rotation in some and not in all.
+    """Exact cases in planes: with either order of the product, U V^T is a rotation in some, a reflection in others.
 
     The determinant of the product is exactly zero there, and tells nothing of it.
     """
-    found, wanted = [], {(way, sign) for way in range(2) for sign in (-1, 1)}
+    found, wanted = [], {(order, sign) for order in range(2) for sign in (-1, 1)}
     while wanted:
         src, axis = points(rng, 4), rng.integers(3)
         src[:, axis] = 0
         dst = moved(any_pose(rng), src)
         H = product(src, dst, np.ones(4))
         s = np.linalg.svd(H, compute_uv=False)
-        shown = {(way, _handed(P)) for way, P in enumerate((H, H.T))}
+        shown = {(order, _sign_of_determinant(P)) for order, P in enumerate((H, H.T))}
         if s[0] > 1.2 * s[1] > 0.3 * s[0] and shown & wanted:
             found.append((src, dst, np.ones(4)))
             wanted -= shown
     return found
 
 
-def _handed(H):
+def _sign_of_determinant(H):
     U, _, Vt = np.linalg.svd(H)
     return int(np.sign(np.linalg.det(U @ Vt)))
 

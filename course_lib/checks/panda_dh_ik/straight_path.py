@@ -88,7 +88,7 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the positions are on the straight line, a share s of the way from A to B",
+            "the positions are on the straight line, at the share s between A and B",
             lambda T, *case: near(T[:, :3, 3], right(*case)[:, :3, 3]),
             seen=_off,
         ),

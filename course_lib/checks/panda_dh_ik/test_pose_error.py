@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.panda_dh_ik.pose_error_mistakes import left, roll_pitch_yaw
+from course_lib.checks.panda_dh_ik.pose_error_mistakes import pose_error, roll_pitch_yaw
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.rigid import inverse, is_se
 from course_lib.rotations import length, log_so3, matrix_to_quaternion
@@ -20,11 +20,11 @@ def _checked(error):
 
 
 def _with_phi(phi_of):
-    return lambda T, T_target: np.concatenate([left(T, T_target)[:3], phi_of(T[:3, :3], T_target[:3, :3])])
+    return lambda T, T_target: np.concatenate([pose_error(T, T_target)[:3], phi_of(T[:3, :3], T_target[:3, :3])])
 
 
 def _with_position(position_of):
-    return lambda T, T_target: np.concatenate([position_of(T, T_target), left(T, T_target)[3:]])
+    return lambda T, T_target: np.concatenate([position_of(T, T_target), pose_error(T, T_target)[3:]])
 
 
 def _by_quaternion(R, R_target):
@@ -74,17 +74,17 @@ EXERCISE = WriteTest(
     ),
     shapes=((4, 4), (4, 4)),
     versions=(
-        _right("that is as in the text", left),
+        _right("that is as in the text", pose_error),
         _right("that goes by the quaternion", _with_phi(_by_quaternion)),
-        _right("whose last digits differ", lambda *pair: left(*pair) * (1 + 1e-13)),
-        _right("that returns a list", lambda *pair: left(*pair).tolist()),
-        _wrong("with a wrong sign", lambda *pair: -left(*pair)),
-        _wrong("with a wrong sign", lambda *pair: left(*pair) * [1, 1, 1, -1, -1, -1]),
-        _wrong("with a wrong sign", lambda *pair: left(*pair) * [-1, -1, -1, 1, 1, 1]),
-        _wrong("in another order", lambda *pair: np.roll(left(*pair), 3)),
+        _right("whose last digits differ", lambda *pair: pose_error(*pair) * (1 + 1e-13)),
+        _right("that returns a list", lambda *pair: pose_error(*pair).tolist()),
+        _wrong("with a wrong sign", lambda *pair: -pose_error(*pair)),
+        _wrong("with a wrong sign", lambda *pair: pose_error(*pair) * [1, 1, 1, -1, -1, -1]),
+        _wrong("with a wrong sign", lambda *pair: pose_error(*pair) * [-1, -1, -1, 1, 1, 1]),
+        _wrong("in another order", lambda *pair: np.roll(pose_error(*pair), 3)),
         _wrong(_FRAME, _with_phi(lambda R, R_target: log_so3(R.T @ R_target))),
         _wrong(_FRAME, _with_position(lambda T, T_target: (T_target @ inverse(T))[:3, 3])),
-        _wrong(_FRAME, _with_position(lambda T, T_target: T[:3, :3].T @ left(T, T_target)[:3])),
+        _wrong(_FRAME, _with_position(lambda T, T_target: T[:3, :3].T @ pose_error(T, T_target)[:3])),
         _wrong("that subtracts what cannot be subtracted", _with_phi(lambda R, R_t: log_so3(R_t) - log_so3(R))),
         _wrong(
             "that subtracts what cannot be subtracted",
@@ -92,8 +92,8 @@ EXERCISE = WriteTest(
         ),
         _wrong(_ANGLE, _stretched(np.sin)),
         _wrong(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
-        _wrong("that takes the long way round", _stretched(lambda angle: angle - 2 * np.pi)),
+        _wrong("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
         _wrong("that loses small rotations", _stretched(_cut)),
-        _wrong("in degrees", lambda *pair: np.concatenate([left(*pair)[:3], np.rad2deg(left(*pair)[3:])])),
+        _wrong("in degrees", lambda *pair: np.concatenate([pose_error(*pair)[:3], np.rad2deg(pose_error(*pair)[3:])])),
     ),
 )

@@ -8,6 +8,7 @@ EXERCISES = (
     "exp_se3",
     "adjoint",
     "test_adjoint",
+    "read_iiwa",
     "screw_axes",
     "read_ur5e",
     "ur5e_home",

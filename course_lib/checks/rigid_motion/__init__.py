@@ -8,6 +8,7 @@ EXERCISES = (
     "cubic_time_scaling",
     "interpolate_body",
     "exp_se2",
+    "log_se2",
     "interpolate_body_screw",
     "step_lengths",
     "propagate_body",

@@ -267,11 +267,7 @@ EXERCISE = Exercise(
             "That changes the value at T, and the velocity there. The coefficients of u^2 and u^3 need v0 and v1 too.",
             lambda t, T, s0, s1, v0, v1: cubic_time_scaling(t, T, s0, s1, 0, 0) + v0 * t,
         ),
-        Mistake(
-            "the velocity ds/dt is returned, and not s",
-            "Return the value of the polynomial.",
-            _derivative,
-        ),
+        Mistake("the velocity ds/dt is returned, and not s", "Return the value of the polynomial.", _derivative),
         Mistake(
             "the answer is cut off to whole numbers",
             "np.zeros_like(t) has t's type. np.asarray(t, float) helps.",

@@ -15,7 +15,7 @@ def _cases(rng):
     return [(np.array(w),) for w in named] + [(size * unit(rng),) for size in lengths] + [(np.zeros(3),)]
 
 
-def _turning(w):
+def _rotates(w):
     return bool(w.any())
 
 
@@ -55,10 +55,10 @@ EXERCISE = Exercise(
             "R is a rotation: R^T R = I and det R = 1",
             lambda R, w: orthogonality_error(R) < 1e-9 and np.linalg.det(R) > 0,
             seen=lambda R, w: f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}.",
-            where=_turning,
+            where=_rotates,
         ),
         Property(
-            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9), where=_turning
+            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9), where=_rotates
         ),
         Property(
             "R rotates by the angle |w|, counter-clockwise about w",
@@ -67,7 +67,7 @@ EXERCISE = Exercise(
                 f"|w| is {np.linalg.norm(w):.4g}, so the trace of R is 1 + 2 cos |w| = "
                 f"{1 + 2 * np.cos(np.linalg.norm(w)):.4g}; that of your answer is {np.trace(R):.4g}."
             ),
-            where=_turning,
+            where=_rotates,
         ),
         Property(
             "small rotations keep their digits: for a tiny w, R - I is nearly [w]",
@@ -78,7 +78,7 @@ EXERCISE = Exercise(
         Property(
             "for w = 0 the rotation is the identity",
             lambda R, w: np.allclose(R, np.eye(3), atol=1e-12),
-            where=lambda w: not _turning(w),
+            where=lambda w: not _rotates(w),
             mistake=Mistake("w = 0 is divided by its length, which is 0", "What does no rotation do to a point?"),
         ),
     ),
@@ -90,7 +90,7 @@ EXERCISE = Exercise(
         ),
         transposed(
             exp_so3,
-            "R^T is returned: the rotation goes the other way round",
+            "R^T is returned: it rotates in the opposite direction",
             "Check the signs in [w] with an example: [w] p must be w x p.",
         ),
         Mistake(
@@ -166,7 +166,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "1 - cos has the wrong sign",
-            "[n]^2 p points from p towards the axis, and p moves that way.",
+            "[n]^2 p points from p towards the axis, and p moves in that direction.",
             lambda w: _formula(w, versine=lambda a: np.cos(a) - 1),
         ),
         Mistake(
@@ -212,9 +212,5 @@ EXERCISE = Exercise(
         "At a = 0 there is no axis: treat that case first, before you divide.",
         "R = I + sin(a) [n] + (1 - cos(a)) [n]^2, with [n] = hat(n) and the matrix product for the square.",
     ),
-    forbidden=(
-        "course_lib.rotations.exp_so3",
-        "course_lib.rigid.exp_se3",
-        "scipy.spatial.transform.Rotation",
-    ),
+    forbidden=("course_lib.rotations.exp_so3", "course_lib.rigid.exp_se3", "scipy.spatial.transform.Rotation"),
 )

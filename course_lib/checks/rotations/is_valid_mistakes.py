@@ -72,8 +72,7 @@ def _row(test):
 def _block(test):
     """Somebody who looks at the last row, and asks `test` for the block."""
     return _only(
-        "pose",
-        lambda T, tol: has_form(T, "pose") and np.abs(row_error(T)).max() <= tol and test(T[:-1, :-1], tol),
+        "pose", lambda T, tol: has_form(T, "pose") and np.abs(row_error(T)).max() <= tol and test(T[:-1, :-1], tol)
     )
 
 

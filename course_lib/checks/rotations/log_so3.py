@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.vocabulary import doubled, halved, in_degrees, negated, unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
-_DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # a hair beyond -1 and 1, and short of 1
+_DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # just beyond -1 and 1, and just below 1
 
 
 def _leaning(rng):
@@ -26,8 +26,8 @@ def _cases(rng):
     ]
     # As products of rotations may come out: a trace beyond its bounds, and a half turn that is not quite symmetric.
     rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
-    turning = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
-    return [(R,) for R in [*named, *turning, *half, np.eye(3), *rounded]]
+    rotating = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
+    return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
 
 
 def _angle(R):
@@ -79,7 +79,7 @@ def _root_of_diagonal(R):
 
 _NO_ANSWER = Mistake(
     "something is divided by zero, or arccos is asked outside [-1, 1]",
-    "Rounding takes the trace a hair beyond 3 or below -1. And at the identity and at a half turn the sine is 0.",
+    "Rounding may take the trace just above 3 or below -1. And at the identity and at a half turn the sine is 0.",
 )
 
 EXERCISE = Exercise(
@@ -102,7 +102,9 @@ EXERCISE = Exercise(
             "the angle |w| is the smallest one, between 0 and pi",
             lambda w, R: np.linalg.norm(w) <= np.pi + 1e-6,
             where=_between(1e-3, np.pi - 1e-3),
-            mistake=Mistake("the long way round is taken", "The angle 2 pi - a about the opposite axis is smaller."),
+            mistake=Mistake(
+                "the longer of the two rotations is taken", "The angle 2 pi - a about the opposite axis is smaller."
+            ),
         ),
         Property(
             "small angles keep their digits",
@@ -144,11 +146,7 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=(
-        Mistake(
-            _NO_ANSWER.name,
-            _NO_ANSWER.hint,
-            seen=lambda w, R: not np.isfinite(w).all(),
-        ),
+        Mistake(_NO_ANSWER.name, _NO_ANSWER.hint, seen=lambda w, R: not np.isfinite(w).all()),
         Mistake(
             "small angles are cut off to zero",
             "A small rotation is not the identity. Which formula divides by nothing that is small?",
@@ -193,14 +191,10 @@ EXERCISE = Exercise(
         ),
         in_degrees(log_so3),
         Mistake(
-            "the skew part of R is taken for its logarithm",
-            "(R - R^T)/2 is sin(a) [n], not a [n].",
-            _scaled(np.sin),
+            "the skew part of R is taken for its logarithm", "(R - R^T)/2 is sin(a) [n], not a [n].", _scaled(np.sin)
         ),
         Mistake(
-            "the division by sin(a) is missing",
-            "(R - R^T)/2 is sin(a) [n], not [n].",
-            _scaled(lambda a: a * np.sin(a)),
+            "the division by sin(a) is missing", "(R - R^T)/2 is sin(a) [n], not [n].", _scaled(lambda a: a * np.sin(a))
         ),
         doubled(log_so3, "a factor 1/2 is missing", "R - R^T is 2 sin(a) [n]."),
         halved(log_so3, "the factor 1/2 occurs twice", "R - R^T is 2 sin(a) [n]."),

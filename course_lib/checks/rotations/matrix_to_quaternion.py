@@ -89,14 +89,10 @@ EXERCISE = Exercise(
         halved(matrix_to_quaternion),
         Mistake(
             "the vector part has another factor than the scalar",
-            "The products are 4 w x, 4 w y, 4 w z: what is left of the 4 after dividing?",
+            "The products are 4 w x, 4 w y, 4 w z: by what do you divide them, and which factor remains?",
             *(_each([1, c, c, c]) for c in (0.25, 0.5, 2, 4, -0.5, -2)),
         ),
-        Mistake(
-            "the angle is not halved",
-            "A rotation by a has w = cos(a/2).",
-            lambda R: _axis_and_angle(R, 1.0),
-        ),
+        Mistake("the angle is not halved", "A rotation by a has w = cos(a/2).", lambda R: _axis_and_angle(R, 1.0)),
         Mistake(
             "a square is returned without its root",
             "The diagonal of R gives squares.",

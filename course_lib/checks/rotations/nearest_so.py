@@ -51,11 +51,7 @@ EXERCISE = Exercise(
             seen=lambda R, M: f"det R is {np.linalg.det(R):.0f}; det M is {np.linalg.det(M):.3g}.",
             mistake=Mistake("the answer is a reflection", "If det(U V^T) = -1, one sign has to change. Which one?"),
         ),
-        Property(
-            "a rotation comes back unchanged",
-            lambda R, M: np.abs(R - M).max() < 1e-9,
-            where=is_rotation,
-        ),
+        Property("a rotation comes back unchanged", lambda R, M: np.abs(R - M).max() < 1e-9, where=is_rotation),
         Property(
             "no rotation is nearer to M than R",
             lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + 1e-9,
@@ -113,9 +109,7 @@ EXERCISE = Exercise(
             nearest_so, hint="Compare U V^T with M = U S V^T for a matrix M that is nearly a rotation: which is near M?"
         ),
         Mistake(
-            "numpy's third result is taken for V",
-            "numpy.linalg.svd returns V already transposed.",
-            _v_transposed_twice,
+            "numpy's third result is taken for V", "numpy.linalg.svd returns V already transposed.", _v_transposed_twice
         ),
         entry_by_entry(lambda M: np.multiply(*np.linalg.svd(M)[::2])),
     ),

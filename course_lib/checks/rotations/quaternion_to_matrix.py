@@ -62,7 +62,7 @@ EXERCISE = Exercise(
     mistakes=(
         transposed(
             quaternion_to_matrix,
-            "R^T is returned: the rotation goes the other way round",
+            "R^T is returned: it rotates in the opposite direction",
             "Check the sign of the term with w by a quarter turn about z.",
         ),
         Mistake(
@@ -98,9 +98,7 @@ EXERCISE = Exercise(
             lambda q: _combination(q, three=-2),
         ),
         Mistake(
-            "the identity is missing",
-            "A small rotation leaves p nearly where it is.",
-            lambda q: _combination(q, one=0),
+            "the identity is missing", "A small rotation leaves p nearly where it is.", lambda q: _combination(q, one=0)
         ),
         Mistake(
             "w is missing, or squared, in the term with [v]",

@@ -7,9 +7,9 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.sampling import (
     ARVO_RANGES,
     AXIS_AND_ANGLE,
+    CIRCLE,
     DRAWS,
     EULER,
-    FULL_TURN,
     GAPS,
     LIBRARY_SAMPLERS,
     TIED,
@@ -74,7 +74,7 @@ EXERCISE = Exercise(
             "That is a sixteenth of the sphere only. What do you draw from?",
             seen=of_many(lambda q: q.min() >= 0),
         ),
-        Mistake(*GAPS, seen=of_many(lambda q: any(has_gaps(angle, *FULL_TURN) for angle in _shoemake(q)[1:]))),
+        Mistake(*GAPS, seen=of_many(lambda q: any(has_gaps(angle, *CIRCLE) for angle in _shoemake(q)[1:]))),
         Mistake(
             "sine and cosine of a uniform angle stand for the roots of s and 1 - s",
             "Then s, the square of a sine, is not uniform.",

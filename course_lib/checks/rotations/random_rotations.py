@@ -7,9 +7,9 @@ from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.rotations.sampling import (
     ARVO_RANGES,
     AXIS_AND_ANGLE,
+    CIRCLE,
     DRAWS,
     EULER,
-    FULL_TURN,
     GAPS,
     LIBRARY_SAMPLERS,
     ROTATIONS,
@@ -57,12 +57,12 @@ EXERCISE = Exercise(
             seen=of_many(lambda R: np.allclose(R, np.swapaxes(R, 1, 2))),
         ),
         Mistake(
-            "e_z always lands at the same place or height",
+            "e_z always has the same image, or the same height",
             "z, phi and theta need random numbers of their own.",
             seen=of_many(lambda R: R[:, 2, 2].std() < 1e-6),
         ),
         Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES))),
-        Mistake(*GAPS, seen=of_many(lambda R: any(has_gaps(angle, *FULL_TURN) for angle in arvo(R)[1:]))),
+        Mistake(*GAPS, seen=of_many(lambda R: any(has_gaps(angle, *CIRCLE) for angle in arvo(R)[1:]))),
         Mistake(
             "rotation vectors are drawn uniformly from the ball of radius pi",
             "Their lengths have the density 3 a^2 / pi^3, not (1 - cos a)/pi.",
@@ -73,7 +73,7 @@ EXERCISE = Exercise(
         Mistake(*EULER, seen=of_many(uniform_euler_angles)),
     ),
     hints=(
-        "Three uniform numbers: one for the rotation about z, two for the place to which the pole e_z goes.",
+        "Three uniform numbers: one for the rotation about z, two for the image of the pole e_z.",
         "V[:, :, None] * V[:, None, :] is V V^T for each draw, if V has shape (n, 3).",
         "V = (cos(phi) sqrt(z), sin(phi) sqrt(z), sqrt(1 - z)); R = (2 V V^T - I) Rz(theta).",
     ),

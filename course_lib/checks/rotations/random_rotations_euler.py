@@ -1,12 +1,12 @@
-"""random_rotations_euler: the naive sampler, which is to be naive in the published way."""
+"""random_rotations_euler: the naive sampler, which has to be naive in the published manner."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.rotations.sampling import (
+    CIRCLE,
     DRAWS,
-    FULL_TURN,
     LEVEL,
     ROTATIONS,
     TIED,
@@ -39,7 +39,7 @@ def _angles(R):
     )
 
 
-_RANGES = [FULL_TURN, (0, np.pi / 2), FULL_TURN]
+_RANGES = [CIRCLE, (0, np.pi / 2), CIRCLE]
 
 
 def _signs(R, i, j):
@@ -69,7 +69,7 @@ def _one_axis_twice(R):
 
 def _in_one_half(R):
     alpha, _, gamma = _angles(R)
-    return not has_gaps(alpha, *FULL_TURN) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
+    return not has_gaps(alpha, *CIRCLE) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
 
 
 EXERCISE = Exercise(
@@ -96,7 +96,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "alpha and gamma are drawn uniformly from the full circle",
-            lambda R, n, rng: all(uniform(_angles(R)[i], *FULL_TURN) for i in (0, 2)),
+            lambda R, n, rng: all(uniform(_angles(R)[i], *CIRCLE) for i in (0, 2)),
             where=many,
             mistake=Mistake(
                 "alpha or gamma is not uniform on the full circle", "What does rng.random(n) have to be multiplied by?"
@@ -111,11 +111,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(_angles(R), _RANGES))),
-        Mistake(
-            "alpha and gamma are drawn from half the circle",
-            "Only beta ends at pi.",
-            seen=of_many(_in_one_half),
-        ),
+        Mistake("alpha and gamma are drawn from half the circle", "Only beta ends at pi.", seen=of_many(_in_one_half)),
         Mistake(
             "the factors stand in the other order, Rx Ry Rz",
             "The rotation about x is the first to act: on which side does it stand?",

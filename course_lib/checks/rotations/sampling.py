@@ -9,7 +9,7 @@ from course_lib.checks.wire import Seed
 
 LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
 MANY = 20_000
-FULL_TURN = (-np.pi, np.pi)
+CIRCLE = (-np.pi, np.pi)
 
 
 def cases(rng):
@@ -92,7 +92,7 @@ def uniform(values, low, high):
 
 
 def nearly_uniform(values, low, high):
-    """Return whether they are but for a few percent, as an angle that goes many times round."""
+    """Return whether they are but for a few percent, as an angle over many revolutions."""
     return _against_uniform(values, low, high).statistic < 0.05
 
 
@@ -152,7 +152,7 @@ def trace_p_value(R):
     return 2 * norm.sf(abs(squares.mean() - 1) / np.sqrt(2 / len(R)))
 
 
-ARVO_RANGES = [(0, 1), FULL_TURN, FULL_TURN]
+ARVO_RANGES = [(0, 1), CIRCLE, CIRCLE]
 
 
 def arvo(R):

@@ -26,7 +26,7 @@ def _along(q0, q1, t):
 
 
 def slerp(q0, q1, t):
-    """Return the unit quaternion the share t of the way from q0 to q1 or -q1, whichever is nearer."""
+    """Return the unit quaternion at the fraction t of the arc from q0 to q1 or -q1, whichever is nearer."""
     return _along(q0, _shorter(q0, q1), t)
 
 
@@ -45,7 +45,7 @@ def _cases(rng):
     pairs += [(*_apart(rng, angle), t) for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.5, 0.6))]
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
     pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-6), 0.4), (*_apart(rng, 1e-9), 0.5)]
-    q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is a hair above 1
+    q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
 
@@ -108,7 +108,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the quaternions are mixed on the straight line and normalised",
-            "The chord is divided evenly, the arc is not: near its middle the rotation is faster.",
+            "The points are evenly spaced on the chord, not on the arc: near its middle the rotation is faster.",
             lambda q0, q1, t: _nlerp(q0, _shorter(q0, q1), t),
             lambda q0, q1, t: _nlerp(q0, q1, t),
         ),
@@ -118,16 +118,9 @@ EXERCISE = Exercise(
             lambda q0, q1, t: (1 - t) * q0 + t * _shorter(q0, q1),
             lambda q0, q1, t: (1 - t) * q0 + t * q1,
         ),
+        Mistake("t runs from q1 to q0", "At t = 0 the answer is q0.", lambda q0, q1, t: slerp(q0, q1, 1 - t)),
         Mistake(
-            "t runs from q1 to q0",
-            "At t = 0 the answer is q0.",
-            lambda q0, q1, t: slerp(q0, q1, 1 - t),
-        ),
-        Mistake(
-            "t is not used",
-            "At t = 0 the answer is q0, at t = 1 it is q1.",
-            lambda q0, q1, t: q1,
-            lambda q0, q1, t: q0,
+            "t is not used", "At t = 0 the answer is q0, at t = 1 it is q1.", lambda q0, q1, t: q1, lambda q0, q1, t: q0
         ),
         Mistake(
             "the angle between the quaternions is doubled or halved",

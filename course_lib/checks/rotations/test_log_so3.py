@@ -38,7 +38,7 @@ def _if(where, otherwise):
     return version
 
 
-def _long_way(w):
+def _longer(w):
     angle = np.linalg.norm(w)
     return w * (angle - 2 * np.pi) / angle if angle > 0 else w
 
@@ -68,7 +68,7 @@ EXERCISE = WriteTest(
         _wrong("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
         _wrong("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
         _wrong("that always returns zero", lambda R: np.zeros(3)),
-        _wrong("that takes the long way round", lambda R: _long_way(log_so3(R))),
+        _wrong("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
         _wrong(
             "that is wrong only beyond a quarter turn",
             _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),

@@ -14,7 +14,6 @@ EXERCISES = (
     "six_axis_ik",
     "rate_matrix",
     "inverse_rate_matrix",
-    "constant_omega",
     "planar_jacobian",
     "lm_step",
     "solve_lm",

@@ -60,7 +60,7 @@
       const low = -7, high = Math.log10(Math.max(1, ...E)), top = Math.max(0.5, ...E);
       const y = state.log ? (e) => 12 + (208 * (high - Math.max(low, Math.log10(e + 1e-12)))) / (high - low) : (e) => 220 - (208 * e) / top;
       curve.setAttribute("d", E.map((e, i) => `${i ? "L" : "M"}${(52 + (260 * i) / most).toFixed(1)},${y(e).toFixed(1)}`).join(""));
-      const marks = state.log ? [0, -2, -4, -6].map((k) => [10 ** k, k ? `1e${k}` : "1"]) : [0, 0.5, 1].map((share) => [share * top, P.number(share * top, 2)]);
+      const marks = state.log ? [0, -2, -4, -6].map((k) => [10 ** k, { 0: "1", "-2": "10⁻²", "-4": "10⁻⁴", "-6": "10⁻⁶" }[k]]) : [0, 0.5, 1].map((share) => [share * top, P.number(share * top, 2)]);
       ticks.replaceChildren();
       marks.forEach(([e, label]) => P.shape("text", { x: 48, y: y(e) + 4 }, ticks, label));
       [0, most].forEach((k, i) => P.shape("text", { x: i ? 312 : 58, y: 236 }, ticks, String(k)));

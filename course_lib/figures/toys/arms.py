@@ -43,7 +43,10 @@ def iiwa_toy(q=_IIWA_START):
         "slider drives the arm through its stretched, singular configuration."
     )
     parts = ["axes", "ellipsoids", "singularity"]
-    return _arm_toy(iiwa14(), q, parts, alt, "The KUKA iiwa and its joints")
+    caption = (
+        "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is lost bears any load."
+    )
+    return _arm_toy(iiwa14(), q, parts, alt, "The KUKA iiwa and its joints", caption=caption)
 
 
 def panda_toy(q=_PANDA_START):
@@ -120,7 +123,8 @@ def jog(arm, fk=None, *, q=None, base=None):
         f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
     )
     answer = None if fk is None else Answers(arm, fk, base)
-    return _arm_toy(arm, q, ["axes"], alt, f"An arm with {arm.n} joints", answer)
+    caption = "A joint takes along every axis after its own and none before it."
+    return _arm_toy(arm, q, ["axes"], alt, f"An arm with {arm.n} joints", answer, caption)
 
 
 class Answers:
@@ -174,7 +178,7 @@ def _positional(function):
     return sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty for p in parameters)
 
 
-def _arm_toy(arm, q, parts, alt, title, answer=None, **more):
+def _arm_toy(arm, q, parts, alt, title, answer=None, caption="", **more):
     q = real_array(q, "q", (arm.n,))
     if q.shape != (arm.n,):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
@@ -196,7 +200,7 @@ def _arm_toy(arm, q, parts, alt, title, answer=None, **more):
         **more,
     }
     figure, model["trace"] = _still(arm, q, 0.17 * model["reach"])
-    return Toy("arm", model, figure, alt, answer)
+    return Toy("arm", model, figure, alt, answer, caption)
 
 
 def _still(arm, q, size):

@@ -63,4 +63,5 @@ def planar_arm_toy(lengths=(1, 1, 1, 1), q=None, target=(-1.9, 1.1), step=0.5, d
         "keys. Sliders set step size and damping of the damped least-squares steps; a green ellipse shows the "
         "manipulability, a curve the distance left after each step."
     )
-    return Toy("planar_arm", model, figure, alt)
+    caption = "Stretched out, the ellipse is flat: the tip cannot move along the arm, and an undamped step explodes."
+    return Toy("planar_arm", model, figure, alt, caption=caption)

@@ -12,6 +12,8 @@ from course_lib.planar import interpolate_body_screw, plan_times, propagate_body
 _OUTLINE = np.array([[-0.5, -0.3], [0.5, -0.3], [0.75, 0], [0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3]])
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
 _ROUND = (((0.5, 0, 0), 4), ((0.3, 0, 0.9), 3.4), ((0.5, 0, 0), 3), ((0.3, 0, -0.9), 2), ((0.4, 0, 0.45), 7))
+_POLE = "The dot is the pole: the red arc is one rotation about it."
+_STEP = "The shorter the step, the smaller the error; on the straight parts any step is right."
 
 
 def two_poses_toy(start=(-3, -1.5, 0.2), goal=(2.5, 1.5, 2.0), half=5.0):
@@ -49,7 +51,9 @@ def two_poses_toy(start=(-3, -1.5, 0.2), goal=(2.5, 1.5, 2.0), half=5.0):
         "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow keys, with the "
         f"straight motion and the screw motion between them{where}."
     )
-    return Toy("two_poses", {"start": start.tolist(), "goal": goal.tolist(), "half": float(half)}, figure, alt)
+    return Toy(
+        "two_poses", {"start": start.tolist(), "goal": goal.tolist(), "half": float(half)}, figure, alt, caption=_POLE
+    )
 
 
 def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
@@ -95,7 +99,11 @@ def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
     )
     model = {"plan": [[list(map(float, v)), float(t)] for v, t in plan], "dt": float(dt), "start": start.tolist()}
     return Toy(
-        "dead_reckoning", {**model, "half": half, "centre": centre.tolist(), "tolerance": tolerance}, figure, alt
+        "dead_reckoning",
+        {**model, "half": half, "centre": centre.tolist(), "tolerance": tolerance},
+        figure,
+        alt,
+        caption=_STEP,
     )
 
 

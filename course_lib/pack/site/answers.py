@@ -1,4 +1,6 @@
-"""The authors' answers on the pages: folded shut, or left out."""
+"""What is folded shut on the pages: the authors' answers, or left out; imports, and lines that only draw."""
+
+import ast
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
@@ -28,6 +30,35 @@ def hide(cell, tag: str, name: str) -> None:
     """Let MyST-NB fold a code cell, or a part of it, under a line with that name."""
     cell.metadata["tags"] = [*cell.metadata.get("tags", []), tag]
     cell.metadata["mystnb"] = {"code_prompt_show": name, "code_prompt_hide": name}
+
+
+def fold_what_serves(cell) -> None:
+    """Let the page show a code cell that only imports, or only draws a figure, as one line that opens."""
+    if "nbgrader" in cell.metadata or cell.metadata.get("tags"):
+        return
+    try:
+        statements = ast.parse(cell.source).body
+    except SyntaxError:  # a line for the notebook alone, such as %matplotlib
+        return
+    if not statements:
+        return
+    if isinstance(statements[0], ast.Import | ast.ImportFrom) and not cell.outputs:
+        hide(cell, "hide-input", "Imports and settings")
+    elif cell.outputs and all(_is_figure(output) for output in cell.outputs) and all(map(_only_draws, statements)):
+        hide(cell, "hide-input", "The lines that draw it")
+
+
+def _is_figure(output) -> bool:
+    data = output.get("data", {})
+    return any(kind.startswith("image/") or "plotly" in kind for kind in data) or "caption" in output.get(
+        "metadata", {}
+    )
+
+
+def _only_draws(statement) -> bool:
+    """Return whether a statement is a call, as show(...) is, or names a picture's words."""
+    called = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call)
+    return called or (isinstance(statement, ast.Assign) and isinstance(statement.value, ast.Constant | ast.JoinedStr))
 
 
 def leave_out(cell, place: str) -> None:

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import course_lib.figures
 from course_lib.pack.site import gather, search, sections
-from course_lib.pack.site.downloads import offer
+from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.errors import SiteError
 from course_lib.pack.site.finish import finish
+from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.packages import folder
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
@@ -48,7 +49,8 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
-        figures = _gather(sources, pages, solutions, say)
+        release = None if single else students_zip(notebooks.parent, Path(work, ZIP))
+        figures = _gather(sources, pages, solutions, release, say)
         count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
@@ -56,6 +58,8 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
         if not single:
             search.write(site)
         finish(site)
+        if release:
+            release.rename(site / ZIP)
         if single:
             make_single(site)
         sign(site, source)
@@ -67,10 +71,10 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     say(f"Wrote {_number(count, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
+def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None, say) -> int:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
-    Returns how many live figures there are.
+    `release` is the students' zip, where there is one. Returns how many live figures there are.
     """
     # Pictures and data that a notebook's text links to lie beside it.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
@@ -78,7 +82,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
     figures = 0
     for source in sources:
         counts = prepare(source, pages, solutions)
-        offer(source, pages)
+        offer(source, pages, release)
         figures += counts.figures
         say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     notebooks = [gather.read(source, pages) for source in sources]
@@ -88,7 +92,9 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, say) -> int:
         if sections.write(heading, sources, page):
             prepare(page, pages, solutions)
             others.append(page)
-    (pages / "index.md").write_text(gather.home(notebooks, others), encoding="utf-8")
+    (pages / "index.md").write_text(
+        gather.home(notebooks, others, living_panda(pages), offered(release)), encoding="utf-8"
+    )
     return figures
 
 

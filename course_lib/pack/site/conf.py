@@ -6,7 +6,7 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import formulas, search
+from course_lib.pack.site import formulas, living, search
 
 project = "Robot kinematics"
 html_title = project
@@ -84,6 +84,9 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
+    if '<div class="living">' in context.get("body", ""):
+        for script in living.SCRIPTS:
+            app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if pagename == "search":
         app.add_js_file(search.NAME, loading_method="defer")
         app.add_js_file("search.js", loading_method="defer")

@@ -1,4 +1,4 @@
-"""The student's notebook, to download from its page."""
+"""What it takes to run the notebooks, to download from the pages: the students' zip, or else the one notebook."""
 
 import base64
 import hashlib
@@ -7,10 +7,17 @@ from pathlib import Path
 import nbformat
 
 from course_lib.pack.release import ReleaseError
+from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 from course_lib.pack.release.stubs import students_copy
 from course_lib.pack.site.errors import SiteError
 
-# The link holds the notebook: a browser shows a file that lies beside the page as text, unless a server sends it.
+ZIP = "robot-kinematics.zip"  # beside the pages
+LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
+RUN = """
+
+**Run it.** {link}, unpack it and type `make lab` in its folder, or follow its README where there is no make. Then open
+`notebooks/{name}`."""
+# A page that stands alone holds its notebook in the link.
 KIND = "data:application/x-ipynb+json;base64,"
 WORDS = """
 
@@ -18,8 +25,24 @@ WORDS = """
 the course's folder, where it finds the helper package and the data."""
 
 
-def offer(source: Path, folder: Path) -> None:
-    """Put a link to a notebook without solutions at the end of the first text of its prepared copy in `folder`.
+def students_zip(root: Path, path: Path) -> Path | None:
+    """Write the students' zip of the project at `root` to `path` and return it, or None if `root` is no project."""
+    if not (root / "pyproject.toml").is_file():
+        return None
+    try:
+        write_zip(path, named(collect(root))[1], release_date(root))
+    except ReleaseError as error:
+        raise SiteError(str(error)) from error
+    return path
+
+
+def offered(release: Path | None) -> str:
+    """Return the link to the students' zip, or "" where there is none."""
+    return LINK.format(name=ZIP, size=release.stat().st_size / 1e6) if release else ""
+
+
+def offer(source: Path, folder: Path, release: Path | None = None) -> None:
+    """Put a link to the zip, or to a notebook without solutions, after the first text of its copy in `folder`.
 
     Raises SiteError where a solution cannot be told from the rest.
     """
@@ -33,5 +56,6 @@ def offer(source: Path, folder: Path) -> None:
     first = next((cell for cell in book.cells if cell.cell_type == "markdown"), None)
     if first:
         content = base64.b64encode(copy.encode()).decode()
-        first.source += WORDS.format(name=source.name, kind=KIND, content=content)
+        alone = WORDS.format(name=source.name, kind=KIND, content=content)
+        first.source += RUN.format(link=offered(release), name=source.name) if release else alone
     nbformat.write(book, folder / source.name)

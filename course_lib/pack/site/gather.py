@@ -10,12 +10,23 @@ import nbformat
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
 COVER = "cover"  # the tag of the cell whose picture stands for its notebook
+# What each notebook answers. A notebook may say it itself: in its metadata, as "question".
+QUESTIONS = {
+    "01_rotations": "How does one compute with orientations, and keep them valid?",
+    "02_rigid_motion": "How does a body get from one pose to another, along which path, and how fast?",
+    "03_subproblems_damped_ik": "Which joint angles reach a given pose, and what can be done if there is no formula?",
+    "04_poe_kuka_iiwa": "Where is the end-effector of a seven-joint arm, how fast does it move, and what can it hold?",
+    "05_panda_dh_ik": "How does a robot find a mug, grasp it and put it somewhere else?",
+    "06_decomposition_ik": "Can samples of a workspace replace a formula for inverse kinematics, and with what error?",
+}
 NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 HOME = """# Robot kinematics
 
-Notebooks that answer: small steps (an equation, the lines that compute it, a picture), exercises that are checked at
-once, and the numbers of a published homework report, down to what it got wrong.{time}
+Read a little, predict, take a robot by the hand, write a few lines of code: every answer is checked at once. Each
+notebook reproduces the numbers of a published homework report, and shows by computation what it got wrong.{time}
+
+{living}
 
 <nav class="first-steps" aria-label="First steps">
 
@@ -31,7 +42,7 @@ once, and the numbers of a published homework report, down to what it got wrong.
 
 ## Run it yourself
 
-With Python 3.11 or newer and the course's folder,
+{zip}With Python 3.11 or newer, in the course's folder,
 
 ```
 make lab
@@ -74,14 +85,18 @@ def read(source: Path, pages: Path) -> Notebook:
     return Notebook(
         name=source.stem,
         title=title[1] if title else source.stem,
-        question=_question(text),
+        question=book.metadata.get("question") or QUESTIONS.get(source.stem) or _question(text),
         hours=_hours(text),
         picture=_cover(book, source.name, pages),
     )
 
 
-def home(notebooks: list[Notebook], others: list[Path]) -> str:
-    """Return the home page in MyST; `others` are the pages beside the notebooks."""
+def home(notebooks: list[Notebook], others: list[Path], living: str, offered: str) -> str:
+    """Return the home page in MyST.
+
+    `others` are the pages beside the notebooks, `living` is the robot above the cards and `offered` the link to the
+    students' zip, each as HTML; the link may be "".
+    """
     hours = [notebook.hours for notebook in notebooks]
     time = f" All together they take about {sum(hours)} hours." if all(hours) else ""
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
@@ -90,6 +105,8 @@ def home(notebooks: list[Notebook], others: list[Path]) -> str:
         steps.append("[What we found wrong in print](errata.ipynb)")
     return HOME.format(
         time=time,
+        living=living,
+        zip=f"{offered} and unpack it. " if offered else "",
         steps="\n".join(f"- {step}" for step in steps),
         notebooks="\n\n".join(map(_card, notebooks)),
         more="## Beside them\n\n" + "\n".join(more) if more else "",

@@ -13,7 +13,7 @@ import nbformat
 from PIL import Image
 
 from course_lib.figures.display import PLOTLY
-from course_lib.pack.site.answers import fold, leave_out
+from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
 from course_lib.pack.site.errors import SiteError
 
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
@@ -53,6 +53,8 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
             raise SiteError(f"{place} was changed, and not run since. Run the notebook and save it.")
         fold(cell) if solutions else leave_out(cell, place)
+        if cell.cell_type == "code":
+            fold_what_serves(cell)
         if cell.get("outputs"):
             _move_captions(cell)
         for output in cell.get("outputs", []):
@@ -144,13 +146,14 @@ def _figure(figure: dict, alt: str, still: str) -> str:
 
 def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
     """Store an image beside the pages and return the element that shows it."""
-    text, ending, size = output.data[kind], IMAGES[kind], ""
+    text, ending, size, wide = output.data[kind], IMAGES[kind], "", False
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind == "image/png":
         image = Image.open(io.BytesIO(content))
         # Known beforehand, so that the text below does not jump when the picture arrives.
         shown = output.metadata.get(kind, {}).get("width", image.width)
         size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'
+        wide = shown > 600 and shown > 1.7 * image.height * shown / image.width  # several panels, mostly
         # The same dots in well under half the bytes.
         image.save(smaller := io.BytesIO(), "WEBP", lossless=True, method=1, quality=50)
         content, ending = smaller.getvalue(), "webp"
@@ -158,4 +161,5 @@ def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
     (folder / path).parent.mkdir(parents=True, exist_ok=True)
     (folder / path).write_bytes(content)
     # "dark-light" tells the theme to leave the colours alone in the dark.
-    return f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'
+    element = f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'
+    return f'<div class="panels">{element}</div>' if name == "picture" and wide else element

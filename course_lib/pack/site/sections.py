@@ -14,11 +14,35 @@ LINES = "The lines that compute it"
 BEGIN = {
     ERRATA: """# Errata
 
-What the published report got wrong, gathered from the notebooks: what it claims, the evidence against it, computed, and
-what is right.""",
+What the published report got wrong: what it prints, the evidence against it, computed, and what is right. Each part
+is the end of a notebook, to which its title leads: *above*, *here* and *you* are said there, functions are its own.""",
     SOURCES: """# Sources
 
 What each notebook rests on.""",
+}
+
+# Where the works are, by the words of the sources that become the link.
+DOI = "https://doi.org/"
+LINKS = {
+    "*Modern Robotics*": f"{DOI}10.1017/9781316661239",
+    "*State Estimation for Robotics*": f"{DOI}10.1017/9781316671528",
+    "*A Mathematical Introduction to Robotic Manipulation*": f"{DOI}10.1201/9781315136370",
+    "*Robotics*": f"{DOI}10.1007/978-1-84628-642-1",
+    "*Stable Mappings and Their Singularities*": f"{DOI}10.1007/978-1-4615-7904-5",
+    "A generalized solution of the orthogonal Procrustes problem": f"{DOI}10.1007/BF02289451",
+    "Least-squares estimation of transformation parameters between two point patterns": f"{DOI}10.1109/34.88573",
+    "Quaternion from rotation matrix": f"{DOI}10.2514/3.55767b",
+    "Animating rotation with quaternion curves": f"{DOI}10.1145/325334.325242",
+    "Effective sampling and distance metrics for 3D rigid body path planning": f"{DOI}10.1109/ROBOT.2004.1308895",
+    "IK-Geo: unified robot inverse kinematics using subproblem decomposition": "https://arxiv.org/abs/2211.05737",
+    "Inverse kinematic solutions with singularity robustness for robot manipulator control": f"{DOI}10.1115/1.3143764",
+    "A kinematic notation for lower-pair mechanisms based on matrices": f"{DOI}10.1115/1.4011045",
+    "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method": f"{DOI}10.1109/TRO.2011.2148230",
+    "A solution for the best rotation to relate two sets of vectors": f"{DOI}10.1107/S0567739476001873",
+    "Least squares quantization in PCM": f"{DOI}10.1109/TIT.1982.1056489",
+    "Locally weighted learning for control": f"{DOI}10.1023/A:1006511328852",
+    "Learning inverse kinematics": f"{DOI}10.1109/IROS.2001.973374",
+    "Scikit-learn: machine learning in Python": "https://jmlr.org/papers/v12/pedregosa11a.html",
 }
 
 
@@ -27,12 +51,26 @@ def write(heading: str, sources: list[Path], path: Path) -> bool:
     cells = [cell for source in sources for cell in _titled(heading, source)]
     if not cells:
         return False
+    if heading == SOURCES:
+        for cell in cells:
+            cell.source = _linked(cell.source)
     cells.insert(0, new_markdown_cell(BEGIN[heading]))
     for number, cell in enumerate(cells):
         cell.id = f"{path.stem}-{number}"  # else random, and no two builds the same
     metadata = nbformat.read(sources[0], as_version=4).metadata
     nbformat.write(new_notebook(cells=cells, metadata=metadata), path)
     return True
+
+
+def _linked(text: str) -> str:
+    """Return the lines of sources with links to the works, unless a line holds a link already."""
+    lines = text.splitlines()
+    for number, line in enumerate(lines):
+        if line.startswith("- ") and "](" not in line:
+            for words, link in LINKS.items():
+                line = line.replace(words, f"[{words}]({link})")
+            lines[number] = line
+    return "\n".join(lines)
 
 
 def _titled(heading: str, source: Path) -> list:

@@ -20,7 +20,7 @@ def right_entry_by_entry_as_lists(a, alpha, d, theta):
     return [[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]]
 
 
-def right_four_steps_each_pair_the_other_way(a, alpha, d, theta):
+def right_four_steps_each_pair_reversed(a, alpha, d, theta):
     X, Z, A, D = np.eye(4), np.eye(4), np.eye(4), np.eye(4)
     X[1:3, 1:3] = [[np.cos(alpha), -np.sin(alpha)], [np.sin(alpha), np.cos(alpha)]]
     Z[:2, :2] = [[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]]

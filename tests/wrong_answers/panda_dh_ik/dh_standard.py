@@ -20,7 +20,7 @@ def right_entry_by_entry_as_lists(a, alpha, d, theta):
     return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
 
 
-def right_four_steps_each_pair_the_other_way(a, alpha, d, theta):
+def right_four_steps_each_pair_reversed(a, alpha, d, theta):
     X, Z, A, D = np.eye(4), np.eye(4), np.eye(4), np.eye(4)
     X[1:3, 1:3] = [[np.cos(alpha), -np.sin(alpha)], [np.sin(alpha), np.cos(alpha)]]
     Z[:2, :2] = [[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]]
@@ -39,7 +39,7 @@ def right_exponential_of_matrices(a, alpha, d, theta):
 
 
 def right_inverse_of_the_modified_way_back(a, alpha, d, theta):
-    """The way back is along x first, then along z."""
+    """The inverse goes along x first, then along z."""
     back = rigid.transform(rot_x(-alpha), [-a, 0, 0]) @ rigid.transform(rot_z(-theta), [0, 0, -d])
     return np.linalg.inv(back)
 

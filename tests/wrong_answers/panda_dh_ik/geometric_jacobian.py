@@ -34,7 +34,7 @@ def right_lists_of_rows(frames):
 
 
 def right_from_the_space_jacobian(frames):
-    """Screw axes first, then moved to the flange's origin; at last the halves change places."""
+    """Screw axes first, then moved to the flange's origin; at last the halves are swapped."""
     z, o = frames[:-1, :3, 2], frames[:-1, :3, 3]
     space = np.hstack([z, np.cross(o, z)]).T
     J = adjoint(transform(np.eye(3), -frames[-1, :3, 3])) @ space
@@ -52,13 +52,13 @@ def right_seen_from_each_joint(frames):
 
 
 def right_by_half_turns_there_and_back(frames):
-    """The difference of the places after a quarter turn either way, which is exact."""
+    """Central differences over a quarter of a circle, which are exact."""
     columns = []
     for frame in frames[:-1]:
         z, o = frame[:3, 2], frame[:3, 3]
-        turn = exp_se3(np.concatenate([z, np.cross(o, z)]) * np.pi / 2)
-        v = (turn @ frames[-1] - inverse(turn) @ frames[-1])[:3, 3] / 2
-        columns.append(np.concatenate([v, log_so3(turn[:3, :3]) / (np.pi / 2)]))
+        phi = exp_se3(np.concatenate([z, np.cross(o, z)]) * np.pi / 2)
+        v = (phi @ frames[-1] - inverse(phi) @ frames[-1])[:3, 3] / 2
+        columns.append(np.concatenate([v, log_so3(phi[:3, :3]) / (np.pi / 2)]))
     return np.column_stack(columns)
 
 
@@ -105,8 +105,8 @@ def wrong_large_step(frames):
     columns, h = [], 1e-3
     for frame in frames[:-1]:
         z, o = frame[:3, 2], frame[:3, 3]
-        turn = exp_se3(np.concatenate([z, np.cross(o, z)]) * h)
-        columns.append([*((turn @ frames[-1] - frames[-1])[:3, 3] / h), *z])
+        phi = exp_se3(np.concatenate([z, np.cross(o, z)]) * h)
+        columns.append([*((phi @ frames[-1] - frames[-1])[:3, 3] / h), *z])
     return np.array(columns).T
 
 

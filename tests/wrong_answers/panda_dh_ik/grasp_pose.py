@@ -19,18 +19,18 @@ def right_without_weights_as_lists(template, scene, T_grasp):
 
 def right_by_scipy_in_parts(template, scene, T_grasp):
     c, d = template.mean(axis=0), scene.mean(axis=0)
-    turn = Rotation.align_vectors(scene - d, template - c)[0]
+    phi = Rotation.align_vectors(scene - d, template - c)[0]
     X = np.eye(4)
-    X[:3, :3] = turn.as_matrix() @ T_grasp[:3, :3]
-    X[:3, 3] = d + turn.apply(T_grasp[:3, 3] - c)
+    X[:3, :3] = phi.as_matrix() @ T_grasp[:3, :3]
+    X[:3, 3] = d + phi.apply(T_grasp[:3, 3] - c)
     return X
 
 
 def right_axes_and_place_moved_as_points(template, scene, T_grasp):
     T = register_points(template, scene)
-    place = T_grasp[:3, 3]
-    tips = place + T_grasp[:3, :3].T
-    moved = np.column_stack([np.vstack([place, tips]), np.ones(4)]) @ T.T
+    position = T_grasp[:3, 3]
+    tips = position + T_grasp[:3, :3].T
+    moved = np.column_stack([np.vstack([position, tips]), np.ones(4)]) @ T.T
     X = np.eye(4)
     X[:3, 3] = moved[0, :3]
     X[:3, :3] = (moved[1:, :3] - moved[0, :3]).T

@@ -30,7 +30,7 @@ def ik_step_dls(q, J, e, eps):
 
 
 def out_of_reach(T):
-    """Whether the place is farther from the shoulder than all links together are long."""
+    """Return whether the position is farther from the shoulder than all links together are long."""
     return np.linalg.norm(T[:3, 3] - T_w0[:3, 3] - [0, 0, 0.333]) > 1.2
 
 
@@ -87,10 +87,10 @@ def right_as_lists_with_the_librarys_jacobian(T, q0):
     for _ in range(1 if out_of_reach(T) else 50):
         for _ in range(40):
             here = arm.fk(q)
-            turn, way = rotations.log_so3(goal[:3, :3] @ here[:3, :3].T), goal[:3, 3] - here[:3, 3]
-            if np.linalg.norm(way) < 1e-6 and np.linalg.norm(turn) < 1e-6:
+            phi, e_p = rotations.log_so3(goal[:3, :3] @ here[:3, :3].T), goal[:3, 3] - here[:3, 3]
+            if np.linalg.norm(e_p) < 1e-6 and np.linalg.norm(phi) < 1e-6:
                 return [float(angle) for angle in q]
-            e, J = np.r_[turn, way], arm.geometric_jacobian(q)
+            e, J = np.r_[phi, e_p], arm.geometric_jacobian(q)
             dq = np.linalg.solve(J.T @ J + (0.01 * e @ e + 1e-9) * np.eye(7), J.T @ e)
             q = [min(max(q[j] + dq[j], low[j]), high[j]) for j in range(7)]
         q = [random.uniform(*limits[j]) for j in range(7)]
@@ -117,8 +117,8 @@ def right_many_starts_at_once(T, q0):
     Q = np.vstack([q0, np.random.default_rng(2).uniform(low, high, (99, 7))])
     for _ in range(30):
         here = arm.fk(Q)
-        turn = rotations.log_so3(goal[:3, :3] @ np.swapaxes(here[:, :3, :3], 1, 2))
-        e = np.concatenate([turn, goal[:3, 3] - here[:, :3, 3]], 1)
+        phi = rotations.log_so3(goal[:3, :3] @ np.swapaxes(here[:, :3, :3], 1, 2))
+        e = np.concatenate([phi, goal[:3, 3] - here[:, :3, 3]], 1)
         size = np.sqrt((e**2).sum(1))
         if size.min() < 1e-7:
             return Q[np.argmin(size)]
@@ -203,12 +203,12 @@ def wrong_flange_forgotten(T, q0):
     return search(T, q0, frames_of=lambda q: panda_fk(q)[:7], jacobian=lambda f: geometric_jacobian(f[[*range(7), 6]]))
 
 
-def wrong_only_the_place(T, q0):
+def wrong_only_the_position(T, q0):
     """only the position is brought to T_target, not the orientation"""
     return search(T, q0, weights=(1, 1, 1, 0, 0, 0))
 
 
-def wrong_only_the_turn(T, q0):
+def wrong_only_the_orientation(T, q0):
     """only the orientation is brought to T_target, not the position"""
     q = search(T, q0, weights=(0, 0, 0, 1, 1, 1))
     return np.full(7, np.nan) if out_of_reach(T) else q
@@ -313,7 +313,7 @@ def wrong_order_of_the_error(T, q0):
     return search(T, q0, starts=2, jacobian=lambda frames: np.roll(geometric_jacobian(frames), 3, axis=0))
 
 
-def wrong_error_seen_from_the_hand(T, q0):
+def wrong_error_seen_from_the_end_effector(T, q0):
     """the steps do not converge to a target close by"""
 
     def error(A, B):
@@ -327,12 +327,12 @@ def wrong_error_backwards(T, q0):
     return search(T, q0, starts=2, error=lambda A, B: pose_error(B, A))
 
 
-def wrong_turn_transposed(T, q0):
+def wrong_orientation_transposed(T, q0):
     """the target's orientation is transposed"""
     return search(rigid.transform(T[:3, :3].T, T[:3, 3]), q0)
 
 
-def wrong_place_in_millimetres(T, q0):
+def wrong_position_in_millimetres(T, q0):
     """the iteration stops too early, or the angles are rounded"""
     return search(T, q0, weights=(0.001, 0.001, 0.001, 1, 1, 1), enough=1e-5)
 

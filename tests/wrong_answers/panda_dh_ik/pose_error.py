@@ -14,8 +14,8 @@ def right_by_log_so3(T, T_target):
 
 
 def right_by_scipy_as_a_list(T, T_target):
-    turn = Rotation.from_matrix(T_target[:3, :3]) * Rotation.from_matrix(T[:3, :3]).inv()
-    return [*(T_target[:3, 3] - T[:3, 3]), *turn.as_rotvec()]
+    phi = Rotation.from_matrix(T_target[:3, :3]) * Rotation.from_matrix(T[:3, :3]).inv()
+    return [*(T_target[:3, 3] - T[:3, 3]), *phi.as_rotvec()]
 
 
 def right_by_quaternions(T, T_target):
@@ -52,10 +52,10 @@ def right_by_the_textbooks_branches(T, T_target):
 
 
 def right_from_the_twist_of_the_world(T, T_target):
-    """The twist about the world's origin, whose motion of the hand is integrated again."""
+    """The twist about the world's origin, whose motion of the end-effector is integrated again."""
     twist = rigid.log_se3(T_target @ rigid.inverse(T))
-    place = (rigid.exp_se3(twist) @ T)[:3, 3]
-    return np.concatenate([place - T[:3, 3], twist[:3]])
+    position = (rigid.exp_se3(twist) @ T)[:3, 3]
+    return np.concatenate([position - T[:3, 3], twist[:3]])
 
 
 def right_by_angle_and_axis(T, T_target):
@@ -132,8 +132,8 @@ def wrong_half_turn_taken_for_none(T, T_target):
     return np.concatenate([p_target - p, factor * _vee(X)])
 
 
-def wrong_long_way(T, T_target):
-    """the long way round"""
+def wrong_longer_rotation(T, T_target):
+    """the longer rotation"""
     R, p, R_target, p_target = _parts(T, T_target)
     phi = rotations.log_so3(R_target @ R.T)
     angle = np.linalg.norm(phi)
@@ -141,7 +141,7 @@ def wrong_long_way(T, T_target):
 
 
 def wrong_quaternion_without_sign(T, T_target):
-    """the long way round"""
+    """the longer rotation"""
     R, p, R_target, p_target = _parts(T, T_target)
     w, v = np.split(rotations.matrix_to_quaternion(R), [1])
     wt, vt = np.split(rotations.matrix_to_quaternion(R_target), [1])

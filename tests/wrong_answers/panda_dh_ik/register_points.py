@@ -61,9 +61,9 @@ def right_roots_on_both_sides(src, dst, weights):
     U, _, Vt = scipy.linalg.svd((root * (dst[keep] - d)).T @ (root * (src[keep] - c)))
     U[:, -1] *= np.linalg.det(U) * np.linalg.det(Vt)
     R = U @ Vt
-    back, turn, on = np.eye(4), np.eye(4), np.eye(4)
-    back[:3, 3], turn[:3, :3], on[:3, 3] = -c, R, d
-    return (on @ turn @ back).astype(complex)
+    back, phi, on = np.eye(4), np.eye(4), np.eye(4)
+    back[:3, 3], phi[:3, :3], on[:3, 3] = -c, R, d
+    return (on @ phi @ back).astype(complex)
 
 
 def right_one_side_centred(src, dst, weights):
@@ -162,7 +162,7 @@ def wrong_sign_always(src, dst, weights):
 
 
 def wrong_sign_by_the_products_determinant(src, dst, weights):
-    """the sign is left to chance"""
+    """the sign is random"""
     H = _product(src, dst, weights)
     U, _, Vt = np.linalg.svd(H)
     if np.linalg.det(H) < 0:
@@ -171,7 +171,7 @@ def wrong_sign_by_the_products_determinant(src, dst, weights):
 
 
 def wrong_sign_by_the_products_determinant_with_a_tolerance(src, dst, weights):
-    """the sign is left to chance"""
+    """the sign is random"""
     H = _product(src, dst, weights)
     U, _, Vt = np.linalg.svd(H)
     D = np.diag([1, 1, -1 if np.linalg.det(H) < -1e-12 else 1])

@@ -79,3 +79,9 @@ def wrong_v_into_a_row_of_four(twist):
 def wrong_the_librarys(twist):
     """course_lib.rigid.hat_se3 is called"""
     return rigid.hat_se3(twist)
+
+
+def wrong_whole_numbers(twist):
+    """digits after the point are cut off"""
+    x, y, z, *v = twist
+    return np.array([[0, -z, y, v[0]], [z, 0, -x, v[1]], [-y, x, 0, v[2]], [0, 0, 0, 0]]).astype(int)

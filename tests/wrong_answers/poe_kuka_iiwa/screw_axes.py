@@ -101,3 +101,8 @@ def wrong_return_missing(omega, points):
 def wrong_the_librarys(omega, points):
     """course_lib.arms.SerialArm is called"""
     return SerialArm.from_screws(omega, points, np.eye(4)).screw_axes
+
+
+def wrong_dot_product(omega, points):
+    """a dot product stands for the cross product"""
+    return np.hstack([omega, (omega * points).sum(axis=1, keepdims=True) * omega])

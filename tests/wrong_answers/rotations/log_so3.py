@@ -148,7 +148,7 @@ def wrong_arcsine(R):
 
 
 def wrong_long_way_round(R):
-    """the long way round"""
+    """the longer of the two rotations"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle < 1e-6:
         return _vee_of_difference(R) / 2

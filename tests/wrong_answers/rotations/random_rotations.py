@@ -97,7 +97,7 @@ def wrong_no_turn_about_z(n, rng):
 
 
 def wrong_turn_only(n, rng):
-    """e_z always lands at the same place or height"""
+    """e_z always has the same image"""
     return rot_z(2 * np.pi * rng.random(n))
 
 

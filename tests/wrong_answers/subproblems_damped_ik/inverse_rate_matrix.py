@@ -172,3 +172,16 @@ def wrong_tangent_for_cotangent(b):
     """cos b2 / sin b2 is missing in row 1, or upside down"""
     c1, s1, c2, s2 = _parts(b)
     return np.array([[-s1 * s2 / c2, 1, -c1 * s2 / c2], [c1, 0, -s1], [s1 / s2, 0, c1 / s2]])
+
+
+def wrong_cotangent_forgotten(b):
+    """cos b2 / sin b2 is missing"""
+    c1, s1, s2 = np.cos(b[0]), np.sin(b[0]), np.sin(b[1])
+    return np.array([[0, 1, 0], [c1, 0, -s1], [s1 / s2, 0, c1 / s2]])
+
+
+def wrong_factor_on_the_left(b):
+    """Ry(b1) is on the wrong side"""
+    c1, s1, c2, s2 = np.cos(b[0]), np.sin(b[0]), np.cos(b[1]), np.sin(b[1])
+    back = np.array([[c1, 0, -s1], [0, 1, 0], [s1, 0, c1]])
+    return back @ np.array([[0, 1, -c2 / s2], [1, 0, 0], [0, 0, 1 / s2]])

@@ -274,3 +274,21 @@ def wrong_eps_added_to_every_entry_and_solved(q, target, alpha, eps):
     """eps is added to every entry"""
     J = planar_jacobian(q)
     return q - alpha * np.linalg.solve(J.T @ J + eps, J.T @ (tip(q) - target))
+
+
+def wrong_wrapped(q, target, alpha, eps):
+    """the angles are wrapped"""
+    J = planar_jacobian(q)
+    found = q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ (tip(q) - target))
+    return (found + np.pi) % (2 * np.pi) - np.pi
+
+
+def wrong_eps_added_to_the_step(q, target, alpha, eps):
+    """eps is added to the step"""
+    return q - alpha * (np.linalg.pinv(planar_jacobian(q)) @ (tip(q) - target) + eps)
+
+
+def wrong_distance_for_both_coordinates(q, target, alpha, eps):
+    """the distance is taken for both coordinates"""
+    J, e = planar_jacobian(q), np.full(2, np.linalg.norm(tip(q) - target))
+    return q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ e)

@@ -265,3 +265,9 @@ def wrong_third_angle_used_too(b):
     """unnamed"""
     c1, s1, c3, s3 = np.cos(b[0]), np.sin(b[0]), np.cos(b[2]), np.sin(b[2])
     return np.array([[0, c1, s1 * s3], [1, 0, c3], [0, -s1, c1 * s3]])
+
+
+def wrong_both_signs(b):
+    """both angles are taken with the other sign"""
+    c1, s1, c2, s2 = np.cos(b[0]), -np.sin(b[0]), np.cos(b[1]), -np.sin(b[1])
+    return np.array([[0, c1, s1 * s2], [1, 0, c2], [0, -s1, c1 * s2]])

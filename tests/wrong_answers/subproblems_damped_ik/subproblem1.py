@@ -208,3 +208,16 @@ def wrong_projected_once_too_little(k, p, g):
 def wrong_the_librarys(k, p, g):
     """course_lib.subproblems.subproblem1 is called"""
     return float(subproblems.subproblem1(k, p, g).theta)
+
+
+def wrong_only_p_projected(k, p, g):
+    """only one of the two points is projected"""
+    p_across = p - (k @ p) * k
+    return np.arctan2(k @ np.cross(p_across, g), np.linalg.norm(p_across) * np.linalg.norm(g))
+
+
+def wrong_zero_if_out_of_reach(k, p, g):
+    """0 is returned where no angle"""
+    if abs(np.linalg.norm(p) - np.linalg.norm(g)) > 1e-9 or abs(k @ (p - g)) > 1e-9:
+        return 0.0
+    return np.arctan2(k @ np.cross(p, g), (p - (k @ p) * k) @ g)

@@ -6,6 +6,7 @@ import numpy as np
 
 from course_lib import subproblems
 from course_lib.rotations import exp_so3
+from course_lib.subproblems import subproblem4
 
 
 def parts(k, p, g):
@@ -255,3 +256,28 @@ def wrong_turn_by_arctan(k, p, g, d):
 def wrong_the_librarys(k, p, g, d):
     """course_lib.subproblems.subproblem3 is called"""
     return subproblems.subproblem3(k, p, g, d).theta
+
+
+def _asked(k, g, p, height):
+    answers = subproblem4(k, g, p, height)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
+def wrong_sign_of_the_height(k, p, g, d):
+    """the height has the wrong sign"""
+    return [] if d < 0 else _asked(k, g, p, (d**2 - p @ p - g @ g) / 2)
+
+
+def wrong_height_without_half(k, p, g, d):
+    """the 1/2 of the height is missing"""
+    return [] if d < 0 else _asked(k, g, p, p @ p + g @ g - d**2)
+
+
+def wrong_distance_as_height(k, p, g, d):
+    """d itself is taken for the height"""
+    return [] if d < 0 else _asked(k, g, p, d)
+
+
+def wrong_lengths_not_squared(k, p, g, d):
+    """a length is not squared"""
+    return [] if d < 0 else _asked(k, g, p, (np.linalg.norm(p) + np.linalg.norm(g) - d**2) / 2)

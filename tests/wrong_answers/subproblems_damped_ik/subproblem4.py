@@ -266,3 +266,13 @@ def wrong_no_constant_at_all(k, h, p, d):
     if abs(d) > r:
         return []
     return [phi + np.arccos(d / r), phi - np.arccos(d / r)]
+
+
+def wrong_second_is_minus_the_first(k, h, p, d):
+    """the second solution is the first with the other sign"""
+    constant = (k @ h) * (k @ p)
+    A, B = h @ p - constant, h @ np.cross(k, p)
+    if abs(d - constant) > np.hypot(A, B):
+        return []
+    theta = np.arctan2(B, A) + np.arccos((d - constant) / np.hypot(A, B))
+    return [theta, -theta]

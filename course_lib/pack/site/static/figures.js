@@ -22,7 +22,52 @@
   const NEAR = "600px 0px";
   // What plotly gives a figure that names no size of its own.
   const [WIDTH, HEIGHT] = [700, 450];
-  const CONFIG = { responsive: true, displaylogo: false };
+  // Its buttons stand at the right edge, clear of titles and legends, when a mouse comes; a phone has no room for them.
+  const NARROW = 520;
+  const CONFIG = {
+    responsive: true,
+    displaylogo: false,
+    displayModeBar: window.innerWidth > NARROW ? "hover" : false,
+    modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "zoomIn2d", "zoomOut2d", "resetCameraLastSave3d"],
+  };
+
+  // In the dark theme a live figure is drawn in its colours: what is dark on white becomes light, strong colours a
+  // little lighter. Each has one partner, so that the way back is the same map turned round.
+  const IN_DARK = {
+    white: "#1b1f24", "#222222": "#e7eaee", "#dddddd": "#3c444d", "#8a8a8a": "#a3abb3", "#6b7177": "#b3bac1",
+    "#0072B2": "#56a8de", "#009E73": "#33c79c", "#D55E00": "#f0863a", "#b2182b": "#f2667a", "#7a1fa2": "#cf9ae6",
+    "#eceef1": "#39414a", "#6b727b": "#14171b", "#c3c8ce": "#626c77", "#ececec": "#565f69",
+  };
+  const TO_DARK = new Map(Object.entries(IN_DARK).map(([light, dark]) => [light.toLowerCase(), dark]));
+  const TO_LIGHT = new Map(Object.entries(IN_DARK).map(([light, dark]) => [dark, light]));
+  const isDark = () => document.documentElement.dataset.theme === "dark";
+
+  function recolour(node, map) {
+    if (Array.isArray(node) && typeof node[node.length - 1] === "number") return; // coordinates
+    Object.entries(node).forEach(([key, value]) => {
+      if (typeof value === "string") node[key] = map.get(value.toLowerCase()) || value;
+      else if (value && typeof value === "object" && key !== "meta") recolour(value, map);
+    });
+  }
+
+  // On a phone scenes that stand beside each other stand below each other, each with its title.
+  function stack(layout, meant) {
+    const scenes = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
+    const spans = scenes.map((key) => (layout[key].domain && layout[key].domain.x) || [0, 1]);
+    if (scenes.length < 2 || new Set(spans.map(([from]) => from)).size < scenes.length) return meant;
+    const order = scenes.map((_, i) => i).sort((a, b) => spans[a][0] - spans[b][0]);
+    const n = scenes.length, title = 0.12 / n;
+    const top = (i) => 1 - order.indexOf(i) / n - title;
+    (layout.annotations || []).forEach((words) => {
+      const i = spans.findIndex(([from, to]) => words.x >= from && words.x <= to);
+      if (words.xref !== "paper" || words.yref !== "paper" || i < 0) return;
+      const [from, to] = spans[i];
+      words.x = (words.x - from) / (to - from);
+      words.y = words.y >= 0.9 ? top(i) : top(i) - (1 - words.y) * (1 / n - title);
+    });
+    scenes.forEach((key, i) => (layout[key].domain = { x: [0, 1], y: [top(i) - 1 / n + title, top(i)] }));
+    return { width: meant.width / n, height: n * meant.height };
+  }
 
   // Plotly's own play button and slider take no keyboard focus; they give way to HTML ones.
   const does = (method) => (control) => {
@@ -175,7 +220,9 @@
     const figure = JSON.parse(box.querySelector("script").textContent);
     figure.layout = figure.layout || {};
     const own = takeOwnControls(figure.layout);
-    const meant = { width: figure.layout.width || WIDTH, height: figure.layout.height || HEIGHT };
+    let meant = { width: figure.layout.width || WIDTH, height: figure.layout.height || HEIGHT };
+    if (box.clientWidth < NARROW) meant = stack(figure.layout, meant);
+    figure.layout.modebar = { orientation: "v", bgcolor: "rgba(0,0,0,0)" };
     // A width set for paper would not fit a phone.
     delete figure.layout.width;
     figure.layout.autosize = true;
@@ -196,6 +243,10 @@
       }
       box.classList.add("drawn");
       figure.layout.height = fit();
+      if (usesPlotly(meta) && isDark() !== inDark) {
+        inDark = isDark();
+        [figure.data, figure.layout, figure.frames || []].forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
+      }
       const { data, layout, frames } = figure;
       if (usesPlotly(meta)) await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
       box.style.minHeight = "";
@@ -216,11 +267,16 @@
 
     // One after the other: a reader may scroll past faster than a figure is drawn.
     let near = false;
+    let inDark = false;
     let work = Promise.resolve();
-    return (isNear) => {
+    const come = (isNear) => {
       near = isNear;
       work = work.then(() => (near && !isDrawn() ? draw() : !near && isDrawn() && letGo()));
     };
+    const changeTheme = () => {
+      if (usesPlotly(meta) && isDrawn()) work = work.then(() => isDark() !== inDark && isDrawn() && (letGo(), draw()));
+    };
+    return { come, changeTheme };
   }
 
   // What scripts of figures may use (see the top).
@@ -236,10 +292,14 @@
   const watch = new IntersectionObserver(
     (entries) => entries.forEach(({ target, isIntersecting }) => {
       if (isIntersecting && !figures.has(target)) figures.set(target, setUp(target));
-      if (figures.has(target)) figures.get(target)(isIntersecting);
+      if (figures.has(target)) figures.get(target).come(isIntersecting);
     }),
     { rootMargin: NEAR },
   );
+  new MutationObserver(() => figures.forEach(({ changeTheme }) => changeTheme())).observe(document.documentElement, {
+    attributeFilter: ["data-theme"],
+  });
+
   // Without its own script a figure that plotly does not draw stays the still picture that it is.
   const canBeDrawn = (box) => box.dataset.kind in window.course.kinds || !("withoutPlotly" in box.dataset);
   document.querySelectorAll(".plotly-figure").forEach((box) => canBeDrawn(box) && watch.observe(box));

@@ -6,7 +6,7 @@
   window.addEventListener("beforeprint", () => {
     shown = page.dataset.theme;
     page.dataset.theme = "light";
-    folded = document.querySelectorAll("details.hide:not([open])");
+    folded = document.querySelectorAll(".bd-article details:not([open])");
     folded.forEach((part) => (part.open = true));
   });
   window.addEventListener("afterprint", () => {
@@ -53,4 +53,31 @@
     const first = section.querySelector("mark");
     if (first) first.scrollIntoView({ block: "center" });
   });
+})();
+
+// A button on each block of code that copies it.
+(() => {
+  "use strict";
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      // Some browsers refuse that to pages from a folder.
+      const field = Object.assign(document.createElement("textarea"), { value: text });
+      document.body.append(field);
+      field.select();
+      document.execCommand("copy");
+      field.remove();
+    }
+  }
+  window.addEventListener("DOMContentLoaded", () =>
+    document.querySelectorAll(".bd-article div.highlight:not(.output div.highlight)").forEach((block) => {
+      const button = Object.assign(document.createElement("button"), { type: "button", className: "copy", textContent: "Copy" });
+      button.addEventListener("click", async () => {
+        await copy(block.querySelector("pre").textContent);
+        button.textContent = "Copied";
+        setTimeout(() => (button.textContent = "Copy"), 1500);
+      });
+      block.append(button);
+    }));
 })();

@@ -1,0 +1,198 @@
+"""What notebook 6 measures its tables with: an arm that sags, cells and their samples, queries and scores."""
+
+import numpy as np
+
+from course_lib.grid_ik import planar_forward
+
+KINDS = ("both elbows, separated", "one elbow, split in two", "elbows mixed")
+FEW = "fewer than 6 samples"
+
+
+def sagging(q):
+    """Return the tip (x, y) of an arm whose shoulder yields under its load, and the Jacobian, as planar_forward does.
+
+    The first joint rotates back by 0.04 rad for each unit of 2 cos q1 + cos(q1 + q2).
+
+    Examples
+    --------
+    >>> (x, y), J = sagging(np.array([[np.pi / 2], [0.0]]))
+    >>> print(x.round(3), y.round(3))
+    [0.] [2.]
+    """
+    q1, q2 = q
+    (x, y), ((a, b), (c, d)) = planar_forward(np.array([q1 - 0.04 * (2 * np.cos(q1) + np.cos(q1 + q2)), q2]))
+    first, second = 1 + 0.04 * (2 * np.sin(q1) + np.sin(q1 + q2)), 0.04 * np.sin(q1 + q2)
+    return (x, y), ((a * first, a * second + b), (c * first, c * second + d))
+
+
+def tips(forward, q):
+    """Return the positions (..., 2) that a forward kinematics in planar_forward's form gives for angles (..., 2).
+
+    Examples
+    --------
+    >>> tips(planar_forward, [[[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]]])
+    array([[[1., 1.],
+            [1., 1.]]])
+    """
+    q = np.asarray(q, float)
+    return np.stack(forward(q.reshape(-1, 2).T)[0], axis=-1).reshape(q.shape)
+
+
+def numbered(index, n):
+    """Return one number for each column and row (m, 2) of an n x n grid; -1 stays -1.
+
+    Examples
+    --------
+    >>> numbered([[0, 1], [2, 0], [-1, -1]], 50)
+    array([  1, 100,  -1])
+    """
+    column, row = np.asarray(index).astype(int).T
+    return np.where(column < 0, -1, column * n + row)
+
+
+def missing(angles):
+    """Return whether answers (..., 2) hold nan."""
+    return np.isnan(angles).any(axis=-1)
+
+
+def in_ranges(solutions, lowest, highest):
+    """Return solutions (..., 2) with nan for those beyond the joint ranges; q1 is taken nearest to 90 degrees.
+
+    Examples
+    --------
+    >>> in_ranges([[2 * np.pi, 0.5], [1.0, 2.0]], [0, -1], [3, 1])
+    array([[0. , 0.5],
+           [nan, nan]])
+    """
+    q = np.array(solutions, float)
+    q[..., 0] -= 2 * np.pi * np.round((q[..., 0] - np.pi / 2) / (2 * np.pi))
+    inside = ((q >= lowest) & (q <= highest)).all(axis=-1, keepdims=True)
+    return np.where(inside, q, np.nan)
+
+
+def drawn(m, low, high, keep, rng):
+    """Return m positions (m, 2) uniform in a box, those drawn again for which keep(xy (k, 2)) is False."""
+    found = np.empty((0, 2))
+    while len(found) < m:
+        xy = rng.uniform(low, high, (m, 2))
+        found = np.concatenate([found, xy[keep(xy)]])
+    return found[:m]
+
+
+def kinds(q, number, count, split):
+    """Return the kind of each cell (count,), and the clearest example of each: {kind: (angles (m, 2), labels (m,))}.
+
+    q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with 6 samples or more
+    is of one of KINDS: its samples have both signs of q2 and the labels agree with them, or they have one sign, or
+    they have both and a cluster mixes them.
+    """
+    kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
+    for c, own in _cells(number):
+        if len(own) < 6:
+            continue
+        labels, up = split(q[own]), q[own, 1] > 0
+        one = up.all() or not up.any()
+        kind = kind_of[c] = KINDS[1] if one else KINDS[0] if (labels == ~up).all() else KINDS[2]
+        shares = (labels == up).mean(), up.mean(), 1 - up.mean()
+        clear = np.ptp(q[own, 1]) + 10 * min(shares)
+        if len(own) >= 30 and clear > clearest.get(kind, 0):
+            clearest[kind], examples[kind] = clear, (q[own], labels)
+    return kind_of, {kind: examples[kind] for kind in KINDS if kind in examples}
+
+
+def _cells(number):
+    """Yield (cell, positions of its samples) for the cells in use."""
+    order = np.argsort(number, kind="stable")
+    first = np.flatnonzero(np.diff(number[order], prepend=-2))
+    for own in np.split(order, first[1:]):
+        if number[own[0]] >= 0:
+            yield number[own[0]], own
+
+
+class BranchTable:
+    """A table with a model for each cell and branch, made of a function that fits one and one that evaluates it.
+
+    Parameters
+    ----------
+    terms : function
+        terms(xy (m, 2)) is an array (m, k).
+    fit, predict : function
+        fit(terms, q (m, 2)) is a model, an array; predict(model, terms, sign) are angles (m, 2), sign 1 or -1.
+    branch : function
+        branch(q (m, 2)) is 0 or 1 for each sample, (m,).
+    least : int
+        The smallest number of samples for a model.
+    """
+
+    def __init__(self, terms, fit, predict, branch, least=8):
+        self.terms, self.one, self.evaluate, self.branch, self.least = terms, fit, predict, branch, least
+
+    def fit(self, xy, q, number):
+        """Fit to positions xy (m, 2) and angles q (m, 2) of samples in the cells `number` (m,); return self."""
+        self.models, branch = {}, np.asarray(self.branch(q))
+        for c, own in _cells(number):
+            for k in (0, 1):
+                mine = own[branch[own] == k]
+                if len(mine) >= self.least:
+                    self.models[c, k] = np.asarray(self.one(self.terms(xy[mine]), q[mine]))
+        self.size = sum(model.size for model in self.models.values())
+        return self
+
+    def predict(self, xy, number):
+        """Return the angles (m, 2, 2) of both branches for positions in the cells `number`; nan without a model."""
+        found = np.full((len(xy), 2, 2), np.nan)
+        for c, own in _cells(number):
+            for k, sign in ((0, 1), (1, -1)):
+                if (c, k) in self.models:
+                    found[own, k] = self.evaluate(self.models[c, k], self.terms(xy[own]), sign)
+        return found
+
+
+def after_step(step, angles, xy):
+    """Return the angles (m, 2, 2) after step(q (2,), position (2,)) for each.
+
+    nan stays nan, and a stretched arm, whose Jacobian has no inverse, stays as it is.
+    """
+    found = [
+        [q if np.isnan(q).any() or q[1] == 0 else step(q, p) for q in both] for both, p in zip(angles, xy, strict=True)
+    ]
+    return np.reshape(found, np.shape(angles))
+
+
+def scores(error, given, exists):
+    """Return the mean and largest error (m, 2), the share of solutions that are answered, and of answers to none.
+
+    given, exists: (m, 2), whether there is an answer, and whether there is a solution.
+
+    Examples
+    --------
+    >>> answers = scores([[0.1, 9.0]], given=np.array([[True, True]]), exists=np.array([[True, False]]))
+    >>> print(answers)
+    {'mean': 0.1, 'worst': 0.1, 'answered': 1.0, 'invented': 1}
+    """
+    off = np.where(exists & given, error, np.nan)
+    answered, invented = (given & exists).sum() / exists.sum(), (given & ~exists).sum()
+    return {
+        "mean": float(np.nanmean(off)),
+        "worst": float(np.nanmax(off)),
+        "answered": float(answered),
+        "invented": int(invented),
+    }
+
+
+def largest_error(corner, h, degree, solve, forward):
+    """Return the largest error of q2 (rad) and of the position (m) of one polynomial in one cell.
+
+    The cell, h wide, ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to
+    the first branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the
+    positions reached.
+    """
+    u = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
+    xy = np.asarray(corner) + h / 2 * (u - [1, 0])
+    u, xy = u[np.hypot(*xy.T) <= 2], xy[np.hypot(*xy.T) <= 2]
+    powers = [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
+    basis = np.stack([u[:, 0] ** i * u[:, 1] ** j for i, j in powers], axis=-1)
+    angles = solve(xy)[:, 0]
+    fitted = basis @ np.linalg.lstsq(basis, angles)[0]
+    off = np.linalg.norm(forward(fitted) - xy, axis=1)
+    return float(np.abs(fitted - angles)[:, 1].max()), float(off.max())

@@ -1,0 +1,186 @@
+"""Pictures of notebook 6 with alternative text made from their data: show(**pictures.two_elbows(q, xy)).
+
+Each function returns {"fig": a figure, "alt": what it shows in words, "caption": what to notice}.
+"""
+
+import numpy as np
+
+from course_lib import cells
+from course_lib.figures import decomposition_ik as figures
+from course_lib.figures.plots import lines
+
+
+def table(columns, rows):
+    """Print rows of a table under the names of their columns, numbers at the right.
+
+    Parameters
+    ----------
+    columns : sequence of str
+    rows : dict
+        {name: values, numbers or text, one for each column}. Numbers below 1e-6 are all shown as "< 1e-06".
+
+    Examples
+    --------
+    >>> table(["mean (cm)", "answered"], {"one": (0.1256, "99.8%"), "the other": (2e-7, "100%")})
+               mean (cm)  answered
+    one             0.13     99.8%
+    the other    < 1e-06      100%
+    """
+    shown = [[columns[k], *(_short([*values][k]) for values in rows.values())] for k in range(len(columns))]
+    names = ["", *rows]
+    for i, name in enumerate(names):
+        print(f"{name:{max(map(len, names))}}" + "".join(f"  {column[i]:>{max(map(len, column))}}" for column in shown))
+
+
+def _short(value):
+    if isinstance(value, str):
+        return value
+    if isinstance(value, int):
+        return f"{value:,}"
+    return "< 1e-06" if 0 <= value < 1e-6 else f"{value:.2g}"
+
+
+def compared(errors, exists, measured=None):
+    """Print a table that compares methods; return the mean errors, {name: cm}.
+
+    Parameters
+    ----------
+    errors : dict
+        {name: errors (m, 2) in cm of the answers for both branches, nan for none}.
+    exists : dict or array (m, 2)
+        Whether there is such a solution; a dict has one array for each name.
+    measured : dict, optional
+        {name: {"bytes": memory, "seconds": for a query}}, to be shown beside the errors.
+
+    Examples
+    --------
+    >>> compared({"a table": np.array([[0.5, np.nan]])}, np.array([[True, True]]))
+             mean (cm)  worst (cm)  answered  invented
+    a table        0.5         0.5     50.0%         0
+    {'a table': 0.5}
+    """
+    rows, mean = {}, {}
+    for name, error in errors.items():
+        found = cells.scores(error, ~np.isnan(error), exists[name] if isinstance(exists, dict) else exists)
+        mean[name] = found["mean"]
+        rows[name] = [found["mean"], found["worst"], f"{found['answered']:.1%}", found["invented"]]
+        if measured:
+            rows[name] += [f"{measured[name]['bytes'] / 1000:.0f}", f"{1e6 * measured[name]['seconds']:.2g}"]
+    columns = ["mean (cm)", "worst (cm)", "answered", "invented", "memory (kB)", "time (µs)"]
+    table(columns[: len(next(iter(rows.values())))], rows)
+    return mean
+
+
+def _tip(q):
+    q1, q12 = q[0], q[0] + q[1]
+    return np.array([np.cos(q1) + np.cos(q12), np.sin(q1) + np.sin(q12)])
+
+
+def two_elbows(solutions, xy):
+    """Return the 2R arm at two pairs of joint angles, (2, 2), and the desired position (2,).
+
+    Examples
+    --------
+    >>> print(two_elbows(np.array([[0, np.pi / 2], [np.pi / 2, -np.pi / 2]]), np.array([1.0, 1.0]))["caption"])
+    Both elbows lead to the same position.
+    """
+    off = [100 * float(np.linalg.norm(_tip(q) - xy)) for q in solutions]
+    elbows = " and ".join(f"({np.cos(q[0]):.2f}, {np.sin(q[0]):.2f})" for q in solutions)
+    alt = f"An arm with two links twice, its elbows at {elbows} m, and the desired position ({xy[0]:g}, {xy[1]:g}) m. "
+    if max(off) < 0.01:
+        caption = "Both elbows lead to the same position."
+        alt += "Both tips are there; the two form a rhombus."
+    else:
+        caption = f"Neither tip is at the desired position: they miss it by {off[0]:.1f} and {off[1]:.1f} cm."
+        alt += "Neither tip is there."
+    return {"fig": figures.two_elbows(solutions, xy), "alt": alt, "caption": caption}
+
+
+def samples(xy, cell, low, high, n):
+    """Return the samples (m, 2) in the workspace, plain and by cell (m, 2); low, high: corners of n x n cells."""
+    radius = np.hypot(*xy.T)
+    alt = (
+        f"Two pictures of the same {len(xy):,} positions: a band between the radii {radius.min():.2f} and "
+        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, {high[1]:.1f}) m. On the right "
+        "each position has the colour of its grid cell."
+    )
+    caption = (
+        "The samples are denser near the outer edge, and many cells are cut by an edge. Every fifth line is drawn."
+    )
+    return {"fig": figures.samples(xy, cell, low, high, n), "alt": alt, "caption": caption}
+
+
+def clusters(contents):
+    """Return samples of cells in joint space, {title: (angles (m, 2), labels (m,))}."""
+    said = []
+    for title, (q, labels) in contents.items():
+        spans = [np.rad2deg(q[labels == k, 1]) for k in (0, 1)]
+        ranges = " and ".join(f"{span.min():.0f} to {span.max():.0f}" for span in spans)
+        said.append(f"{title}: q2 from {ranges} degrees in the two clusters")
+    alt = f"Joint angles of {len(said)} cells, q2 over q1, with two clusters each. {'; '.join(said)}."
+    caption = "Compare each cut with the line q2 = 0, which separates the elbows."
+    return {"fig": figures.clusters(contents), "alt": alt, "caption": caption}
+
+
+def percentiles(share, curves):
+    """Return percentiles of errors, {label: errors (n,) in cm}, over their share (n,) in percent."""
+    said = "; ".join(
+        f"{name}: half below {np.interp(50, share, e):.2g}, all below {e[-1]:.2g}" for name, e in curves.items()
+    )
+    fig = lines(share, curves, xlabel="share of the errors (%)", ylabel="error below (cm)", log="y")
+    caption = "Most errors are below a millimetre; the last few percent decide about the mean."
+    return {"fig": fig, "alt": f"Percentiles of the error in cm on a logarithmic axis. {said}.", "caption": caption}
+
+
+def errors(xy, contents, caption):
+    """Return errors {title: (m,) in cm} in the plane at the queries xy (m, 2)."""
+    said = []
+    for title, e in contents.items():
+        k = int(np.argmax(e))
+        said.append(
+            f"{title}: half below {np.median(e):.2g}, the largest {e[k]:.1f} at ({xy[k, 0]:.1f}, {xy[k, 1]:.1f}) m"
+        )
+    alt = f"Errors in cm of {len(xy)} queries in the plane, by size and colour. {'; '.join(said)}."
+    return {"fig": figures.errors(xy, contents), "alt": alt, "caption": caption}
+
+
+def convergence(sizes, curves, slopes):
+    """Return the largest error of the position {name: (n,) in m} over cell sizes (n,) in m; slopes: {name: slope}."""
+    said = "; ".join(f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}" for name, e in curves.items())
+    fig = lines(
+        100 * sizes,
+        {f"{name}: slope {slopes[name]:.1f}": 100 * e for name, e in curves.items()},
+        xlabel="width of the cell (cm)",
+        ylabel="largest error (cm)",
+        log="xy",
+    )
+    alt = f"The largest error of the position in a cell, in cm, over the width of the cell, both logarithmic: {said}."
+    caption = "At the workspace's edge the degree of the polynomial does not change the slope."
+    return {"fig": fig, "alt": alt, "caption": caption}
+
+
+def by_bend(edges, mean):
+    """Return the mean error (n,) in cm over |q2|, between edges (n + 1,) in degrees."""
+    top = int(np.argmax(mean))
+    fig = lines(
+        (edges[:-1] + edges[1:]) / 2,
+        {"affine, split by the sign": mean},
+        xlabel="$|q_2|$ (degrees)",
+        ylabel="mean error (cm)",
+    )
+    alt = (
+        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, between "
+        f"{edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near {edges[-1]} degrees."
+    )
+    return {"fig": fig, "alt": alt, "caption": "The first 40 degrees lie within one cell of the edge."}
+
+
+def costs(measured):
+    """Return error against memory of methods, {name: {"bytes", "mean_error" in m, "seconds" a query}}."""
+    said = "; ".join(
+        f"{name}: {cost['bytes']:,} bytes, {cost['mean_error']:.0e} m, {1e6 * cost['seconds']:.2g} µs a query"
+        for name, cost in measured.items()
+    )
+    alt = f"Mean error of both branches over memory, both logarithmic. {said}."
+    caption = "From the square of q2 on, each cure lowers the error by a power of ten or more. Memory hardly changes."
+    return {"fig": figures.costs(measured), "alt": alt, "caption": caption}

@@ -1,0 +1,76 @@
+"""What notebook 6 measures its tables with."""
+
+import numpy as np
+import pytest
+
+from course_lib import cells
+from course_lib.checks import decomposition_ik as check
+from course_lib.grid_ik import planar_forward
+
+BOTH = np.array([[1.0, 1.0], [2.0, -1.0], [1.1, 1.1], [2.1, -1.1], [1.2, 1.0], [2.2, -1.2]])
+
+
+def test_the_sagging_arm_has_the_derivatives_that_it_gives():
+    q = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (50, 2)).T
+    J = np.array(cells.sagging(q)[1])
+    for joint in (0, 1):
+        step = np.zeros((2, 1))
+        step[joint] = 1e-6
+        ahead, behind = (np.array(cells.sagging(q + side * step)[0]) for side in (1, -1))
+        np.testing.assert_allclose(J[:, joint], (ahead - behind) / 2e-6, atol=1e-8)
+
+
+def test_without_load_the_sagging_arm_is_rigid():
+    q = np.array([[np.pi / 2], [0.0]])  # both links straight up
+    np.testing.assert_allclose(cells.sagging(q)[0], planar_forward(q)[0], atol=1e-15)
+
+
+def by_angle(q):
+    return (q[:, 0] > 1.5).astype(int)
+
+
+@pytest.mark.parametrize(
+    ("q", "split", "kind"),
+    [
+        (BOTH, by_angle, cells.KINDS[0]),
+        (np.abs(BOTH), by_angle, cells.KINDS[1]),
+        (BOTH, lambda q: by_angle(q[::-1]), cells.KINDS[2]),
+        (BOTH[:5], by_angle, cells.FEW),
+    ],
+)
+def test_a_cell_has_its_kind(q, split, kind):
+    kind_of, _ = cells.kinds(q, np.full(len(q), 2), 4, split)
+    assert kind_of.tolist() == [cells.FEW, cells.FEW, kind, cells.FEW]
+
+
+def test_queries_are_drawn_until_all_are_kept():
+    found = cells.drawn(50, [0, 0], [1, 2], lambda xy: xy[:, 0] > 0.9, np.random.default_rng(0))
+    assert found.shape == (50, 2)
+    assert (found[:, 0] > 0.9).all()
+
+
+def test_a_table_of_branches_answers_where_it_has_models_and_nowhere_else():
+    rng = np.random.default_rng(1)
+    q = rng.uniform([0.5, -1.2], [1.5, 1.2], (4000, 2))
+    xy = cells.tips(planar_forward, q)
+    number = np.floor(xy[:, 0] / 0.2).astype(int)
+    parts = (check.quadratic_terms, check.fit_square, check.predict_square, check.branch_by_sign)
+    table = cells.BranchTable(*(part.library for part in parts)).fit(xy, q, number)
+    assert table.size == 14 * len(table.models)
+    found = table.predict(xy[:200], number[:200])
+    branch = (q[:200, 1] < 0).astype(int)
+    assert np.nanmedian(np.abs(found[np.arange(200), branch] - q[:200])) < 0.02
+    assert np.isnan(table.predict(xy[:3], np.array([-1, 99, -1]))).all()
+
+
+def test_a_step_is_made_for_each_answer_but_those_that_are_missing():
+    angles = np.array([[[1.0, 2.0], [np.nan, 3.0]]])
+    found = cells.after_step(lambda q, p: q + p, angles, np.array([[10.0, 20.0]]))
+    np.testing.assert_array_equal(found, [[[11, 22], [np.nan, 3]]])
+
+
+@pytest.mark.parametrize(("corner", "degree", "slope"), [((1.0, 0.9), 1, 2), ((1.0, 0.9), 2, 3), ((2.0, 0.0), 2, 1)])
+def test_the_largest_error_falls_with_the_power_that_taylor_or_the_edge_says(corner, degree, slope):
+    solve, forward = check.ik_2r.library, check.fk_2r.library
+    coarse, fine = (cells.largest_error(corner, h, degree, solve, forward)[1] for h in (0.02, 0.01))
+    assert np.log2(coarse / fine) == pytest.approx(slope, abs=0.1)

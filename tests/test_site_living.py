@@ -1,0 +1,90 @@
+"""The robot of the home page: a picture that becomes a robot to turn, to pull and to move."""
+
+import io
+import re
+
+import numpy as np
+from PIL import Image
+from playwright.sync_api import expect
+from site_visits import Visit
+
+from course_lib.arms import panda
+from course_lib.pack.site.living import START
+
+PICTURE = "document.querySelector('.living canvas').toDataURL()"
+
+
+def position(visit):
+    """Where the page says that the gripper is."""
+    return [float(x) for x in re.findall(r"= (-?[\d.]+)", visit.page.locator(".living p").inner_text())]
+
+
+def pixels(locator):
+    return np.array(Image.open(io.BytesIO(locator.screenshot())).convert("RGB"), float)
+
+
+def test_the_reader_turns_it_pulls_it_and_moves_its_joints(course, browser):
+    with Visit(browser, course / "index.html") as visit:
+        canvas, sliders = visit.page.locator(".living canvas"), visit.page.locator(".living").get_by_role("slider")
+        canvas.scroll_into_view_if_needed()
+        T = panda().fk(START)
+        assert np.allclose(position(visit), T[:3, 3] + 0.08 * T[:3, 2], atol=0.006), "that of the library"
+        box, seen = canvas.bounding_box(), [visit.page.evaluate(PICTURE)]
+
+        def drag(start, by):
+            x, y = box["x"] + start[0] * box["width"], box["y"] + start[1] * box["height"]
+            visit.page.mouse.move(x, y)
+            visit.page.mouse.down()
+            visit.page.mouse.move(x + by[0], y + by[1], steps=5)
+            visit.page.mouse.up()
+            visit.page.wait_for_function(f"before => {PICTURE} !== before", arg=seen[-1])
+            seen.append(visit.page.evaluate(PICTURE))
+
+        before = position(visit)
+        drag((0.05, 0.1), (60, 0))
+        assert position(visit) == before, "only the view"
+        drag((0.05, 0.1), (-60, 0))
+        drag((0.6, 0.52), (0, 40))
+        pulled = np.subtract(position(visit), before)
+        assert pulled[2] < -0.03, "downwards"
+        assert sliders.count() == 4
+        assert all(slider.get_attribute("aria-valuetext").endswith("°") for slider in sliders.all())
+        for slider in sliders.all():
+            slider.focus()
+            visit.page.keyboard.press("Home")
+            visit.page.wait_for_function(f"before => {PICTURE} !== before", arg=seen[-1])
+            seen.append(visit.page.evaluate(PICTURE))
+        canvas.focus()
+        visit.page.keyboard.press("ArrowLeft")
+        visit.page.wait_for_function(f"before => {PICTURE} !== before", arg=seen[-1])
+        assert visit.complaints == []
+        assert not [url for url in visit.requests if "plotly" in url]
+
+
+def test_a_picture_stands_in_for_it_and_nothing_jumps_when_it_comes(course, browser):
+    with Visit(browser, course / "index.html", java_script_enabled=False) as visit:
+        expect(visit.page.locator(".living img")).to_be_visible()
+        still = pixels(visit.page.locator(".living img"))
+    with Visit(browser, course / "index.html") as visit:
+        live = pixels(visit.page.locator(".living canvas"))
+        assert live.shape == still.shape
+        assert np.abs(live - still).mean() < 4, "the same robot in the same place"
+        shifts = """new Promise((done) => new PerformanceObserver((list) => done(list.getEntries().map((e) => e.value)))
+          .observe({ type: "layout-shift", buffered: true }) || setTimeout(() => done([]), 500))"""
+        assert sum(visit.page.evaluate(shifts)) < 0.02
+
+
+def test_it_sways_once_and_stands_still_for_those_who_prefer_less_motion(course, browser):
+    with Visit(browser, course / "index.html") as visit:
+        first = visit.page.evaluate(PICTURE)
+        visit.page.wait_for_timeout(400)
+        assert visit.page.evaluate(PICTURE) == first
+        visit.page.emulate_media(reduced_motion="no-preference")
+        visit.page.reload()
+        visit.page.wait_for_function(f"before => {PICTURE} !== before", arg=first)
+        visit.page.wait_for_function(
+            "() => { const now = "
+            + PICTURE
+            + "; const same = now === window.before; window.before = now; return same; }",
+            polling=1000,
+        )
