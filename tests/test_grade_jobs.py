@@ -133,10 +133,31 @@ def test_killed_in_the_middle_it_goes_on_where_it_was_and_leaves_no_process(plac
     assert run(place, "--jobs", "1") == 0
     assert calls(place) - begun == 8 - done
     assert not list(place.rglob("*.part"))
-    again = tables(place)
     shutil.copy(place / "out/seed", place / "seed")
     assert run(place, "--jobs", "1", "--seed", (place / "seed").read_text(), output="at once") == 0
-    assert tables(place, "at once") == again
+    assert written(place / "at once") == written(place / "out")
+
+
+def written(folder):
+    """All that a run writes: tables, results, the class page, the feedback; not the seed, which may have been given."""
+    paths = [path for path in folder.rglob("*") if path.is_file() and path.name not in ("seed", ".lock")]
+    return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+
+
+def test_killed_between_results_three_times_it_writes_what_an_undisturbed_run_writes(place):
+    fill(place, 12, seconds=0.2)
+    command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]
+    for count in (2, 5, 8):
+        with subprocess.Popen([*command, "--jobs", "2", "--seed", "3"], stderr=subprocess.DEVNULL) as process:
+            while len(list(place.glob("out/results/*.json"))) < count and process.poll() is None:
+                time.sleep(0.05)
+            process.kill()
+        assert not (place / "out/grades.csv").exists(), "it ended before it could be killed"
+    assert run(place, "--jobs", "2", "--seed", "3") == 0
+    assert run(place, "--jobs", "1", "--seed", "3", output="undisturbed") == 0
+    found = written(place / "out")
+    assert found == written(place / "undisturbed")
+    assert len([name for name in found if name.startswith("feedback/")]) == 12
 
 
 def wait_until(happened):
