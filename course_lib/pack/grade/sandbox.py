@@ -94,7 +94,7 @@ class Sandbox:
             remove_tree(self._folder)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
-        self._left, self._over = bytearray(), ""
+        self._left, self._over, self._kills = bytearray(), "", 0
         return self
 
     def __exit__(self, *raised):
@@ -109,7 +109,7 @@ class Sandbox:
     def send(self, message, seconds=30):
         """Send a message, anything that JSON can hold."""
         data = memoryview(json.dumps(message).encode() + b"\n")
-        deadline = time.monotonic() + seconds
+        deadline, self._kills = time.monotonic() + seconds, self._group.memory_kills()
         if self._over:
             raise Ended(self._over)
         while data:
@@ -143,6 +143,10 @@ class Sandbox:
             ticks += usage.ticks_of_ended + (usage.ticks if usage.depth >= watchers else 0)
         return ticks / os.sysconf("SC_CLK_TCK")
 
+    def out_of_memory(self):
+        """Return whether the kernel killed a process of the sandbox for its memory since the last message was sent."""
+        return self._group.memory_kills() > self._kills
+
     def _next(self, watch):
         looked_at = 0
         while True:
@@ -172,12 +176,16 @@ class Sandbox:
         return data
 
     def _why(self):
-        """What the sandbox itself told of its end; no line of it comes from the student's code."""
+        """Return why the sandbox ended. Its stderr gives the reason; the student's code cannot write there."""
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._process.wait(2)
         os.set_blocking(self._process.stderr.fileno(), False)
-        told = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
-        return told.splitlines()[-1] if told else "its process ended"
+        reason = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
+        if reason:
+            return reason.splitlines()[-1]
+        if self.out_of_memory():
+            return f"it was killed because memory ran out; it may use {self._limits.everything // 10**9} GB"
+        return "its process ended"
 
 
 class Watch:

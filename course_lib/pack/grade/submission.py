@@ -252,7 +252,7 @@ class Student:
         if isinstance(text, str):
             self.missing, self.hindered = _obstacles(text, self._forbidden)
             return text
-        self.ended, self.too_slow = _how_it_ended(message, limits)
+        self.ended, self.too_slow = _how_it_ended(message, limits, self._sandbox.out_of_memory())
         return ""
 
     def _receive(self, deadline):
@@ -283,13 +283,19 @@ def _time_is_up(limits):
     return f"It was not asked: all that came before took {seconds}."
 
 
-def _how_it_ended(message, limits):
-    """Return why there is no reply, and whether that was for want of time. message: what the runner claims of it."""
+def _how_it_ended(message, limits, out_of_memory):
+    """Return why there is no reply, and whether the time ran out.
+
+    message: what the runner claims about it. out_of_memory: True if the kernel killed a process for its memory.
+    """
     if message.get("late") is True:
         return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
         return f"What came back cannot be read: {str(message['ended'])[:200]}.", False
     status, computed = message.get("status"), message.get("computed")
+    if status == -9 and out_of_memory:
+        gigabytes = limits.everything // 10**9
+        return f"Your function was killed because memory ran out. It may use {gigabytes} GB.", False
     used_up = isinstance(computed, int | float) and computed >= limits.cpu_seconds
     if status == -24 or (status == -9 and used_up):
         return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?", True
