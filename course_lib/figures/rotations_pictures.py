@@ -22,7 +22,7 @@ def frames(orientations):
     grown = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
     caption = "The two products end in different orientations: the order counts."
     if grown > 1.01:
-        caption = f"A rotation keeps all three axes at length one; here one of them grows to {grown:.2f}."
+        caption = f"A rotation keeps all three axes at length one; here the longest grows to {grown:.2f}."
     return {"fig": rotations.frames(orientations), "alt": alt, "caption": caption}
 
 
@@ -44,7 +44,11 @@ def series_errors(errors):
     terms = np.arange(1, 1 + len(next(iter(errors.values()))))
     fig = lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of $R^T R - I$")
     alt = f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}."
-    return {"fig": fig, "alt": alt, "caption": "The error rises at first, and the longer, the larger the angle."}
+    return {
+        "fig": fig,
+        "alt": alt,
+        "caption": "The larger the angle, the larger the error at first, and the more terms are needed.",
+    }
 
 
 def log_errors(short_of_pi, errors):
@@ -53,7 +57,7 @@ def log_errors(short_of_pi, errors):
     said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
     axes = {"xlabel": r"$\pi - a$ (rad)", "ylabel": "error (rad)"}
     fig = lines(short_of_pi, drawn, log="xy", **axes)
-    alt = f"Errors of logarithms against the distance from half a turn, both axes logarithmic. {'; '.join(said)}."
+    alt = f"Errors of logarithms against pi minus the angle, both axes logarithmic. {'; '.join(said)}."
     caption = "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit after digit."
     return {"fig": fig, "alt": alt, "caption": caption}
 
