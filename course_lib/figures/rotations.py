@@ -98,7 +98,7 @@ def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
     model = Model.of(parts)
     vertices = model.placed([np.eye(4)])
     settings = scene.fitted_scene(np.concatenate([vertices, path]), view, fill=0.88)
-    words = {"w": 1.25 * n, "p": path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
+    words = {"w": 1.25 * n, "p": 1.1 * path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
     title = f"about the axis w by {np.linalg.norm(w):.2f} rad"
     drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6, "scene"), *scene.labels(words, settings, path)]
     return go.Figure(drawn, layout=scene.layout([settings], height=420, titles=[title]))
@@ -172,16 +172,17 @@ def nearest_on_circle(M, candidates):
     circle = np.array([np.cos(circle), np.sin(circle)])
     plane.plot(*circle, color=GREY, linewidth=1)
     plane.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
-    looks = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
-    for colour, style, marker, (name, R) in looks:
+    drawn = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
+    for colour, style, marker, (name, R) in drawn:
+        look = {"arrowstyle": "->", "color": colour, "ls": style, "lw": 2, "shrinkA": 0, "shrinkB": 0}
         for j in range(2):
-            plane.annotate("", R[:, j], (0, 0), arrowprops={"arrowstyle": "->", "color": colour, "ls": style, "lw": 2})
+            plane.annotate("", R[:, j], (0, 0), arrowprops=look)
         plane.plot([], [], color=colour, linestyle=style, linewidth=2, label=name)
         if name != "M":
             angle = np.arctan2(R[1, 0], R[0, 0])
             distance.plot(angle, np.linalg.norm(M - R), marker, color=colour, markersize=8, label=name)
     plane.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
-    plane.legend(frameon=False, loc="lower right")
+    plane.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     around = angle + np.linspace(-0.7, 0.7, 161)
     R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
     gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))
