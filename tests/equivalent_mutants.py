@@ -37,10 +37,6 @@ REASONS = {
 
 # {exercise: {the changed line: the key of its reason}}
 EQUIVALENT = {
-    "read_iiwa": {
-        "... urn np.array([[0, 0, 1, 0, 0, 1], [0, 1, 0, 0, 0, 0.36], [0, 0, 1, 0, ...": "any point",
-        "... 0, 1, 0, 0, 0], [0, 1, 0, 0, 1, 0.36 + 0.42 + 0.4], [0, 0, 1, 0, 0, 0 ...": "any point",
-    },
     "rotate_point": {
         "c, s = (np.cos(-a), np.sin(a))": "sign",
     },
