@@ -24,7 +24,7 @@ _UNDERFLOW = Mistake(
     "The square of 1e-170 is 0 for a computer. Compare what you divide by with 0, not omega.",
 )
 _LOST = Mistake(
-    "the part of p across v is lost for tiny angles",
+    "the part of p along omega x v is lost for tiny angles",
     "1 - cos(a) is rounded to 0 for a below 1e-8. Use terms of the series for small a, or 1 - cos(a) = 2 sin(a/2)^2.",
 )
 _TINY = 1e-100

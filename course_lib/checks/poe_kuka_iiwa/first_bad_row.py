@@ -128,7 +128,7 @@ def _why(t, q, limits, row):
     if row < 0:
         return "no row is bad"
     if not (np.isfinite(q[row]).all() and np.isfinite(t[row])):
-        return f"row {row} holds something that is no finite number"
+        return f"row {row} holds something that is not a finite number"
     if row and t[row] <= t[row - 1]:
         return f"in row {row} the time, {t[row]:.4g} s, does not come after {t[row - 1]:.4g} s"
     joint = int(np.argmax((q[row] < limits[:, 0]) | (q[row] > limits[:, 1])))

@@ -167,8 +167,8 @@ EXERCISE = Exercise(
         "Start from an ordinary configuration and look at np.linalg.svd of its Jacobian. The elbow is easy: "
         "stretch it.",
         "For the shoulder, q2 = 0 puts axis 3 on axis 1; for the wrist, q6 = 0 puts axis 7 on axis 5. "
-        "That alone "
-        "costs nothing. Plot the smallest singular value against q3, or q5.",
+        "That alone does not "
+        "reduce the rank. Plot the smallest singular value against q3, or q5.",
         "It vanishes at a right angle: q3 or q5 is pi / 2.",
     ),
     library=_right,

@@ -118,7 +118,7 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "By hand: the force, seen from the base, is R f. Its moment about the base's origin is p x (R f), and R "
+        "Directly: the force, seen from the base, is R f. Its moment about the base's origin is p x (R f), and R "
         "m is added.",
         "By power: F_s . V_s = F_b . V_b for every motion, and V_b = Ad(T^-1) V_s. Put that in, and compare.",
         "F_s is the transpose of Ad(T^-1), times F_b.",

@@ -12,7 +12,7 @@ from course_lib.subproblems import subproblem1
 X, Y, Z = np.eye(3)
 
 _ON_AXIS = Mistake(
-    "the length of the part across the axis is divided by: it is 0 for a point on the axis",
+    "the length of the part perpendicular to the axis is divided by: it is 0 for a point on the axis",
     "arctan2(sine, cosine) needs no division, and gives 0 for arctan2(0, 0).",
 )
 _NO_ANSWER = Mistake(
@@ -86,7 +86,7 @@ def _same(theta, predicted, k, p, g):
 
 
 def _cosine(k, p, g):
-    """Of the angle between the parts across the axis."""
+    """Of the angle between the parts perpendicular to the axis."""
     a, b = across(k, p), across(k, g)
     return np.clip(a @ b / np.linalg.norm(a) / np.linalg.norm(b), -1, 1)
 
@@ -167,14 +167,15 @@ EXERCISE = Exercise(
             lambda k, p, g: -angle_about(k, p, g),
         ),
         Mistake(
-            "p and g are not projected across the axis",
+            "p and g are not projected onto the plane perpendicular to the axis",
             "Subtract their components along k first: p' = p - (k . p) k, and g' likewise.",
             lambda k, p, g: np.arctan2(k @ np.cross(p, g), p @ g),
             lambda k, p, g: np.sign(k @ np.cross(p, g)) * _between(p, g),
             lambda k, p, g: np.arctan2(np.sign(k @ np.cross(p, g)) * np.linalg.norm(np.cross(p, g)), p @ g),
         ),
         Mistake(
-            "only one of the two points is projected across the axis, or a length is that of the whole point",
+            "only one of the two points is projected onto the plane perpendicular to the axis, or a length is that of "
+            "the whole point",
             "Sine and cosine both need p' and g', or no lengths at all: arctan2(k . (p' x g'), p' . g').",
             lambda k, p, g: np.arctan2(k @ np.cross(p, g), np.linalg.norm(across(k, p)) * np.linalg.norm(g)),
             lambda k, p, g: np.arctan2(k @ np.cross(p, g), np.linalg.norm(p) * np.linalg.norm(across(k, g))),
@@ -184,7 +185,7 @@ EXERCISE = Exercise(
         Mistake(
             "k is not used",
             "The angle between p and g is that of the shortest rotation, which has an axis of its own. "
-            "Seen along k, only the parts across k count.",
+            "The angle lies in the plane perpendicular to k: only the parts of p and g in that plane matter.",
             lambda k, p, g: _between(p, g),
             lambda k, p, g: np.arctan2(g[1], g[0]) - np.arctan2(p[1], p[0]),
         ),
@@ -212,7 +213,7 @@ EXERCISE = Exercise(
             lambda k, p, g: k @ np.cross(p, g),
         ),
         Mistake(
-            "the lengths of the parts across the axis are not divided out before arccos",
+            "the lengths of the parts perpendicular to the axis are not divided out before arccos",
             "p' . g' = |p'| |g'| cos(theta). arctan2 does without the lengths.",
             lambda k, p, g: np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)) * np.sign(_sine(k, p, g)),
             lambda k, p, g: np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)),
@@ -231,7 +232,7 @@ EXERCISE = Exercise(
     alike=_same,
     library=lambda k, p, g: subproblem1(k, p, g).theta,
     hints=(
-        "A rotation about k moves only the part across k. Take p' = p - (k . p) k and g' = g - (k . g) k.",
+        "A rotation about k moves only the part perpendicular to k. Take p' = p - (k . p) k and g' = g - (k . g) k.",
         "p' . g' = |p'| |g'| cos(theta), and k . (p' x g') = |p'| |g'| sin(theta).",
         "theta = np.arctan2(k @ np.cross(p', g'), p' @ g'): no division, all four quadrants. Where g cannot be "
         "reached it is the nearest, without a further line.",

@@ -132,10 +132,13 @@ EXERCISE = Exercise(
         _solutions,
         none=(
             Property(
-                "the list is empty if d is negative: no distance is",
+                "the list is empty if d is negative, because no distance is negative",
                 _is_empty,
                 where=lambda k, p, g, d: d < 0,
-                mistake=Mistake("a negative d is squared, and its sign lost", "if d < 0: return []"),
+                mistake=Mistake(
+                    "a negative d is squared, and its sign lost",
+                    "Treat a negative d before you square it: which points are at a negative distance?",
+                ),
             ),
             Property(
                 "the list is empty if d is too large or too small",
@@ -185,7 +188,7 @@ EXERCISE = Exercise(
             _by_cosine(lambda d, x, y: d * d),
         ),
         Mistake(
-            "p and g are not projected across the axis",
+            "p and g are not projected onto the plane perpendicular to the axis",
             "The triangle is perpendicular to the axis: its sides are |p'|, |g'| and d', with p' = p - (k . p) k.",
             _unprojected(angle_about),
             _unprojected(lambda *case: 0.0),

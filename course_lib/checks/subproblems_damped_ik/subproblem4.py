@@ -163,7 +163,7 @@ EXERCISE = Exercise(
             _by_cosine(lambda d, kh, kp: d - kp),
         ),
         Mistake(
-            "lengths are divided out that are not those of the parts across the axis",
+            "lengths are divided out that are not those of the parts perpendicular to the axis",
             "The height swings by |h'| |p'|, with h' = h - (k . h) k and p' = p - (k . p) k.",
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
             _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(b)),

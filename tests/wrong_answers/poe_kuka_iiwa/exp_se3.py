@@ -81,7 +81,7 @@ def right_along_and_across_the_axis(twist):
 
 
 def wrong_textbook_without_a_series(twist):
-    """the part of p across v is lost"""
+    """the part of p along omega x v is lost"""
     omega, v = twist[:3], twist[3:]
     a = np.linalg.norm(omega)
     if a == 0:
@@ -111,7 +111,7 @@ def right_series_after_halving(twist):
 
 
 def wrong_powers_of_omega(twist):
-    """the part of p across v is lost"""
+    """the part of p along omega x v is lost"""
     W, v = hat(twist[:3]), twist[3:]
     a = math.hypot(*twist[:3])
     if a < 1e-100:
@@ -121,7 +121,7 @@ def wrong_powers_of_omega(twist):
 
 
 def wrong_screw_axis(twist):
-    """the part of p across v is lost"""
+    """the part of p along omega x v is lost"""
     a = math.hypot(*twist[:3])
     if a == 0:
         return [[1, 0, 0, twist[3]], [0, 1, 0, twist[4]], [0, 0, 1, twist[5]], [0, 0, 0, 1]]
@@ -201,7 +201,7 @@ def wrong_v_divided_twice(twist):
 
 
 def wrong_tiny_angles_cut(twist):
-    """the part of p across v is lost"""
+    """the part of p along omega x v is lost"""
     if np.linalg.norm(twist[:3]) < 1e-6:
         return _matrix(exp_so3(twist[:3]), twist[3:])
     return right_series_below_1e_5(twist)

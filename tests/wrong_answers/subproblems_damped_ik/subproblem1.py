@@ -149,7 +149,7 @@ def wrong_arctan2_swapped(k, p, g):
 
 
 def wrong_divided_on_the_axis(k, p, g):
-    """the length of the part across the axis is divided by"""
+    """the length of the part perpendicular to the axis is divided by"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     a, b = a / np.linalg.norm(a), b / np.linalg.norm(b)
     return np.arctan2(k @ np.cross(a, b), a @ b)
