@@ -6,8 +6,7 @@ import plotly.graph_objects as go
 from course_lib.figures.plots import pi_ticks
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, box
-from course_lib.figures.solids.model import BLACK as BLACK_PART
-from course_lib.figures.solids.model import STEEL, VIOLET, WHITE, X_RED
+from course_lib.figures.solids.model import LIGHT_BLUE, STEEL, VIOLET, WHITE, X_RED
 from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, space_layout, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.rotations import exp_so3
@@ -16,7 +15,18 @@ from course_lib.rotations import exp_so3
 def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
     """Return rotations drawn on spheres side by side: where each takes e_axis, with a short line for the next axis.
 
-    samples: {title: R (n, 3, 3)}. axis: 0, 1 or 2. The short line has the direction in which the next axis goes.
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+    axis : int
+        0, 1 or 2. The short line has the direction in which the next axis goes.
+    camera : array_like, shape (3,)
+        The direction to the eye.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
     """
     fig = go.Figure(layout=space_layout(list(samples), camera))
     for i, R in enumerate(samples.values()):
@@ -82,13 +92,13 @@ def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
     """
     path = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
     n = w / np.linalg.norm(w)
-    arrows = [(VIOLET, 1.25 * n), (BLACK_PART, path[0]), (X_RED, path[-1])]
+    arrows = [(VIOLET, 1.25 * n), (LIGHT_BLUE, path[0]), (X_RED, path[-1])]
     parts = [Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10)) for colour, tip in arrows]
     parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
     model = Model.of(parts)
     vertices = model.placed([np.eye(4)])
     settings = scene.fitted_scene(np.concatenate([vertices, path]), view, fill=0.88)
-    words = {"w": 1.25 * n, "p": path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
+    words = {"w": 1.25 * n, "p": 1.1 * path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
     title = f"about the axis w by {np.linalg.norm(w):.2f} rad"
     drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6, "scene"), *scene.labels(words, settings, path)]
     return go.Figure(drawn, layout=scene.layout([settings], height=420, titles=[title]))
@@ -97,7 +107,14 @@ def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
 def angle_histogram(samples):
     """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of uniform rotations.
 
-    samples: {title: R (n, 3, 3)}.
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     a = np.linspace(0, np.pi, 200)
@@ -116,7 +133,14 @@ def angle_histogram(samples):
 def height_histogram(samples):
     """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
 
-    samples: {title: R (n, 3, 3)}.
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     for ax, (title, R) in zip(axes, samples.items(), strict=True):
@@ -133,23 +157,32 @@ def height_histogram(samples):
 def nearest_on_circle(M, candidates):
     """Return a 2x2 matrix beside rotations: its columns and theirs, and the distance to the rotations around them.
 
-    M: (2, 2). candidates: {name: R (2, 2)}, two at most.
+    Parameters
+    ----------
+    M : ndarray, shape (2, 2)
+    candidates : dict
+        {name: R (2, 2)}, two at most.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
     fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
     circle = np.linspace(0, 2 * np.pi, 721)
     circle = np.array([np.cos(circle), np.sin(circle)])
     plane.plot(*circle, color=GREY, linewidth=1)
     plane.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
-    looks = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
-    for colour, style, marker, (name, R) in looks:
+    drawn = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
+    for colour, style, marker, (name, R) in drawn:
+        look = {"arrowstyle": "->", "color": colour, "ls": style, "lw": 2, "shrinkA": 0, "shrinkB": 0}
         for j in range(2):
-            plane.annotate("", R[:, j], (0, 0), arrowprops={"arrowstyle": "->", "color": colour, "ls": style, "lw": 2})
+            plane.annotate("", R[:, j], (0, 0), arrowprops=look)
         plane.plot([], [], color=colour, linestyle=style, linewidth=2, label=name)
         if name != "M":
             angle = np.arctan2(R[1, 0], R[0, 0])
             distance.plot(angle, np.linalg.norm(M - R), marker, color=colour, markersize=8, label=name)
     plane.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
-    plane.legend(frameon=False, loc="lower right")
+    plane.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     around = angle + np.linspace(-0.7, 0.7, 161)
     R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
     gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))

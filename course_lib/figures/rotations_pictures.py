@@ -11,7 +11,18 @@ from course_lib.rotations import exp_so3
 
 
 def frames(orientations):
-    """Return a box with its frame at several orientations, {title: R (3, 3)}; R need not be a rotation."""
+    """Return a box with its frame at several orientations.
+
+    Parameters
+    ----------
+    orientations : dict
+        {title: R (3, 3)}; R need not be a rotation.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = []
     for title, R in orientations.items():
         lengths = np.linalg.norm(R, axis=0)
@@ -22,12 +33,26 @@ def frames(orientations):
     grown = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
     caption = "The two products end in different orientations: the order counts."
     if grown > 1.01:
-        caption = f"A rotation keeps all three axes at length one; here one of them grows to {grown:.2f}."
+        caption = f"A rotation keeps all three axes at length one; here the longest grows to {grown:.2f}."
     return {"fig": rotations.frames(orientations), "alt": alt, "caption": caption}
 
 
 def rotated_point(w, p, exp=exp_so3):
-    """Return the path of the point p (3,) about the axis w (3,) by the angle |w|, as `exp` has it."""
+    """Return the path of a point about an axis.
+
+    Parameters
+    ----------
+    w : array_like, shape (3,)
+        Rotation vector, radians.
+    p : array_like, shape (3,)
+    exp : callable
+        The exponential that draws it: w -> R.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     heights = [w @ exp(t * w) @ p / np.linalg.norm(w) for t in np.linspace(0, 1, 9)]
     plane = "in a plane perpendicular to it" if np.ptp(heights) < 1e-6 else "which leaves the plane perpendicular to it"
     alt = f"A point p moves about the axis w by {np.linalg.norm(w):.2f} rad to R p, along an arc {plane}."
@@ -36,7 +61,18 @@ def rotated_point(w, p, exp=exp_so3):
 
 
 def series_errors(errors):
-    """Return how far sums of the exponential series are from a rotation, {label: errors after 1, 2, ... terms}."""
+    """Return how far sums of the exponential series are from a rotation.
+
+    Parameters
+    ----------
+    errors : dict
+        {label: errors after 1, 2, ... terms}.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = [
         f"for {label} it is {e[0]:.2g} after one term, at most {max(e):.2g}, and {e[-1]:.1g} after {len(e)}"
         for label, e in errors.items()
@@ -44,22 +80,51 @@ def series_errors(errors):
     terms = np.arange(1, 1 + len(next(iter(errors.values()))))
     fig = lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of $R^T R - I$")
     alt = f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}."
-    return {"fig": fig, "alt": alt, "caption": "The error rises at first, and the longer, the larger the angle."}
+    return {
+        "fig": fig,
+        "alt": alt,
+        "caption": "The larger the angle, the larger the error at first, and the more terms are needed.",
+    }
 
 
 def log_errors(short_of_pi, errors):
-    """Return errors of logarithms, {label: errors (n,)}, at angles that are so much (n,) short of pi."""
+    """Return errors of logarithms near the angle pi.
+
+    Parameters
+    ----------
+    short_of_pi : array_like, shape (n,)
+        Pi minus the angle, radians.
+    errors : dict
+        {label: errors (n,)}, radians.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
     said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
     axes = {"xlabel": r"$\pi - a$ (rad)", "ylabel": "error (rad)"}
     fig = lines(short_of_pi, drawn, log="xy", **axes)
-    alt = f"Errors of logarithms against the distance from half a turn, both axes logarithmic. {'; '.join(said)}."
+    alt = f"Errors of logarithms against pi minus the angle, both axes logarithmic. {'; '.join(said)}."
     caption = "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit after digit."
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def euler_rates(beta, smallest):
-    """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,)."""
+    """Return the smallest singular value of the Euler rate matrix against the pitch.
+
+    Parameters
+    ----------
+    beta : array_like, shape (n,)
+        Pitch, radians.
+    smallest : array_like, shape (n,)
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     fig = lines(beta, {"": smallest}, xlabel=r"pitch $\beta$ (rad)", ylabel="smallest singular value", parts_of_pi=4)
     top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
     alt = f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
@@ -71,7 +136,20 @@ def euler_rates(beta, smallest):
 
 
 def double_cover(angle, values):
-    """Return entries of a quaternion and of a matrix, {label: values (n,)}, against the angle of rotation (n,)."""
+    """Return entries of a quaternion and of a matrix against the angle of rotation.
+
+    Parameters
+    ----------
+    angle : array_like, shape (n,)
+        Radians.
+    values : dict
+        {label: values (n,)}.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     once = np.argmin(np.abs(angle - 2 * np.pi))
     said = [f"{label} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for label, v in values.items()]
     fig = lines(angle, values, xlabel="angle of rotation (rad)", ylabel="value", parts_of_pi=1)
@@ -80,7 +158,19 @@ def double_cover(angle, values):
 
 
 def interpolation(t, angles):
-    """Return the angle from the start, {label: angles (n,)}, against t (n,)."""
+    """Return the angle from the start against t.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+    angles : dict
+        {label: angles (n,)}, radians.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = []
     for label, angle in angles.items():
         gap = angle - angle[-1] * t
@@ -99,7 +189,19 @@ def interpolation(t, angles):
 
 
 def nearest_on_circle(M, candidates):
-    """Return a 2x2 matrix beside rotations {name: R (2, 2)}, and the distance to the rotations around them."""
+    """Return a matrix beside rotations of the plane, and its distance to those around them.
+
+    Parameters
+    ----------
+    M : ndarray, shape (2, 2)
+    candidates : dict
+        {name: R (2, 2)}, two at most.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = [f"{name} at {np.linalg.norm(M - R):.4f}" for name, R in candidates.items()]
     alt = "Left, the columns of M and of two rotations in the unit circle, with the ellipse that M makes of it. Right, "
     alt += f"the curve of distances from M to the rotations around, with two marks: {', '.join(said)}."
@@ -108,7 +210,18 @@ def nearest_on_circle(M, candidates):
 
 
 def on_sphere(samples):
-    """Return where samples of rotations, {title: R (n, 3, 3)}, take the x axis, on spheres side by side."""
+    """Return where samples of rotations take the x axis, on spheres side by side.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = [
         f"{title}: {np.mean(R[:, 2, 0] > 0.9):.0%} in the cap above 0.9, {np.mean(R[:, 2, 0] < -0.9):.0%} below -0.9"
         for title, R in samples.items()
@@ -119,7 +232,18 @@ def on_sphere(samples):
 
 
 def angles(samples):
-    """Return histograms of the rotation angle under samples {title: R (n, 3, 3)}, with the density of uniform ones."""
+    """Return histograms of the rotation angle, with the density of uniform rotations.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = []
     for title, R in samples.items():
         cosine = (np.trace(R, axis1=1, axis2=2) - 1) / 2
@@ -130,7 +254,18 @@ def angles(samples):
 
 
 def heights(samples):
-    """Return histograms of the heights of the images of the axes under samples {title: R (n, 3, 3)}."""
+    """Return histograms of the heights of the images of the three axes.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
     said = []
     for title, R in samples.items():
         means = _numbers(R[:, 2].mean(0))

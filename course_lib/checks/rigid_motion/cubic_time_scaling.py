@@ -235,7 +235,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "a coefficient of u^2 or u^3 has a wrong sign",
-            "Differentiate your polynomial by hand: which of the four conditions does it violate?",
+            "Differentiate your polynomial on paper: which of the four conditions does it violate?",
             *_SLIPS,
         ),
         Mistake(
@@ -258,7 +258,7 @@ EXERCISE = Exercise(
             _with((-2, 1, 1), (3, -2, -1)),
         ),
         Mistake(
-            "a power of T is missing, or stands in the wrong place",
+            "a power of T is missing, or is in the wrong term",
             "With u = t / T there are no powers of T but those with v0 and v1.",
             *map(_powers_of_T, ((2, 2), (1, 3), (3, 3), (1, 2), (2, 1), (0, 0), (2, 4))),
         ),

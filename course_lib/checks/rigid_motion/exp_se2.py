@@ -123,7 +123,7 @@ EXERCISE = Exercise(
         Property(
             "the position is where the arc ends: to nine digits, also for small omega",
             _position_holds,
-            seen=lambda T, twist: f"Yours differs from it by {format_tuple(_apart(T, twist))} m.",
+            seen=lambda T, twist: f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m.",
         ),
     ),
     mistakes=(
@@ -142,7 +142,7 @@ EXERCISE = Exercise(
             *map(_first_terms, (1, 2, 3, 4)),
         ),
         Mistake(
-            "the position is (vx, vy), as if the body did not rotate on the way",
+            "the position is (vx, vy), as if the body did not rotate meanwhile",
             "That is one step of Euler's method. The body moves along an arc.",
             _of_position(lambda R, omega, v: v),
         ),

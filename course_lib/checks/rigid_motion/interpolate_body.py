@@ -170,8 +170,8 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            "the difference of theta is not wrapped, so the body takes the longer arc",
-            f"{_BEFORE} A revolution is 2 pi.",
+            "the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc",
+            f"{_BEFORE} Angles are in radians, so a revolution is 2 pi and not 360.",
             *_NOT_WRAPPED,
         ),
         Mistake(

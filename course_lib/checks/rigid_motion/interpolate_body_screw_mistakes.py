@@ -33,7 +33,7 @@ def _along(start, twist, s):
 
 
 def by_screw(start, goal, s, angle):
-    """Return the poses on the way from start to goal by one rotation through this angle."""
+    """Return the poses from start to goal by one rotation through this angle."""
     return _along(start, _twist_to(angle, _seen_from(start, goal)), s)
 
 
@@ -97,7 +97,7 @@ def _exponential_scaled(start, goal, twist, s):
 
 
 def _rotating_by(angle_of):
-    """One rotation about one point, by angle_of(start, goal, angle) in place of the right angle."""
+    """One rotation about one point, by angle_of(start, goal, angle) instead of the right angle."""
 
     def answer(start, goal, n):
         angle = angle_of(start, goal, change(start, goal)[2])
@@ -215,7 +215,7 @@ MISTAKES = (
         _with(position=lambda start, goal, twist, s: np.tile(start[:2], (len(s), 1))),
     ),
     Mistake(
-        "theta is not interpolated along the way",
+        "theta is not interpolated",
         _READ_THETA,
         _with(theta=lambda start, goal, twist, s: start[2] + 0 * s),
         _with(theta=lambda start, goal, twist, s: goal[2] + 0 * s),

@@ -91,7 +91,8 @@ EXERCISE = Exercise(
             "the exponential of the twist is the pose T, to nine digits also for small omega",
             _v_holds,
             seen=lambda twist, T: (
-                f"The position of its exponential is off by {format_tuple(_V(twist[0]) @ twist[1:] - T[:2, 2])} m."
+                f"The angle of T is {_angle(T):.4g} rad. The position of its exponential is off by "
+                f"{format_tuple(_V(twist[0]) @ twist[1:] - T[:2, 2])} m."
             ),
         ),
     ),
@@ -130,7 +131,7 @@ EXERCISE = Exercise(
             _omega_alone(lambda T: np.mod(_angle(T), REVOLUTION)),
         ),
         Mistake(
-            "v is the position of T, as if the body did not rotate on the way",
+            "v is the position of T, as if the body did not rotate meanwhile",
             "Which v leads to this position, while the body rotates? The exponential has p = A v, with a matrix A.",
             _with(v=lambda omega, p, R: p),
         ),

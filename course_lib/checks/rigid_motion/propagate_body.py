@@ -281,7 +281,7 @@ EXERCISE = Exercise(
             follow(_before(lambda vx, vy, omega: np.array([vx, vy, -omega]))),
         ),
         Mistake(
-            "a sine or cosine of R(theta) has a wrong sign, or another place",
+            "a sine or cosine of R(theta) has a wrong sign, or is in the wrong entry",
             "R(theta) = [[cos, -sin], [sin, cos]]: x grows by (cos vx - sin vy) h, y by (sin vx + cos vy) h.",
             *map(_with_matrix, _WRONG_MATRICES),
         ),

@@ -10,7 +10,7 @@ PREDICTIONS = (
             "a": "It would, if the program knew that angles are periodic. It subtracts two numbers: -2.2 - 2.6 = -4.8.",
             "b": "Both names of a direction are the same pose, so the motion ends where it should. The question is "
             "how it gets there.",
-            "c": "The difference of the numbers is -4.8 rad, so the body rotates clockwise, the longer way, and "
+            "c": "The difference of the numbers is -4.8 rad, so the body rotates clockwise, along the longer arc, and "
             "arrives at the very same pose.",
         },
     ),

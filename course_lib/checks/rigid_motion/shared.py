@@ -52,7 +52,7 @@ def close(rows, wanted, start, goal):
 
 
 def change(start, goal):
-    """Return what is added to start on the way to goal, the angle along the shorter arc."""
+    """Return the change from start to goal, the angle along the shorter arc."""
     apart = np.subtract(goal, start).astype(float)
     return np.where(BODY, wrap_angle(apart), apart)
 

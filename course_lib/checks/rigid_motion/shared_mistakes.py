@@ -251,7 +251,7 @@ def step_mistakes(angles, right, move):
         ),
         Mistake(
             "all rows are one and the same array",
-            "Append a copy in each step, rows.append(row.copy()): what changes in place changes in every row.",
+            "Append a copy in each step, rows.append(row.copy()): an array that changes in place changes in every row.",
             lambda *case: right(*case)[[-1] * len(right(*case))],
         ),
         Mistake(

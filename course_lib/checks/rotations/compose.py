@@ -42,13 +42,13 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "world and body have changed places",
+            "world and body are swapped",
             "The factor next to the point acts first, about the axes in which the point is given.",
             lambda R, step, frame: _right(R, step, _OTHER[frame]),
         ),
         Mistake(
             "the frame makes no difference",
-            "Compare both orders for a quarter turn about z and one about x: they end differently.",
+            "Compare both orders for rotations by 90 degrees about z and about x: they end differently.",
             lambda R, step, frame: step @ R,
             lambda R, step, frame: R @ step,
         ),

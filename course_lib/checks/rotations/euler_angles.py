@@ -33,7 +33,7 @@ def _cases(rng):
     named += [(alpha, 0.8, gamma), (-gamma, -0.8, alpha), (3.0, 0.2, 0.1), (0.1, 0.2, 3.0)]
     near = [(alpha, sign * (np.pi / 2 - short), gamma) for sign in (1, -1) for short in (1e-2, 3e-4, 1e-5)]
     exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4), np.eye(3)]
-    # What a product of rotations leaves in place of the zeros at gimbal lock
+    # What a product of rotations has instead of the zeros at gimbal lock
     noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
     return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *exact, _locked(1, alpha, gamma) + noise]]
 
@@ -100,14 +100,14 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "alpha and gamma have changed places",
+            "alpha and gamma are swapped",
             "alpha is the angle about x, gamma about z. The answer is (alpha, beta, gamma).",
             _swapped(0, 2),
         ),
         Mistake("beta has the wrong sign", "R[2, 0] is -sin(beta).", _away(lambda R: _right(R) * [1, -1, 1])),
         Mistake(
             "the angles are those of R^T, or have all their signs changed",
-            "Multiply the three matrices by hand, and compare the entries with the transpose.",
+            "Multiply the three matrices on paper, and compare the entries with the transpose.",
             _away(lambda R: _right(R.T)),
             _away(lambda R: -_right(R)),
         ),

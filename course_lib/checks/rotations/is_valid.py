@@ -9,6 +9,7 @@ from course_lib.checks.rotations.is_valid_mistakes import (
     MISTAKES,
     NEARLY_ONE,
     SHAPE_IGNORED,
+    SIZE_ASSUMED,
     TIGHT,
     has_form,
     is_valid,
@@ -176,4 +177,8 @@ EXERCISE = Exercise(
         "with the length of q.",
     ),
     forbidden=("course_lib.rotations.is_so", "course_lib.rigid.is_se", "course_lib.rotations.is_quaternion"),
+    errors=(
+        ("LinAlgError", "must be square", SHAPE_IGNORED),
+        ("ValueError", "could not be broadcast together", SIZE_ASSUMED),
+    ),
 )

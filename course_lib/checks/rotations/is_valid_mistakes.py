@@ -46,7 +46,11 @@ def plane_rotation(angle):
 _FIXED = (1e-12, 1e-8, 1e-5, 1e-3, 1e-2)
 _RELATIVE = 1e-5  # of numpy.allclose and numpy.isclose, unless told otherwise
 
-SHAPE_IGNORED = Mistake("the shape is ignored", "Ask for the shape first: of another shape nothing need be computed.")
+SHAPE_IGNORED = Mistake("the shape is ignored", "Test X.shape first: for any other shape the answer is False.")
+SIZE_ASSUMED = Mistake(
+    "the shape is ignored, or one size is assumed",
+    "Test X.shape first: a rotation is 2x2 or 3x3, a pose 3x3 or 4x4. For any other shape the answer is False.",
+)
 
 
 def _only(kind, test):
@@ -154,7 +158,7 @@ MISTAKES = (
         _row(lambda T, tol: np.abs(T[-1, :-1]).max() <= tol),
     ),
     Mistake(
-        "the last column is compared in place of the last row",
+        "the last column is compared, not the last row",
         "The last column is the translation, which may be anything.",
         _row(lambda T, tol: np.abs(row_error(T.T)).max() <= tol),
     ),

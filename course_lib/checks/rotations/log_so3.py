@@ -1,4 +1,4 @@
-"""log_so3: from the matrix to axis and angle. The given code takes a half turn for no rotation."""
+"""log_so3: from the matrix to axis and angle. The given code takes a rotation by 180 degrees for none."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def _cases(rng):
     half += [
         2 * np.outer(n, n) - np.eye(3) for n in (_leaning(rng), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
     ]
-    # As products of rotations may come out: a trace beyond its bounds, and a half turn that is not quite symmetric.
+    # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is not quite symmetric.
     rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
     rotating = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
     return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
@@ -43,7 +43,7 @@ def _half_turn(R):
 
 
 def _alike(value, predicted, R):
-    """Relative to the angle; at a half turn up to the sign."""
+    """Relative to the angle; at 180 degrees up to the sign."""
     angle = _angle(R) or 1.0
     signs = (1, -1) if _half_turn(R) else (1,)
     return any(same(np.ravel(value) / angle, sign * np.ravel(predicted) / angle) for sign in signs)
@@ -79,8 +79,15 @@ def _root_of_diagonal(R):
 
 _NO_ANSWER = Mistake(
     "something is divided by zero, or arccos is asked outside [-1, 1]",
-    "Rounding may take the trace just above 3 or below -1. And at the identity and at a half turn the sine is 0.",
+    "Rounding may take the trace just above 3 or below -1. And at the identity and at 180 degrees the sine is 0.",
 )
+
+
+def _short_of_pi(R):
+    """How far the angle is from pi, in words."""
+    short = np.pi - _angle(R)
+    return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
+
 
 EXERCISE = Exercise(
     name="log_so3",
@@ -125,11 +132,9 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the exponential of the answer is R again, to 1e-4 also near half a turn",
+            "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
             lambda w, R: _gap(w, R) < 1e-4 and np.linalg.norm(w) <= np.pi + 1e-4,
-            seen=lambda w, R: (
-                f"R is {np.pi - _angle(R):.2g} rad short of half a turn. exp of your answer is off by {_gap(w, R):.2g}."
-            ),
+            seen=lambda w, R: f"The angle of R is {_short_of_pi(R)}. exp of your answer is off by {_gap(w, R):.2g}.",
             where=lambda R: np.pi - 1e-3 < _angle(R) <= np.pi and (np.trace(R) - 1) / 2 >= -1,
         ),
         Property(
@@ -153,31 +158,31 @@ EXERCISE = Exercise(
             seen=lambda w, R: not w.any() and 0 < _angle(R) < 0.1,
         ),
         Mistake(
-            "a half turn is taken for no rotation",
+            "a rotation by 180 degrees is taken for none",
             "At angle pi, R equals R^T, and R - R^T contains nothing. What does R + I contain there?",
             _at_half_turns(lambda R: np.zeros(3)),
             seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3,
         ),
         Mistake(
-            "at a half turn the signs of the axis's entries do not fit together",
+            "at 180 degrees the signs of the axis's entries do not fit together",
             "The diagonal of n n^T contains squares only. Where do the products of two entries stand?",
             _at_half_turns(_root_of_diagonal),
             seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6),
         ),
         Mistake(
-            "near half a turn the formula for exactly half a turn is used too soon",
+            "near 180 degrees the formula for exactly 180 degrees is used too soon",
             "It is exact at pi only. How far from pi is its error below 1e-4?",
             seen=lambda w, R: (
                 1e-7 < np.pi - _angle(R) < 1e-3 and 1e-6 < np.linalg.norm(np.abs(w) - np.abs(log_so3(R))) < 1e-2
             ),
         ),
         Mistake(
-            "near half a turn the angle or its sine has lost its digits",
+            "near 180 degrees the angle or its sine has lost its digits",
             "sin(a) is small there, and a rounded angle has a rounded sine. Which formula needs no sine of the angle?",
             seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R),
         ),
         Mistake(
-            "at a half turn the answer is not pi times the unit axis",
+            "at 180 degrees the answer is not pi times the unit axis",
             "Which entries of R hold the axis there, and how long is the vector that you take?",
             seen=lambda w, R: _half_turn(R),
         ),
@@ -199,7 +204,7 @@ EXERCISE = Exercise(
         doubled(log_so3, "a factor 1/2 is missing", "R - R^T is 2 sin(a) [n]."),
         halved(log_so3, "the factor 1/2 occurs twice", "R - R^T is 2 sin(a) [n]."),
         Mistake(
-            "the angle is wrong beyond a quarter turn",
+            "the angle is wrong beyond 90 degrees",
             "arcsin gives the same angle for a and pi - a. Which part of R tells them apart?",
             _scaled(lambda a: min(a, np.pi - a)),
         ),
@@ -220,7 +225,7 @@ EXERCISE = Exercise(
     ),
     hints=(
         "Run the given code at np.diag([1.0, -1.0, -1.0]). What is the skew part there, and which line decides?",
-        "At half a turn R = 2 n n^T - I, so every column of R + I is a multiple of n. One of them may be 0: take the "
+        "At 180 degrees R = 2 n n^T - I, so every column of R + I is a multiple of n. One of them may be 0: take the "
         "longest.",
         "So, if the skew part is (nearly) zero and the trace is negative: take the longest column of R + I, divide it "
         "by its length, multiply it by pi.",

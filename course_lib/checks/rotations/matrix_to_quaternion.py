@@ -1,4 +1,4 @@
-"""matrix_to_quaternion: from a rotation matrix to a unit quaternion, near half a turn too."""
+"""matrix_to_quaternion: from a rotation matrix to a unit quaternion, near 180 degrees too."""
 
 from itertools import permutations
 
@@ -16,7 +16,7 @@ def _cases(rng):
     half.append(np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, -1]]))
     random = rng.normal(size=(2, 3))
     generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
-    # about axes of which x, y, z is the largest entry in turn: w smaller than it, nearly 0, and 0
+    # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly 0, and 0
     leaning = [np.roll([0.8, 0.48, 0.36], k) * rng.choice([-1, 1], size=3) for k in range(3)]
     near = [exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning]
     # about axes in the coordinate planes, for which one of x, y, z is 0
@@ -59,11 +59,11 @@ EXERCISE = Exercise(
             where=lambda R: not _near_half_turn(R),
         ),
         Property(
-            "q, or -q, is the quaternion of R, near half a turn too",
+            "q, or -q, is the quaternion of R, near 180 degrees too",
             _right_up_to_sign,
             seen=lambda q, R: f"w^2 = (1 + trace) / 4 is {(1 + np.trace(R)) / 4:.2g} here.",
             mistake=Mistake(
-                "near half a turn an entry that is nearly 0 serves as the divisor",
+                "near 180 degrees an entry that is nearly 0 serves as the divisor",
                 "Which of the four squares can never be small together?",
             ),
         ),

@@ -61,7 +61,7 @@ EXERCISE = Exercise(
     mistakes=(
         argument_returned(name="M is returned as it came", hint="U S V^T is M again: which factor is not a rotation?"),
         Mistake(
-            "U V^T is returned even where it is a reflection",
+            "U V^T is returned even if it is a reflection",
             "Its determinant is +1 or -1. In the second case one direction has to be reversed: the cheapest.",
             polar,
         ),

@@ -58,7 +58,7 @@ EXERCISE = Exercise(
     mistakes=(
         arguments_swapped(
             hamilton_product,
-            name="p and q have changed places",
+            name="p and q are swapped",
             hint="v1 x v2 is not v2 x v1: whose vector comes first?",
         ),
         Mistake(

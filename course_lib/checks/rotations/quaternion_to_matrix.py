@@ -63,7 +63,7 @@ EXERCISE = Exercise(
         transposed(
             quaternion_to_matrix,
             "R^T is returned: it rotates in the opposite direction",
-            "Check the sign of the term with w by a quarter turn about z.",
+            "Check the sign of the term with w by a rotation of 90 degrees about z.",
         ),
         Mistake(
             "q is read as (x, y, z, w)",
@@ -71,7 +71,7 @@ EXERCISE = Exercise(
             lambda q: quaternion_to_matrix(np.roll(q, 1)),
         ),
         Mistake(
-            "two of x, y, z have changed places",
+            "two of x, y, z are swapped",
             "A quaternion is (w, x, y, z).",
             *(
                 lambda q, order=order: quaternion_to_matrix(q[order])

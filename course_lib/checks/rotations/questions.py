@@ -29,7 +29,7 @@ PREDICTIONS = (
         {
             "a": "All three angles changed, but at pitch pi/2 they do not count one by one. Look at alpha - gamma.",
             "b": "At pitch pi/2 only alpha - gamma counts, and it is 0.2 both times: one degree of freedom is lost.",
-            "c": "Not even a little: the two matrices are equal in every digit that is shown.",
+            "c": "The pitch is exactly pi/2 here, so the two matrices are equal: not only nearly, or in a limit.",
         },
     ),
     Prediction(
@@ -37,8 +37,8 @@ PREDICTIONS = (
         "b",
         {
             "a": "That holds for the matrix. But the quaternion contains the cosine and sine of half the angle.",
-            "b": "cos(pi) = -1: after one full turn the quaternion is at -q, which stands for the same rotation.",
-            "c": "It would be so after half a turn: cos(pi/2) = 0.",
+            "b": "cos(pi) = -1: after one revolution the quaternion is at -q, which stands for the same rotation.",
+            "c": "It would be so after 180 degrees: cos(pi/2) = 0.",
         },
     ),
     Prediction(
@@ -47,8 +47,7 @@ PREDICTIONS = (
         {
             "a": "That share would be right if the angle were uniform: 10 of 180 degrees. But its density is nearly 0 "
             "for small angles.",
-            "b": "Many would say so: an axis is drawn on a sphere, where the cap within 10 degrees has that share. The "
-            "rotations have one dimension more.",
+            "b": "That is the share of a cap of 10 degrees on an ordinary sphere. Rotations have one dimension more.",
             "c": "There is little room near the identity: the share grows as the third power of the angle.",
         },
     ),

@@ -47,12 +47,12 @@ EXERCISE = Exercise(
     mistakes=(
         Mistake(
             "I - 2 V V^T is used, a reflection",
-            "Its determinant is -1. A half turn about V is its negative.",
+            "Its determinant is -1. The rotation by 180 degrees about V is its negative.",
             seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < 1e-9,
         ),
         Mistake("the root over z is missing", _NO_ROOT, seen=lambda R, n, rng: _stretched_along_one_axis(R)),
         Mistake(
-            "the rotation about z is missing: every draw is a half turn",
+            "the rotation about z is missing: every draw rotates by 180 degrees",
             "It is the first of the two steps, by an angle of its own.",
             seen=of_many(lambda R: np.allclose(R, np.swapaxes(R, 1, 2))),
         ),

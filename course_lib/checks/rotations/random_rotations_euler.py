@@ -30,7 +30,8 @@ def _right(n, rng):
 def _angles(R):
     """(alpha, beta, gamma) of R = Rz(gamma) Ry(beta) Rx(alpha), beta in [-pi/2, pi/2].
 
-    With beta beyond pi/2, alpha + pi, pi - beta and gamma + pi are read off: what is uniform and independent stays so.
+    With beta beyond pi/2, alpha + pi, pi - beta and gamma + pi are read off, which are the same rotation: what is
+    uniform and independent stays so. So beta from [0, pi/2) alone gives the same distribution, and is right too.
     """
     return (
         np.arctan2(R[:, 2, 1], R[:, 2, 2]),
@@ -124,7 +125,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the sine in Ry has the other sign",
-            "Ry by a quarter turn takes e_z to e_x.",
+            "Ry by 90 degrees takes e_z to e_x.",
             seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE),
         ),
         Mistake(

@@ -43,11 +43,13 @@ EXERCISE = Exercise(
     mistakes=(
         Mistake(
             "the point moves clockwise",
-            "A quarter turn takes (1, 0) to (0, 1). Which sine carries the minus sign?",
+            "A rotation by 90 degrees takes (1, 0) to (0, 1). Which sine carries the minus sign?",
             lambda p, a: _matrix(-a) @ p,
         ),
         argument_degrees(_right, 1),
-        argument_returned(name="the point is returned where it was", hint="A quarter turn takes (1, 0) to (0, 1)."),
+        argument_returned(
+            name="the point is returned unchanged", hint="A rotation by 90 degrees takes (1, 0) to (0, 1)."
+        ),
         Mistake(
             "sine and cosine are swapped",
             "At angle 0 the point stays where it is: which of the two is 1 at 0?",
@@ -56,7 +58,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "a sign is missing: the matrix is a reflection, or no rotation at all",
-            "The columns of the matrix are the images of (1, 0) and (0, 1). Where does (0, 1) go by a quarter turn?",
+            "The columns of the matrix are the images of (1, 0) and (0, 1). Where do 90 degrees take (0, 1)?",
             lambda p, a: np.array([[np.cos(a), np.sin(a)], [np.sin(a), np.cos(a)]]) @ p,
             lambda p, a: np.array([[np.cos(a), np.sin(a)], [np.sin(a), -np.cos(a)]]) @ p,
             lambda p, a: np.array([[np.cos(a), -np.sin(a)], [np.sin(a), -np.cos(a)]]) @ p,

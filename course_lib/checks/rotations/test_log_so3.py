@@ -59,7 +59,7 @@ EXERCISE = WriteTest(
     versions=(
         Version("that is the library's", log_so3, True),
         Version("that goes by the quaternion", _by_quaternion, True),
-        Version("that takes the other axis at half turns", _other_sign, True),
+        Version("that takes the other axis at 180 degrees", _other_sign, True),
         Version("that differs by rounding", _rounded, True),
         Version("that returns lists", lambda R: log_so3(R).tolist(), True),
         _wrong("whose sign is wrong", lambda R: -log_so3(R)),
@@ -70,17 +70,17 @@ EXERCISE = WriteTest(
         _wrong("that always returns zero", lambda R: np.zeros(3)),
         _wrong("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
         _wrong(
-            "that is wrong only beyond a quarter turn",
+            "that is wrong only beyond 90 degrees",
             _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),
         ),
-        _wrong("that is wrong only at half turns", _if(_half_turn, lambda w, R: np.zeros(3))),
-        _wrong("that loses signs at half turns", _if(_half_turn, lambda w, R: np.abs(w))),
+        _wrong("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
+        _wrong("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
         _wrong("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
         _wrong("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
     ),
     hints=(
         "You need no right logarithm to compare with: the exponential of the answer has to be R again.",
-        "Which rotations are special? Try the identity, small angles, angles beyond a quarter turn, half turns about "
+        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees about "
         "axes of every sign. The exponential cannot see whether the shortest vector is returned: its length can.",
         "Make R = exp_so3(w) for several vectors w; return False as soon as np.allclose(exp_so3(answer), R) fails or "
         "the answer is longer than pi, and True at the end. np.asarray turns a list into an array.",

@@ -11,8 +11,8 @@
     const dots = plane.line(COLOURS.crimson, 2.6, { "stroke-dasharray": `0 ${meta.half}` }), miss = plane.line(COLOURS.black, 0.8);
     const robots = [COLOURS.blue, COLOURS.crimson].map((colour) => [plane.dot(colour, 1, { r, "fill-opacity": 0.25, stroke: colour, "stroke-width": 0.02 }), plane.line(colour, 1.2)]);
     const dock = plane.line(COLOURS.green, 3), label = plane.text(COLOURS.green);
-    card.range("Step dt", { min: -2, max: 0, step: 0.02, value: Math.log10(state.dt) }, (x) => `${(10 ** x).toFixed(3)} s`, (x) => { state.dt = 10 ** x; draw(); });
-    card.range("How sharp the turns are", { min: 0.5, max: 1.5, step: 0.05, value: state.rate }, (x) => `${Math.round(100 * x)} %`, (x) => { state.rate = x; draw(); });
+    card.range("Step dt", { min: -2, max: 0, step: 0.02, value: Math.log10(state.dt) }, (x) => `${(10 ** x).toPrecision(2)} s`, (x) => { state.dt = 10 ** x; draw(); });
+    card.range("How sharp the bends are", { min: 0.5, max: 1.5, step: 0.05, value: state.rate }, (x) => `${Math.round(100 * x)} %`, (x) => { state.rate = x; draw(); });
     const share = card.range("Time", { min: 0, max: 1, step: 0.005, value: state.s }, (x) => `${(x * total()).toFixed(1)} s`, (x) => { state.s = x; draw(); });
     let halt = null;
     card.button("Drive", () => {

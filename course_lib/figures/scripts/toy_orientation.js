@@ -53,7 +53,7 @@
       view.end();
       const q = K.quaternion(axis, angle);
       numbers.textContent = report(R, q);
-      words.textContent = Math.abs(state.angle) === 360 ? "A full turn: R is the identity again, but q is −1. Both q and −q stand for this orientation."
+      words.textContent = Math.abs(state.angle) === 360 ? "A full rotation: R is the identity again, but q is −1. Both q and −q stand for this orientation."
         : state.angle === 0 ? "No rotation: the axis does not matter." : `R rotates by ${state.angle}° about the dashed axis; the red arc is the path of a wing tip.`;
     }
     draw();
@@ -149,7 +149,9 @@
       const between = K.times(K.transpose(both[0]), both[1]);
       const apart = Math.acos(Math.min(1, Math.max(-1, (between[0][0] + between[1][1] + between[2][2] - 1) / 2)));
       const left = P.table(both[0], 3).split("\n"), right = P.table(both[1], 3).split("\n");
-      numbers.textContent = `now, left:                now, right:\n${left.map((row, i) => `${row}   ${right[i]}`).join("\n")}\n\nangle between the two orientations: ${P.degrees(apart, 1)}`;
+      const head = numbers.clientWidth < 400 ? `now, above:\n${left.join("\n")}\n\nnow, below:\n${right.join("\n")}`
+        : `now, left:                now, right:\n${left.map((row, i) => `${row}   ${right[i]}`).join("\n")}`;
+      numbers.textContent = `${head}\n\nangle between the two orientations: ${P.degrees(apart, 1)}`;
     }
     draw();
     return () => views.forEach((view) => view.stop());
@@ -159,7 +161,7 @@
 
   const WIDTH = 0.16, PIECES = 90;
   // The quaternion at s along a belt whose end was rotated by `angle` about its length and which is unwound by u, 0 to 1.
-  // Two full turns are a closed loop of quaternions, a great circle; smaller and smaller circles through 1 take it to a point.
+  // Two full rotations are a closed loop of quaternions, a great circle; smaller and smaller circles through 1 take it to a point.
   function along(s, angle, u) {
     if (u === 0) return K.quaternion(X, s * angle);
     const t = (u * Math.PI) / 2, phi = 2 * Math.PI * s, c = Math.cos(t), n = Math.sin(t);
@@ -174,7 +176,7 @@
     const view = P.space(card.views, { radius: 1.4, centre: [-0.15, 0, 0], label: "A belt between a wall and a box", meta: state, azimuth: -1.2, elevation: 0.4, redraw: () => draw() });
     const turn = card.range("Rotate the box", { min: 0, max: 720, step: 5, value: state.turn }, (x) => `${x}°`, (x) => { state.turn = x; if (x !== 720) { state.unwind = 0; unwind.set(0); } draw(); });
     const unwind = card.range("Move the box, without rotating it", { min: 0, max: 100, step: 1, value: 100 * state.unwind }, (x) => `${x} %`, (x) => { state.unwind = x / 100; draw(); });
-    [0, 360, 720].forEach((value) => card.button(`${value / 360} turns`.replace("1 turns", "1 turn"), () => { state.turn = value; state.unwind = 0; turn.set(value); unwind.set(0); draw(); }));
+    [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { state.turn = value; state.unwind = 0; turn.set(value); unwind.set(0); draw(); }));
     const numbers = card.numbers(), words = card.words();
     function draw() {
       unwind.input.disabled = state.turn !== 720;
@@ -201,10 +203,10 @@
       view.end();
       numbers.textContent = `q of the box, followed along the belt: (${qs[PIECES].map((x) => P.number(x, 3)).join(", ")})`;
       words.textContent = state.turn === 720
-        ? state.unwind === 1 ? "The belt is flat again, and the box was never rotated back: two full turns can be undone, and q is +1."
-          : "Two full turns. Now move the box around, without rotating it, by the second slider."
-        : state.turn === 360 ? "One full turn: the box looks as before, but the belt is twisted and q is −1. Moving the box alone cannot undo it."
-          : "Rotate the box by one and by two full turns.";
+        ? state.unwind === 1 ? "The belt is flat again, and the box was never rotated back: two full rotations can be undone, and q is +1."
+          : "Two full rotations. Now move the box around, without rotating it, by the second slider."
+        : state.turn === 360 ? "One full rotation: the box looks as before, but the belt is twisted and q is −1. Moving the box alone cannot undo it."
+          : "Rotate the box by one and by two full rotations.";
     }
     draw();
     return () => view.stop();

@@ -79,7 +79,7 @@ def wrong_small_angles_cut_off(twist):
 
 
 def wrong_euler(twist):
-    """as if the body did not rotate on the way"""
+    """as if the body did not rotate meanwhile"""
     return _pose(*twist)
 
 

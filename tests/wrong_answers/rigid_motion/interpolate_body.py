@@ -79,7 +79,7 @@ def right_clockwise_at_half_a_turn(start, goal, n):
 
 
 def wrong_not_wrapped(start, goal, n):
-    """the difference of theta is not wrapped"""
+    """the difference of theta is not wrapped to [-pi, pi]"""
     start, goal = _arrays(start, goal)
     return _along(start, goal - start, _scaling(n))
 
@@ -157,7 +157,7 @@ def wrong_linear(start, goal, n):
 
 
 def wrong_linear_and_not_wrapped(start, goal, n):
-    """the difference of theta is not wrapped"""
+    """the difference of theta is not wrapped to [-pi, pi]"""
     return np.linspace(start, goal, n)
 
 
@@ -322,7 +322,7 @@ def wrong_theta_linear(start, goal, n):
 
 
 def wrong_revolution_of_360(start, goal, n):
-    """the difference of theta is not wrapped"""
+    """the difference of theta is not wrapped to [-pi, pi]"""
     start, goal = _arrays(start, goal)
     change = goal - start
     change[2] = (change[2] + 180) % 360 - 180

@@ -45,7 +45,7 @@ def wrong_not_own_lines(T):
 
 
 def wrong_position_for_v(T):
-    """as if the body did not rotate on the way"""
+    """as if the body did not rotate meanwhile"""
     return [np.arctan2(T[1, 0], T[0, 0]), T[0, 2], T[1, 2]]
 
 

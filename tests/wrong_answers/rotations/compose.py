@@ -21,7 +21,7 @@ def right_step_seen_from_the_world(R, step, frame):
 
 
 def wrong_world_and_body_swapped(R, step, frame):
-    """world and body have changed places"""
+    """world and body are swapped"""
     return R @ step if frame == "world" else step @ R
 
 

@@ -49,7 +49,7 @@ def wrong_arctan(R):
 
 
 def wrong_order_of_the_answer(R):
-    """alpha and gamma have changed places"""
+    """alpha and gamma are swapped"""
     return right_two_branches(R)[::-1]
 
 

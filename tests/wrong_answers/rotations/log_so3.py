@@ -112,7 +112,7 @@ def wrong_first_column_at_half_turn(R):
 
 
 def wrong_axis_not_normalised_at_half_turn(R):
-    """at a half turn the answer is not pi times the unit axis"""
+    """at 180 degrees the answer is not pi times the unit axis"""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle < 1e-6:
         return _vee_of_difference(R) / 2
@@ -140,7 +140,7 @@ def wrong_arccos_of_half_the_trace(R):
 
 
 def wrong_arcsine(R):
-    """beyond a quarter turn"""
+    """beyond 90 degrees"""
     sine = np.linalg.norm(_vee_of_difference(R)) / 2
     if sine < 1e-12:
         return _vee_of_difference(R) / 2 if np.trace(R) > 0 else _at_half_turn(R)
@@ -245,7 +245,7 @@ def wrong_eigenvector_with_any_sign(R):
 
 
 def wrong_exact_test_of_the_trace(R):
-    """half turn"""
+    """180 degrees"""
     s = np.linalg.norm(_skew(R))
     a = np.arctan2(s, (np.trace(R) - 1) / 2)
     if np.trace(R) == -1:
@@ -283,7 +283,7 @@ def wrong_identity_forgotten_in_the_sum(R):
 
 
 def wrong_arccos_near_pi(R):
-    """a half turn is taken for no rotation"""
+    """a rotation by 180 degrees is taken for none"""
     a = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if a < 1e-6:
         return _skew(R)

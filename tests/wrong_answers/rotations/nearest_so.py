@@ -185,7 +185,7 @@ def wrong_farthest_of_three(M):
 
 
 def wrong_iteration_that_keeps_the_handedness(M):
-    """U V^T is returned even where it is a reflection"""
+    """U V^T is returned even if it is a reflection"""
     X = np.array(M)
     for _ in range(60):
         X = (X + np.linalg.inv(X).T) / 2

@@ -43,7 +43,7 @@ def wrong_one_sign(p, q):
 
 
 def wrong_cross_product_the_other_way(p, q):
-    """p and q have changed places"""
+    """p and q are swapped"""
     return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(q[1:], p[1:]))])
 
 

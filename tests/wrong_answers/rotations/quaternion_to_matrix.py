@@ -163,7 +163,7 @@ def wrong_elementwise_square(q):
 
 
 def wrong_y_and_z_swapped(q):
-    """two of x, y, z have changed places"""
+    """two of x, y, z are swapped"""
     w, x, z, y = q
     V = hat([x, y, z])
     return np.eye(3) + 2 * w * V + 2 * V @ V

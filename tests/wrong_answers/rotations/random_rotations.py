@@ -89,7 +89,7 @@ def wrong_root_forgotten_but_unit(n, rng):
 
 
 def wrong_no_turn_about_z(n, rng):
-    """the rotation about z is missing: every draw is a half turn"""
+    """the rotation about z is missing: every draw rotates by 180 degrees"""
     x2, z = rng.random((2, n))
     phi = 2 * np.pi * x2
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)

@@ -208,13 +208,13 @@ def wrong_degrees_in_radians(n, rng):
 
 
 def right_gamma_up_to_pi(n, rng):
-    """Of the same distribution: with beta beyond pi/2 both others go half a turn further."""
+    """Of the same distribution: with beta beyond pi/2 both others grow by pi."""
     a, b, c = 2 * np.pi * rng.random(n), np.pi * rng.random(n), np.pi * rng.random(n)
     return rot_z(c) @ rot_y(b) @ rot_x(a)
 
 
 def right_alpha_up_to_pi(n, rng):
-    """Of the same distribution: with beta beyond pi/2 both others go half a turn further."""
+    """Of the same distribution: with beta beyond pi/2 both others grow by pi."""
     a, b, c = np.pi * rng.random(n), np.pi * rng.random(n), 2 * np.pi * rng.random(n)
     return rot_z(c) @ rot_y(b) @ rot_x(a)
 
