@@ -64,7 +64,7 @@ def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(cour
 
 
 # Toys without a sentence below them; none may come in addition.
-BARE = {"05_panda_dh_ik": 2, "06_decomposition_ik": 1}
+BARE = {"05_panda_dh_ik": 1, "06_decomposition_ik": 1}
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
