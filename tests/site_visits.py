@@ -97,7 +97,8 @@ class Visit:
 OPEN = """async () => {
   document.querySelectorAll("details").forEach((part) => (part.open = true));
   await new Promise((done) => setTimeout(done, 100));
-  await Promise.all(document.getAnimations().map((animation) => animation.finished));
+  const running = document.getAnimations().filter(({ timeline }) => timeline === document.timeline);
+  await Promise.all(running.map((animation) => animation.finished));
 }"""
 
 # Runs in the page. Text is what is read as text: no code, no formula already set.

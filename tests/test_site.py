@@ -96,6 +96,23 @@ def test_page_works_offline(site, notebooks, browser, theme, width):
         assert visit.page.locator("img.picture").first.evaluate(style) == [white, dimmed]
 
 
+def test_a_block_of_code_is_copied_by_its_button(site, browser):
+    with Visit(browser, site / "01_rotations.html") as visit:
+        visit.page.locator("summary", has_text="Solution").press("Enter")
+        button = visit.page.locator("details[open] .highlight").get_by_role("button", name="Copy")
+        button.focus()
+        assert button.evaluate("e => getComputedStyle(e).opacity") == "1", "whoever has no mouse sees it"
+        visit.page.keyboard.press("Enter")
+        visit.page.get_by_role("button", name="Copied").wait_for()
+        visit.page.evaluate("document.querySelector('article').prepend(document.createElement('textarea'))")
+        visit.page.locator("textarea").focus()
+        visit.page.keyboard.press("Control+v")
+        assert visit.page.locator("textarea").input_value().rstrip("\n") == SOLUTION
+        blocks = visit.page.locator("article .highlight:not(.output .highlight)").count()
+        assert visit.page.locator("button.copy").count() == blocks
+        assert visit.complaints == []
+
+
 def test_figure_turns_and_stays_turned(site, browser):
     eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
     with Visit(browser, site / "01_rotations.html") as visit:

@@ -4,9 +4,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from nbformat.v4 import new_markdown_cell
+from bs4 import BeautifulSoup
+from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
-from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, write
+from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, png, write
 from site_visits import CONTRAST, Visit
 
 from course_lib.pack.site.build import build
@@ -33,6 +34,10 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
         cell(output({"text/html": CHECK}), source="check.turn(turn)"),
         cell(output({"text/html": "<p>A result</p>"}), source="turn()"),
+        cell(new_output("stream", text="raisins: 3\nyour score: 94 of 100\n"), source="score(turn)"),
+        cell(source="import numpy as np\n\nraisins = 3"),
+        cell(output({"image/png": png()}, "A rising line"), source='show(fig, caption="It rises.")'),
+        cell(output({"image/png": png()}, "A line"), new_output("stream", text="7"), source="show(fig)\nprint(plums)"),
     )
     return folder
 
@@ -94,12 +99,30 @@ def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(
         assert visit.page.locator("details.hide[open]").count() == 0
 
 
+def test_imports_and_what_only_draws_are_folded_and_nothing_else(page):
+    soup = BeautifulSoup(page.read_text(encoding="utf-8"), "html.parser")
+    folds = {fold.summary.p.get_text(strip=True): fold for fold in soup.select("article details.hide")}
+    assert [*folds] == [*ANSWERS, "Imports and settings", "The lines that draw it"]
+    assert "import numpy" in folds["Imports and settings"].get_text()
+    drawn = folds["The lines that draw it"]
+    assert "It rises." in drawn.get_text()
+    assert not drawn.select("img"), "the figure itself stands open"
+    assert not [fold for fold in folds.values() if "plums" in fold.get_text()], "it computes, and prints"
+
+
 def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site):
     text = (site[False] / "01.html").read_text(encoding="utf-8")
     assert "NotImplementedError" in text
     assert "Type your answer here." in text
     assert "A result" in text
-    assert not [words for words in ("gooseberry", "orthogonal", "Rubric", "<details", "Right: ") if words in text]
+    assert "raisins: 3" in text
+    assert "your score" in (site[True] / "01.html").read_text(encoding="utf-8")
+    assert "your score" not in text, "there is no answer yet that could be scored"
+    assert not [
+        words
+        for words in ("gooseberry", "orthogonal", "Rubric", "Model answer", ">Solution", "Right: ")
+        if words in text
+    ]
     assert "orthogon" not in (site[False] / "_static/sections.js").read_text(encoding="utf-8")
 
 

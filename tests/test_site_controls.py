@@ -33,6 +33,20 @@ COLOURED = {
     },
 }
 
+# Two scenes beside each other, with their titles.
+CUBE = {"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1]}
+TITLE = {"xref": "paper", "yref": "paper", "y": 1, "showarrow": False}
+BESIDE = {
+    "data": [CUBE, {**CUBE, "scene": "scene2"}],
+    "layout": {
+        "width": 800,
+        "height": 400,
+        "scene": {"domain": {"x": [0, 0.48]}},
+        "scene2": {"domain": {"x": [0.52, 1]}},
+        "annotations": [{**TITLE, "x": 0.24, "text": "before"}, {**TITLE, "x": 0.76, "text": "after"}],
+    },
+}
+
 AXES = """live => Object.fromEntries(
   ["xaxis", "xaxis2", "xaxis3", "yaxis", "yaxis2", "yaxis3"].map((name) => [name, live._fullLayout[name].range]))"""
 
@@ -45,16 +59,16 @@ def explored():
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES)["fig"]), stored(explored()), COLOURED
+    return stored(body_movie("body", POSES, TIMES)["fig"]), stored(explored()), COLOURED, BESIDE
 
 
 @pytest.fixture(scope="module")
 def page(figures, tmp_path_factory):
-    """A page with a movie, a figure of two sliders and one that is neither, far from each other."""
+    """A page with a movie, a figure of two sliders, one that is neither and one of two scenes, far from each other."""
     folder = tmp_path_factory.mktemp("controls")
-    movie, two, other = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
-    begin, *words = [new_markdown_cell(text) for text in ("# Controls", *["Words. " * 1200] * 2)]
-    write(folder / "notebooks", "01.ipynb", begin, movie, words[0], two, words[1], other)
+    movie, two, other, beside = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
+    begin, *words = [new_markdown_cell(text) for text in ("# Controls", *["Words. " * 1200] * 3)]
+    write(folder / "notebooks", "01.ipynb", begin, movie, words[0], two, words[1], other, words[2], beside)
     build(folder / "notebooks", folder / "html")
     return folder / "html/01.html"
 
@@ -241,3 +255,41 @@ def test_a_slider_that_does_neither_stays_plotlys_own_with_its_room(visit):
     wide = box.box.bounding_box()["width"]
     assert box.live.evaluate("live => live.layout.margin.b") == 180
     assert box.live.bounding_box()["height"] == pytest.approx(min(500, wide - 160 + 280), abs=1), "a square, no wider"
+
+
+# ---- colours, and room ----
+
+
+def test_a_live_figure_takes_the_colours_of_the_theme_there_and_back(visit, figures):
+    box = Box(visit, 0)
+    drawn = "live => live.data[2].line.color + ' ' + live._fullLayout.font.color + ' ' + live._fullLayout.plot_bgcolor"
+    light = box.live.evaluate(drawn)
+    assert light.split() == ["#b2182b", "#222222", "white"]
+    box.ranges.focus()
+    box.keyboard.press("End")
+    visit.page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    box.wait_for(drawn, "#f2667a #e7eaee #1b1f24")
+    assert box.box.evaluate("box => getComputedStyle(box).backgroundColor") == "rgb(27, 31, 36)"
+    assert_shows(box, figures[0], 20)  # drawn anew, and not from the beginning
+    visit.page.evaluate("document.documentElement.dataset.theme = 'light'")
+    box.wait_for(drawn, light)
+
+
+def test_scenes_stand_below_each_other_on_a_phone_each_under_its_title(visit):
+    box = Box(visit, 3)
+    layout = box.live.evaluate("""live => ({
+      x: [live._fullLayout.scene.domain.x, live._fullLayout.scene2.domain.x],
+      y: [live._fullLayout.scene.domain.y, live._fullLayout.scene2.domain.y],
+      titles: live._fullLayout.annotations.map(({ x, y }) => [x, y]),
+    })""")
+    size, (first, second) = box.live.bounding_box(), layout["y"]
+    if visit.page.viewport_size["width"] > 600:
+        assert layout["x"] == [[0, 0.48], [0.52, 1]]
+        assert first == second == [0, 1]
+        return
+    assert layout["x"] == [[0, 1], [0, 1]]
+    assert second[1] < first[0], "below"
+    assert [first[1] <= y <= 1 for y in [layout["titles"][0][1]]] == [True]
+    assert second[1] <= layout["titles"][1][1] < first[0], "between the scenes"
+    assert [x for x, _ in layout["titles"]] == pytest.approx([0.5, 0.5])
+    assert size["height"] > 1.5 * size["width"], "each as large as the phone is wide"

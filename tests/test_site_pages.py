@@ -1,11 +1,16 @@
 """The pages that are gathered from the notebooks: home, errata, sources."""
 
 import re
+from itertools import pairwise, zip_longest
 from pathlib import Path
 
 import nbformat
 import pytest
+from bs4 import BeautifulSoup
+from site_notebooks import PLOTLY
 from site_visits import Visit, assert_readable
+
+from course_lib.pack.site.sections import LINKS
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 PAGES = ("index", "errata", "sources")
@@ -58,6 +63,24 @@ def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(cour
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
 
 
+# Toys without a sentence below them; none may come in addition.
+BARE = {"05_panda_dh_ik": 1, "06_decomposition_ik": 1}
+
+
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_every_figure_has_a_caption(notebook):
+    bare, count = [], 0
+    for number, cell in enumerate(nbformat.read(notebook, 4).cells, 1):
+        outputs = cell.get("outputs", [])
+        for output, following in zip_longest(outputs, outputs[1:], fillvalue={}):
+            if {PLOTLY, "image/png", "image/svg+xml"} & set(output.get("data", {})):
+                count += 1
+                if not following.get("metadata", {}).get("caption", output.metadata.get("caption", "")).strip():
+                    bare.append(f"cell {number}: {cell.source[:60]}")
+    assert count > 8
+    assert len(bare) <= BARE.get(notebook.stem, 0), bare
+
+
 def section(notebook, heading):
     """The cells from a heading to the next one of its level."""
     cells = nbformat.read(notebook, 4).cells
@@ -84,6 +107,27 @@ def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(course, bro
         assert said_so == text.count(f"**{word}") >= least, word
     outputs = [output for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]
     assert printed == ["".join(output.text.split()) for output in outputs]
+
+
+def test_errata_point_to_nothing_that_stands_elsewhere(course):
+    article = BeautifulSoup((course / "errata.html").read_text("utf-8"), "html.parser").find("article")
+    text = " ".join(part.get_text() for part in article.select("p:not(details p), li"))
+    assert len(text) > 5000
+    assert re.findall(r".{30}\b(?:above|this notebook|[Yy]ours?|[Yy]ou (?:found|met|mended|wrote))\b", text) == []
+    into = [link["href"] for link in article.select("p a[href]")]
+    assert {"05_panda_dh_ik.html", "06_decomposition_ik.html"} <= set(into), "the search, the counts"
+    levels = [int(heading.name[1]) for heading in article.select("h1, h2, h3, h4")]
+    assert levels[0] == 1
+    assert max(after - before for before, after in pairwise(levels)) == 1, "no level is left out"
+
+
+def test_every_source_of_a_known_work_has_its_link(course):
+    article = BeautifulSoup((course / "sources.html").read_text("utf-8"), "html.parser").find("article")
+    links = {link["href"] for link in article.select("li a[href^=https]")}
+    assert set(LINKS.values()) <= links, "each is used"
+    assert all(re.match(r"https://(?:doi\.org/10\.\d{4,5}/\S|[a-z.]+/)", link) for link in links)
+    lines = article.select("li")
+    assert sum(bool(line.select("a[href^=https]")) for line in lines) > 0.6 * len(lines)
 
 
 def test_sources_are_those_of_each_notebook(course, browser):

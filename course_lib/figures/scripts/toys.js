@@ -189,7 +189,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
   // A view of space on a canvas: faces are sorted from far to near, which is enough for robots and rings, needs no
   // graphics card and none of the few WebGL contexts of a page. Drag it or use the arrow keys to look from elsewhere.
   function space(parent, { radius, centre = [0, 0, 0], azimuth = -0.9, elevation = 0.35, label, meta, shape: proportion = 0.8, redraw }) {
-    const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": `${label}. Arrow keys look from another side.`, style: "touch-action:pan-y;cursor:move" }, parent);
+    const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": `${label.replace(/\.$/, "")}. Arrow keys look from another side.`, style: "touch-action:pan-y;cursor:move" }, parent);
     const view = meta.view || (meta.view = { azimuth, elevation });
     const context = canvas.getContext("2d");
     let items = [], eyeX, eyeY, eyeZ, size = 300, tall = 240;

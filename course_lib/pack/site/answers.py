@@ -1,10 +1,14 @@
 """What is folded shut on the pages: the authors' answers, or left out; imports, and lines that only draw."""
 
 import ast
+import re
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
 from course_lib.pack.site.errors import SiteError
+
+# A printed line that speaks to whoever wrote the answers.
+OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)
 
 # Written as MyST-NB writes a folded code cell, so that both look the same.
 FOLDED = """<div class="cell docutils container"><details class="admonition hide above-input">
@@ -64,7 +68,8 @@ def _only_draws(statement) -> bool:
 def leave_out(cell, place: str) -> None:
     """Show what students find in their notebooks: no answer, and no check's word on it.
 
-    All other outputs stay as they are stored. Raises SiteError where an answer cannot be told from the rest.
+    All other outputs stay as they are stored, except printed lines on what the answers do. Raises SiteError
+    where an answer cannot be told from the rest.
     """
     try:
         take_answer(cell, place)
@@ -72,6 +77,10 @@ def leave_out(cell, place: str) -> None:
         raise SiteError(str(error)) from error
     if cell.cell_type == "code":
         cell.outputs = [] if _is_answer(cell) else [output for output in cell.outputs if not _is_verdict(output)]
+        for output in cell.outputs:
+            if output.output_type == "stream":
+                output.text = OWN.sub("", output.text)
+        cell.outputs = [output for output in cell.outputs if output.get("text") != ""]
 
 
 def _is_answer(cell) -> bool:

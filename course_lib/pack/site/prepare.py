@@ -153,7 +153,7 @@ def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
         # Known beforehand, so that the text below does not jump when the picture arrives.
         shown = output.metadata.get(kind, {}).get("width", image.width)
         size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'
-        wide = shown > 600 and shown > 1.7 * image.height * shown / image.width  # several panels, mostly
+        wide = shown > 700 and image.width > 1.7 * image.height  # several panels; one alone is 691 wide
         # The same dots in well under half the bytes.
         image.save(smaller := io.BytesIO(), "WEBP", lossless=True, method=1, quality=50)
         content, ending = smaller.getvalue(), "webp"

@@ -15,10 +15,19 @@ BEGIN = {
     ERRATA: """# Errata
 
 What the published report got wrong: what it prints, the evidence against it, computed, and what is right. Each part
-is the end of a notebook, to which its title leads: *above*, *here* and *you* are said there, functions are its own.""",
+is the end of a notebook, to which its title leads; the functions and exercises that it names are the notebook's.""",
     SOURCES: """# Sources
 
 What each notebook rests on.""",
+}
+
+# What a notebook says of itself and to who works through it, and what the page of errata says instead.
+THERE = {
+    r"\babove\b(?!,? (?:all|\d|[$]))": "in [the notebook]({link})",
+    r"\bthis notebook\b": "[the notebook]({link})",
+    r"\bYou (?:found|mended) it in (`\w+`)": r"The notebook's exercise on it is \1",
+    r"\bThe table of the ([\d,]+) targets": r"[The notebook's]({link}) table of the \1 targets",
+    r"\bYou met this line as a bug to find": "The notebook sets this line as a bug to find",
 }
 
 # Where the works are, by the words of the sources that become the link.
@@ -83,7 +92,17 @@ def _titled(heading: str, source: Path) -> list:
         cells[0].source = cells[0].source.replace(
             f"## {heading}", f"## [{title[1] if title else source.stem}]({source.name})", 1
         )
+    for cell in cells:
+        if cell.cell_type == "markdown":
+            cell.source = _from_elsewhere(cell.source, source.name)
     return cells
+
+
+def _from_elsewhere(text: str, link: str) -> str:
+    """Return a notebook's text in the words of another page, where it points to itself or speaks of its exercises."""
+    for words, instead in THERE.items():
+        text = re.sub(words, instead.format(link=link), text)
+    return text
 
 
 def section(book, heading: str) -> list:
