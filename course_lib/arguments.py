@@ -1,4 +1,4 @@
-"""Check what a caller passed in, and refuse it in one sentence that names the argument."""
+"""Check the arguments of public functions; an error is one sentence that names the argument."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
         raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
-    except Exception as unreadable:  # ragged lists, and whatever the __array__ of a foreign object raises
+    except Exception as unreadable:  # ragged lists, and any exception from a foreign object's __array__
         raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
@@ -102,7 +102,7 @@ def finite_result(result, name, item_axes=-1):
 
 
 def entry(name, index):
-    """Return how the entry of an array is written: entry("R", (2, 0)) is "R[2, 0]", and "R" where there is no index."""
+    """Return how the entry of an array is written: entry("R", (2, 0)) is "R[2, 0]", and "R" if there is no index."""
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
 
 

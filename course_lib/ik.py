@@ -171,7 +171,7 @@ class _Search:
                 T, J = self.arm.pose_and_geometric_jacobian(q)
                 error = _error_by_entries(T[:3].T, goal)
                 cost, reached = _cost(error)
-                if cost <= self.least[0]:  # also where both overflow
+                if cost <= self.least[0]:  # <= also holds if both overflow
                     self.best[0], self.least[0] = q, cost
                 moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
                 ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)
@@ -200,7 +200,7 @@ class _Search:
     def _targets_to_start(self, running):
         """Return the targets that get new descents, given those of the running ones (N,); a target may occur often.
 
-        Every unsolved target without a descent gets one. Those that have failed before share the room that is left.
+        Every unsolved target without a descent gets one. Those that have failed before share the remaining room.
         """
         allowed = ~self.solved & (self.started < self.starts)
         idle = allowed & (np.bincount(running, minlength=len(allowed)) == 0)
@@ -311,7 +311,7 @@ def _error_by_entries(end, goal):
     stretch = np.arctan2(sine, cosine) / np.where(sine > 0, sine, 1.0)
     error = np.array([x, y, z, *(goal[3] - end[3])])
     error[:3] *= stretch
-    half_turn = cosine < -0.99  # where the sine has few digits of the axis left
+    half_turn = cosine < -0.99  # the sine has too few correct digits of the axis here
     if np.count_nonzero(half_turn):
         error[:3, half_turn] = log_so3(np.moveaxis(np.asarray(R)[..., half_turn], -1, 0)).T
     return error

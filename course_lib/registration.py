@@ -87,7 +87,7 @@ def _points(value, name):
 
 
 def _centred(points, share, name):
-    """Return the points at a scale where the largest coordinate is about 1 and less their mean, the mean, and more.
+    """Return the points scaled to a largest coordinate of about 1 and less their mean, the mean, and more.
 
     Also the exponent of 2 that undoes the scale, and the principal axes (..., 3, 3), as rows, the longest first.
     A point without weight counts as none, however far away it is.

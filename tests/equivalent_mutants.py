@@ -37,10 +37,6 @@ REASONS = {
 
 # {exercise: {the changed line: the key of its reason}}
 EQUIVALENT = {
-    "read_iiwa": {
-        "... urn np.array([[0, 0, 1, 0, 0, 1], [0, 1, 0, 0, 0, 0.36], [0, 0, 1, 0, ...": "any point",
-        "... 0, 1, 0, 0, 0], [0, 1, 0, 0, 1, 0.36 + 0.42 + 0.4], [0, 0, 1, 0, 0, 0 ...": "any point",
-    },
     "rotate_point": {
         "c, s = (np.cos(-a), np.sin(a))": "sign",
     },
@@ -201,6 +197,10 @@ EQUIVALENT = {
     "lost_direction": {
         "return -np.linalg.svd(J)[0][:, 5]": "either sign",
         "return np.linalg.svd(-J)[0][:, 5]": "either sign",
+    },
+    "read_iiwa": {
+        "... 0, 1, 0, 0, 0], [0, 1, 0, 0, 1, 0.36 + 0.42 + 0.4], [0, 0, 1, 0, 0, 0 ...": "any point",
+        "... urn np.array([[0, 0, 1, 0, 0, 1], [0, 1, 0, 0, 0, 0.36], [0, 0, 1, 0, ...": "any point",
     },
     "read_ur5e": {
         "... , 0.1625], [0, -1, 0, -0.425, 1, 0.1625], [0, -1, 0, far, 0, 0.1625], ...": "any point",

@@ -32,7 +32,7 @@ def lines(text):
 
 
 def code(text):
-    """The lines of Python as ast.unparse writes them; none of text that is no Python."""
+    """The lines of Python as ast.unparse writes them; none of text that is not Python."""
     try:
         return lines(ast.unparse(ast.parse(textwrap.dedent(text))))
     except (SyntaxError, ValueError):

@@ -15,6 +15,8 @@ PICTURES = [
     "figures.rigid_motion",
     "figures.damped_steps",
     "figures.subproblems_damped_ik",
+    "figures.panda_dh_ik",
+    "figures.panda_pictures",
 ]  # which refuse nothing
 # Other modules of the library call these with arrays that are looked at already.
 WITHIN = {"checked_pose", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}

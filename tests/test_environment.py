@@ -202,7 +202,7 @@ def test_python_named_by_hand(machine):
     machine.install("mine", stand_ins.PYTHON)
     assert machine.make("environment", "PYTHON=mine").returncode == 0
     shutil.rmtree(machine.folder / ".venv")
-    assert "PYTHON=mine is no Python 3.11" in sentence(machine.make("environment", "PYTHON=mine", MINOR="9"))
+    assert "PYTHON=mine is not Python 3.11" in sentence(machine.make("environment", "PYTHON=mine", MINOR="9"))
 
 
 PIP_FAILURES = [

@@ -54,7 +54,7 @@ def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
     mesh = places(next(trace for trace in figure["data"] if trace["type"] == "mesh3d" and trace["cmax"] < 99))
     for k in (0, 9, 19, 29):
         for axis in range(3):
-            tip = way[k, :3, 3] + 0.3 * np.ptp(way[:, :3, 3], axis=0).max() * way[k, :3, axis]
+            tip = way[k, :3, 3] + 0.2 * np.ptp(way[:, :3, 3], axis=0).max() * way[k, :3, axis]
             assert np.linalg.norm(mesh - tip, axis=1).min() < 1e-3
 
 

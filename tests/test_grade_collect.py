@@ -1,4 +1,4 @@
-"""What was handed in is found, whatever it is called; what is no notebook of the student's own is refused in words."""
+"""What was handed in is found, whatever it is called; all other files are refused with a reason."""
 
 import os
 import unicodedata

@@ -138,7 +138,7 @@ def test_a_cluster_without_workers_is_said(tmp_path, cluster, monkeypatch, capsy
     monkeypatch.setattr("course_lib.pack.grade.jobs.CLUSTER_SECONDS", 2)
     hand_in(tmp_path / "in", "s_01_rotations.ipynb", points=[2])
     assert run(tmp_path, "out", "--scheduler", cluster.address) == 1
-    assert "There is nobody to do the work (TimeoutError)." in capsys.readouterr().err
+    assert "No worker can do the work (TimeoutError)." in capsys.readouterr().err
 
 
 def test_a_scheduler_that_is_not_there_is_said(tmp_path, monkeypatch, capsys):

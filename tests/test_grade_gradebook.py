@@ -94,7 +94,7 @@ def test_a_student_is_found_by_number_by_address_or_by_name_and_never_by_half(ro
 
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
 def test_what_is_no_roster_is_told(roster, text):
-    with pytest.raises(RosterUnreadable, match="is no roster"):
+    with pytest.raises(RosterUnreadable, match="is not a roster"):
         roster(text)
 
 
@@ -160,10 +160,10 @@ def test_late_files_lose_what_the_rule_says_and_are_not_graded_again(tmp_path, c
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--lms", "blackboard"), "LMS=blackboard is none of canvas, moodle, gradescope."),
+        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope."),
         (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
-        (("--deadline", "soon"), "DEADLINE=soon is no date: write 2026-11-30 or '2026-11-30 18:00'."),
+        (("--deadline", "soon"), "DEADLINE=soon is not a date: write 2026-11-30 or '2026-11-30 18:00'."),
     ],
 )
 def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, capsys, options, said):

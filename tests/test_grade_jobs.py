@@ -251,7 +251,7 @@ def test_what_stops_a_run_is_said_in_a_sentence(place, capsys, words):
 def test_a_setting_that_is_no_number_is_called_as_it_was_typed(place, capsys, name):
     fill(place, 1)
     assert run(place, f"--{name.lower()}", "two") == 1
-    assert capsys.readouterr().err == f"Grading stopped. {name}=two is no whole number.\n"
+    assert capsys.readouterr().err == f"Grading stopped. {name}=two is not a whole number.\n"
 
 
 def test_a_file_in_the_place_of_the_folder_is_told(place, capsys):
@@ -266,7 +266,7 @@ def test_what_the_instructor_should_look_at_is_said_at_the_end(place, capsys):
         result = grade(content, notebook, seed)
         for exercise in result["exercises"]:
             exercise["state"] = UNREADABLE
-        return result | {"problems": ["It is no notebook."]}
+        return result | {"problems": ["It is not a notebook."]}
 
     fill(place, 1)
     run(place, "--jobs", "1")
@@ -276,8 +276,8 @@ def test_what_the_instructor_should_look_at_is_said_at_the_end(place, capsys):
     run(place, "--jobs", "1", "--seed", "5", grade=unreadable)
     said = capsys.readouterr().out
     assert "1 unreadable." in said
-    assert "01_rotations.ipynb: It is no notebook." in said
-    assert "1 mark there cannot be taken: the column `state` says why." in said
+    assert "01_rotations.ipynb: It is not a notebook." in said
+    assert "1 invalid mark there: the column `state` says why." in said
 
 
 def test_files_that_are_refused_and_releases_that_differ_are_said_at_the_end(place, capsys):
@@ -290,7 +290,7 @@ def test_files_that_are_refused_and_releases_that_differ_are_said_at_the_end(pla
         (place / "in" / f"t{i:02}.docx").write_text("no notebook")
     run(place, "--jobs", "1", grade=of_its_release)
     said = capsys.readouterr().out
-    assert "t00.docx: It is no notebook" in said
+    assert "t00.docx: It is not a notebook" in said
     assert "t10.docx" not in said
     assert "... and 2 more, with their reasons in the table." in said
     assert "The notebooks are not all of one release: 2 from 0.2, 1 from 0.1." in said

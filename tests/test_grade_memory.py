@@ -6,13 +6,14 @@ import struct
 import subprocess
 import sys
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from hostile.build import NAME, SEED, SHORT, book
 
 from course_lib.pack.grade import control_group, sandbox, seccomp
-from course_lib.pack.grade.sandbox import NAMESPACES, Sandbox
+from course_lib.pack.grade.sandbox import NAMESPACES, Ended, Sandbox
 from course_lib.pack.grade.submission import grade
 from course_lib.pack.grade.visible import visible_paths
 
@@ -25,10 +26,10 @@ needs_group = pytest.mark.skipif(not control_group.available(), reason="no contr
 ASKS = "def nearest_so(M):\n{}\n    raise ValueError(repr(found))\n"
 
 
-def told(lines, few, **limits):
+def told(lines, few, limits=SHORT):
     """Return what the body of a student's function finds out, as text."""
     body = "\n".join(f"    {line}" for line in lines.splitlines())
-    result = grade(book(few[0], ASKS.format(body)), NAME, SEED, SHORT, **limits)
+    result = grade(book(few[0], ASKS.format(body)), NAME, SEED, limits)
     return next(row["message"] for row in result["exercises"] if row["exercise"] == "nearest_so")
 
 
@@ -87,22 +88,6 @@ def test_the_filters_jumps_stay_inside_it(machine):
     assert steps[-1] == (seccomp.RETURN, 0, 0, seccomp.ALLOW)
 
 
-PIPES = """
-import os, socket
-found = "held"
-held = []
-for _ in range(4000):
-    one, other = socket.socketpair(socket.AF_UNIX, socket.SOCK_DGRAM)
-    one.setblocking(False)
-    try:
-        while True:
-            one.send(b"x" * 60000)
-    except OSError:
-        pass
-    held.append((one, other))
-"""
-
-
 @needs_group
 def test_a_control_group_counts_what_the_kernel_holds(few):
     with control_group.ControlGroup(50_000_000, 40) as group:
@@ -130,6 +115,84 @@ def test_a_sandbox_runs_in_a_control_group_of_its_own(monkeypatch):
         inside = [(folder / "cgroup.procs").read_text().split() for folder in folders]
         assert all(str(one._process.pid) in pids and len(pids) >= 2 for pids in inside)
     assert not any(folder.exists() for folder in folders)
+
+
+FILLS = "import numpy as np\nfound = np.full(10**8, 1.0).sum()"  # 800 MB
+
+
+@needs_group
+def test_a_function_that_the_kernel_kills_for_its_memory_is_told_so(few, monkeypatch):
+    bounded = lambda memory, processes: control_group.ControlGroup(500_000_000, processes)  # noqa: E731
+    monkeypatch.setattr(sandbox, "ControlGroup", bounded)
+    message = told(FILLS, few, replace(SHORT, cpu_seconds=20))
+    assert "Your function was killed because memory ran out. It may use 1 GB." in message
+
+
+EVENTS = "low 0\nhigh 0\nmax 12\noom 1\noom_kill {}\noom_group_kill 0\n"
+
+
+@pytest.fixture
+def version_2(tmp_path, monkeypatch):
+    """Return the folder of this process's group on a machine with control groups of version 2, as plain files.
+
+    A new folder below it holds what the kernel puts there, and is removed with these files.
+    """
+    root, own_groups = tmp_path / "cgroup", tmp_path / "own_groups"
+    own = root / "system.slice/grader.service"
+    own.mkdir(parents=True)
+    own_groups.write_text("0::/system.slice/grader.service\n")
+    mkdir, rmdir = Path.mkdir, Path.rmdir
+
+    def make(folder, *arguments, **options):
+        mkdir(folder, *arguments, **options)
+        if folder.parent == own:
+            (folder / "memory.events").write_text(EVENTS.format(0))
+            for name in ("memory.max", "memory.swap.max", "pids.max"):
+                (folder / name).write_text("max\n")
+
+    monkeypatch.setattr(Path, "mkdir", make)
+    monkeypatch.setattr(Path, "rmdir", lambda path: shutil.rmtree(path) if path.parent == own else rmdir(path))
+    monkeypatch.setattr(control_group, "ROOT", root)
+    monkeypatch.setattr(control_group, "OWN_GROUPS", own_groups)
+    caches = (control_group.available, control_group._parents)
+    for cached in caches:
+        cached.cache_clear()
+    yield own
+    for cached in caches:
+        cached.cache_clear()
+
+
+def test_a_group_of_version_2_has_bounds_and_counts_the_kernels_kills(version_2):
+    assert control_group.available()
+    with control_group.ControlGroup(50_000_000, 40) as group:
+        (folder,) = version_2.iterdir()
+        bounds = [(folder / name).read_text() for name in ("memory.max", "memory.swap.max", "pids.max")]
+        assert bounds == ["50000000", "0", "60"]
+        assert group.memory_kills() == 0
+        (folder / "memory.events").write_text(EVENTS.format(2))
+        assert group.memory_kills() == 2
+    assert not list(version_2.iterdir())
+
+
+ENDS = b"import os, signal, sys\nsys.stdin.readline()\nos.kill(os.getpid(), signal.SIGKILL)"
+
+
+@pytest.mark.parametrize(
+    ("earlier", "later", "reason"),
+    [
+        (0, 1, "it was killed because memory ran out; it may use 1 GB"),
+        (0, 0, "its process ended"),
+        (1, 1, "its process ended"),
+    ],
+)
+def test_only_a_kill_since_the_last_message_is_blamed_on_memory(version_2, earlier, later, reason):
+    with Sandbox({"runner.py": ENDS}, SHORT) as one:
+        (folder,) = version_2.iterdir()
+        (folder / "memory.events").write_text(EVENTS.format(earlier))
+        one.send({})
+        (folder / "memory.events").write_text(EVENTS.format(later))
+        with pytest.raises(Ended, match=f"^{reason}$"):
+            one.receive(60)
 
 
 def test_what_cannot_be_had_is_told_at_the_start(monkeypatch):

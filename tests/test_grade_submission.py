@@ -72,7 +72,7 @@ CHANGES = {
     "stubs left below": lambda first, rest: [first, *rest, "def nearest_so(M):\n    raise NotImplementedError\n"],
     "an earlier attempt": lambda first, rest: [first, "def nearest_so(M):\n    return M\n", *rest],
     "a cell that raises": lambda first, rest: [first, "1 / 0\n" + rest[0], *rest[1:]],
-    "a cell that is no Python": lambda first, rest: [first, "\n".join(rest) + "\n\nfor x in:\n    pass\n"],
+    "a cell that is not Python": lambda first, rest: [first, "\n".join(rest) + "\n\nfor x in:\n    pass\n"],
     "magics": lambda first, rest: ["%matplotlib inline\n!ls\n" + first, "%%time\n" + rest[0], "?print", *rest[1:]],
     "defined by exec": lambda first, rest: [first, f"exec({rest[0]!r})", *rest[1:]],
     "another name": lambda first, rest: [first, *rest, "mine = nearest_so\nnearest_so = lambda M: mine(M)"],
@@ -130,7 +130,7 @@ def test_a_notebook_of_another_name_is_known_by_its_functions(few):
 def test_a_notebook_of_no_known_name_and_functions_is_no_notebook_of_the_course():
     result = grade(book("print(1)"), "größe", SEED)
     assert (result["notebook"], result["exercises"]) == ("größe", [])
-    assert "none of the course's notebooks" in result["problems"][0]
+    assert "not one of the course's notebooks" in result["problems"][0]
 
 
 def test_correct_work_that_warns_and_writes_to_stderr_keeps_its_points(few):
@@ -179,7 +179,7 @@ def test_a_submission_that_takes_too_long_altogether_is_left_with_what_it_has(fe
     limits = replace(SHORT, idle_seconds=2, submission_seconds=2)
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
     assert "computed nothing for 2 seconds" in states_and_words(result)["nearest_so"][1]
-    assert "not asked" in states_and_words(result)["nearest_se"][1]
+    assert "not graded" in states_and_words(result)["nearest_se"][1]
 
 
 def test_messages_hold_no_signs_that_steer_a_terminal(few):
@@ -201,7 +201,7 @@ def test_an_answer_that_is_no_python_is_no_missing_one(few):
     result = grade(book(few[0], *broken), NAME, SEED)
     assert states(result)["nearest_so"] == "error in your code"
     (said,) = (row["message"] for row in result["exercises"] if row["exercise"] == "nearest_so")
-    assert re.search(r"Code cell \d+ is no Python: invalid syntax, in line \d+, `return @", said)
+    assert re.search(r"Code cell \d+ is not Python: invalid syntax, in line \d+, `return @", said)
     assert points(result) == FULL - 3
 
 

@@ -123,12 +123,12 @@ def test_refused_files_are_told_with_their_reason_and_cost_nobody_else(path):
     both = Class(
         path,
         (mine, ungraded_result(mine, "It is a link to another file.", "refused")),
-        (nobodys, ungraded_result(nobodys, "It is no notebook.", "refused")),
+        (nobodys, ungraded_result(nobodys, "It is not a notebook.", "refused")),
         outcome("zoe", [2], problems=["Code cell 3 was left out."]),
     )
     states = [(row["student"], row["points"], row["state"], row["message"]) for row in both.grades()]
     assert ("anna", "0", "refused", "anna/01_rotations.ipynb: It is a link to another file.") in states
-    assert ("", "0", "refused", "roster.csv: It is no notebook.") in states
+    assert ("", "0", "refused", "roster.csv: It is not a notebook.") in states
     assert ("zoe", "", "note", "Code cell 3 was left out.") in states
     assert [(row["student"], row["total"]) for row in both.totals()] == [("anna", "0"), ("zoe", "2")]
 
@@ -240,7 +240,7 @@ def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
     Class(path, ZOE(texts=["because"])).questions()
     type_in(path, mark=typed)
     again = Class(path, ZOE(texts=["because"]))
-    assert again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is no number from 0 to 2"
+    assert again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is not a number from 0 to 2"
     assert cell_text(again.questions()[0]["mark"]) == typed
     assert again.totals()[0]["total"] == "2"
 
@@ -249,7 +249,7 @@ def test_a_mark_that_is_none_is_not_told_to_the_student(path):
     question = {"question": "explain_0", "of": 2, "text": "because"}
     its_key = key("zoe", "01_rotations", "explain_0", "because")
     each = mark_answer(question, "zoe", "01_rotations", {its_key: {"mark": "3", "comment": ""}})
-    assert (each.state, each.told) == (TO_BE_READ, f"{TO_BE_READ}: the mark 3 is no number from 0 to 2")
+    assert (each.state, each.reported_state) == (TO_BE_READ, f"{TO_BE_READ}: the mark 3 is not a number from 0 to 2")
 
 
 def test_a_file_that_could_not_be_read_has_no_question_to_be_read():

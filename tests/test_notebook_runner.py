@@ -233,7 +233,7 @@ def test_a_cell_that_takes_too_long_is_named(write, capsys, monkeypatch):
 def test_a_file_that_is_no_notebook_is_named(write, capsys):
     path = write()
     path.write_text("<<<<<<< HEAD\n{}\n", encoding="utf-8")
-    assert "is no notebook" in fails(path, capsys)
+    assert "is not a notebook" in fails(path, capsys)
 
 
 def test_a_file_that_is_not_there_is_named(tmp_path, capsys):

@@ -245,7 +245,7 @@ def test_words_for_graders_in_another_cell_are_named(tree, tmp_path, capsys, wor
 def test_what_is_no_notebook_is_named(tree, tmp_path, capsys, text):
     (tree / "notebooks/02_rigid_motion.ipynb").write_bytes(text.encode(errors="surrogateescape"))
     assert main(["--root", str(tree), "--output", str(tmp_path / "student.zip")]) == 1
-    assert "02_rigid_motion.ipynb is no notebook" in one_sentence(capsys)
+    assert "02_rigid_motion.ipynb is not a notebook" in one_sentence(capsys)
 
 
 def refused(tree, tmp_path, capsys, cell_id, source):

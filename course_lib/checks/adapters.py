@@ -1,16 +1,16 @@
-"""Ways to call a student's function, in the process where it lives, so that plain data goes in and comes out.
+"""Ways to call a student's function in its own process, with plain data as arguments and answer.
 
 An adapter is called as adapter(function, names, arguments) with the names and values of the function's arguments, and
-returns what the function answers, as plain data where it can.
+returns what the function answers, as plain data if possible.
 """
 
 import numpy as np
 
-_DEPTH = 12  # how deep lists may stand in lists; plain.py refuses what lies deeper
+_DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
 
 
 class NoNumber(ValueError):
-    """An entry of an answer that is no number, although there is a number for each argument; the message shows it."""
+    """An entry of an answer is not a number although each argument is one; the message shows the entry."""
 
 
 def directly(function, names, arguments):
@@ -21,10 +21,10 @@ def directly(function, names, arguments):
 def with_symbols(function, names, arguments):
     """Call the function with SymPy symbols for its floats; return its answer at these floats.
 
-    Whole numbers go in as they are: such a function takes symbols and numbers alike. The symbols are real, are called
-    as the arguments are, and are equal to none made elsewhere. Expressions are looked for in SymPy's matrices and
-    arrays, and in numpy's arrays, lists and tuples; whatever else comes back is passed on as it is, and no text is
-    ever made into an expression. Raises NoNumber where an expression has other symbols in it.
+    Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and differ from all
+    symbols made elsewhere. Expressions are evaluated in SymPy's matrices and arrays, and in numpy's arrays, lists and
+    tuples; any other answer is passed on unchanged. No text is ever parsed as an expression. Raises NoNumber if an
+    expression contains other symbols.
     """
     import sympy
 
@@ -41,7 +41,7 @@ ADAPTERS = {"": directly, "symbols": with_symbols}
 
 
 def _evaluated(value, at, depth=0):
-    """The value, with numbers in place of the expressions in it."""
+    """Return the value with numbers in place of its expressions."""
     import sympy
 
     if isinstance(value, sympy.MatrixExpr):

@@ -1,4 +1,4 @@
-"""Read an answer as the kind of thing that an exercise asks for, in any of the forms that are as good."""
+"""Read an answer as the type that an exercise asks for, in any equivalent form."""
 
 import numpy as np
 
@@ -22,8 +22,8 @@ def boolean(value, *case):
 def numbers(shape_of, known=None, gaps=False):
     """Return a reader of arrays: shape_of(*arguments) is the shape wanted; (4, 1) and (1, 4) pass for (4,).
 
-    known: the mistakes that show in an array of another shape: {shape: Mistake}, or known(array, *arguments), which
-    returns a Mistake or None. gaps: whether nan may stand in the array.
+    known: the mistakes that an array of another shape reveals: {shape: Mistake}, or known(array, *arguments), which
+    returns a Mistake or None. gaps: True to allow nan.
     """
 
     def reader(value, *case):
@@ -41,7 +41,7 @@ def numbers(shape_of, known=None, gaps=False):
 def rows(width, expected, most=16, known=None):
     """Return a reader of lists of any length, none included, of items of `width` numbers each: an array (n, width).
 
-    With a width of 1 it is an array (n,). One item may stand without the list around it. expected: the list in words.
+    With a width of 1 it is an array (n,). A single item needs no list around it. expected: the list in words.
     known: as for numbers.
     """
 
@@ -60,13 +60,13 @@ def rows(width, expected, most=16, known=None):
 
 
 def _named(known, array, case):
-    """The mistake of an array of another shape than asked for; a complex one goes by its real part."""
+    """Return the mistake for an array of another shape than asked for; of a complex array the real part is used."""
     found = known(array.real, *case) if callable(known) else (known or {}).get(array.shape)
     return found or OTHER_FORM
 
 
 def _finite(array, gaps=False):
-    """The entries as floats, refused where they are complex or no numbers. gaps: whether nan may stand there."""
+    """Return the entries as floats; raise Unreadable if they are complex or not numbers. gaps: True to allow nan."""
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
             raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)

@@ -1,7 +1,7 @@
-"""Call a student's function, in the process where that function lives, and write down what came back.
+"""Call a student's function in its own process, and record its answers.
 
-This module knows nothing of right and wrong. In grading it runs in the student's own process, and all it says is taken
-as a claim, to be judged elsewhere.
+This module does not judge. In grading it runs in the student's process, so its output is only a claim, which another
+process judges.
 """
 
 import contextlib
@@ -22,7 +22,7 @@ from course_lib.checks.adapters import ADAPTERS
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-_MOST_CALLS = 500  # of candidates, by one answer
+_MOST_CALLS = 500  # of candidates, in one answer
 _MOST_WARNING = 300  # letters of a warning or an error's message
 
 
@@ -63,7 +63,7 @@ def reply(function, questions, consult=None):
                 if answers[-1].get("error", {}).get("type") in ("TimeUp", "NotAllowed", "KeyboardInterrupt"):
                     last = answers[-1]
                     break
-    answers += [last] * (len(cases) - len(answers))  # the other cases would end alike
+    answers += [last] * (len(cases) - len(answers))  # the other cases would end in the same way
     return json.dumps({"answers": answers, "calls": functions_used(function), "refused": sorted(NotAllowed.met)})
 
 
@@ -78,7 +78,7 @@ def _answer(function, case, through, names, consult):
         return answer | ({"warning": str(caught[0].message)[:_MOST_WARNING]} if caught else {})
     except NotPlain as kind:
         return _error("NotPlain", str(kind))
-    except BaseException as raised:  # GeneratorExit and what students derive from BaseException too
+    except BaseException as raised:  # also GeneratorExit, and exceptions that students derive from BaseException
         return _error(type(raised).__name__, _text(raised), *_students_line(raised, function))
 
 
@@ -87,7 +87,7 @@ def _error(kind, message, line=None, source="", cell=""):
 
 
 def _text(raised):
-    """The text of an exception, which is the student's to make and may fail or be anything."""
+    """Return the text of an exception. The student's class may define it, so this can fail."""
     try:
         return str(raised)[:_MOST_WARNING]
     except BaseException:
@@ -101,7 +101,7 @@ def _made_real(argument, consult):
 
 
 def _changed(before, arguments):
-    """The positions of the arguments that no longer are what they were; a generator is meant to move on."""
+    """Return the positions of the arguments that were changed in place; a random generator is meant to change."""
     changed = []
     for position, (text, argument) in enumerate(zip(before, arguments, strict=True)):
         if isinstance(argument, np.random.Generator | _StandIn):
@@ -116,9 +116,9 @@ def _changed(before, arguments):
 
 
 class _StandIn:
-    """Stands for a candidate: passes its arguments to the process that judges, and returns what comes back.
+    """Stands for a candidate: passes its arguments to the process that judges, and returns the answer.
 
-    All candidates look alike from here. What tells them apart is what they answer.
+    In this process all candidates look alike. Only their answers differ.
     """
 
     __slots__ = ("_calls", "_consult", "_number")
@@ -154,9 +154,9 @@ def functions_used(function):
 
 
 def _students_line(raised, function):
-    """The number and text of the last line that ran in the student's notebook: whose globals are the function's.
+    """Return (number, text, cell) of the last line that ran in the notebook, whose globals are the function's.
 
-    The third part is the name of the function in whose cell that line stands, if it is another cell.
+    cell: the name of the function whose cell contains that line, or "" if it is the function's own cell.
     """
     own = getattr(function, "__globals__", None)
     number, source, cell, step = None, "", "", raised.__traceback__
@@ -175,7 +175,7 @@ class TimeUp(BaseException):
 
 
 class NotAllowed(BaseException):
-    """The answer called what its exercise asks the student to write. met: the names of all that were called here."""
+    """The answer called a forbidden function. met: the names of all forbidden functions called in this process."""
 
     met: ClassVar = set()
 
@@ -196,7 +196,7 @@ def _clock(seconds):
         raise TimeUp(_too_long(seconds))
 
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
-        yield  # no such clock here (Windows): the student's stop button remains
+        yield  # no such clock (Windows): the student can interrupt the kernel
         return
     earlier = signal.signal(signal.SIGPROF, ring)
     try:
@@ -209,7 +209,7 @@ def _clock(seconds):
 
 @contextlib.contextmanager
 def _quiet():
-    """Drop what the function prints, displays and plots: a hundred cases would bury the one message that counts."""
+    """Discard what the function prints, displays and plots: for a hundred cases it would hide the check's message."""
 
     class Nowhere(io.TextIOBase):
         def write(self, text):
@@ -232,7 +232,7 @@ def _quiet():
 
 @contextlib.contextmanager
 def _put_back():
-    """Put back numpy's settings for errors and printing, should the function change them."""
+    """Restore numpy's settings for errors and printing in case the function changes them."""
     errors, printing = np.geterr(), np.get_printoptions()
     try:
         yield
@@ -243,10 +243,10 @@ def _put_back():
 
 @contextlib.contextmanager
 def _taken_away(names, function):
-    """Replace what the dotted names mean, wherever the library or the student's notebook holds it.
+    """Replace the functions with these dotted names in the library and in the student's notebook.
 
-    Yields the answer to every question if the function itself is one of them, else None. This deters; a pasted copy
-    of the library's code is not found.
+    Yields the answer to every question if the student's function is itself one of them, else None. This is a deterrent:
+    a pasted copy of the library's code is not recognized.
     """
     put_back, refused = [], None
     for name in names:

@@ -1,4 +1,4 @@
-"""What an exercise asks and how its answers are judged. Nothing here knows where the student's function runs."""
+"""Exercises and how their answers are judged, independent of where the student's function runs."""
 
 import json
 import re
@@ -11,7 +11,7 @@ from course_lib.checks import call_student
 from course_lib.checks.call_student import CPU_SECONDS
 from course_lib.checks.wire import NotPlain, from_json, write
 
-PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses one of its own
+PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
 
 UNWRITTEN = "Write {} here."  # the message of the line that stands in for an answer still to be written
 
@@ -20,7 +20,7 @@ UNCHANGED = "the bug is still there"
 
 
 def same(value, predicted, *arguments, tolerance=1e-6):
-    """Return whether two answers are the same numbers, to the rounding in which students differ."""
+    """Return whether two answers are equal within a tolerance for rounding."""
     try:
         if np.iscomplexobj(value):
             return False
@@ -40,8 +40,8 @@ class Mistake:
     hint : str
         What to think about.
     *answers : callable
-        Each answer(*arguments) is what somebody making this mistake would return; None for arguments of which the
-        mistake says nothing. Several answers are variants of one mistake.
+        Each answer(*arguments) is what somebody making this mistake would return; None for arguments to which the
+        mistake does not apply. Several answers are variants of one mistake.
     seen : callable, optional
         seen(value, *arguments): whether an answer shows the mistake, if no formula predicts it.
     alike : callable, optional
@@ -58,7 +58,7 @@ class Mistake:
         return f"Mistake({self.name!r})"
 
     def explains_all(self, exercise, cases, values, failing):
-        """Return whether one variant predicts the wrong answers, and the others too wherever it says something."""
+        """Return whether one variant predicts all wrong answers, and contradicts none of the others."""
         return any(
             all(self._predicts(answer, exercise, values[i], cases[i]) for i in failing)
             and all(
@@ -77,7 +77,7 @@ class Mistake:
         )
 
     def _predicts(self, answer, exercise, value, case):
-        """Whether the variant predicts this value; None if it says nothing of this case."""
+        """Return whether the variant predicts this value; None if it does not apply to this case."""
         predicted = attempt(answer, *case)
         if predicted is None:
             return None
@@ -98,10 +98,10 @@ class Property:
     seen : callable, optional
         seen(value, *arguments): what was seen instead, in words.
     where : callable, optional
-        where(*arguments): whether the property speaks of this case.
+        where(*arguments): whether the property applies to this case.
     across : bool
     mistake : Mistake, optional
-        What a failure points to if no mistake of the exercise explains the answers.
+        The mistake that is named if no mistake of the exercise explains the answers.
     points : int
         Partial credit: the points earned if this property holds and another does not.
     """
@@ -146,7 +146,7 @@ class Exercise:
     hints : tuple of str
         In steps; the last one may give the formula.
     library : callable
-        A function that is right: the library's, or the check's own where the library has none.
+        A right answer: the library's function, or one that the check defines if the library has none.
     forbidden : tuple of str
         Dotted names that the answer may not call.
     through : str
@@ -175,14 +175,14 @@ class Exercise:
     broken: Callable | None = None
 
     def questions(self, rng):
-        """Return the cases, and what answers a student's test that calls a candidate (here nothing)."""
+        """Return the cases, and a function that answers calls of candidates; here None. See WriteTest."""
         return self.cases(rng), None
 
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:
-            # A known mistake in a simpler case says more than a later case that cannot be answered.
+            # A known mistake in a simpler case is more helpful than an error in a later case.
             before = self.verdict(cases[:first], answers[:first]) if first else None
             if before and before.mistake in self.mistakes:
                 return replace(before, credit=0)
@@ -213,7 +213,7 @@ class Exercise:
 
 
 class Unreadable(ValueError):
-    """An answer that is not the kind of thing asked for: what was expected and what came, and the Mistake."""
+    """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake."""
 
     def __init__(self, reason, mistake):
         super().__init__(reason)
@@ -277,8 +277,8 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     ----------
     exercise : Exercise
     student : object
-        Its reply(questions, consult) passes JSON text to call_student.reply where the function lives: Here, or a
-        stand-in for another process. The reply is read as plain data and trusted in nothing else.
+        Its reply(questions, consult) passes JSON text to call_student.reply in the function's process: Here, or a
+        stand-in for another process. The reply is read as plain data and not trusted otherwise.
     seed : int
         Of the cases.
     seconds : float
@@ -306,7 +306,7 @@ def with_blame(verdict, others):
 
 
 def _claim(answer, arguments):
-    """One answer as call_student.py writes it, with the names of the arguments changed; raises for anything else."""
+    """Return an answer of call_student.reply with names in place of argument positions; raises for anything else."""
     if "error" in answer:
         parts = ("type", "message", "line", "source", "cell")
         return {"error": {key: str(answer["error"].get(key) or "")[:300] for key in parts}}
@@ -369,7 +369,7 @@ def no_answer(exercise, case, type, message, line="", source="", cell=""):
 
 
 def _waits(name, message):
-    """What to write first, if not this exercise but another, which its function calls, is still to be written."""
+    """Return what to write first if the function calls another exercise that is not written yet; else ""."""
     found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
     if found is None or found[1] == name:
         return ""
@@ -377,7 +377,7 @@ def _waits(name, message):
 
 
 def attempt(formula, *arguments):
-    """Return what the formula gives, or None where it does not apply: answers may be numbers of any size."""
+    """Return the formula's value, or None if it raises: answers may be numbers of any size."""
     try:
         return formula(*arguments)
     except (ValueError, IndexError, ArithmeticError):

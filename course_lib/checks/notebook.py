@@ -1,4 +1,4 @@
-"""The checks as a student meets them: one calm message each, hints in steps, predictions, and what is done so far."""
+"""The checks in a notebook: one message for each answer, hints in steps, predictions and progress."""
 
 import functools
 import html
@@ -20,7 +20,7 @@ from course_lib.checks.exercise import (
     with_blame,
 )
 
-# A mark and a colour for the rule beside each message; the words say the same, and both read on light and dark.
+# A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
@@ -62,7 +62,7 @@ class Check:
 
     @property
     def library(self):
-        """The library's function, or the check's own where the library has none."""
+        """The library's function, or one that the check defines if the library has none."""
         return self.exercise.library
 
     def __call__(self, function=_NOTHING, *more):
@@ -107,7 +107,7 @@ class Check:
         """Return the student's function if its check has passed, else the library's, and show which one it is.
 
         So unfinished work stops nothing that follows. The function returned has an attribute `whose`, "yours" or
-        "the library's"; the student's returns arrays where it returned lists.
+        "the library's"; the student's function then returns arrays instead of lists.
         """
         mine = self.verdict.state == RIGHT
         used = _giving_arrays(function) if mine else functools.partial(self.library)
@@ -118,7 +118,7 @@ class Check:
 
 
 def _giving_arrays(function):
-    """The function, with lists turned into arrays: to a check they are as good, to later cells they are not."""
+    """Return the function with lists converted to arrays: checks accept both, but later cells need arrays."""
 
     @functools.wraps(function)
     def giving_arrays(*arguments):
@@ -140,7 +140,7 @@ class Predict:
         return f'a prediction: choose by check.{name}.predict("{next(iter(self.prediction.replies))}"), and so on'
 
     def predict(self, choice=...):
-        """Show what there is to say of a choice. Without one, show the choices, each with its answer folded."""
+        """Show the reply to a choice. Without one, show the choices, each with its folded reply."""
         letters = list(self.prediction.replies)
         if choice is ...:
             _show_choices(self.prediction)
@@ -214,7 +214,9 @@ def _labelled(before, label, value):
         text = f"numpy.random.default_rng({value.number})"
     elif isinstance(value, np.ndarray) and value.size > 40:
         return f"{before}{label}an array of shape {value.shape} that begins with\n" + _labelled("    ", "", value[0])
-    elif isinstance(value, np.ndarray):  # tiny entries beside others are rounding, a tiny array is not
+    elif isinstance(
+        value, np.ndarray
+    ):  # tiny entries beside larger ones are rounding errors; an array of tiny entries is not
         text = np.array2string(value, precision=6, suppress_small=bool(np.abs(value).max(initial=0) > 1e-3))
     else:
         with np.printoptions(precision=6, legacy="1.25"):  # 0.5, not np.float64(0.5)
@@ -241,7 +243,7 @@ def _mark(prediction, letter):
 
 
 def _show(text, colour, kind="course-check", inside=None):
-    """Display text as it is, and in a box for places that show HTML; both say the same words."""
+    """Display text, and the same words in an HTML box for front ends that show HTML."""
     from IPython.display import display
 
     box = (

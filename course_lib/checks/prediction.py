@@ -7,7 +7,7 @@ from dataclasses import dataclass
 class Prediction:
     """A question with two to four choices, each with an answer of its own.
 
-    The question and the choices stand in the notebook; which one is right stands only here.
+    The notebook contains the question and the choices; only this object contains which one is right.
 
     Parameters
     ----------
@@ -16,7 +16,7 @@ class Prediction:
     right : str
         The letter of the right choice.
     replies : dict of str to str
-        Letter: what to say to whoever chose it. To a wrong choice: what it overlooks.
+        The reply to each letter; for a wrong choice, what it overlooks.
     """
 
     name: str

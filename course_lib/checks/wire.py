@@ -1,4 +1,4 @@
-"""Plain data on the wire: what exercises take and give, written as JSON and read back without trusting the writer.
+"""Plain data between processes: arguments and answers, written as JSON and read without trusting the writer.
 
 Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of a random generator,
 and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else (an object
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_DEPTH = 12  # how deep lists may stand in lists; a list that holds itself ends here
+_DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
 _MOST_ENTRIES = 2_000_000  # of an array
 
 
@@ -60,7 +60,7 @@ def read(text):
 
 
 def to_json(value, depth=0):
-    """Return plain data as what JSON can write: dicts with text keys, lists, numbers, texts."""
+    """Return plain data in a form that JSON can write: dicts with text keys, lists, numbers, texts."""
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
     if isinstance(value, np.ndarray | np.generic):
@@ -86,7 +86,7 @@ def to_json(value, depth=0):
 
 
 def _array_to_json(value):
-    array = np.asarray(value)  # of no subclass, and not copied before its size is known
+    array = np.asarray(value)  # not a subclass; and not copied before its size is known
     if array.size > _MOST_ENTRIES:
         raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
     array = np.array(array, copy=True, order="C")

@@ -1,8 +1,8 @@
 """Exercises in which the student writes a test: a function that takes a candidate and returns whether it is right.
 
-The candidates are the library's function in several guises, and wrong versions of it. The student's process holds none
-of them. What it calls is a stand-in, which sends the arguments to the process that judges and returns that process's
-answer; so a test can tell candidates apart by nothing but their answers. Their order is drawn from the seed.
+The candidates are several forms of the library's function, and wrong versions of it. None of them is in the student's
+process. The student's test calls a stand-in, which sends the arguments to the process that judges and returns that
+process's answer. So a test can distinguish candidates only by their answers. Their order is drawn from the seed.
 """
 
 import json
@@ -15,7 +15,7 @@ from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Exercise, Mistake, Unreadable, Verdict, no_answer
 from course_lib.checks.wire import Candidate, from_json, to_json
 
-_MOST_LETTERS = 20_000  # of one call's arguments, as JSON
+_MOST_LETTERS = 20_000  # in the arguments of one call, as JSON
 _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
 
 ALWAYS_TRUE = Mistake(
@@ -35,7 +35,7 @@ class Version:
     Parameters
     ----------
     kind : str
-        What is special about it, to follow "one": "that is wrong only near half a turn", "that returns lists".
+        What is special about it, to follow "one": "that is wrong only near pi", "that returns lists".
     function : callable
         Called with arrays; it may raise ValueError.
     right : bool
@@ -62,7 +62,7 @@ class WriteTest(Exercise):
     shapes: tuple[tuple[int, ...], ...] = ()
 
     def questions(self, rng):
-        """Return a case for each version, in an order drawn from rng, and what answers the calls of candidates."""
+        """Return a case for each version, in random order, and the function that answers calls of candidates."""
         order = [self.versions[i] for i in rng.permutation(len(self.versions))]
         return [(_Case(number, version),) for number, version in enumerate(order)], self._consultant(order)
 
@@ -75,7 +75,7 @@ class WriteTest(Exercise):
                 return replace(no_answer(self, None, **error), case=None)
             if error and case.version.right:
                 verdict = no_answer(self, None, **error)
-                reason = f"{verdict.reason}\nThis came of a version that is right: one {case.version.kind}."
+                reason = f"{verdict.reason}\nYour test raised this for a right version: one {case.version.kind}."
                 return replace(verdict, state=ERROR, reason=reason, case=None)
             try:
                 judged.append((case.version, False if error else boolean(answer["value"])))
@@ -102,7 +102,7 @@ class WriteTest(Exercise):
         return Verdict(self, WRONG, said, always, credit=credit)
 
     def _consultant(self, order):
-        """Return a function that answers a call of a candidate; what it is sent is the student's to make."""
+        """Return a function that answers a call of a candidate; a student controls its argument."""
 
         def consult(text):
             try:
@@ -132,13 +132,13 @@ class WriteTest(Exercise):
 
 @dataclass(frozen=True)
 class _Case(Candidate):
-    """A candidate's number, which the student's process is told, and its version, which it is not."""
+    """A candidate: the student's process gets its number, but not its version."""
 
     version: Version
 
 
 def _kinds(versions):
-    """The kinds of the first versions in brackets; no names, and no more than three."""
+    """Return the kinds of at most three versions, in brackets; without their names."""
     kinds = list(dict.fromkeys(version.kind for version in versions))
     if not kinds:
         return ""

@@ -34,6 +34,8 @@ def joint_motion(bends, motion):
     said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in motion.items())
     alt = f"The joint motion over the bend of the last joint, both logarithmic: {said}."
     caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
+    if len(motion) > 1:
+        caption = "The undamped step grows as one over the bend; the damped step stays small at every bend."
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
@@ -90,13 +92,13 @@ def columns_and_ellipse(points, J, scale=0.3):
     tip = points[-1]
     for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
         ax.annotate("", tip + scale * column, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2})
-        end = tip + (scale + 0.26 / np.linalg.norm(column)) * column
-        ax.annotate(f"$J_{j + 1}$", end, color=colour, ha="center", va="center")
+        ax.plot([], [], color=colour, linewidth=3, label=f"$J_{j + 1}$")
     U, s, _ = np.linalg.svd(J)
     t = np.linspace(0, 2 * np.pi, 121)
     ax.plot(*(tip[:, None] + scale * U @ (s[:, None] * [np.cos(t), np.sin(t)])), color=BLACK, linewidth=1.5)
     ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
     ax.margins(0.12)
+    fig.legend(loc="outside upper center", ncols=J.shape[1], frameon=False)
     alt = (
         f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
         + ", ".join(f"{length:.1f}" for length in np.linalg.norm(J, axis=0))
@@ -142,7 +144,7 @@ def descents(runs, target, caption=""):
         corners.append(tips)
         miss = np.linalg.norm(tips - target, axis=-1)
         lowest = min(lowest, miss.min())
-        error.plot(miss, color=colour, linestyle=style, linewidth=2, label=label)
+        error.plot(miss, color=colour, linestyle=style, linewidth=2, label=label.replace("alpha", r"$\alpha$"))
         said.append(f"{label}: {'jumps about and is' if jumps else 'ends'} {_metres(miss[-1])} from it")
     plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
     corners = np.vstack([np.atleast_2d(c) for c in corners])
@@ -204,7 +206,7 @@ def gains(epsilons, values):
         f"zero; with damping it rises from zero to a largest value, {tops}, and falls again."
     )
     caption = (
-        r"Each curve is highest at $s = \sqrt\epsilon$; to its left the arm gives up, to its right damping hardly acts."
+        r"Each curve is highest at $s = \sqrt\epsilon$; below it the damping cuts the step, above it it hardly acts."
     )
     return {"fig": fig, "alt": alt, "caption": caption}
 
@@ -251,7 +253,10 @@ def step_map(alphas, epsilons, errors, largest, runs):
         f"limit of the step size, {100 * left.mean():.0f} % of it is blue, below a centimetre; right of it "
         f"{100 * right.mean():.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}."
     )
-    caption = "Blue arrives. Right of the black curve steps are too large, at the left and at the top too small."
+    caption = (
+        "Blue runs converge. Right of the black curve the steps are too large; at the left and at the top they are too "
+        "small."
+    )
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
@@ -317,5 +322,5 @@ def along_the_steps(series, ylabel):
     steps = np.arange(len(next(iter(series.values()))))
     fig = lines(steps, series, xlabel="steps", ylabel=ylabel)
     said = "; ".join(f"{_in_words(label)}: {np.min(y):.1f} to {np.max(y):.1f}" for label, y in series.items())
-    caption = "Little damping reaches the final value within a few steps; much damping changes slowly."
+    caption = "With little damping the curve settles within a few steps; with much damping it changes slowly."
     return {"fig": fig, "alt": f"The {ylabel} over the steps. {said}.", "caption": caption}

@@ -1,4 +1,4 @@
-"""The pictures of notebook 5: the Panda's frames by both conventions, its null space, and the pick of a mug."""
+"""The pictures of notebook 5: DH parameters, the Panda's frames by both conventions, and the pick of a mug."""
 
 import numpy as np
 import plotly.graph_objects as go
@@ -28,12 +28,18 @@ def conventions(contents, base):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> fig = conventions({"modified": panda().frames(np.zeros(7))}, np.zeros(3))
+    >>> [note.text for note in fig.layout.annotations]
+    ['modified']
     """
     arm, base = panda(), np.asarray(base, float)
     poses = _bodies(next(iter(contents.values())), base)
     model, share = arm_model(arm), 1 / len(contents)
     vertices = model.placed(poses)
-    height, drawn, scenes = 470, [], []
+    height, drawn, scenes = 390, [], []
     aspect = 700 * share / height
     for i, frames in enumerate(contents.values()):
         name = "scene" if i == 0 else f"scene{i + 1}"
@@ -64,7 +70,7 @@ def four_parameters(a, alpha, d, theta):
     Examples
     --------
     >>> fig = four_parameters(0.8, 0.7, 0.6, 0.9)
-    >>> sum(trace.mode == "text" for trace in fig.data)
+    >>> sum(trace.type == "scatter3d" and trace.mode == "text" for trace in fig.data)
     2
     """
     along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
@@ -118,52 +124,51 @@ def _arc(centre, start, end, radius):
     return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle)
 
 
-def null_space(name, frames, times, base):
-    """Return a film of the Panda that moves while its end-effector holds still, with the path of its elbow.
+def iterations(counts, most):
+    """Return histograms of how many iterations each target took, one panel for each method.
 
     Parameters
     ----------
-    name : str
-        What its file is called where it is written as an animation.
-    frames : array_like, shape (m, 8, 4, 4)
-        Poses of the frames of `arms.panda()` in the world.
-    times : array_like, shape (m,)
-        Seconds.
-    base : array_like, shape (3,)
-        Where the arm stands.
+    counts : dict
+        {method: iterations (n,)}.
+    most : int
+        Where the axis of the iterations ends; the last bar counts what took more, too.
 
     Returns
     -------
-    plotly.graph_objects.Figure
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> [ax.get_title() for ax in iterations({"a": np.array([3, 5]), "b": np.array([9])}, 10).axes]
+    ['a', 'b']
     """
-    arm = panda()
-    flange = arm.home[-1]
-    tip = flange @ _about_z(-np.pi / 4) @ rigid.transform(np.eye(3), [0, 0, 0.1034])
-    model = arm_model(
-        arm,
-        shells.gripper(7, tip)
-        + [part.moved(tip @ _along_y(side * 0.03)) for side in (-1, 1) for part in shells.finger(7, -side)],
-    )
-    elbow = line(frames[:, 3, :3, 3], BLUE, 5, "scene", "dash")
-    return film(name, model, _bodies(frames, base), times, still=[elbow], view=(1.1, -1.6, 0.9), ground=base[2])
-
-
-def iterations(counts, most):
-    """Return histograms of how many iterations each target took, a panel a method. counts: {method: (n,)}."""
     fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
     for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):
-        ax.hist(taken, np.linspace(0, most, 26), color=colour)
+        ax.hist(np.minimum(taken, most), np.linspace(0, most, 26), color=colour)
         ax.set(title=title, xlabel="iterations")
     axes[0].set_ylabel("targets reached")
     return fig
 
 
 def shares(x, y, xlabel, ylabel, *, log=""):
-    """Return a plot of measured shares (n,) against x (n,), a dot for each; log: "x" for a logarithmic axis.
+    """Return a plot of measured shares, a dot for each.
+
+    Parameters
+    ----------
+    x, y : array_like, shape (n,)
+        y: shares from 0 to 1.
+    xlabel, ylabel : str
+    log : str
+        "x" for a logarithmic axis.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
 
     Examples
     --------
-    >>> shares([1, 2], [0.5, 0.6], "starts", "share").axes[0].get_ylim()[0]
+    >>> float(shares([1, 2], [0.5, 0.6], "starts", "share").axes[0].get_ylim()[0])
     0.0
     """
     fig, (ax,) = plane_figure(7.2, 3.4)
@@ -189,13 +194,21 @@ def matches(template, scene_points, T, wrong):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> points = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
+    >>> [note.text for note in matches(points, points, np.eye(4), [2]).layout.annotations]
+    ['template', 'scene']
     """
     mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
     wrong = np.atleast_1d(wrong)
     laid = template[wrong] @ T[:3, :3].T + T[:3, 3]
+    placed = mug.placed([np.eye(4)])  # one extent for both scenes, so that the mug is equally large in them
+    extent = np.concatenate([placed, placed @ T[:3, :3].T, template, scene_points - T[:3, 3]])
     for i, (seen, pose, colour) in enumerate(((template, np.eye(4), BLUE), (scene_points, T, GREEN))):
         name = "scene" if i == 0 else f"scene{i + 1}"
-        reach = np.concatenate([mug.placed([pose]), seen, laid if i else seen])
+        reach = extent + pose[:3, 3]
         settings = scene.fitted_scene(
             reach, (1.2, -1.3, 0.8), aspect=350 / height, fill=0.85, domain=(i / 2, (i + 1) / 2)
         )
@@ -235,6 +248,13 @@ def pick(name, frames, grippers, openings, mugs, times, base, camera=None):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> frames = panda().frames(np.linspace(-0.5, 0, 3)[:, None] * np.ones(7))
+    >>> grippers = frames[:, -1] @ rigid.transform(np.eye(3), [0, 0, 0.1])
+    >>> len(pick("pick", frames, grippers, np.full(3, 0.08), frames[:, 0], np.arange(3), np.zeros(3)).frames)
+    3
     """
     arm, base = panda(), np.asarray(base, float)
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
@@ -268,21 +288,26 @@ def _bodies(frames, base):
 
 
 def numbers(frames):
-    """Return where the number of each frame belongs, {numbers: (3,)}; those of frames with one origin stand together.
+    """Return where the number of each frame belongs; the numbers of frames with one origin stand together.
+
+    Parameters
+    ----------
+    frames : array_like, shape (n, 4, 4)
+
+    Returns
+    -------
+    dict
+        {numbers: origin (3,)}.
 
     Examples
     --------
-    >>> list(numbers(np.array([np.eye(4), np.eye(4), 2 * np.eye(4)])))
+    >>> list(numbers(np.array([np.eye(4), np.eye(4), rigid.transform(np.eye(3), [0, 0, 1])])))
     ['1, 2', '3']
     """
     names = {}
     for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(point), []).append(str(i))
     return {", ".join(numbers): point for point, numbers in names.items()}
-
-
-def _about_z(angle):
-    return rigid.transform(rot_z(angle), np.zeros(3))
 
 
 def _along_y(y):

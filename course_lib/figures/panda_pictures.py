@@ -13,7 +13,17 @@ from course_lib.figures.plots import lines
 
 
 def through_the_table(q):
-    """Return the Panda on its table at joint angles (7,) that bring its flange below the top.
+    """Return the picture of the Panda on its table, with its flange below the top.
+
+    Parameters
+    ----------
+    q : array_like, shape (7,)
+        Joint angles in radians.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -29,7 +39,17 @@ def through_the_table(q):
 
 
 def four_parameters(a, alpha, d, theta):
-    """Return the two joint axes of one row of a table, and on them its four numbers (m, rad).
+    """Return the picture of two joint axes with the four DH parameters between them.
+
+    Parameters
+    ----------
+    a, alpha, d, theta : float
+        Of one row of a modified table: metres and radians.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -50,7 +70,16 @@ def four_parameters(a, alpha, d, theta):
 
 
 def table_rows(modified, standard):
-    """Return two tables, (n, 3) each with the columns a, alpha, d, as text, side by side and in degrees.
+    """Return two DH tables side by side as text, their angles in degrees.
+
+    Parameters
+    ----------
+    modified, standard : array_like, shape (n, 3)
+        Rows a, alpha, d: metres and radians.
+
+    Returns
+    -------
+    str
 
     Examples
     --------
@@ -66,7 +95,19 @@ def table_rows(modified, standard):
 
 
 def conventions(modified, standard, base):
-    """Return the Panda twice, with the frames (n, 4, 4) of both conventions; base: where it stands (3,).
+    """Return the picture of the Panda twice, with the frames of both conventions.
+
+    Parameters
+    ----------
+    modified, standard : array_like, shape (n, 4, 4)
+        Poses of the frames in the world.
+    base : array_like, shape (3,)
+        Where the arm stands.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -85,7 +126,17 @@ def conventions(modified, standard, base):
 
 
 def descents(errors):
-    """Return the length of the error after each step of several methods, {method: (n,)}.
+    """Return the plot of the length of the error after each step of several methods.
+
+    Parameters
+    ----------
+    errors : dict
+        {method: lengths (n,)}.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -109,7 +160,16 @@ def descents(errors):
 
 
 def share_by_damping(dampings, shares):
-    """Return the share of targets reached (n,) for each damping (n,).
+    """Return the plot of the share of targets reached against the damping.
+
+    Parameters
+    ----------
+    dampings, shares : array_like, shape (n,)
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -122,11 +182,24 @@ def share_by_damping(dampings, shares):
         f"{max(shares):.0%}, at {dampings[np.argmax(shares)]:g}. "
         f"At both ends it is {shares[0]:.0%} and {shares[-1]:.0%}."
     )
-    return {"fig": fig, "alt": alt, "caption": "Too little damping overshoots, too much has not arrived in 50 steps."}
+    return {
+        "fig": fig,
+        "alt": alt,
+        "caption": "With too little damping the steps overshoot, with too much they do not get there in 50 steps.",
+    }
 
 
 def share_by_starts(shares):
-    """Return the share of targets reached after 1, 2, ... starts (n,).
+    """Return the plot of the share of targets reached after 1, 2, ... starts.
+
+    Parameters
+    ----------
+    shares : array_like, shape (n,)
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -138,12 +211,24 @@ def share_by_starts(shares):
         f"The share of random targets that is reached, against the number of starts: {shares[0]:.0%} with one start, "
         f"{shares[-1]:.0%} after {len(shares)} of them."
     )
-    caption = "Each further start reaches some of the targets that are left; the hard ones among them remain."
+    caption = "Each further start reaches some of the remaining targets; the hard ones remain unsolved."
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
 def fastest_joint(times, speeds):
-    """Return how fast the fastest joint is over time (n,), in rad/s, for several methods {method: (n,)}.
+    """Return the plot of the speed of the fastest joint over time, for several methods.
+
+    Parameters
+    ----------
+    times : array_like, shape (n,)
+        Seconds.
+    speeds : dict
+        {method: speeds (n,) in rad/s}; the plot ends at 20 rad/s.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -159,9 +244,21 @@ def fastest_joint(times, speeds):
 
 
 def matches(template, scene, T, wrong):
-    """Return a mug's key points (n, 3) on the template, and in the scene with the mug at the pose T (4, 4).
+    """Return the picture of a mug's key points on the template, and in the scene with the mug laid on them.
 
-    wrong: the numbers of the wrong matches.
+    Parameters
+    ----------
+    template, scene : array_like, shape (n, 3)
+        Metres.
+    T : array_like, shape (4, 4)
+        The mug's pose by registration.
+    wrong : sequence of int
+        The numbers of the wrong matches.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -176,12 +273,30 @@ def matches(template, scene, T, wrong):
         f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; dashes "
         f"lead from {apart}."
     )
-    caption = "The wrong matches lie off the mug by the same shift, so that they agree with each other."
+    caption = "The wrong matches are shifted alike, so that they agree with each other."
     return {"fig": drawn.matches(template, scene, T, wrong), "alt": alt, "caption": caption}
 
 
 def pick(frames, grippers, openings, mugs, times, base, camera=None):
-    """Return the film of a pick; see panda_dh_ik.pick for the arguments."""
+    """Return the film of a pick.
+
+    Parameters
+    ----------
+    frames, grippers, openings, mugs, times, base, camera
+        As `course_lib.figures.panda_dh_ik.pick` takes them.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
+
+    Examples
+    --------
+    >>> frames = panda().frames(np.linspace(-0.5, 0, 3)[:, None] * np.ones(7))
+    >>> mugs = np.array([np.eye(4)] * 3)
+    >>> pick(frames, frames[:, -1], np.full(3, 0.08), mugs, np.arange(3), np.zeros(3))["alt"][:25]
+    'Moving picture, 2 seconds'
+    """
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
     seen = " A camera hangs above the table and looks down." if camera is not None else ""
@@ -196,7 +311,19 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
 
 
 def iterations(counts, most):
-    """Return histograms of the iterations that each reached target took, {method: (n,)}, at most so many.
+    """Return histograms of the iterations that each reached target took.
+
+    Parameters
+    ----------
+    counts : dict
+        {method: iterations (n,)}.
+    most : int
+        Where the axis of the iterations ends.
+
+    Returns
+    -------
+    dict
+        fig, alt, caption: the arguments of `course_lib.figures.show`.
 
     Examples
     --------
@@ -207,12 +334,21 @@ def iterations(counts, most):
         f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in counts.items() if len(taken)
     ]
     alt = f"Histograms: how many iterations the reached targets took. {'; '.join(said)}."
-    caption = "Each panel has its own scale. Small peaks on the right are targets that a later start has reached."
+    caption = f"Each panel has its own scale. The last bar also counts the targets that took more than {most}."
     return {"fig": drawn.iterations(counts, most), "alt": alt, "caption": caption}
 
 
 def reached_rows(results):
-    """Return {method: (reached (n,), iterations (n,))} as the text of a table.
+    """Return the text of a table of how often each method reaches its targets.
+
+    Parameters
+    ----------
+    results : dict
+        {method: (reached (n,), iterations (n,))}.
+
+    Returns
+    -------
+    str
 
     Examples
     --------

@@ -34,7 +34,7 @@ def screw_motion(way, through, axis):
     foot = through + (min(along.min(), 0) - 0.05 * size) * axis
     length = np.ptp(np.r_[along, 0]) + 0.45 * size
     shown = way[np.linspace(0, len(way) - 1, 4).astype(int)]
-    parts = [part for k in range(4) for part in scene.triad(k, np.eye(4), 0.3 * size)]
+    parts = [part for k in range(4) for part in scene.triad(k, np.eye(4), 0.2 * size)]
     model = Model.of([*parts, Part(4, VIOLET, arrow(foot, axis, length, 0.008 * size))])
     poses = np.concatenate([shown, np.eye(4)[None]])
     vertices = model.placed(poses)
@@ -42,8 +42,14 @@ def screw_motion(way, through, axis):
     words = {"S": foot + length * axis, **{f"{k + 1}": pose[:3, 3] for k, pose in enumerate(shown)}}
     settings = scene.fitted_scene(np.concatenate([vertices, path, scene.rim(vertices, ground)]), (1.4, 0.9, 0.6))
     drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6, "scene"), model.trace(poses)]
-    drawn += scene.labels(words, settings, path)
+    drawn += scene.labels(words, settings, np.concatenate([path, _along_axes(shown, 0.2 * size)]))
     return go.Figure(drawn, layout=scene.layout([settings], height=420))
+
+
+def _along_axes(poses, length):
+    """Points on the arrows of frames (n, 4, 4), which words should not cover."""
+    reach = length * np.array([0.3, 0.6, 1.0])[:, None, None]
+    return (poses[:, None, :3, 3, None] + reach * poses[:, None, :3, :3]).transpose(0, 1, 3, 2).reshape(-1, 3)
 
 
 def arm_with_axes(arm, q=None):
@@ -108,5 +114,6 @@ def against_each_other(velocities):
             ax.grid(color="#dddddd", linewidth=0.6)
             ax.spines[["top", "right"]].set_visible(False)
             ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
+            ax.set_aspect("equal", adjustable="datalim")
         row[1].set_title(title, fontweight="bold", pad=10)
     return fig

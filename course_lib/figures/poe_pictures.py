@@ -6,7 +6,7 @@ Each function returns {"fig": a figure, "alt": what it shows in words, "caption"
 import numpy as np
 
 from course_lib.figures import poe_kuka_iiwa
-from course_lib.figures.plots import lines, panels, pi_ticks
+from course_lib.figures.plots import STYLES, lines, pi_ticks
 from course_lib.figures.solids import arm_model, film, link_poses, scene
 from course_lib.figures.space import line
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
@@ -36,7 +36,7 @@ _ARMS = {
             (-0.8172, -0.2329, 0.0628),
         ],
         "dimensions": [
-            (_SIDE, (0, 0), (0, 0.1625), 0.12),
+            (_SIDE, (0, 0), (0, 0.1625), 0.18),
             (_SIDE, (-0.425, 0.1625), (0, 0.1625), 0.14),
             (_SIDE, (-0.8172, 0.1625), (-0.425, 0.1625), 0.14),
             (_SIDE, (-0.8172, 0.0628), (-0.8172, 0.1625), -0.12),
@@ -88,9 +88,9 @@ def _draw_view(ax, view, corners, arm, data):
     ax.plot(corners[:, i], corners[:, j], color="#c9d3dc", linewidth=11, solid_capstyle="round", zorder=1)
     ax.plot(corners[:, i], corners[:, j], color=GREY, linewidth=1, zorder=2)
     straight = np.ptp(corners[:, [i, j]]) == 0  # seen along the arm: its base frame is drawn beside it
-    _draw_frame(ax, (-0.17, -0.15) if straight else (0, 0), np.eye(3), (i, j), "s", 0.1)
+    taken = _draw_frame(ax, (-0.17, -0.15) if straight else (0, 0), np.eye(3), (i, j), "s", 0.1)
     if (data["flange"] != np.eye(3)).any():
-        _draw_frame(ax, corners[-1][[i, j]], data["flange"], (i, j), "b", 0.1)
+        taken += _draw_frame(ax, corners[-1][[i, j]], data["flange"], (i, j), "b", 0.12)
     elif not straight:
         x, y = corners[-1][[i, j]]
         ax.text(x, y + 0.19, "b, parallel to s", fontsize=9, style="italic", ha="center")
@@ -112,11 +112,14 @@ def _draw_view(ax, view, corners, arm, data):
                 arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.6, "linestyle": "-"},
                 zorder=4,
             )
+            taken += [at + along * direction for along in np.linspace(-0.07, 0.13, 6)]
             seen.setdefault((*(at + 0.13 * direction).round(3), *direction), []).append((number, colour))
     for (x, y, dx, dy), numbers in seen.items():
         text = ", ".join(str(number) for number, _ in numbers)
-        offset = (0.035 * dx, 0.035 * dy) if dx or dy else (0.02 + 0.03 * len(numbers), 0.05)
-        ax.text(x + offset[0], y + offset[1], text, color=numbers[0][1], fontweight="bold", ha="center", va="center")
+        beside = _free_spot(np.array([x, y]), np.array([dx, dy]), taken) if dx or dy else None
+        where = beside if beside is not None else (x + 0.02 + 0.03 * len(numbers), y + 0.05)
+        taken.append(np.array(where))
+        ax.text(*where, text, color=numbers[0][1], fontweight="bold", ha="center", va="center")
     for where, start, end, beside in data["dimensions"]:
         if where == view:
             _draw_dimension(ax, np.array(start), np.array(end), beside)
@@ -137,15 +140,27 @@ def _draw_end_on(ax, at, towards, colour):
     ax.plot(*at, "." if towards else "x", color=colour, markersize=6, markeredgewidth=1.8, zorder=6)
 
 
+def _free_spot(tip, direction, taken):
+    """Where an arrow's number stands: beyond its tip if nothing is drawn there, otherwise beside it."""
+    across = np.array([-direction[1], direction[0]])
+    spots = [tip + 0.035 * direction]
+    spots += [tip - back * direction + side * across for back in (0.01, 0.09) for side in (0.045, -0.045)]
+    return max(spots, key=lambda spot: min(0.034, np.linalg.norm(np.array(taken) - spot, axis=1).min()))
+
+
 def _draw_frame(ax, origin, R, plane, name, size):
+    """Draw a frame's axes and letters; return the points that they cover."""
+    covered = []
     for axis, colour in enumerate(FRAME_COLOURS):
         direction = R[list(plane), axis]
         if np.abs(direction).max() > 0.5:
             tip = origin + size * direction
             ax.annotate("", tip, origin, arrowprops={"arrowstyle": "->", "color": colour, "linewidth": 1.2}, zorder=7)
             ax.text(*(origin + 1.3 * size * direction), "xyz"[axis], color=colour, fontsize=9, ha="center", va="center")
+            covered += [origin + along * size * direction for along in (0.25, 0.5, 0.75, 1, 1.3)]
     x, y = origin
     ax.text(x - 0.045, y - 0.05, name, color=BLACK, fontsize=11, style="italic")
+    return [*covered, np.array([x - 0.025, y - 0.035])]
 
 
 def _draw_dimension(ax, start, end, beside):
@@ -204,7 +219,7 @@ def wrong_frame(paths, table):
     --------
     >>> drawn = wrong_frame({"A": np.zeros((2, 3)), "B": np.array([[0, 0, 0.3], [0, 0, 0.1]])}, 0.2)
     >>> drawn["caption"]
-    'The path of B ends 20 cm from where it began; that of A stays.'
+    'B: the gripper ends 20 cm from where it began. A: it stays where it is.'
     """
     fig, (ax,) = plane_figure(6.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
@@ -221,7 +236,8 @@ def wrong_frame(paths, table):
     through = "One path goes through the table." if lowest < table else "No path touches the table."
     farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
     caption = (
-        f"The path of {farthest} ends {100 * moved[farthest]:.0f} cm from where it began; that of {nearest} stays."
+        f"{farthest}: the gripper ends {100 * moved[farthest]:.0f} cm from where it began. "
+        f"{nearest}: it stays where it is."
     )
     alt = f"The gripper's path seen from the side, above a table. {ends}. {through}"
     return {"fig": fig, "alt": alt, "caption": caption}
@@ -245,8 +261,13 @@ def digits_lost(sizes, errors):
     fig = lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error")
     told = ", ".join(f"{label} at most {error.max():.0e}" for label, error in errors.items())
     alt = f"The relative error over the angle, both logarithmic: {told}."
-    caption = "Below an angle of about $10^{-8}$ the textbook's formula has not one digit left."
-    return {"fig": fig, "alt": alt.replace("$", ""), "caption": caption}
+    caption = "Below an angle of about $10^{-8}$ the textbook's formula has no correct digit."
+    return {"fig": fig, "alt": _plain(alt), "caption": caption}
+
+
+def _plain(words):
+    """Words without the marks of formulas."""
+    return words.replace("$", "").replace("q_", "q").replace("\\", "")
 
 
 def screw_motion(poses, through, axis):
@@ -285,7 +306,7 @@ def plane_projections(path):
     crossings = [_crossings(first[:, pair]) for pair in ((0, 1), (0, 2), (1, 2))]
     told = ", ".join(f"{name} {n} times" for name, n in zip(("x-y", "x-z", "y-z"), crossings, strict=True))
     alt = f"The path of the end-effector in the three coordinate planes. In the first round it crosses itself: {told}."
-    caption = "One path in space, three shadows: where one crosses itself, another may not."
+    caption = "One path in space, three projections: one may cross itself where another does not."
     return {"fig": poe_kuka_iiwa.plane_projections(path), "alt": alt, "caption": caption}
 
 
@@ -313,12 +334,21 @@ def _side(a, b, c):
 
 
 def velocities_over_time(t, v):
-    """Return the components of linear velocities {frame: (n, 3)} over time, a panel for each frame."""
-    contents = {f"{frame}: v (m/s)": {f"$v_{c}$": part[:, i] for i, c in enumerate("xyz")} for frame, part in v.items()}
+    """Return the components of linear velocities {frame: (n, 3)} over time, one panel for each frame, stacked."""
+    from matplotlib.figure import Figure
+
     speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
     alt = f"Three panels: the components of the linear velocity over time, as each frame sees it: {speeds}."
-    fig = panels(t, contents, xlabel="time (s)")
-    fig.set_size_inches(9.6, 3.2)
+    fig = Figure(figsize=(7.2, 6.6), layout="constrained", facecolor="white")
+    axes = fig.subplots(len(v), 1, sharex=True, sharey=True)
+    for ax, (frame, part) in zip(axes, v.items(), strict=True):
+        for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
+            ax.plot(t, values, label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
+        ax.grid(color="#dddddd", linewidth=0.6)
+        ax.spines[["top", "right"]].set_visible(False)
+        ax.set_ylabel(f"{frame}: v (m/s)")
+    axes[-1].set_xlabel("time (s)")
+    fig.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False)
     caption = "The body and the hybrid twist have the same speed at each instant; only the axes differ."
     return {"fig": fig, "alt": alt, "caption": caption}
 
@@ -353,7 +383,7 @@ def along_the_trajectory(t, series, ylabel, caption=""):
     """
     told = ", ".join(f"{label} between {y.min():.3g} and {y.max():.3g}" for label, y in series.items())
     fig = lines(t, series, xlabel="time (s)", ylabel=ylabel)
-    return {"fig": fig, "alt": f"Over time: {told} ({ylabel}).", "caption": caption}
+    return {"fig": fig, "alt": f"Over time: {_plain(told)} ({ylabel}).", "caption": caption}
 
 
 def singular_values(arm, configurations, angles):
@@ -379,10 +409,11 @@ def singular_values(arm, configurations, angles):
         at[:, joint - 1] = angles
         smallest = np.linalg.svd(arm.space_jacobian(at), compute_uv=False)[:, 5]
         ax.plot(angles, smallest, color=colour, linewidth=2, label=label)
-        lows.append(f"{label}: least {smallest.min():.2g} at {angles[smallest.argmin()]:.2f} rad")
+        least = "0" if smallest.min() < 1e-9 else f"{smallest.min():.2g}"
+        lows.append(f"{label}: least {least} at {angles[smallest.argmin()]:.2f} rad")
     ax.set(xlabel="the angle that varies (rad)", ylabel="smallest singular value", ylim=(0, None))
     pi_ticks(ax.xaxis, 4)
     ax.legend(frameon=False)
-    alt = f"The smallest singular value of the Jacobian over an angle. {'; '.join(lows)}."
+    alt = f"The smallest singular value of the Jacobian over an angle. {_plain('; '.join(lows))}."
     caption = "Where a curve touches zero the arm is singular; a straight wrist alone is not enough."
     return {"fig": fig, "alt": alt, "caption": caption}

@@ -114,7 +114,7 @@ def circle_and_sphere(k, p, g, d, theta):
     drawn += [points([g], 5, BLACK, "scene"), name_at(g + (d + 0.15 * reach) * _TO_EYE, "g", BLACK, "scene")]
     drawn += _answers(k, p, theta, reach)
     alt = f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}."
-    caption = "Where the circle goes through the ball, $R\\,p$ is at the wanted distance from $g$."
+    caption = "Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$."
     return {"fig": _scene([k], ["k"], drawn, reach), "alt": alt, "caption": caption}
 
 
@@ -138,7 +138,7 @@ def circle_and_plane(k, h, p, d, theta):
     --------
     >>> x, y, z = np.eye(3)
     >>> circle_and_plane(z, x, x, 1.0, [0.0])["alt"][-36:]
-    'across the direction h at one point.'
+    'lar to the direction h at one point.'
     """
     n = h / np.linalg.norm(h)
     a = np.cross(n, [1, 0, 0] if abs(n[0]) < 0.8 else [0, 1, 0])
@@ -150,7 +150,7 @@ def circle_and_plane(k, h, p, d, theta):
     faces = {"i": [0, 0], "j": [1, 2], "k": [2, 3]}
     plane = go.Mesh3d(x=x, y=y, z=z, **faces, color=ORANGE, opacity=0.45, hoverinfo="skip")
     drawn = [plane, *_circle(k, p, BLUE), *_named({"p": p}, k, reach), *_answers(k, p, theta, reach)]
-    alt = f"The circle of p about the axis k pierces a plane across the direction h at {_count(theta)}."
+    alt = f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}."
     caption = "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value twice."
     return {"fig": _scene([k, n], ["k", "h"], drawn, reach), "alt": alt, "caption": caption}
 
@@ -177,7 +177,9 @@ def orientation_paths(tracks):
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
     lengths = {}
     for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
-        drawn.append(line(R[:, :, 0], colour, 7, "scene", dash).update(name=label, showlegend=True))
+        drawn.append(
+            line(R[:, :, 0], colour, 7, "scene", dash).update(name=label.replace("omega", "ω"), showlegend=True)
+        )
         lengths[label] = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
     ends = next(iter(tracks.values()))[[0, -1], :, 0]
     drawn.append(points(ends, 6, BLACK, "scene"))

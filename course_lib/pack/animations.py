@@ -1,8 +1,8 @@
-"""Write the moving pictures of notebooks as GIF, and as MP4 too where ffmpeg is found.
+"""Write the animations of notebooks as GIF, and also as MP4 if ffmpeg is installed.
 
     python -m course_lib.pack.animations notebooks/*.ipynb
 
-What is written is what a notebook's outputs show: run it and save it first.
+The animations come from a notebook's stored outputs: run and save it first.
 """
 
 import argparse
@@ -28,11 +28,16 @@ def main(arguments=None):
     for path in parser.parse_args(arguments).notebooks:
         try:
             movies += stored_movies(nbformat.read(path, as_version=4))
-        except (OSError, ValueError, AttributeError, nbformat.ValidationError) as error:  # JSON of another kind, too
+        except (
+            OSError,
+            ValueError,
+            AttributeError,
+            nbformat.ValidationError,
+        ) as error:  # AttributeError: JSON that is not a notebook
             print(f"{path} cannot be read: {str(error).splitlines()[0]:.100}", file=sys.stderr)
             return 1
     if not movies:
-        print("No moving picture is stored in these notebooks. Run them and save them first.", file=sys.stderr)
+        print("No animation is stored in these notebooks. Run them and save them first.", file=sys.stderr)
         return 1
     FOLDER.mkdir(parents=True, exist_ok=True)
     writers = {".gif": PillowWriter} | ({".mp4": FFMpegWriter} if FFMpegWriter.isAvailable() else {})
@@ -48,7 +53,7 @@ def main(arguments=None):
 
 
 def stored_movies(notebook):
-    """Return the figures, as plotly's JSON, that figures.moving.movie or solids.film made and outputs hold."""
+    """Return the stored figures, as plotly's JSON, that figures.moving.movie or solids.film made."""
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
     movies = [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
@@ -56,7 +61,7 @@ def stored_movies(notebook):
 
 
 def write(movie, path, writer_class, drawn=None):
-    """Write one movie to `path`, frame by frame, with a bar that shows how far it is."""
+    """Write one movie to `path`, frame by frame, with a progress bar."""
     fig, show, frames = drawn or _drawn(movie)
     writer = writer_class(fps=(frames - 1) / movie["layout"]["meta"]["seconds"])
     with writer.saving(fig, str(path), dpi=100):
@@ -74,7 +79,7 @@ def _is_film(movie):
 
 
 def _plane_frames(movie):
-    """A figure, a function that shows the frame i in it, and how many frames there are."""
+    """Return (figure, function that shows frame i in it, number of frames)."""
     fig, lines = draw(movie)
 
     def show(i):
@@ -96,7 +101,7 @@ def draw(movie):
         settings = movie["layout"][f"{axis}axis"]
         ax.set(**{f"{axis}lim": settings["range"], f"{axis}label": settings["title"]["text"]})
     lines = [ax.plot(trace["x"], trace["y"], **_look(trace))[0] for trace in movie["data"]]
-    fig.draw_without_rendering()  # the axes take their place once, and keep it
+    fig.draw_without_rendering()  # lays out the axes once, so that they do not move between frames
     fig.set_layout_engine("none")
     return fig, lines
 

@@ -122,7 +122,7 @@ new_enough() {
 
 find_python() {
     if [ -n "${PYTHON:-}" ]; then
-        new_enough "$PYTHON" || stop "PYTHON=$PYTHON is no Python 3.11 or newer: name another one."
+        new_enough "$PYTHON" || stop "PYTHON=$PYTHON is not Python 3.11 or newer: name another one."
         python=$PYTHON
     else
         for candidate in python3 python3.14 python3.13 python3.12 python3.11 python; do

@@ -45,7 +45,7 @@ StillMaker = Callable[[list[Figure]], list[bytes]]
 
 
 class NotebookFailed(Exception):
-    """A file that is no notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
+    """A file that is not a notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
 
 
 class NoBrowser(Exception):
@@ -79,7 +79,7 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     except OSError as error:
         raise NotebookFailed(f"cannot be read: {error.strerror}. Name a file that is there.") from error
     except ValueError as error:  # a half-resolved merge, most often
-        raise NotebookFailed(f"is no notebook: {str(error).splitlines()[0][:80]}") from error
+        raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
     known = {as_key(data[PLOTLY]): data[STILL] for data in outputs if STILL in data}
     run(notebook, path)

@@ -31,12 +31,30 @@ def _q2_in_both(terms, q):
     return np.array([fit_square(terms, q)[0], _least_squares(both, q[:, 1] ** 2)])
 
 
+def _of_equal_links(terms, q):
+    """The answer of those who subtract -q2 / 2, which the closed form knows, before they fit q1."""
+    return np.array([[*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5], fit_square(terms, q)[1]])
+
+
+def _squared_afterwards(terms, q):
+    return np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]])
+
+
+def _without_constant(terms, q):
+    """The factors of scikit-learn's LinearRegression, whose constant term is kept in another attribute."""
+
+    def factors(columns, wanted):
+        return _least_squares(columns - columns.mean(axis=0), wanted - wanted.mean())
+
+    return np.array([factors(np.column_stack([terms, q[:, 1]]), q[:, 0]), [*factors(terms, q[:, 1] ** 2), 0]])
+
+
 def _cases(rng):
     found = []
-    for k, m in enumerate((5, 9, 20, 30)):
+    for k, m in enumerate((5, 6, 20, 30)):
         middle = rng.uniform(1.2, 1.5) * np.array([np.cos(a := rng.uniform(0.5, 2.2)), np.sin(a)])
         xy = middle + rng.uniform(-0.3, 0.3, (m, 2))
-        found.append(((with_one(xy), quadratic_terms(xy))[k % 2], solutions(xy)[:, k // 2]))
+        found.append(((with_one(xy), quadratic_terms(xy))[k // 2], solutions(xy)[:, k % 2]))
     return found
 
 
@@ -90,6 +108,21 @@ EXERCISE = Exercise(
             "The last column is q2 itself, with its sign.",
             lambda terms, q: fit_square(terms, q, extra=np.square),
             lambda terms, q: fit_square(terms, q, extra=np.abs) if (q[:, 1] < 0).any() else None,
+        ),
+        Mistake(
+            "the factor of q2 is -1/2, which the closed form knows, and is not fitted",
+            "A table knows samples only: append q[:, 1] to the terms, and let the fit find its factor.",
+            _of_equal_links,
+        ),
+        Mistake(
+            "the coefficients are squared, not the samples",
+            "Square q[:, 1] first, then fit: the square of a fit is not the fit of the square.",
+            _squared_afterwards,
+        ),
+        Mistake(
+            "the constant term is lost: LinearRegression fits one of its own and keeps it in intercept_",
+            "The terms contain the 1 already: LinearRegression(fit_intercept=False), or np.linalg.lstsq.",
+            _without_constant,
         ),
         Mistake(
             "the square of q2 has a term in q2", "A query knows no q2 yet: row 1 uses the terms alone.", _q2_in_both

@@ -9,6 +9,8 @@ from course_lib.checks.decomposition_ik.shared import solutions, with_one
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import near, same_with_gaps
 
+_TRANSPOSED = Mistake("the answer is transposed", "Each row is (q1, q2) of one query: np.column_stack([q1, q2]).")
+
 
 def _clipped(square):
     return np.sqrt(np.clip(square, 0, None))
@@ -49,7 +51,11 @@ EXERCISE = Exercise(
     points=2,
     arguments=("model", "terms", "sign"),
     cases=_cases,
-    returns=numbers(lambda model, terms, sign: (len(terms), 2), gaps=True),
+    returns=numbers(
+        lambda model, terms, sign: (len(terms), 2),
+        lambda array, model, terms, sign: _TRANSPOSED if array.shape == (2, len(terms)) else None,
+        gaps=True,
+    ),
     properties=(
         Property(
             "q2 is sign times the root of terms @ model[1, :-1], and q1 is terms @ model[0, :-1] + model[0, -1] q2",
@@ -68,6 +74,12 @@ EXERCISE = Exercise(
             "the sign of a negative square is dropped",
             "A negative square means an arm that is stretched: q2 = 0.",
             _other(root=lambda square: np.sqrt(np.abs(square))),
+        ),
+        Mistake(
+            "q1 is 0 too if a fitted square is negative",
+            "A stretched arm still has a direction: q1 is given by the terms. Only q2 is 0, and only in that row.",
+            lambda *case: predict_square(*case) * (case[1] @ case[0][1, :-1] >= 0)[:, None],
+            lambda *case: predict_square(*case) * (not _negative(*case)),
         ),
         Mistake(
             "no root is taken",

@@ -44,6 +44,11 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
+            "the array holds whole numbers only, and digits after the point are cut off",
+            "np.zeros((m, 6), int) has no room for digits: leave out int.",
+            lambda xy: np.trunc(quadratic_terms(xy)),
+        ),
+        Mistake(
             "the product is counted twice",
             "The coefficients are fitted later: leave out the factor 2.",
             _columns(*_LINEAR, _SQUARES[0], lambda x, y: 2 * x * y, _SQUARES[2]),
@@ -56,6 +61,8 @@ EXERCISE = Exercise(
             _columns(*_LINEAR[1:], *_SQUARES, _LINEAR[0]),
             _columns(_LINEAR[0], _LINEAR[2], _LINEAR[1], *_SQUARES[::-1]),
             _columns(*_SQUARES, *_LINEAR),
+            lambda xy: quadratic_terms(xy)[:, ::-1],
+            lambda xy: quadratic_terms(xy[:, ::-1]),
         ),
         Mistake(
             "the constant term is 0",
@@ -71,6 +78,12 @@ EXERCISE = Exercise(
             "the product is x + y",
             "The fifth term is x y.",
             _columns(*_LINEAR, _SQUARES[0], lambda x, y: x + y, _SQUARES[2]),
+        ),
+        Mistake(
+            "the product of x and y is 0, or of another degree",
+            "The fifth term is x y, as it stands.",
+            _columns(*_LINEAR, _SQUARES[0], lambda x, y: 0 * x, _SQUARES[2]),
+            _columns(*_LINEAR, _SQUARES[0], lambda x, y: (x * y) ** 2, _SQUARES[2]),
         ),
     ),
     hints=(

@@ -75,22 +75,28 @@ def _first_triple(src, dst, tol):
     return _residuals([0, 1, 2], src, dst) < tol
 
 
+def _first_with_some(src, dst, tol):
+    masks = _masks(src, dst, tol)[1]
+    return masks[(masks.sum(1) > 3).argmax()]
+
+
 def _only_the_triple(src, dst, tol):
     triples, masks = _masks(src, dst, tol)
     return np.isin(_all(src), triples[masks.sum(1).argmax()])
 
 
-def _case(rng, n, wrong, misleading=False):
+def _case(rng, n, wrong, misleading=False, alike=False):
     """Return points of a mug's size, their matches, and a tolerance; `wrong` of the matches are centimetres off.
 
-    misleading: dropping the worst match until all are good drops good ones.
+    misleading: dropping the worst match until all are good drops good ones. alike: the wrong matches come first and
+    agree with each other.
     """
     while True:
         src = np.round(rng.uniform(-0.06, 0.06, (n, 3)), 3)
         dst = moved(any_pose(rng), src) + _NOISE * rng.normal(size=(n, 3))
-        bad = np.sort(rng.choice(n, wrong, replace=False))
+        bad = np.arange(wrong) if alike else np.sort(rng.choice(n, wrong, replace=False))
         shift = 0.05 * unit(rng)
-        dst[bad] += shift + 0.01 * rng.normal(size=(wrong, 3))
+        dst[bad] += shift + 0.01 * rng.normal(size=(wrong, 3)) * (not alike)
         truth = ~np.isin(np.arange(n), bad)
         case = src, np.round(dst, 5), 0.005
         if not _spread(src[truth]) or (misleading and np.array_equal(_worst_dropped_until_good(*case), truth)):
@@ -107,7 +113,8 @@ def _spread(points):
 
 
 def _cases(rng):
-    return [_case(rng, 6, 1), _case(rng, 7, 2), _case(rng, 7, 2, misleading=True), _case(rng, 8, 3), _case(rng, 5, 0)]
+    drawn = [_case(rng, 6, 1), _case(rng, 7, 2), _case(rng, 7, 2, misleading=True), _case(rng, 8, 3), _case(rng, 5, 0)]
+    return [*drawn, _case(rng, 9, 4, alike=True)]
 
 
 EXERCISE = Exercise(
@@ -135,12 +142,9 @@ EXERCISE = Exercise(
             where=lambda *case: right(*case).all(),
         ),
         Property(
-            "the good matches are the largest set that one pose brings within tol",
+            "the good matches are the largest set within tol of one pose",
             lambda good, *case: (good == right(*case)).all(),
-            seen=lambda good, *case: (
-                f"Your set has {int(good.sum())}, the largest {int(right(*case).sum())}: matches "
-                f"{', '.join(map(str, np.flatnonzero(right(*case))))}."
-            ),
+            seen=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
         ),
     ),
     mistakes=(
@@ -161,6 +165,11 @@ EXERCISE = Exercise(
             _worst_dropped_until_good,
         ),
         Mistake("only the first triple is tried", "Try all triples, and keep the best.", _first_triple),
+        Mistake(
+            "the first triple with which some others agree is taken",
+            "Another triple may have more: try all of them, and keep the best.",
+            _first_with_some,
+        ),
         Mistake(
             "only the three points of the best triple count as good",
             "Every match within tol of the triple's pose is good.",

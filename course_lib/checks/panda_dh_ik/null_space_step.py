@@ -7,6 +7,9 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.shared import HIGH, LOW, panda_jacobian, truncated
 from course_lib.checks.vocabulary import away_from_zero, few_digits, near
 
+_OTHER_SIZE = Mistake(
+    "J J^+ stands for J^+ J, or I has another size", "The projector acts on joint motions: it is (n, n)."
+)
 _PROJECTOR = "J^+ J projects on the joint motions that move the end-effector. Which projector keeps the others?"
 _SINGULAR = Mistake("J J^T is inverted, which fails at a singularity", "np.linalg.pinv works there too.")
 _FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])
@@ -133,12 +136,7 @@ EXERCISE = Exercise(
     library=right,
     errors=(
         ("LinAlgError", "Singular", _SINGULAR),
-        (
-            "ValueError",
-            "core dimension",
-            Mistake(
-                "J J^+ stands for J^+ J, or I has another size", "The projector acts on joint motions: it is (n, n)."
-            ),
-        ),
+        ("ValueError", "core dimension", _OTHER_SIZE),
+        ("ValueError", "could not be broadcast", _OTHER_SIZE),
     ),
 )

@@ -9,7 +9,7 @@ PREDICTIONS = (
         {
             "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
-            "c": "Yes: the arm is mirrored at the height of its shoulder. What was to be above is below.",
+            "c": "Yes: all beyond joint 1 is rotated by 180 degrees about a horizontal line, so above becomes below.",
         },
     ),
     Prediction(

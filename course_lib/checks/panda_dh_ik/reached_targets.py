@@ -95,6 +95,11 @@ def _not_inside(targets, q0, eps, steps):
     return _small(errors[-1]) & inside
 
 
+_ONE_MATRIX = Mistake(
+    "a batch is transposed, multiplied or solved as if it were one matrix",
+    "J has the shape (n, 6, 7): its transposes are np.swapaxes(J, -1, -2), and e needs the shape (n, 6, 1).",
+)
+
 EXERCISE = Exercise(
     name="reached_targets",
     points=3,
@@ -153,5 +158,6 @@ EXERCISE = Exercise(
         "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], are to be below 1e-3.",
     ),
     library=right,
+    errors=(("ValueError", "core dimension", _ONE_MATRIX),),
     forbidden=("course_lib.ik.solve",),
 )

@@ -30,6 +30,10 @@ def _by_columns(*shifts):
     return lambda table: np.column_stack([np.roll(table[:, k], shift) for k, shift in enumerate(shifts)])
 
 
+def _with_the_last_row_kept(table):
+    return np.column_stack([np.vstack([table[1:, :2], table[-1:, :2]]), table[:, 2]])
+
+
 def _seen(answer, table):
     i = int(np.argmax(np.abs(answer - converted(table)).max(1)))
     return f"Row {i + 1} differs: the steps of the two tables do not multiply to the same pose."
@@ -70,6 +74,11 @@ EXERCISE = Exercise(
         Mistake("d is moved too", _ROWS, _by_columns(-1, -1, -1)),
         Mistake("only d is moved", _ROWS, _by_columns(0, 0, -1), _by_columns(0, 0, 1)),
         Mistake("only one of a and alpha is moved", _ROWS, _by_columns(-1, 0, 0), _by_columns(0, -1, 0)),
+        Mistake(
+            "the last row keeps its a and alpha",
+            "After the last joint there is no step along x: a and alpha of the last row are zero.",
+            _with_the_last_row_kept,
+        ),
         Mistake("the rows are reversed", _BRACKETS, lambda table: table[::-1]),
         Mistake("d is left out", _ROWS, lambda table: converted(table) * [1, 1, 0]),
         Mistake("the signs of a and alpha are changed", _BRACKETS, lambda table: converted(table) * [-1, -1, 1]),

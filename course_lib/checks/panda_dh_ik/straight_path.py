@@ -160,7 +160,7 @@ EXERCISE = Exercise(
     ),
     hints=(
         "Positions and rotations are interpolated apart. " + _LINE,
-        "phi = log(R_B R_A^T) is the whole rotation from A to B. A share s of it is exp([s phi]), on the left of R_A.",
+        "phi = log(R_B R_A^T) is the whole rotation from A to B. A fraction s of it is exp([s phi]), left of R_A.",
         "rotations.exp_so3 takes a batch: s[:, None] * phi has shape (n, 3). rigid.transform(R, p) joins both.",
     ),
     library=right,

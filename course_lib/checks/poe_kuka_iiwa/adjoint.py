@@ -151,7 +151,7 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Run adjoint on a pose whose rotation is a quarter turn, and compare [Ad V] with T [V] T^-1 for the six twists "
+        "Run adjoint on a pose that rotates by 90 degrees, and compare [Ad V] with T [V] T^-1 for the six twists "
         "np.eye(6). Which columns are off?",
         "Frame a sees omega as R omega, and v as R v + p x (R omega).",
         "Four 3x3 blocks; the lower two are right. Above, omega is rotated as v is below.",

@@ -115,7 +115,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "Ad(T) stands where Ad(T^-1) belongs",
-            "T takes what the end-effector sees to what the base sees. Here it goes the other way.",
+            "T takes what the end-effector sees to what the base sees. Here you need the opposite direction.",
             lambda screws, M, q: adjoint(tool_pose(screws, M, q)) @ jacobian(screws, q),
         ),
         Mistake(
@@ -164,7 +164,7 @@ EXERCISE = Exercise(
         *adjoint_mistakes(_twice, lambda wrong: _from_the_tool(_behind, wrong=wrong)),
         halves_swapped(_right, "v stands above omega", "Twists are (omega, v): the first three rows are omega."),
         Mistake(
-            "the exponentials of the body screws lack their minus, or the joints rotate the other way round",
+            "the exponentials of the body screws lack their minus sign, or the joints rotate in the opposite direction",
             "Seen from the end-effector, the arm behind it moves backwards.",
             _from_the_tool(_behind, 1),
         ),
@@ -190,7 +190,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the columns stand in the reverse order",
-            "The first joint's column is the first: after a loop from the last joint on, turn the list round.",
+            "The first joint's column is the first: after a loop from the last joint on, reverse the list.",
             lambda screws, M, q: _right(screws, M, q)[:, ::-1],
         ),
         Mistake(

@@ -87,7 +87,7 @@ EXERCISE = Exercise(
         Mistake("the screw axes are returned as they came", "They are seen from the base still.", lambda S, M: S),
         Mistake(
             "Ad(M) stands where Ad(M^-1) belongs",
-            "M takes what the end-effector sees to what the base sees. Here it goes the other way.",
+            "M takes what the end-effector sees to what the base sees. Here you need the opposite direction.",
             _by(adjoint),
         ),
         Mistake(
@@ -110,7 +110,7 @@ EXERCISE = Exercise(
     ),
     hints=(
         "An axis known to the base is to be seen from the end-effector at home. Which matrix takes twists there?",
-        "M is T_sb: it takes what frame b sees to frame s. The adjoint of its inverse goes the other way.",
+        "M is T_sb: it takes what frame b sees to frame s. The adjoint of its inverse takes twists from s to b.",
         "Apply Ad(M^-1) to each row of screws, or to the columns of screws.T and transpose the result.",
     ),
     library=_right,

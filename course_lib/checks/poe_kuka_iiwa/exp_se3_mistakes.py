@@ -130,6 +130,11 @@ MISTAKES = (
         lambda twist: pose(np.eye(3), twist[3:]) if _small(twist) else None,
     ),
     _mistake(
+        "the factor 1/2 in the series of p is missing",
+        "For a small omega p is v + (omega x v) / 2, because (1 - cos a)/a is nearly a/2.",
+        lambda twist: pose(exp_so3(twist[:3]), twist[3:] + np.cross(twist[:3], twist[3:])) if _small(twist) else None,
+    ),
+    _mistake(
         "v and omega are swapped",
         "A twist is (omega, v): which three entries come first?",
         lambda twist: exp_se3(np.roll(twist, 3)),
@@ -148,7 +153,7 @@ MISTAKES = (
     ),
     _mistake(
         "np.exp takes the exponential of each entry",
-        "The exponential of a matrix is another thing: its series has products of matrices.",
+        "The exponential of a matrix is different: its series has products of matrices.",
         lambda twist: np.exp(hat_se3(twist)),
     ),
     _mistake(
@@ -180,7 +185,7 @@ MISTAKES = (
         lambda twist: hat_se3(twist) + exp_se3(twist) - np.eye(4) if twist.any() else None,
     ),
     _in_R(
-        "R is the rotation the other way round",
+        "R rotates in the opposite direction",
         "[n] p must be n x p.",
         lambda twist: exp_so3(-twist[:3]),
     ),
@@ -199,7 +204,7 @@ MISTAKES = (
         lambda twist: exp_so3(twist[:3] / _split(twist)[2]) if _split(twist)[2] > _NO_ANGLE else None,
     ),
     _in_p(
-        "p = v: the rotation on the way is ignored",
+        "p = v: the rotation during the motion is ignored",
         "While the origin moves, its velocity rotates with the body. Only for omega = 0 is p = v.",
         lambda twist: twist[3:],
     ),
@@ -210,7 +215,7 @@ MISTAKES = (
     ),
     _in_p(
         "p = R v",
-        "That is v after the whole rotation. On the way it points anywhere between v and R v.",
+        "R v is the velocity after the whole rotation. During the motion its direction changes from v to R v.",
         lambda twist: exp_so3(twist[:3]) @ twist[3:],
         lambda twist: exp_so3(-twist[:3]) @ twist[3:],
     ),
@@ -223,7 +228,7 @@ MISTAKES = (
     ),
     _in_p(
         "the first term of p is not I a",
-        "Straight ahead, n along v, p = v: which term does that?",
+        "If v is parallel to n, p = v: which of the three terms gives this?",
         _translation(straight=lambda a: 1.0),
         _translation(straight=lambda a: 1.0, divisions=0),
         _translation(straight=lambda a: 0.0),

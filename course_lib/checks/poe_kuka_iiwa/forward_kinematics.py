@@ -161,7 +161,7 @@ EXERCISE = Exercise(
             lambda screws, M, q: tool_pose(screws, M, np.rad2deg(q)),
         ),
         Mistake(
-            "the joints rotate the other way round",
+            "the joints rotate in the opposite direction",
             "A positive angle is counter-clockwise about omega: no minus.",
             lambda screws, M, q: tool_pose(screws, M, -q),
         ),

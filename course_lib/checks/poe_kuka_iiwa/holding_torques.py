@@ -143,7 +143,7 @@ EXERCISE = Exercise(
             _other(lambda S, M, q, mass, center: _right(S, M, q, 1.0, center)),
         ),
         Mistake(
-            "the wrench of the base frame is used with the body Jacobian, or the other way round",
+            "the wrench of the base frame is used with the body Jacobian, or the body wrench with the space Jacobian",
             "A Jacobian's transpose takes the wrench seen from the same frame as its columns.",
             _other(
                 lambda S, M, q, mass, center: (

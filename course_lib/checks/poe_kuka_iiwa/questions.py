@@ -8,9 +8,8 @@ PREDICTIONS = (
         "c",
         {
             "a": "The axle stands still, but v is not its velocity: v belongs to the point at the origin of the frame.",
-            "b": "That is the speed of a point of the rim. v belongs to the point of the wheel, imagined large, "
-            "that is at "
-            "the origin now.",
+            "b": "That is the speed of a point of the rim. v belongs to the point of the wheel, imagined large, that "
+            "is at the origin now.",
             "c": "The point at the origin is 1 m from the axle, so it moves at 2 m/s. No part of the wheel need "
             "be there.",
         },
@@ -19,10 +18,9 @@ PREDICTIONS = (
         "tiny",
         "b",
         {
-            "a": "For 1e-4 and more that is so. But 1 - cos(a) is computed as the difference of two numbers near "
-            "1, and "
-            "the smaller a is, the fewer digits are left.",
-            "b": "Below 1e-8, cos(a) is 1 for a computer, and 1 - cos(a) is 0: nothing is left of that part of p.",
+            "a": "That holds only for a near 1. 1 - cos(a) is a difference of two numbers near 1, so it loses digits: "
+            "at a = 1e-4 about eight are right, and here none.",
+            "b": "Below 1e-8, cos(a) is 1 for a computer, and 1 - cos(a) is 0: that part of p is lost altogether.",
             "c": "Rounding does not raise an error, and nothing is divided by 0 here: the wrong number looks "
             "like any other.",
         },
@@ -41,10 +39,10 @@ PREDICTIONS = (
         "straight_wrist",
         "a",
         {
-            "a": "Axes 5 and 7 on one line are one axis too many. But there are seven joints for six velocities: "
-            "the rank "
-            "stays 6 as long as the seventh can take over.",
-            "b": "That would be so for an arm of six joints. This one has a seventh, which helps out.",
+            "a": "With axes 5 and 7 on one line, one of the two joints adds nothing. But there are seven joints, and "
+            "the rank stays 6 as long as the other six axes are independent.",
+            "b": "That would be so for an arm with six joints. This one is redundant: the seventh joint "
+            "replaces the lost one.",
             "c": "Two columns become equal. That costs at most one rank, and not even that here.",
         },
     ),

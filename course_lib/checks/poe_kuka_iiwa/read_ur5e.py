@@ -31,12 +31,12 @@ EXERCISE = reading(
     mistakes=(
         Mistake(
             "x is reversed: the arm points along +x",
-            "Which way does the base's x axis point in the drawing?",
+            "In which direction does the base's x axis point in the drawing?",
             _with_points(lambda points: points * [-1, 1, 1]),
         ),
         Mistake(
             "y is reversed in the points",
-            "Which way does the base's y axis point in the drawing?",
+            "In which direction does the base's y axis point in the drawing?",
             _with_points(lambda points: points * [1, -1, 1]),
         ),
         Mistake(

@@ -20,7 +20,7 @@ _ONE_POSE = Mistake(
 def _cases(rng):
     quarter, hinge = np.pi / 2, np.array([1.0, 2, 0])
     named = [(Z, hinge, quarter), (X, hinge, quarter), (Y, hinge, -quarter), (Z, 0 * X, quarter)]
-    angles = (0.5, -0.5, 2.0, 5.0, -20.0, np.pi - 3e-4, 3e-4, 1e-9)
+    angles = (0.5, -0.5, 2.0, 5.0, -20.0, np.pi - 3e-4, 3e-4, 1e-10)
     return [*named, *((unit(rng), away_from_zero(rng, 3), angle) for angle in angles), (Z, hinge, 0.0)]
 
 
@@ -111,7 +111,7 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "the rotation goes clockwise, or the pose and its inverse have changed places",
+            "the rotation goes clockwise, or the pose and its inverse are swapped",
             "First the pose. Look at the signs in [omega], too: [omega] p must be omega x p.",
             _with_rotation(lambda omega, theta: _rotation(-omega, theta)),
         ),
@@ -123,7 +123,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "theta has lost its sign",
-            "A negative angle is a rotation the other way round.",
+            "A negative angle is a rotation in the opposite direction, clockwise.",
             _with_rotation(lambda omega, theta: _rotation(omega, abs(theta))),
         ),
         Mistake(
@@ -140,6 +140,7 @@ EXERCISE = Exercise(
                 _formula(sine=lambda a: 0.0),
                 _formula(identity=0.0),
                 _formula(versine=np.cos),
+                _formula(versine=lambda a: 1 + np.cos(a)),
                 _formula(versine=lambda a: np.cos(a) - 1),
                 _formula(versine=lambda a: 1 - np.sin(a)),
                 _formula(np.cos, lambda a: 1 - np.sin(a)),

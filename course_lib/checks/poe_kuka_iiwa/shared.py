@@ -183,7 +183,7 @@ def in_part(right, where):
 
 
 def worst_column(part, right):
-    """Return a `seen` that tells of the worst column. part(answer), right(*arguments): the part that is compared."""
+    """Return a `seen` that describes the worst column. part(answer), right(*arguments): the part that is compared."""
 
     def seen(answer, *case):
         found, wanted = part(answer), right(*case)

@@ -111,7 +111,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "each column is moved by the joints behind it",
-            "Joint 1 moves joint 2, not the other way round.",
+            "Joint 1 moves joint 2; joint 2 does not move joint 1.",
             _moved_by(lambda each: [products(each[i + 1 :])[-1] for i in range(len(each))]),
             _moved_by(lambda each: [products(each[i:])[-1] for i in range(len(each))]),
         ),
@@ -122,7 +122,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the adjoint is that of the inverse",
-            "The joints before move the axis forward: which way does T go?",
+            "The axis has been moved by the joints before it, not moved back. Is that T or its inverse?",
             _moved_by(lambda each: [inverse(T) for T in products(each)[:-1]]),
         ),
         Mistake("the exponentials are added up", "One motion after another is a product of matrices.", _added_up),
@@ -144,7 +144,7 @@ EXERCISE = Exercise(
             lambda screws, q: jacobian(screws, np.rad2deg(q)),
         ),
         Mistake(
-            "the joints rotate the other way round",
+            "the joints rotate in the opposite direction",
             "A positive angle is counter-clockwise about omega: no minus.",
             lambda screws, q: jacobian(screws, -q),
         ),

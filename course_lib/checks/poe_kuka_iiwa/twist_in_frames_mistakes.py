@@ -97,7 +97,7 @@ ROWS = (
     ),
     _body(
         "Ad(T) stands where Ad(T^-1) belongs",
-        "T takes what the end-effector sees to what the base sees. Here it goes the other way.",
+        "T takes what the end-effector sees to what the base sees. Here you need the opposite direction.",
         lambda w, v, R, p: (R @ w, R @ v + np.cross(p, R @ w)),
     ),
     _body(

@@ -64,7 +64,7 @@ EXERCISE = Exercise(
         ),
         _in_R(
             "the flange is taken to be parallel to the base",
-            "Which way do the flange's axes point in the drawing?",
+            "In which directions do the flange's axes point in the drawing?",
             lambda: np.eye(3),
         ),
         _in_R(
@@ -86,7 +86,7 @@ EXERCISE = Exercise(
         ),
         _in_p(
             "a sign of p is wrong",
-            "Which way do the base's axes point in the drawing?",
+            "In which directions do the base's axes point in the drawing?",
             *(lambda signs=signs: _M[COLUMN] * signs for signs in ([-1, 1, 1], [1, -1, 1], [-1, -1, 1], [1, 1, -1])),
         ),
         _in_p(

@@ -81,8 +81,8 @@ EXERCISE = Exercise(
             _other(lambda m, f, R, p, T: adjoint(inverse(T)) @ np.append(m, f)),
         ),
         Mistake(
-            "the transpose is taken of Ad(T), which carries wrenches the other way",
-            "Ad(T) takes V_b to V_s. Its transpose takes F_s to F_b; here it is the other way round.",
+            "the transpose is taken of Ad(T), which takes wrenches from s to b",
+            "Ad(T) takes V_b to V_s. Its transpose takes F_s to F_b; here you need the opposite direction.",
             _other(lambda m, f, R, p, T: adjoint(T).T @ np.append(m, f)),
         ),
         Mistake(

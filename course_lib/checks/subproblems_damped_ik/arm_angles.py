@@ -87,7 +87,7 @@ EXERCISE = Exercise(
             _with(_distance, lambda q3: WRIST - SHOULDER),
         ),
         Mistake(
-            "the two axes of subproblem 2 have changed places",
+            "the two axes of subproblem 2 are swapped",
             "p is rotated about the axis of joint 2 first, then about that of joint 1.",
             _with(_distance, _bent, (Z, Y)),
         ),

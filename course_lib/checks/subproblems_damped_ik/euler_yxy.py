@@ -18,7 +18,7 @@ _ROUNDED = np.array([[0, _HAIR, 0], [-_HAIR, 0, 2 * _HAIR], [0, -_HAIR, 0]])
 
 _AT_THE_END = Mistake(
     "R[1, 1] is a hair beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
-    "np.clip before arccos, or arctan2, which needs neither. For sin(b2) = 0 only b1 + b3 (or b1 - b3) can be told.",
+    "np.clip before arccos, or arctan2, which needs neither. For sin(b2) = 0 only b1 + b3 (or b1 - b3) is determined.",
 )
 
 
@@ -146,7 +146,7 @@ EXERCISE = Exercise(
             where=_close,
             mistake=Mistake(
                 "b2 near 0 or pi is treated as if it were 0 or pi",
-                "A sine of 0.001 still tells b1 from b3: the branch for sin(b2) = 0 needs a far smaller bound.",
+                "A sine of 0.001 still determines b1 and b3: the branch for sin(b2) = 0 needs a far smaller bound.",
             ),
         ),
         Property(
@@ -175,7 +175,7 @@ EXERCISE = Exercise(
             seen=lambda found, R: different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found),
         ),
         Mistake(
-            "the angles of the two triples are combined in every way",
+            "the angles of the two triples are combined in all ways",
             "b1, b2 and b3 hang together: there are two triples, not more.",
             seen=lambda found, R: different(found) > 2 and different([t for t in found if _misses(t, R) < 1e-6]) == 2,
         ),
@@ -256,8 +256,8 @@ EXERCISE = Exercise(
             _mixed(2),
         ),
         _shifted(
-            "b2 is wrong beyond a quarter turn: arcsin ends there",
-            "cos(b2) = R[1, 1] tells b2 from pi - b2: arctan2, or arccos.",
+            "b2 is wrong beyond 90 degrees: arcsin returns no such angle",
+            "cos(b2) = R[1, 1] distinguishes b2 from pi - b2: use arctan2, or arccos.",
             _moved(-1, 0, 1, 0),
         ),
         _shifted(

@@ -122,7 +122,7 @@ EXERCISE = Exercise(
             _moving(_AFTER * [0, 0, 0, 1]),
         ),
         Mistake(
-            "the sums run the wrong way: over the links up to j",
+            "the sums run in the wrong direction: over the links up to j",
             "Joint j moves the links j, ..., 4, and none before it: a cumulative sum from the back.",
             _moving(_AFTER.T),
         ),
@@ -145,7 +145,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "cosine and sine are not differentiated",
-            "These are the arrows from the joints to the tip. Turned left by a right angle they are the columns.",
+            "These are the arrows from the joints to the tip. Rotated by +90 degrees they are the columns.",
             lambda q: np.array(_parts(q)),
             lambda q: np.array(_parts(q)) * [[-1], [1]],
         ),

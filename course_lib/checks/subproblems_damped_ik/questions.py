@@ -19,7 +19,8 @@ PREDICTIONS = (
         {
             "a": "One joint has to follow a direction that is nearly lost. Look at the determinant, -sin b2.",
             "b": "The largest rate is inversely proportional to sin b2, not to its square root.",
-            "c": "Yes: 1/sin(0.01) is 100. And the axis that needs it is not even far from the desired one.",
+            "c": "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate, and most of their "
+            "motion cancels.",
         },
     ),
     Prediction(
@@ -37,17 +38,18 @@ PREDICTIONS = (
         "b",
         {
             "a": "Overshooting by less than the error itself would converge. At 2.8 the factor of s1 is below -1.",
-            "b": "Yes: beside the target each step multiplies the error along s1 by less than -1. Far from it, where J "
-            "changes, it stays somewhere.",
-            "c": "The damping bounds each step, so the joint angles do not run away. But bounded is not convergent.",
+            "b": "Yes: near the target each step multiplies the error along s1 by less than -1. It cannot grow "
+            "forever, because the tip stays within 4 m of the base.",
+            "c": "The damping bounds each step, so the joint angles do not grow without bound. But bounded steps need "
+            "not converge.",
         },
     ),
     Prediction(
         "paths",
         "c",
         {
-            "a": "Compare with the numbers: from 2 to 50 the path of the tip gets longer.",
-            "b": "For the joints it is the other way round: what a strong damping saves is joint motion.",
+            "a": "For the joints, yes. The path of the tip gets longer: with strong damping it is no longer straight.",
+            "b": "For the joints the opposite holds: strong damping saves joint motion.",
             "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
             "measure.",
         },

@@ -193,7 +193,7 @@ def swing_mistakes(to, solutions, misses, swing):
         in_degrees(misses),
         Mistake(f"{angle} is left out: arccos alone is the angle beside {to}", take, swing(lambda *case: 0.0)),
         Mistake(
-            f"{angle} is wrong beyond a quarter turn: arctan ends there",
+            f"{angle} is wrong beyond 90 degrees: arctan returns no such angle",
             "np.arctan2(sine, cosine) looks at both signs.",
             swing(by_arctan),
         ),
@@ -204,7 +204,7 @@ def swing_mistakes(to, solutions, misses, swing):
         ),
         Mistake(
             f"{angle} has lost its sign",
-            "arccos cannot tell one direction of rotation from the other. arctan2 of sine and cosine can.",
+            "arccos gives no sign of the rotation. arctan2 of sine and cosine does.",
             swing(lambda *case: abs(angle_about(*case))),
         ),
         Mistake(f"the angle from {to} to p is taken, not that from p to {to}", take, changed(solutions, np.negative)),

@@ -108,7 +108,7 @@ def list_mistakes(solutions, misses):
             changed(solutions, lambda q: q * np.where(np.arange(len(q)) == 2, -1, 1)),
         ),
         Mistake(
-            "q1 and q2 have changed places",
+            "q1 and q2 are swapped",
             "subproblem2(k1, k2, ...) returns the angle about k1 first.",
             changed(solutions, lambda q: q[[1, 0, *range(2, len(q))]]),
         ),

@@ -272,7 +272,7 @@ EXERCISE = Exercise(
         ),
         Mistake(
             "the number of steps is fixed",
-            "Make `steps` steps, as many as your function is told.",
+            "Make as many steps as the argument `steps` says.",
             seen=lambda path, *case: len(path) in (100, 101) and len(path) != case[-1] + 1,
         ),
         Mistake(

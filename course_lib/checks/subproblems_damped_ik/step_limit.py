@@ -64,7 +64,7 @@ EXERCISE = Exercise(
             _by(lambda s, eps: 2 * (1 + (eps / s[0]) ** 2)),
         ),
         Mistake(
-            "eps and s have changed places",
+            "eps and s are swapped",
             "A larger damping allows larger steps.",
             _by(lambda s, eps: 2 * (1 + s[0] ** 2 / eps)),
             _by(lambda s, eps: 2 / (1 + eps / s[0] ** 2)),

@@ -194,7 +194,7 @@ EXERCISE = Exercise(
             lambda k, p, g: np.pi / 2 - angle_about(k, p, g),
         ),
         Mistake(
-            "the angle is wrong beyond a quarter turn: arctan and arcsin end there",
+            "the angle is wrong beyond 90 degrees: arctan and arcsin return no such angle",
             "np.arctan2(sine, cosine) looks at both signs.",
             by_arctan,
             lambda k, p, g: np.arcsin(_sine(k, p, g)),

@@ -271,7 +271,7 @@ EXERCISE = Exercise(
             _through(lambda c, h1, h2, size: (h1, h2, size**2 - h1**2 - h2**2)),
         ),
         Mistake(
-            "Pythagoras is used with a wrong length: the part along k1 x k2 is not what is left of |p1|^2",
+            "Pythagoras is used with a wrong length: c^2 |k1 x k2|^2 is not |p1|^2 - |a k1 + b k2|^2",
             "|z|^2 = |a k1 + b k2|^2 + c^2 |k1 x k2|^2, and |z| = |p1|.",
             _with_rest(lambda a, b, c, size, h1, h2: _rest(a, b, c, size)),
             _with_rest(lambda a, b, c, size, h1, h2: (size**2 - a * a - b * b) / (1 - c * c)),

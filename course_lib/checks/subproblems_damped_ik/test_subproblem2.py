@@ -91,7 +91,7 @@ EXERCISE = WriteTest(
         _wrong(_SIGN, _pairs(np.abs)),
         _wrong("whose angles are exchanged", _pairs(lambda pairs: pairs[:, ::-1])),
         _wrong("whose angles belong to different solutions", _pairs(_crossed)),
-        _wrong("that is right only up to a quarter turn", _pairs(_quarter)),
+        _wrong("that is right only for angles up to 90 degrees", _pairs(_quarter)),
         _wrong("in degrees", _pairs(np.rad2deg)),
         _wrong(_NONE, _nearest),
         _wrong(_NONE, _lengths_not_compared),

@@ -1,4 +1,4 @@
-"""What exercises of several notebooks say alike: cases, comparisons and mistakes that any kind of answer can have."""
+"""Cases, comparisons and mistakes that exercises of several notebooks share."""
 
 from course_lib.checks.vocabulary.cases import (
     X,

@@ -1,4 +1,4 @@
-"""Arguments to ask about: drawn from a generator, away from special values."""
+"""Random arguments for cases, away from special values."""
 
 import functools
 import itertools
@@ -46,7 +46,7 @@ def products(matrices):
 
 
 def remembered(function):
-    """Return the function of arrays with its last results kept: the mistakes of an exercise all ask for the same."""
+    """Return the function of arrays with a cache, because all mistakes of an exercise need the same results."""
 
     @functools.lru_cache(maxsize=128)
     def again(*packed):

@@ -1,4 +1,4 @@
-"""Whether two answers are the same; as `alike` they take the arguments of the case after the two answers."""
+"""Compare two answers. As `alike` of an exercise, these functions also take the arguments of the case."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ FINE = 1e-9  # the error that a right answer may have, relative to its size
 
 
 def near(answer, right, *arguments):
-    """Return whether an answer is right to FINE of the largest entry, or of 1; an empty one is."""
+    """Return whether an answer is right within FINE times the largest entry, or 1; an empty one is right."""
     return np.abs(answer - right).max(initial=0) <= FINE * max(1, np.abs(right).max(initial=0))
 
 

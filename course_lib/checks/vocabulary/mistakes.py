@@ -1,7 +1,7 @@
-"""Mistakes that an answer of a given kind can have, made from the right function.
+"""Common mistakes, made from the right function.
 
-Each takes `right(*arguments)`, the right answer, and returns a Mistake; `name` and `hint` can be said better by the
-exercise. A mistake says nothing of a case in which it changes nothing.
+Each function takes `right(*arguments)`, which returns the right answer, and returns a Mistake; an exercise can give it
+a more specific `name` and `hint`. A mistake does not apply to a case in which it changes nothing.
 """
 
 import itertools
@@ -13,7 +13,7 @@ from course_lib.checks.vocabulary.comparisons import near
 
 
 def _changed(right, change):
-    """The answer of somebody who changes the right one by `change`; None where that makes no difference."""
+    """Return the right answer changed by `change`; None if that makes no difference."""
 
     def answer(*case):
         exact = np.asarray(right(*case), float)

@@ -1,4 +1,4 @@
-"""Check that contestants agree, measure them in turns, and return the outcome as a table of ratios."""
+"""Check that several functions agree, measure them alternately, and compare their times in a table."""
 
 import gc
 import sys
@@ -16,10 +16,10 @@ LEAST = 0.02  # seconds that one measurement lasts at least: short calls are rep
 class Contestant:
     """One function that does a task.
 
-    run: takes the first of the task's items, and does it. items: how many it gets, None for all; slow ones get few.
+    run: called with the first items of the task. items: how many, None for all; slow functions get few.
     convert: converts what run returns to the library's conventions, if they differ; `note` says so.
     check: whether the answers are compared; if not, `note` says why.
-    at_most: the largest share of this one's time that the library may take; None if nothing is promised.
+    at_most: the largest share of this one's time that the library may take; None for no bound.
     """
 
     name: str
@@ -43,7 +43,10 @@ class Task:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A task's table: for each contestant the seconds an item of each repeat; for each that disagreed, by how much."""
+    """The outcome of a task.
+
+    seconds: {name: time for one item in each repeat}. off: {name of one that disagrees: its largest difference}.
+    """
 
     task: Task
     seconds: dict
@@ -51,7 +54,7 @@ class Outcome:
 
 
 def measured(task, repeats=7):
-    """Return the Outcome of a task: contestants that agree with the first are measured in turns."""
+    """Return the Outcome of a task. Contestants that agree with the first are measured alternately."""
     print(f"Measuring: {task.title} ...", file=sys.stderr, flush=True)
     off = {c.name: gap for c in task.contestants[1:] if c.check and not (gap := _gap(task, c)) <= AGREE}
     taking_part = [c for c in task.contestants if c.name not in off]
@@ -66,7 +69,7 @@ def measured(task, repeats=7):
 
 
 def _gap(task, contestant):
-    """Return the largest difference of its answers from the library's."""
+    """Return the largest difference between the contestant's answers and the library's."""
     some = task.items[: min(task.agree, contestant.items or task.agree)]
     library = task.contestants[0]
     theirs, ours = (np.asarray(c.convert(c.run(some))) for c in (contestant, library))
@@ -74,11 +77,11 @@ def _gap(task, contestant):
 
 
 def _seconds(run, items, often):
-    """Seconds for `often` runs."""
+    """Return the processor time of `often` runs, in seconds."""
     gc.collect()
     gc.disable()
     try:
-        # The processor's time, not the clock's: what else runs on the machine counts less then.
+        # Processor time instead of clock time, because other programs on the machine affect it less.
         start = time.process_time()
         for _ in range(often):
             run(items)
@@ -88,7 +91,7 @@ def _seconds(run, items, often):
 
 
 def table(outcome):
-    """Return the lines of an outcome: times an item, and the library's time as a share of each other's."""
+    """Return the outcome as lines: the times for one item, and the library's time as a share of each other's."""
     lines = [outcome.task.title, f"  {'':44}{'min':>10}{'median':>10}   the library takes, min (median)"]
     best = np.array(outcome.seconds[outcome.task.contestants[0].name])
     for c in outcome.task.contestants:
@@ -106,12 +109,12 @@ def table(outcome):
 
 
 def verdict(share, at_most):
-    """Return the words that compare a measured share with its bound."""
+    """Return words that compare a measured share with its bound."""
     return f"   at most {at_most:g}: {share:.3g} {'yes' if share <= at_most else 'NO'}"
 
 
 def duration(seconds):
-    """Return seconds with a unit that suits, to three digits."""
+    """Return seconds as text with a suitable unit, to three digits."""
     for size, unit in ((1, "s"), (1e-3, "ms"), (1e-6, "us")):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"

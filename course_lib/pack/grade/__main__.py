@@ -1,4 +1,4 @@
-"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write what came of it."""
+"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write grades and feedback."""
 
 import argparse
 import contextlib
@@ -25,7 +25,7 @@ MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines 
 
 
 def main(arguments=None, grade=None):
-    """Grade; return 1 with a plain sentence if that fails. grade: what grades one submission, in tests."""
+    """Grade; return an exit code, with a plain sentence if grading fails. grade: replaces the Grader in tests."""
     chosen = _parser().parse_args(arguments)
     try:
         _grade(chosen, grade)
@@ -36,7 +36,7 @@ def main(arguments=None, grade=None):
         print(f"Grading stopped. {error.filename or 'A file'}: {error.strerror or error}.", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("\nStopped. What was graded is kept: the same command goes on from there.", file=sys.stderr)
+        print("\nStopped. All finished results are kept: the same command continues from there.", file=sys.stderr)
         return 130
     return 0
 
@@ -61,7 +61,7 @@ def _grade(chosen, grade):
     deadline, roster = read_deadline(chosen.deadline, chosen.late), _roster(chosen)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
-        read_marks(output / "questions.csv")  # what cannot be read is said now and not after hours
+        read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
         seed = _seed(output / "seed", given)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
         grade = grade or Grader(hidden)
@@ -72,7 +72,7 @@ def _grade(chosen, grade):
 
 
 def _submissions(chosen):
-    """Find what was handed in; stop where there is nothing, or where the results would stand among it."""
+    """Return the Submissions; stop if there are none, or if the output folder is among them."""
     if not chosen.submissions:
         raise GradingStopped("Name the folder that holds what was handed in: make grade SUBMISSIONS=folder.")
     folder, output = Path(chosen.submissions), chosen.output.resolve()
@@ -90,25 +90,25 @@ def _submissions(chosen):
 
 
 def _roster(chosen):
-    """The roster's rows, or None; says what of the platform's settings cannot be used."""
+    """Return the roster's rows, or None; stop if a setting of the platform is invalid."""
     if chosen.lms and chosen.lms not in IDENTITY:
-        raise GradingStopped(f"LMS={chosen.lms} is none of {', '.join(IDENTITY)}.")
+        raise GradingStopped(f"LMS={chosen.lms} is not one of {', '.join(IDENTITY)}.")
     if chosen.roster and not chosen.lms:
         raise GradingStopped("ROSTER= has no meaning without LMS=.")
     return read_roster(Path(chosen.roster)) if chosen.roster else None
 
 
 def _whole_number(name, typed):
-    """What was typed for one of make's settings as a number; None where nothing was."""
+    """Return the value typed for one of make's settings as a number; None if there is none."""
     try:
         return None if typed is None else int(typed)
     except ValueError:
-        raise GradingStopped(f"{name}={typed} is no whole number.") from None
+        raise GradingStopped(f"{name}={typed} is not a whole number.") from None
 
 
 @contextlib.contextmanager
 def _alone(path):
-    """Keep a second run from writing to the same folder. Ends with this process, however that ends."""
+    """Keep a second run from writing to the same folder. The lock is released when this process ends."""
     with path.open("w") as file:
         with contextlib.suppress(ImportError):
             import fcntl
@@ -133,7 +133,9 @@ def _seed(path, given):
     try:
         return int(path.read_text())
     except ValueError as error:
-        raise GradingStopped(f"{path} holds no whole number: mend it, or delete it to draw a new one.") from error
+        raise GradingStopped(
+            f"{path} does not hold a whole number: correct it, or delete it to draw a new one."
+        ) from error
 
 
 # ---- what is written ----
@@ -182,9 +184,11 @@ def _summary(output, everything, listed):
     if left := sum(answer.points is None for _, _, answer in listed):
         lines.append(f"{count_noun(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
     if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
-        lines.append(f"{count_noun(wrong, 'mark')} there cannot be taken: the column `state` says why.")
+        lines.append(f"{count_noun(wrong, 'invalid mark')} there: the column `state` says why.")
     if "not graded" in states:
-        lines.append("What could not be graded has its reason in the table; the same command tries it again.")
+        lines.append(
+            "The table gives the reason for each file that could not be graded; the same command tries it again."
+        )
     return "\n".join(lines)
 
 

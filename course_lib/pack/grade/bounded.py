@@ -1,8 +1,8 @@
-"""Bounds of processor time and memory around the grader's own work on one submission.
+"""Bounds on the processor time and memory of the grader's own work on one submission.
 
-Reading a file and judging answers happens outside the sandbox, on data that a student made. Each submission is
-therefore graded in a process of its own, whose end costs nobody else anything; within it a deadline ends what takes
-too long for one exercise, so that the others keep their points.
+The grader reads files and judges answers outside the sandbox, from data that a student made. It therefore grades each
+submission in a process of its own, so that a crash affects no other submission. Within that process a deadline ends an
+exercise that takes too long, so that the others keep their points.
 """
 
 import contextlib
@@ -19,13 +19,13 @@ import warnings
 from course_lib.pack.grade.isolate import die_with_parent
 
 CPU_SECONDS = 300  # of the grader's own process, for all of a submission; a right one takes about three
-CLOCK_SECONDS = 4 * 3600  # far later than everything inside has its own end: only what hangs is ended by it
-MEMORY = 3 * 10**9  # of address space, beyond what the process has when it begins
+CLOCK_SECONDS = 4 * 3600  # far longer than the bounds of everything inside: it ends only what hangs
+MEMORY = 3 * 10**9  # of address space, in addition to that at the start of the process
 LARGEST_RESULT = 50_000_000  # bytes
 
 
 class OutOfBounds(Exception):
-    """The work took more than it may; the text says of what."""
+    """The work exceeded a bound; the text says which."""
 
 
 class CpuDeadline(BaseException):
@@ -36,7 +36,7 @@ class CpuDeadline(BaseException):
 def cpu_deadline(seconds):
     """Raise CpuDeadline in the block once it has used so many seconds of processor time.
 
-    Only in the main thread, where Python runs signal handlers, and where the system has such a clock.
+    It has no effect outside the main thread, where Python runs no signal handlers, or on a system without such a clock.
     """
 
     def ring(signum, frame):
@@ -60,13 +60,13 @@ def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, c
     Raises
     ------
     OutOfBounds
-        If it took more than it may, or ended its process.
+        If the function exceeded a bound, or ended its process.
     RuntimeError
         If the function raised: the text holds the exception's type and message.
     """
     there, here = os.pipe()
     with warnings.catch_warnings():
-        # Python 3.12 warns of forks beside threads: the child only computes, and takes no lock of theirs.
+        # Python 3.12 warns of forks in a process with threads. The child only computes, and needs none of their locks.
         warnings.simplefilter("ignore", DeprecationWarning)
         child = os.fork()
     if child == 0:
@@ -78,7 +78,7 @@ def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, c
     finally:
         os.close(there)
         with contextlib.suppress(ProcessLookupError):
-            os.kill(child, signal.SIGKILL)  # at the latest now: whoever stops the run stops this too
+            os.kill(child, signal.SIGKILL)  # also if the run is being stopped: the child must not outlive it
         _, status, usage = os.wait4(child, 0)
     try:
         outcome = json.loads(text)
@@ -91,12 +91,12 @@ def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, c
 
 
 def _in_child(pipe, function, arguments, cpu_seconds, memory):
-    """Compute, write what came of it into the pipe, and end whatever happens."""
+    """Compute, write the outcome to the pipe, and end this process in any case."""
     try:
         die_with_parent()
         _limit(resource.RLIMIT_CPU, int(cpu_seconds) + 1)
         _limit(resource.RLIMIT_CORE, 0)
-        if sys.platform == "linux":  # elsewhere the address space says little
+        if sys.platform == "linux":  # on other systems the address space is no measure of memory
             with open("/proc/self/statm") as file:
                 _limit(resource.RLIMIT_AS, int(file.read().split()[0]) * resource.getpagesize() + memory)
         try:
@@ -110,14 +110,14 @@ def _in_child(pipe, function, arguments, cpu_seconds, memory):
 
 
 def _limit(kind, most):
-    """Set the soft limit: the hard one stays, for the sandbox sets its own."""
+    """Set the soft limit only: the sandbox sets its own hard limits."""
     _, hard = resource.getrlimit(kind)
     with contextlib.suppress(ValueError, OSError):
         resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
 
 
 def _read_all(pipe, seconds):
-    """Return what comes out of a pipe until its end, and whether the clock ended it."""
+    """Return the content of a pipe up to its end, and whether the time ran out."""
     parts, length, deadline = [], 0, time.monotonic() + seconds
     while length <= LARGEST_RESULT:
         ready, _, _ = select.select([pipe], [], [], max(deadline - time.monotonic(), 0))

@@ -1,7 +1,7 @@
-"""Which statements of a notebook its functions need, read from the source alone; the sandbox's script takes this too.
+"""Find the statements of a notebook that its functions need, from the source alone. The sandbox's script uses this too.
 
-A notebook that draws, prints and tries things for a minute defines its functions in a moment. What the functions
-need is found by names: whatever binds or changes a name that they read, and what that reads in turn.
+A notebook may draw and print for a minute, but defining its functions takes a moment. What a function needs is found by
+names: every statement that binds or changes a name that the function reads, and what that statement reads in turn.
 """
 
 import ast
@@ -13,8 +13,8 @@ RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # ce
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
-SETTERS = ("set", "seed")  # how functions of numpy begin that change it
-SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # what they bind is bound for certain, whatever it was before
+SETTERS = ("set", "seed")  # names of numpy functions that change its state begin so
+SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # they always bind their names, whatever was bound before
 
 
 @dataclass
@@ -29,14 +29,14 @@ class Statement:
 
 
 def statements(sources):
-    """Return the Statements of a notebook's code cells, but stubs of functions that are written elsewhere."""
+    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
     found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
     written = {name for each in found if not is_stub(each.tree) for name in each.binds}
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
 
 
 def without_stubs(sources):
-    """Return the sources, with blank lines for the stubs of functions that are written elsewhere."""
+    """Return the sources, with blank lines for the stubs of functions that other cells define."""
     kept = {(each.cell, each.tree.lineno) for each in statements(sources)}
     blanked = []
     for number, source in enumerate(sources):
@@ -49,9 +49,9 @@ def without_stubs(sources):
 
 
 def needed(found, names):
-    """Return those of the Statements that functions of these names need: all imports, and what leads to what they read.
+    """Return the Statements that functions of these names need: all imports, and whatever affects what they read.
 
-    A function reads when it is called, so what it reads is looked for before the statement that names it.
+    A function reads names when it is called, so the search begins before the statement that mentions the function.
     """
     imported = {name for each in found for name in each.binds if isinstance(each.tree, IMPORTS)}
     kept = [isinstance(each.tree, IMPORTS) for each in found]
@@ -74,9 +74,9 @@ def needed(found, names):
 
 
 def alike_alone(found, names):
-    """Return those of the names whose functions do the same where only what they need is run, and not all names' code.
+    """Return the names whose functions behave the same if only the statements that they need are run.
 
-    That is so if the other statements do no more than define functions and set variables.
+    This holds if the other statements only define functions and set variables.
     """
     modules = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
     kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree, modules)}
@@ -84,7 +84,7 @@ def alike_alone(found, names):
 
 
 def _only_defines(tree, modules):
-    """Whether a statement imports, defines a function or sets variables, and calls only functions of modules."""
+    """Return whether a statement only imports, defines a function or sets variables."""
     if isinstance(tree, IMPORTS):
         return True
     if isinstance(tree, ast.FunctionDef) and not tree.decorator_list:
@@ -98,12 +98,12 @@ def _only_defines(tree, modules):
 
 
 def _changes(target):
-    """Whether an assignment to this target changes what a variable holds: a[0] or a.b."""
+    """Return whether an assignment to this target changes an object, as for a[0] or a.b."""
     return any(isinstance(node, ast.Attribute | ast.Subscript) for node in ast.walk(target))
 
 
 def parsed(source):
-    """Return the statements of a cell; of a cell that is no Python, those that are, each by itself."""
+    """Return the statements of a cell; if the cell is not valid Python, those of its statements that are."""
     plain = without_magics(source)
     try:
         return ast.parse(plain).body
@@ -112,7 +112,7 @@ def parsed(source):
 
 
 def without_magics(source):
-    """Return the source with blank lines for what only IPython understands."""
+    """Return the source with blank lines for IPython's magics and shell commands."""
     lines = source.splitlines()
     first = next((line for line in lines if line.strip()), "")
     if first.startswith("%%") and re.match(r"%%(\w*)", first)[1] not in RUNS_ITS_CELL:
@@ -121,7 +121,7 @@ def without_magics(source):
 
 
 def no_python(sources, name):
-    """Return in words why a cell that begins to define this function is no Python, or "" where there is none."""
+    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell."""
     for number, source in enumerate(sources, 1):
         if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
             continue
@@ -129,14 +129,14 @@ def no_python(sources, name):
             ast.parse(without_magics(source))
         except SyntaxError as error:
             line = (error.text or "").strip()[:100]
-            return f"Code cell {number} is no Python: {error.msg}, in line {error.lineno}, `{line}`."
+            return f"Code cell {number} is not Python: {error.msg}, in line {error.lineno}, `{line}`."
         except (ValueError, RecursionError, MemoryError):
-            return f"Code cell {number} is no Python."
+            return f"Code cell {number} is not Python."
     return ""
 
 
 def is_stub(tree):
-    """Return whether this is a function that only says that it is not written yet."""
+    """Return whether this is a function that only raises NotImplementedError."""
     if not isinstance(tree, ast.FunctionDef):
         return False
     body = [line for line in tree.body if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]
@@ -163,7 +163,7 @@ def _looked_at(number, tree):
 
 
 def _read(tree):
-    """The names of the notebook's own level that a statement reads, or would read when it is called."""
+    """Return the global names that a statement reads, or that the function it defines reads when called."""
     try:
         left, names = [symtable.symtable(ast.unparse(tree), "", "exec")], set()
         while left:
@@ -190,7 +190,7 @@ def _bound(tree, names):
 
 
 def _outside_scopes(tree):
-    """Every node below but those in functions, classes and comprehensions."""
+    """Yield every node of the tree except those in functions, classes and comprehensions."""
     left = [tree]
     while left:
         node = left.pop()
@@ -200,7 +200,7 @@ def _outside_scopes(tree):
 
 
 def _base(node):
-    """The name at the begin of a.b[0].c, as a set."""
+    """Return the name at the beginning of a.b[0].c, as a set."""
     while isinstance(node, ast.Subscript | ast.Attribute | ast.Call):
         node = node.func if isinstance(node, ast.Call) else node.value
     return {node.id} if isinstance(node, ast.Name) else set()
@@ -211,7 +211,7 @@ def _only_shows(call):
     return name in ("print", "show", "display") or "check" in _base(call.func)
 
 
-# ---- a cell that is no Python ----
+# ---- a cell that is not valid Python ----
 
 
 def _pieces(source):

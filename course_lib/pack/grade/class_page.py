@@ -1,4 +1,4 @@
-"""A page about the class: how the points are spread, which exercises are hard, which mistakes are frequent."""
+"""A page about the class: the distribution of points, the hardest exercises, the most frequent mistakes."""
 
 import io
 import re
@@ -12,13 +12,13 @@ from course_lib.pack.grade.feedback import escaped, page, wide_table
 from course_lib.pack.grade.tables import clean, count_noun, totals
 
 MOST = 15  # bars of a picture
-INK = "#010203"  # becomes the page's own colour of text, light or dark
+INK = "#010203"  # replaced by the page's text colour, light or dark
 STATES = {RIGHT: "right", WRONG: "wrong", ERROR: "error", NOT_ATTEMPTED: "not attempted"}
 COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: "#8c8c8c"}
 
 
 def class_page(everything, marks_of):
-    """Return the page, from what tables.handed gives."""
+    """Return the page for the GradedFiles. marks_of(each): the MarkedAnswers of one of them."""
     found = totals(everything, marks_of)
     counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
     graded = [each for each in counting if each.graded and not each.unreadable]
@@ -36,7 +36,7 @@ def class_page(everything, marks_of):
 
 
 def _notebooks(of, counting, graded, students):
-    """How many handed in each notebook, and the points of those that could be graded."""
+    """Return a table: how many students handed in each notebook, and the points of those that could be graded."""
     rows = []
     for notebook, most in of.items():
         handed_in = len({each.student for each in counting if each.notebook == notebook})
@@ -47,7 +47,7 @@ def _notebooks(of, counting, graded, students):
 
 
 def _distribution(of, graded, students):
-    """How many students have how much of the points of the notebooks of theirs that could be graded."""
+    """Return a histogram of the students' points, as shares of the points of their graded notebooks."""
     shares, pairs = [], {}
     for each in graded:
         pairs.setdefault(each.student, set()).add(each.notebook)
@@ -64,7 +64,7 @@ def _distribution(of, graded, students):
     figure, axes = _figure(3)
     axes.bar([10 * i + 5 for i in range(10)], counts, width=9, color="#4a90d9")
     axes.set_xticks(range(0, 101, 10))
-    axes.set_xlabel("points, in percent of what the notebooks that were handed in give")
+    axes.set_xlabel("points, in percent of those of the notebooks handed in")
     axes.set_ylabel("students")
     axes.yaxis.get_major_locator().set_params(integer=True)
     most = max(range(10), key=lambda i: counts[i])
@@ -75,12 +75,12 @@ def _distribution(of, graded, students):
 
 
 def _hardest(graded):
-    """The exercises that fewest have right, with what the others have."""
+    """Return bars of the exercises that the fewest students solved, with the states of all answers."""
     states = {}
     for each in graded:
         for exercise in each.result["exercises"]:
             name = _short(f"{each.notebook}: {exercise['exercise']}")
-            if exercise["state"] in COLOURS:  # and not of a file that could not be read
+            if exercise["state"] in COLOURS:  # skips files that could not be read
                 states.setdefault(name, Counter())[exercise["state"]] += 1
     order = sorted(states, key=lambda name: (states[name][RIGHT] / states[name].total(), name))
     shown = [name for name in order if states[name][RIGHT] < states[name].total()][:MOST]
@@ -96,7 +96,7 @@ def _hardest(graded):
     axes.set_xlabel("percent of the notebooks that could be read")
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, labelcolor=INK)
     hardest = order[0]
-    alt = f"Bars: what came of the exercises, hardest first. {hardest} is right for {states[hardest][RIGHT]} "
+    alt = f"Bars: the states of the exercises, hardest first. {hardest} is right for {states[hardest][RIGHT]} "
     alt += f"of {states[hardest].total()}."
     rows = [(name, *(states[name][state] for state in COLOURS)) for name in order]
     caption = f"The exercises that fewest solved, at most {MOST} of them."
@@ -104,7 +104,7 @@ def _hardest(graded):
 
 
 def _mistakes(graded):
-    """The mistakes that the checks called by name."""
+    """Return bars of the mistakes that the checks recognized."""
     counts = Counter(
         _short(f"{exercise['exercise']}: {exercise['mistake']}")
         for each in graded
@@ -128,7 +128,7 @@ def _mistakes(graded):
 
 
 def _short(text):
-    """The text on one line that fits beside a bar."""
+    """Return the text on one line, short enough for the label of a bar."""
     text = " ".join(clean(text).split())
     return text if len(text) <= 120 else text[:120] + " ..."
 
@@ -154,7 +154,7 @@ def _figure(height):
 
 
 def _label_bars(axes, names):
-    # A dollar sign in what a student wrote is no formula.
+    # A dollar sign in a student's text does not begin a formula.
     axes.set_yticks(range(len(names)), names, parse_math=False)
     axes.set_ylim(len(names) - 0.4, -0.6)
 
@@ -164,9 +164,9 @@ def _svg(figure):
     import matplotlib
 
     file = io.StringIO()
-    # Letters as outlines: the page looks alike wherever it is read, with whatever fonts.
+    # Letters as outlines, so that the page looks the same with any fonts.
     with matplotlib.rc_context({"svg.hashsalt": "class", "svg.fonttype": "path"}), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of letters that the font lacks
+        warnings.simplefilter("ignore")  # about letters that the font lacks
         figure.savefig(file, format="svg", transparent=True, metadata={"Date": None})
     text = file.getvalue()
     text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)
@@ -174,7 +174,7 @@ def _svg(figure):
 
 
 def _section(title, figure, alt, caption, table):
-    """A picture with a caption, words for whoever does not see it, and its numbers."""
+    """Return a picture with a caption, a text alternative and its numbers."""
     label = escaped(alt)
     svg = _svg(figure).replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1)
     numbers = f"<details>\n<summary>The numbers</summary>\n{table}\n</details>"

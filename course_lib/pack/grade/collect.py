@@ -1,7 +1,7 @@
 """Find the submissions in a folder: whose each is, of which notebook, and why it is refused if it is.
 
-Nothing that one student's files are (nested, linked, unreadable, vanishing) may stop the others: whatever looking
-at them raises becomes that student's line.
+One student's files (nested, linked, unreadable, vanishing) must not stop the grading of the others: any exception that
+they cause becomes that student's line.
 """
 
 import collections
@@ -47,7 +47,7 @@ class Submission:
 
 
 class Refused(Exception):
-    """A file that is not read; the text says why."""
+    """The file is not read; the text says why."""
 
 
 # ---- finding ----
@@ -72,7 +72,7 @@ def find(folder, notebooks):
                 found += _in_folder(path, folder, notebooks)
             else:
                 found.append(_flat(path, folder, notebooks))
-        except Exception as problem:  # whatever it is, it must not cost the others anything
+        except Exception as problem:  # any problem of one file must not affect the others
             found.append(_broken(path, problem))
     found = [replace(each, modified=_modified(each.path)) for each in found]
     return sorted(_newest_copies(_unique_places(_one_name_each(found))), key=lambda submission: submission.place)
@@ -85,7 +85,7 @@ def _broken(path, problem):
 
 
 def _is_clutter(name):
-    """Whether it is no work of a student's but what JupyterLab, git or a system leaves beside it."""
+    """Return whether a file is not the student's work but left by JupyterLab, git or an operating system."""
     return name.startswith("._") or name.lower() in CLUTTER
 
 
@@ -97,7 +97,7 @@ def _modified(path):
 
 
 def _flat(path, folder, notebooks):
-    """A file beside the others; its name says whose it is."""
+    """Return the Submission for a file directly in the folder, whose name contains the student's."""
     stem = printable(path.stem)
     student, notebook = split(stem, notebooks)
     exported, rest, number, late = exported_name(stem if not notebook else student + "_")
@@ -108,18 +108,18 @@ def _flat(path, folder, notebooks):
     if path.is_symlink():
         refused = "It is a link to another file, and links are not followed."
     elif path.suffix.lower() != ".ipynb":
-        refused = "It is no notebook: its name does not end in .ipynb."
+        refused = "It is not a notebook: its name does not end in .ipynb."
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
-    if path.is_symlink() and not path.suffix and not notebook:  # what was to be a student's folder
+    if path.is_symlink() and not path.suffix and not notebook:  # a link in place of a student's folder
         student = printable(path.name)
-    if not notebook and not refused:  # some other name: its exercises will tell which notebook it is
+    if not notebook and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
     return Submission(student, notebook, printable(path.relative_to(folder)), path, refused, None, number, late)
 
 
 def _in_folder(top, folder, notebooks):
-    """The files in a student's folder; the folder's name says whose they are."""
+    """Return the Submissions in a student's folder, whose name is the student's."""
     name = printable(top.name)
     exported, _, number, late = exported_name(name)
     whole = Submission(exported or name, "", name, top, "", None, number, late)
@@ -136,17 +136,17 @@ def _in_folder(top, folder, notebooks):
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
     if not found and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
-        problems.append(f"There is no notebook in the folder: {holds}.")
+        problems.append(f"There is not a notebook in the folder: {holds}.")
     if problems:
         found.append(replace(whole, refused=" ".join(problems)))
     return found
 
 
 def _walk(top):
-    """Look through a student's folder, without recursion and within bounds.
+    """Search a student's folder without recursion and within bounds.
 
     Returns the notebooks and links as [(path, whether it is a link)] in the order of their paths, the names of the
-    other files, and what could not be looked at, in sentences.
+    other files, and sentences on what could not be searched.
     """
     files, others, problems = [], [], []
     left, seen = [(top, 1)], 0
@@ -182,7 +182,7 @@ def _walk(top):
 
 
 def _one_name_each(found):
-    """Two students of one name, told apart by the platform's numbers, keep the number in their name."""
+    """Add the platform's number to the names of students who have the same name."""
     numbers = collections.defaultdict(set)
     for each in found:
         if each.platform_id:
@@ -197,7 +197,7 @@ def _one_name_each(found):
 
 
 def _unique_places(found):
-    """Two paths that print alike get a mark of their own."""
+    """Add a hash to the places of two paths that print alike."""
     counts = collections.Counter(each.place for each in found)
     return [
         replace(each, place=f"{each.place} [{_digest(os.fsdecode(each.path) + each.refused)}]")
@@ -208,7 +208,7 @@ def _unique_places(found):
 
 
 def _newest_copies(found):
-    """Refuse all but the newest copies of one student's notebook, so that nobody's work is graded without end."""
+    """Refuse all but the newest copies of one student's notebook, to bound the work."""
     groups = collections.defaultdict(list)
     for each in found:
         if each.student and each.notebook and not each.refused:
@@ -224,7 +224,7 @@ def _newest_copies(found):
 def split(stem, notebooks):
     """Return (student, notebook) from a file's name without its ending; notebook is "" if it names none.
 
-    The notebook stands at the end, with or without its number, and a mark of a second copy may follow.
+    The notebook's name comes last, with or without its number; a suffix such as " (1)" for a second copy may follow.
     """
     for name in sorted(notebooks, key=lambda name: (-len(name), name)):
         for words in name, name.partition("_")[2]:
@@ -238,13 +238,13 @@ def split(stem, notebooks):
 
 
 def read(path):
-    """Return the bytes of a file. Raises Refused if it is no file, too large or cannot be read."""
+    """Return the bytes of a file. Raises Refused if it is not a regular file, is too large or cannot be read."""
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)  # a pipe must not stop the run
     try:
         handle = os.open(path, flags)
         with os.fdopen(handle, "rb") as file:
             if not stat.S_ISREG(os.fstat(handle).st_mode):
-                raise Refused("It is no file but something else of that name.")
+                raise Refused("It is not a regular file.")
             content = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise Refused(f"It cannot be read: {error.strerror}.") from error
@@ -259,13 +259,13 @@ def read(path):
 
 
 def printable(name):
-    """Return a name from the file system as text that can be printed: one spelling, nothing that breaks a line."""
+    """Return a name from the file system as printable text, normalized and on one line."""
     text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 
 def file_names(names):
-    """Return {name: a name for a file}, all different, also on disks that ignore upper and lower case."""
+    """Return {name: file name}, all different, also on file systems that ignore case."""
     plain = {name: _plain(name) for name in names}
     taken = collections.Counter(text.casefold() for text in plain.values())
     return {
@@ -275,7 +275,7 @@ def file_names(names):
 
 
 def _plain(name):
-    """The name without anything that means something in a path: letters, digits and a few signs, not too long."""
+    """Return the name without characters that have a meaning in paths, cut to a moderate length."""
     text = "".join(c if c.isalnum() or unicodedata.combining(c) or c in " _-.@+,()'" else "_" for c in name[:60])
     text = text.encode()[:180].decode("utf-8", "ignore").strip(" .")
     reserved = re.fullmatch(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text, re.IGNORECASE)

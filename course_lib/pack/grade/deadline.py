@@ -1,4 +1,4 @@
-"""Hand-ins after the deadline: how many days late a file is, and what it loses for that."""
+"""Late submissions: how many days late a file is, and how many points it loses."""
 
 import math
 from dataclasses import dataclass
@@ -13,17 +13,17 @@ class DeadlineUnclear(Exception):
 
 @dataclass(frozen=True)
 class Deadline:
-    """When hand-ins are due, in seconds since 1970, and how many percent of its points a file loses a day."""
+    """The deadline in seconds since 1970, and the percentage of its points that a late file loses for each day."""
 
     when: float
     percent: float = 0
 
     def days_late(self, modified):
-        """Return how many days after the deadline a file was written last: 0, or begun days."""
+        """Return how many days after the deadline a file was last modified; each begun day counts."""
         return 0 if modified is None or modified <= self.when else math.ceil((modified - self.when) / DAY)
 
     def share_left(self, days):
-        """Return the share of its points, 0 to 1, that a file keeps."""
+        """Return the share of its points that a file keeps, 0 to 1."""
         return max(0.0, 1 - self.percent / 100 * days)
 
 
@@ -51,7 +51,7 @@ def read_deadline(when, rule):
     try:
         moment = datetime.fromisoformat(when)
     except ValueError:
-        raise DeadlineUnclear(f"DEADLINE={when} is no date: write 2026-11-30 or '2026-11-30 18:00'.") from None
+        raise DeadlineUnclear(f"DEADLINE={when} is not a date: write 2026-11-30 or '2026-11-30 18:00'.") from None
     if len(when) <= 10:  # a date alone: its whole day counts
         moment = moment.replace(hour=23, minute=59, second=59)
     try:

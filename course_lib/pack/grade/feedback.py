@@ -1,4 +1,4 @@
-"""A page for each submission that tells its student what was found. All text from submissions is escaped."""
+"""The feedback page of each submission, for its student. All text from submissions is escaped."""
 
 import html
 import re
@@ -52,13 +52,13 @@ def page(title, body):
 
 
 def escaped(text):
-    """Return text as HTML that shows it, at a length that a page bears."""
+    """Return text as HTML that shows it, cut to LONGEST characters."""
     text = clean(text)
     return html.escape(text if len(text) <= LONGEST else text[:LONGEST] + "\n... (cut here)")
 
 
 def wide_table(head, rows):
-    """Return a table that is scrolled by itself where the page is narrower. head, rows: HTML of its lines."""
+    """Return a table that scrolls separately if the page is narrower. head, rows: the HTML of its rows."""
     body = "\n".join(rows)
     return f'<div class="wide"><table>\n<thead>{head}</thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
 
@@ -86,7 +86,7 @@ def feedback_page(each, answers):
 
 
 def _overview(exercises, answers):
-    """A line for each exercise; those with more to say are links to that."""
+    """Return a table with a row for each exercise, linked to its details if there are any."""
     if not exercises and not answers:
         return ""
     lines = [(e["exercise"], e["state"], e["points"], e["of"], e["message"]) for e in exercises]
@@ -109,7 +109,7 @@ def _mark(state):
 
 
 def _title(answer):
-    """The name of a question with the letter that stands before it in the notebook: explain_frame (B)."""
+    """Return the name of a question with its letter in the notebook: explain_frame (B)."""
     letter = re.match(r"\W*([A-Z])\.", answer.task)
     return f"{answer.question} ({letter[1]})" if letter else answer.question
 
@@ -132,7 +132,7 @@ def _answer(answer):
 
 
 def write_feedback(folder, everything, marks_of):
-    """Write <student>/<notebook>.html for what counts, and delete the pages of students who are not in this run."""
+    """Write <student>/<notebook>.html for each file that counts; delete the pages of students not in this run."""
     counting = [each for each in everything if not each.superseded_by and each.student]
     students = file_names({each.student for each in counting})
     pages = {}

@@ -1,6 +1,7 @@
-"""The totals as a file that a learning platform's gradebook takes.
+"""Write the totals as a file that a learning platform's gradebook imports.
 
-Canvas: Student, ID, SIS User ID, SIS Login ID, Section, then a column an assignment; a second row, "Points Possible".
+Canvas: Student, ID, SIS User ID, SIS Login ID, Section, then a column for each assignment; a second
+row, "Points Possible".
 Rows are matched by ID, SIS User ID or SIS Login ID (instructure/canvas-lms, lib/gradebook_importer.rb: header?,
 update_column_count, process_student).
 Moodle: any columns, one of which identifies the user: username, ID number or e-mail address
@@ -21,7 +22,11 @@ IDENTITY = {
     "moodle": ("Username", "ID number", "Email address", "First name", "Last name"),
     "gradescope": ("First Name", "Last Name", "SID", "Email"),
 }
-WITHOUT_ROSTER = {"canvas": "SIS Login ID", "moodle": "Username", "gradescope": "SID"}  # what a student's name is then
+WITHOUT_ROSTER = {
+    "canvas": "SIS Login ID",
+    "moodle": "Username",
+    "gradescope": "SID",
+}  # the column of the students' names if there is no roster
 
 
 class RosterUnreadable(Exception):
@@ -29,7 +34,7 @@ class RosterUnreadable(Exception):
 
 
 def read_roster(path):
-    """Return the rows of a roster: a CSV with a line a student, as the platform exports it or with our names."""
+    """Return the rows of a roster: a CSV with a line for each student, as the platform exports it or with our names."""
     try:
         text = path.read_bytes().decode("utf-8-sig", "replace")
     except OSError as error:
@@ -44,14 +49,12 @@ def read_roster(path):
         for row in csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
     ]
     if not rows or len(rows[0]) < 2:
-        raise RosterUnreadable(
-            f"{path} is no roster: it has no table with a line of column names and a line a student."
-        )
+        raise RosterUnreadable(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
     return rows
 
 
 class Roster:
-    """Finds a student's row: by the column `student`, by any of the numbers and addresses, or by the name's words."""
+    """Finds a student's row by the column `student`, by any number or address, or by the words of the name."""
 
     def __init__(self, rows):
         self._exact, self._names = {}, {}
@@ -79,7 +82,7 @@ def _full_name(row):
 
 
 def _words(name):
-    """The words of a name in any order, without accents: Doe, Jane and Jane Doe are one."""
+    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe"."""
     plain = unicodedata.normalize("NFKD", name).casefold()
     return tuple(sorted(re.findall(r"\w+", "".join(c for c in plain if not unicodedata.combining(c)))))
 
@@ -92,8 +95,8 @@ def gradebook_text(platform, totals, roster=None):
     platform : {"canvas", "moodle", "gradescope"}
     totals : Totals
     roster : list of dict, optional
-        What read_roster gives. Without it a student's name is taken for the login name, and Canvas's own numbers,
-        which its files' names hold, for the ID.
+        The result of read_roster. Without it, a student's name is used as the login name, and the Canvas number in the
+        names of its files as the ID.
     """
     look = Roster(roster) if roster else None
     identity, rows, missing = IDENTITY[platform], [], []

@@ -1,16 +1,16 @@
 """Enter a sandbox and run a command there: a script of its own, started with a JSON object as its only argument.
 
     {"apart": bool,       whether to take namespaces of its own: processes, mounts, network, messages, host name
-     "root": path,        an empty folder where the sandbox's view of the file system is built (with apart)
-     "visible": [[path, bool]],  what of the system is shown there, read-only, or covered; outer folders first
+     "root": path,        an empty folder in which the sandbox's view of the file system is built (if apart)
+     "visible": [[path, bool]],  paths that are shown there read-only (True) or hidden; outer folders first
      "course": path,      shown as /course, read-only
-     "scratch": path,     the one folder that can be written; emptied by whoever started this where not apart
+     "scratch": path,     the one writable folder; if not apart, whoever started this empties it
      "uid": number,       the user to become, 0 to stay
      "limits": {...},     memory, file, files, processes, scratch, everything: see sandbox.py
      "filter": text,      a filter of system calls, in hexadecimal digits: see seccomp.py
      "command": [...]}
 
-What is told on stderr is for the grader: why the sandbox could not be entered, or why it was ended.
+Messages on stderr are for the grader: why the sandbox could not be entered, or why it was ended.
 """
 
 import contextlib
@@ -36,7 +36,7 @@ DETACH = 2
 DIE_WITH_PARENT, NOT_DUMPABLE, SET_SECCOMP, DROP_BOUND, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 22, 24, 36, 38
 SECCOMP_FILTER = 2
 DEVICES = ("null", "zero", "full", "random", "urandom")
-ENDED = 111  # exit code where the sandbox was ended from here
+ENDED = 111  # exit code if this script ended the sandbox
 
 
 def main():
@@ -47,7 +47,7 @@ def main():
             unshare(wanted["uid"] == 0)
         else:
             control(SUBREAPER, 1)
-        child = os.fork()  # with namespaces: the first process of its own, whose end is the end of all others
+        child = os.fork()  # with namespaces this is their first process: when it ends, all others end
         if child:
             os._exit(watch(child, wanted["limits"], every=not wanted["apart"]))
         if wanted["apart"]:
@@ -65,7 +65,7 @@ def main():
 
 
 def start(wanted):
-    """Become the command, with everything taken away that it does not need."""
+    """Replace this process by the command, without the privileges that it does not need."""
     os.setsid()
     take_away(wanted)
     home = wanted["scratch"]
@@ -95,7 +95,7 @@ def die_with_parent():
 
 
 def unshare(as_user):
-    """Take namespaces: with a map of users that has only this one, unless root does not need that."""
+    """Enter new namespaces. Without root, a user namespace is needed too; its map holds only this user."""
     user, group = os.getuid(), os.getgid()
     apart = NEW_MOUNTS | NEW_NAME | NEW_MESSAGES | NEW_PROCESSES | NEW_NETWORK
     call("unshare", apart | (NEW_USER if as_user else 0))
@@ -103,7 +103,7 @@ def unshare(as_user):
         write("/proc/self/setgroups", "deny")
         write("/proc/self/uid_map", f"0 {user} 1")
         write("/proc/self/gid_map", f"0 {group} 1")
-    die_with_parent()  # changed users forget it
+    die_with_parent()  # the setting is lost when the user changes
 
 
 def write(path, text):
@@ -123,11 +123,11 @@ def mount(source, target, kind, flags, options=""):
 
 
 def build(wanted):
-    """Build a root of its own from what is shown, and leave the machine's."""
+    """Build a root folder from the visible paths, and leave the machine's root."""
     root, room = wanted["root"], wanted["limits"]["scratch"]
     mount(None, "/", None, RECURSIVE | PRIVATE)
     mount("root", root, "tmpfs", NO_SETUID | NO_DEVICES, "size=4m,mode=755")
-    # First, for the environment may itself lie below /tmp and is then shown in it.
+    # First, because the environment itself may be below /tmp, and is then mounted inside it.
     for folder, size in ((wanted["scratch"], room), ("/tmp", room // 4)):
         os.makedirs(root + folder)
         mount("scratch", root + folder, "tmpfs", NO_SETUID | NO_DEVICES, f"size={size},mode=777")
@@ -138,14 +138,14 @@ def build(wanted):
         else:
             mount("hidden", root + path, "tmpfs", NO_SETUID | NO_DEVICES | NO_PROGRAMS, "size=64k,mode=755")
             covered.append(root + path)
-    for path in covered:  # only now: what is shown inside needed folders there
+    for path in covered:  # only now: mounts inside the hidden folders needed mount points there
         mount(None, path, None, REMOUNT | BIND | READ_ONLY | NO_SETUID | NO_DEVICES | NO_PROGRAMS)
     show(wanted["course"], root + "/course")
     for device in DEVICES:
         touch(f"{root}/dev/{device}")
         mount(f"/dev/{device}", f"{root}/dev/{device}", None, BIND)
     os.makedirs(root + "/proc")
-    with contextlib.suppress(OSError):  # not allowed in many a container, and not needed
+    with contextlib.suppress(OSError):  # many containers do not allow it, and it is not needed
         mount("proc", root + "/proc", "proc", NO_SETUID | NO_DEVICES | NO_PROGRAMS)
         write(root + "/proc/sys/kernel/shmall", "16384")
     os.chdir(root)
@@ -179,11 +179,11 @@ def touch(path):
 
 
 def take_away(wanted):
-    """Set the limits, and give up all rights beyond those of a plain user."""
+    """Set the limits, and drop all privileges beyond those of a normal user."""
     limits, uid = wanted["limits"], wanted["uid"]
     if sys.platform == "linux" and os.getuid() == 0:
         for right in range(64):
-            with contextlib.suppress(OSError):  # beyond the last one there is
+            with contextlib.suppress(OSError):  # beyond the last capability of this kernel
                 control(DROP_BOUND, right)
     for kind, most in (
         ("RLIMIT_AS", limits["memory"]),
@@ -191,7 +191,7 @@ def take_away(wanted):
         ("RLIMIT_NOFILE", limits["files"]),
         ("RLIMIT_NPROC", limits["processes"] if limits["count_processes"] else resource.RLIM_INFINITY),
         ("RLIMIT_CORE", 0),
-        ("RLIMIT_CPU", resource.RLIM_INFINITY),  # the grader's own bound is for itself
+        ("RLIMIT_CPU", resource.RLIM_INFINITY),  # the grader's own bound is for the grader only
     ):
         with contextlib.suppress(ValueError, OSError):  # macOS refuses some
             resource.setrlimit(getattr(resource, kind), (most, most))
@@ -217,7 +217,7 @@ def filter_calls(code):
 
 
 def watch(child, limits, every):
-    """Wait for the child, and end everything here where it grows too large or SIGTERM comes; return an exit code."""
+    """Wait for the child; end everything if it exceeds a limit or SIGTERM comes. Return an exit code."""
     awaited = [signal.SIGCHLD, signal.SIGTERM]
     signal.pthread_sigmask(signal.SIG_BLOCK, awaited)
     code, came = None, None
@@ -236,7 +236,7 @@ def watch(child, limits, every):
 
 
 def reaped(child):
-    """Reap whoever ended; the exit code of the child, if it is among them."""
+    """Reap all processes that have ended; return the child's exit code if it is among them, else None."""
     while True:
         try:
             pid, status = os.waitpid(-1, os.WNOHANG)
@@ -249,7 +249,7 @@ def reaped(child):
 
 
 def below(root=None):
-    """Return {pid: Usage} of the processes that a process started (this one if none is named), and that those did."""
+    """Return {pid: Usage} of all descendants of the process `root`; None is this process."""
     root, parents, found = root or os.getpid(), {}, {}
     with contextlib.suppress(OSError):
         for name in filter(str.isdigit, os.listdir("/proc")):
@@ -266,7 +266,7 @@ def below(root=None):
 
 
 class Usage:
-    """What a process uses: pages of memory, ticks of processor time, and those of its children that have ended.
+    """Pages of memory and ticks of processor time of a process, and the ticks of its children that have ended.
 
     depth: 1 for a child, 2 for a child's child, and so on.
     """
@@ -276,7 +276,7 @@ class Usage:
 
 
 def too_much(limits):
-    """Return in words which bound the processes below are over, or ""."""
+    """Return which bound the descendants of this process exceed, or ""."""
     running = below()
     if len(running) > limits["processes"] + 5:
         return f"more than {limits['processes']} processes"
@@ -286,7 +286,7 @@ def too_much(limits):
 
 
 def end_all(child):
-    """End whatever is left below this process; what is born meanwhile is caught in the next round."""
+    """Kill all descendants of this process; the next round catches those that start in the meantime."""
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     for _ in range(100):

@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[3]
 
 
 class GradingStopped(Exception):
-    """The whole run cannot go on; the text says why."""
+    """The whole run cannot continue; the text says why."""
 
 
 # ---- what a result depends on ----
@@ -32,7 +32,7 @@ class GradingStopped(Exception):
 
 @functools.cache
 def course_hash():
-    """Return a hash of all that a grade depends on but the submission and the seed: this package and the notebooks."""
+    """Return a hash of everything except submission and seed that a grade depends on: the package and the notebooks."""
     package = [path for path in (ROOT / "course_lib").rglob("*.py") if "pack" not in path.relative_to(ROOT).parts]
     grading = [path for path in (ROOT / "course_lib/pack/grade").glob("*.py") if path.stem not in ABOUT_RESULTS]
     notebooks = [*ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"), *ROOT.glob("notebooks/data/*.*")]
@@ -58,7 +58,7 @@ def result_name(submission, content, seed):
 
 
 def stored(path):
-    """Return the result that a file holds, or None where there is no whole one."""
+    """Return the result in a file, or None if there is no complete one."""
     try:
         result = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -70,7 +70,7 @@ EMPTY = {"notebook": "", "release": "", "problems": [], "exercises": [], "questi
 
 
 def ungraded_result(submission, reason, state):
-    """Return what stands for the result where there is none. state: "refused", or "not graded" (not kept)."""
+    """Return the result of a file that was not graded. state: "refused", or "not graded" (not kept)."""
     return EMPTY | {"notebook": submission.notebook, "problems": [reason], "state": state}
 
 
@@ -78,11 +78,11 @@ def ungraded_result(submission, reason, state):
 
 
 def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
-    """Return [(submission, result)] in the order of `submissions`; what the files hold already is not graded again.
+    """Return [(submission, result)] in the order of `submissions`; stored results are not computed again.
 
-    results: folder of the results' files. grade(content, notebook, seed): returns a result; its method `prepare`, if it
-    has one, is called in each process at work. jobs: how many at once, -1 for as many as there are processors.
-    scheduler: address of a Dask cluster that does the work, or "".
+    results: the folder of stored results. grade(content, notebook, seed): returns a result; its method `prepare`, if it
+    has one, is called in each worker process. jobs: how many at once, -1 for one for each processor. scheduler: address
+    of a Dask cluster that does the work, or "".
     """
     done, left = {}, {}
     for submission in submissions:
@@ -113,7 +113,7 @@ def _content(submission):
 
 
 def _grade_left(left, done, bar, seed, grade, jobs, whose):
-    """Grade what is left, into `done` and the files."""
+    """Grade the remaining submissions, and add the results to `done` and to the files."""
     handed_out = []
 
     def work(some):
@@ -125,30 +125,30 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
     def take(some, jobs):
         outcomes = Parallel(jobs, batch_size=1, return_as="generator_unordered")(work(some))
         with warnings.catch_warnings(), contextlib.closing(outcomes):
-            warnings.simplefilter("ignore")  # of work that is given up, where the run stops
+            warnings.simplefilter("ignore")  # about work that is given up when the run stops
             for submission, digest, outcome in outcomes:
                 done[submission] = _kept(submission, digest, outcome, left[submission])
                 bar.update()
 
     def attempt(some, jobs):
-        """Return in words what stopped the work, or "". What has come in until then is kept."""
+        """Return what stopped the work, as words, or "". Results that arrived earlier are kept."""
         before = len(handed_out)
         try:
             take(some, jobs)
         except GradingStopped:
             raise
-        except Exception as error:  # a worker was killed, by whatever
+        except Exception as error:  # a worker was killed
             if len(handed_out) == before:
-                raise GradingStopped(f"There is nobody to do the work ({type(error).__name__}).") from error
+                raise GradingStopped(f"No worker can do the work ({type(error).__name__}).") from error
             return f"The process at work on it ended ({type(error).__name__})"
         return ""
 
     rest = list(left)
     while rest:
         attempt(rest, jobs)
-        # Where a worker's end stopped them all, who was at work then is graded alone, apart from this process.
+        # If the end of a worker stopped all of them, each submission in progress is graded alone, in another process.
         for submission in [s for s in handed_out if s not in done]:
-            reason = attempt([submission], max(2, jobs)) or "The file went away"
+            reason = attempt([submission], max(2, jobs)) or "The file disappeared"
             if submission not in done:
                 done[submission] = ungraded_result(submission, f"It could not be graded. {reason}.", "not graded")
                 bar.update()
@@ -156,9 +156,9 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
 
 
 def _one(submission, grade, seed, whose, content):
-    """Grade one submission, wherever this runs. Never raises: one result must not stop the others.
+    """Grade one submission, here or on a worker. Never raises: one submission must not stop the others.
 
-    whose: on a cluster the course's hash where the run began, on the same machine the process that began it.
+    whose: on a cluster, the hash of the course that began the run; on this machine, the process that began it.
     """
     digest = hashlib.sha256(content).hexdigest()[:12]
     if isinstance(whose, int):
@@ -177,7 +177,7 @@ def _one(submission, grade, seed, whose, content):
 
 @functools.cache
 def _end_with(parent):
-    """End this process soon after its parent, also where that was killed: joblib's would wait for minutes."""
+    """End this process soon after its parent, even if that was killed; joblib's workers would wait for minutes."""
 
     def watch():
         while os.getppid() == parent:
@@ -189,7 +189,7 @@ def _end_with(parent):
 
 
 def _kept(submission, digest, outcome, path):
-    """Write a result to its file and return it. What is not to be kept is graded again by the next run."""
+    """Write a result to its file and return it. Results that are not kept are computed again by the next run."""
     if "stop" in outcome:
         raise GradingStopped(outcome["stop"])
     if "failed" in outcome:
@@ -205,7 +205,7 @@ def _kept(submission, digest, outcome, path):
 
 @contextlib.contextmanager
 def _backend(scheduler):
-    """Let joblib work on the cluster of this scheduler, or on this machine where there is none."""
+    """Let joblib work on the cluster of this scheduler, or on this machine if there is none."""
     if not scheduler:
         yield
         return
@@ -221,11 +221,11 @@ def _backend(scheduler):
 
     class Cluster(DaskDistributedBackend):
         def effective_n_jobs(self, n_jobs):
-            # With one job joblib would work here instead of there, and workers that come later would find no work.
+            # With one job joblib would work on this machine, and workers that join later would get no work.
             return max(LEAST_JOBS, super().effective_n_jobs(n_jobs))
 
         def submit(self, func, callback=None):
-            # joblib hears of results only, and would wait for ever for a job that killed all its workers.
+            # joblib is notified of results only, and would wait forever for a job that killed all its workers.
             future = super().submit(func, callback)
             future.add_done_callback(lambda ended: ended.exception() and callback(ended.exception()))
             return future

@@ -1,4 +1,4 @@
-"""The marks of written answers: a table that the reader fills in, and that every later run keeps."""
+"""The marks of written answers: a table that the reader fills in. Every later run keeps it."""
 
 import csv
 import hashlib
@@ -16,14 +16,14 @@ TO_BE_READ, READ, OLDER = "to be read", "read", "of an older answer, or not in t
 
 
 class MarksUnreadable(Exception):
-    """The reader's table cannot be read, so nothing may be written over it; the text says why."""
+    """The reader's table cannot be read and must not be overwritten; the text says why."""
 
 
 @dataclass(frozen=True)
 class MarkedAnswer:
-    """A written answer and what the reader gave for it; points is None until then.
+    """A written answer and its mark; points is None until the answer is marked.
 
-    wrong: why a mark that was typed is none; only the reader sees that. task: the question itself.
+    wrong: why a typed mark is invalid; only the reader sees this. task: the question itself.
     """
 
     question: str
@@ -37,19 +37,19 @@ class MarkedAnswer:
     task: str = ""
 
     @property
-    def told(self):
-        """The state as the reader is told it."""
+    def reported_state(self):
+        """The state that questions.csv shows, with the reason if the mark is invalid."""
         return f"{self.state}: {self.wrong}" if self.wrong else self.state
 
 
 def key(student, notebook, question, text):
-    """Return what a mark belongs to: another answer to the same question has another key, and asks to be read."""
+    """Return the key of a mark. A changed answer to the same question has another key, so it must be marked again."""
     whole = "\n".join([student, notebook, question, text]).encode("utf-8", "backslashreplace")
     return hashlib.sha256(whole).hexdigest()[:16]
 
 
 def read_marks(path):
-    """Return {key: row} of the reader's table, as saved by whatever program; {} where there is none yet."""
+    """Return {key: row} of the reader's table, as any spreadsheet program saves it; {} if there is no table yet."""
     try:
         content = path.read_bytes()
     except FileNotFoundError:
@@ -59,25 +59,25 @@ def read_marks(path):
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        text = content.decode("cp1252", "replace")  # a spreadsheet's idea of text; keys are plain letters
+        text = content.decode("cp1252", "replace")  # how some spreadsheets save text; keys are ASCII in any case
     first = text.split("\n", 1)[0]
     separator = max(",;\t", key=first.count)
     try:
         rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=separator))
     except csv.Error as error:
-        raise MarksUnreadable(f"{path} is no table any more: {error}.") from error
+        raise MarksUnreadable(f"{path} is no longer a table: {error}.") from error
     if rows and not {"key", "mark", "comment"} <= set(rows[0]):
         raise MarksUnreadable(
-            f"{path} has no columns `key`, `mark` and `comment` any more: bring them back, or move "
-            "the file away, and the next run writes it anew, without marks."
+            f"{path} no longer has the columns `key`, `mark` and `comment`. Restore them, or move "
+            "the file away: the next run then writes a new one without marks."
         )
     rows = [{name: row.get(name) or "" for name in COLUMNS} for row in rows if row["key"]]
-    rows.sort(key=lambda row: bool(row["mark"].strip()))  # of a line that was copied, the one with the mark counts
+    rows.sort(key=lambda row: bool(row["mark"].strip()))  # if a line was copied, the one with the mark counts
     return {row["key"]: row for row in rows}
 
 
 def mark_answer(question, student, notebook, rows):
-    """Return the MarkedAnswer for one of a result's questions. rows: what read_marks gives."""
+    """Return the MarkedAnswer for one of a result's questions. rows: the result of read_marks."""
     return replace(_marked(question, student, notebook, rows), task=str(question.get("task", "")))
 
 
@@ -92,7 +92,7 @@ def _marked(question, student, notebook, rows):
         return MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, comment=comment)
     points = _number(typed)
     if points is None or not 0 <= points <= of:
-        wrong = f"the mark {typed[:20]} is no number from 0 to {of}"
+        wrong = f"the mark {typed[:20]} is not a number from 0 to {of}"
         return MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, comment=comment, wrong=wrong)
     return MarkedAnswer(question["question"], of, text, its_key, READ, points, comment)
 
@@ -108,9 +108,9 @@ def _number(typed):
 
 
 def marks_text(listed, rows):
-    """Return questions.csv: a row for each answer, then the earlier marks that fit none of these answers.
+    """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
 
-    listed: [(student, notebook, MarkedAnswer)]. What the reader typed stays as it was typed.
+    listed: [(student, notebook, MarkedAnswer)]. The reader's entries are kept as typed.
     """
     written, table = set(), []
     for student, notebook, each in listed:
@@ -118,7 +118,7 @@ def marks_text(listed, rows):
             continue
         row = rows.get(each.key, {})
         begin = [student, notebook, each.question, each.of, row.get("mark", ""), row.get("comment", "")]
-        table.append([*begin, each.told, answer_text(each.text), each.key])
+        table.append([*begin, each.reported_state, answer_text(each.text), each.key])
         written.add(each.key)
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):

@@ -1,6 +1,6 @@
-"""What a file that was handed in holds: code cells, written answers, the release; whatever wrote it, however broken.
+"""Read a submitted file: its code cells, written answers and release, whichever program wrote it.
 
-Nothing of it is believed but the sources of its cells, and the release that it names.
+Only the sources of its cells and the release that it names are used.
 """
 
 import functools
@@ -23,12 +23,12 @@ MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 0
 
 
 class Unreadable(ValueError):
-    """A file that is no notebook; the text says why."""
+    """The file is not a usable notebook; the text says why."""
 
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell. name: its grade_id in nbgrader's metadata, where there is one; only written answers go by it."""
+    """One cell. name: its grade_id in nbgrader's metadata, or ""; used only to find written answers."""
 
     kind: str
     source: str
@@ -56,25 +56,25 @@ class Course:
     questions: tuple
 
 
-# ---- what was handed in ----
+# ---- reading a submission ----
 
 
 def read(content):
-    """Return (cells, release) of a file's bytes. Raises Unreadable."""
+    """Return (cells, release) from a file's bytes. Raises Unreadable."""
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     if content.count(b"{") + content.count(b"[") > MOST_BRACKETS or content.count(b",") > MOST_COMMAS:
         raise Unreadable("It holds far more than a notebook does. Clear its outputs and hand it in again.")
     try:
-        # No number of a notebook is needed: left as text, none is too long to be read.
+        # No number in a notebook is needed. Kept as text, even a very long one can be read.
         book = json.loads(_text(content), parse_int=str, parse_float=str)
     except (ValueError, RecursionError, MemoryError):
         raise Unreadable(
-            "It is no notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
+            "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
         ) from None
     listed = _listed(book)
     if listed is None:
-        raise Unreadable("It is no notebook: it has no list of cells.")
+        raise Unreadable("It is not a notebook: it has no list of cells.")
     if len(listed) > MOST_CELLS:
         raise Unreadable(f"It has more than {MOST_CELLS} cells.")
     cells = [cell for cell in map(_cell, listed) if cell]
@@ -92,7 +92,7 @@ def _text(content):
 
 
 def _listed(book):
-    """The cells of a notebook of any version as a list; before version 4 they lay in worksheets."""
+    """Return the list of cells of a notebook of any version; before version 4 they were in worksheets."""
     if not isinstance(book, dict):
         return None
     if isinstance(book.get("cells"), list):
@@ -130,7 +130,7 @@ def code(cells):
 
 
 def defines(sources, name):
-    """Return whether some cell looks as if it defined a function of this name: a guess, to save time by."""
+    """Return whether a cell seems to define a function of this name: a quick guess from its text."""
     return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
 
 
@@ -140,9 +140,9 @@ DYNAMIC = (
 
 
 def may_bind(sources, name):
-    """Return whether the cells may bind this name when they are run as a whole: a guess, to save time by.
+    """Return whether the cells may bind this name when all of them are run: a quick guess from their text.
 
-    Each line is looked at once, from its beginning: the time grows no faster than the text.
+    Each line is read once, so the time is linear in the length of the text.
     """
     if not name:
         return False
@@ -158,15 +158,15 @@ def may_bind(sources, name):
 
 
 def _lines_with(sources, name):
-    """The lines that hold a name, without the blanks before them."""
+    """Return the lines that contain a name, without leading blanks."""
     return (line.lstrip() for source in sources if name in source for line in source.splitlines() if name in line)
 
 
-# ---- what the course asks ----
+# ---- the course's notebooks ----
 
 
 def course_of(name, cells):
-    """Return the Course that a file of this name belongs to, by its exercises where the name does not say; or None."""
+    """Return the Course of a file by its name, or else by the exercises in its cells; None if neither fits."""
     known = courses()
     if name in known:
         return known[name]
@@ -198,7 +198,7 @@ def _questions(path):
 
 
 def answer(question, cells):
-    """Return what was written: in the cell of the question's name, or of its id, or after its task; or ""."""
+    """Return the written answer: the cell with the question's name, or its id, or the one after its task; or ""."""
     for wanted in (lambda cell: cell.name == question.name, lambda cell: cell.id == question.id):
         found = [cell.source for cell in cells if cell.kind != "code" and wanted(cell)]
         if found:

@@ -18,9 +18,9 @@ CANVAS = re.compile(
 def exported_name(stem):
     """Return (student, rest, number, late) from the name of a file or folder that Canvas or Moodle exported.
 
-    rest: the student's own name for the file. number: the platform's for the student. late: whether the platform
-    marked it as late. All are empty for another name. The platform's part stands first, so that nothing a student
-    puts into the file's own name is taken for it.
+    rest: the student's own name for the file. number: the platform's number of the student. late: True if the platform
+    marked the file as late. For any other name all are empty. The platform's part comes first, so a student cannot
+    imitate it by the file's own name.
 
     Examples
     --------

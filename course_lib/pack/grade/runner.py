@@ -1,8 +1,8 @@
 """Run a notebook's cells and put questions to its functions: the script that is started in the sandbox.
 
-Everything it says is a claim: the student's code runs in this very process and may say anything in its name.
-It reads one JSON object with the cells, runs them, then reads {"ask": name, ...} again and again, and answers each
-from a child of its own, so that what one answer does to its process costs no other one.
+All its output is only a claim, because the student's code runs in the same process and can forge it. It reads one JSON
+object with the cells, and runs them. Then it reads requests {"ask": name, ...} until the end, and answers each in a
+child process, so that a crash in one answer affects no other.
 """
 
 import ast
@@ -36,7 +36,7 @@ def main():
     from course_lib.checks import call_student
 
     def tell(name, text):
-        """Ask the grader, on behalf of a student's test, what a candidate answers; None if it has heard enough."""
+        """Return a candidate's answer from the grader, for a student's test; None after too many calls."""
         say(exercise=name, call=text)
         return json.loads(requests.readline())["told"]
 
@@ -56,7 +56,7 @@ def main():
 
 
 def run_whole(sources, names, without, say):
-    """Run the cells as Jupyter does, going on after errors; return what run_needed does."""
+    """Run the cells as Jupyter does, but continue after errors; return the same as run_needed."""
     from cells import without_stubs
     from IPython.core.interactiveshell import InteractiveShell
     from traitlets.config import Config
@@ -75,10 +75,10 @@ def run_whole(sources, names, without, say):
 
 
 def run_needed(sources, names, without, say):
-    """Run only what the functions of these names need, statement by statement.
+    """Run only the statements that the functions of these names need, one after the other.
 
-    Returns their namespace, all names that the cells bind, and the names of functions for which it would change nothing
-    if only what they themselves need were run.
+    Returns their namespace, all names that the cells bind, and the names of functions that would behave the same if
+    only the statements that they themselves need had been run.
     """
     from cells import alike_alone, needed, statements
 
@@ -92,7 +92,7 @@ def run_needed(sources, names, without, say):
     found = statements(sources)
     left = [each for each in needed(found, names) if (each.cell, each.tree.lineno) not in without]
     alike = [] if without else alike_alone(found, names)
-    for _ in range(2):  # again, for cells that were moved before those that they need
+    for _ in range(2):  # twice, for cells that a student moved before those that they need
         failed = []
         for each in left:
             say(running=[each.cell, each.tree.lineno])
@@ -108,7 +108,7 @@ def run_needed(sources, names, without, say):
 
 
 def words(error):
-    """The error in one line; its text is the student's to make, and may fail or be endless."""
+    """Return the error in one line. The student's class may define its text, so this can fail or be very long."""
     try:
         return f"{type(error).__name__}: {error}"[:300].replace("\n", " ")
     except BaseException:
@@ -146,7 +146,7 @@ def in_a_child(asked, answer, tell):
 
 
 def listen(child, there, told_here, asked, tell):
-    """Read lines from the child: calls, which begin with ?, and at last its reply. Return it, and why it is cut off."""
+    """Read lines from the child: calls, which begin with ?, then its reply. Return (reply, late, why it was cut)."""
     buffer, length = b"", 0
     while True:
         ready = wait_for(child, there, asked)
@@ -167,7 +167,7 @@ def listen(child, there, told_here, asked, tell):
 
 
 def wait_for(child, pipe, asked):
-    """Wait until something comes out of the pipe; False if the child computes nothing for too long."""
+    """Wait until the pipe can be read; return False if the child computes nothing for too long."""
     begin = since = time.monotonic()
     computed = None
     while not select.select([pipe], [], [], 0.25)[0]:
@@ -179,7 +179,7 @@ def wait_for(child, pipe, asked):
 
 
 def computing_time(process):
-    """The seconds of processor time of a process; None where the system has no such clock."""
+    """Return the processor time of a process in seconds; None if the system has no such clock."""
     try:
         return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
     except OSError:
@@ -187,14 +187,14 @@ def computing_time(process):
 
 
 def speak(pipe, told, asked, answer):
-    """In the child: answer, and end whatever happens."""
+    """In the child process: answer, and end this process in any case."""
     try:
         os.setpgid(0, 0)
         used = resource.getrusage(resource.RUSAGE_SELF)
         most = int(used.ru_utime + used.ru_stime + asked["cpu"])
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
         random.seed(0)
-        sys.modules["numpy"].random.seed(0)  # the same grade for the same file, whatever it draws
+        sys.modules["numpy"].random.seed(0)  # the same grade for the same file, even if it draws random numbers
         hear = os.fdopen(told, "rb")
 
         def consult(text):

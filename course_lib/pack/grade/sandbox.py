@@ -1,4 +1,4 @@
-"""A process for a student's code with as little around it as the system can arrange, spoken to over two pipes."""
+"""Run a student's code in a process that sees as little of the machine as possible; two pipes lead to it."""
 
 import contextlib
 import functools
@@ -20,9 +20,9 @@ from course_lib.pack.grade.control_group import ControlGroup
 from course_lib.pack.grade.isolate import below
 from course_lib.pack.grade.visible import visible_paths
 
-# Inside, the folders that a path such as ../.venv/bin/python leads through are not there.
+# Resolved, because the folders on a path such as ../.venv/bin/python do not exist inside the sandbox.
 PYTHON = os.path.join(os.path.realpath(os.path.dirname(sys.executable)), os.path.basename(sys.executable))
-FIRST_UID = 200_000  # with root: one user for each sandbox, whom nothing on the machine belongs to
+FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
 NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS = "namespaces", "bubblewrap", "another user", "limits"
 NOTICES = {
     NAMESPACES: "",
@@ -37,16 +37,16 @@ WATCHERS = {NAMESPACES: 2, BUBBLEWRAP: 3, ANOTHER_USER: 1, LIMITS: 1}  # process
 
 @dataclass(frozen=True)
 class Limits:
-    """What one submission may take; sizes are bytes.
+    """The most that one submission may use; sizes are in bytes.
 
-    What ends a computation is processor time, so that a busy machine changes no verdict. Seconds without "cpu" are of
-    the clock: idle_seconds end what computes nothing at all, the others lie far later than any computation.
+    Processor time ends a computation, so that a busy machine changes no verdict. Seconds without "cpu" are clock time:
+    idle_seconds end a process that computes nothing, and the others are far longer than any computation.
     """
 
     cpu_seconds: int = 20  # for all answers of one exercise
     cell_cpu_seconds: int = 120
     notebook_cpu_seconds: int = 400  # for all cells of one run
-    submission_cpu_seconds: int = 1200  # for everything together; what is left then is not asked any more
+    submission_cpu_seconds: int = 1200  # for everything together; exercises that remain then are not graded
     idle_seconds: int = 60  # in which nothing is computed
     answer_seconds: int = 1800  # for all answers of one exercise
     notebook_seconds: int = 3600  # for all cells of one run
@@ -61,18 +61,18 @@ class Limits:
 
 
 class Ended(Exception):
-    """The sandbox is no more, or did not answer in time; the text says why, to follow "it ended: "."""
+    """The sandbox ended or did not answer in time; the text says why, to follow "it ended: "."""
 
 
 class TooSlow(Ended):
-    """It was ended for want of time."""
+    """The sandbox was ended because its time ran out."""
 
 
 class Sandbox:
-    """A running sandbox, as a context manager; whatever ran in it is gone when it is left.
+    """A running sandbox, as a context manager; leaving it ends every process in it.
 
-    contents: {path: bytes} of files that are shown at /course, runner.py among them. hidden: folders that must not be
-    seen, wherever they lie.
+    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must not be visible,
+    wherever they are.
     """
 
     def __init__(self, contents, limits=None, hidden=()):
@@ -94,7 +94,7 @@ class Sandbox:
             remove_tree(self._folder)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
-        self._left, self._over = bytearray(), ""
+        self._left, self._over, self._kills = bytearray(), "", 0
         return self
 
     def __exit__(self, *raised):
@@ -109,7 +109,7 @@ class Sandbox:
     def send(self, message, seconds=30):
         """Send a message, anything that JSON can hold."""
         data = memoryview(json.dumps(message).encode() + b"\n")
-        deadline = time.monotonic() + seconds
+        deadline, self._kills = time.monotonic() + seconds, self._group.memory_kills()
         if self._over:
             raise Ended(self._over)
         while data:
@@ -125,8 +125,8 @@ class Sandbox:
     def receive(self, clock, cpu=None):
         """Return the next message, a dict; anything else is ignored. Raises Ended, and after that always.
 
-        clock: seconds to wait at most. cpu: seconds of computing that all processes of the sandbox together may use
-        meanwhile. Whatever they are, it ends when nothing at all is computed for a while.
+        clock: the longest wait in seconds. cpu: the processor time in seconds that the processes of the sandbox may use
+        together while we wait. In any case the sandbox ends if it computes nothing for limits.idle_seconds.
         """
         try:
             return self._next(Watch(self.computed, clock, cpu, self._limits.idle_seconds + 2))
@@ -135,13 +135,17 @@ class Sandbox:
             raise
 
     def computed(self):
-        """Return the seconds of computing of everything in the sandbox; None where the system does not tell."""
+        """Return the processor time of everything in the sandbox, in seconds; None if the system does not report it."""
         if sys.platform != "linux":
             return None
         watchers, ticks = WATCHERS[kind()], 0
         for usage in below(self._process.pid).values():  # the process itself, of depth 0, is the first watcher
             ticks += usage.ticks_of_ended + (usage.ticks if usage.depth >= watchers else 0)
         return ticks / os.sysconf("SC_CLK_TCK")
+
+    def out_of_memory(self):
+        """Return whether the kernel killed a process of the sandbox for its memory since the last message was sent."""
+        return self._group.memory_kills() > self._kills
 
     def _next(self, watch):
         looked_at = 0
@@ -172,16 +176,20 @@ class Sandbox:
         return data
 
     def _why(self):
-        """What the sandbox itself told of its end; no line of it comes from the student's code."""
+        """Return why the sandbox ended. Its stderr gives the reason; the student's code cannot write there."""
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._process.wait(2)
         os.set_blocking(self._process.stderr.fileno(), False)
-        told = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
-        return told.splitlines()[-1] if told else "its process ended"
+        reason = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
+        if reason:
+            return reason.splitlines()[-1]
+        if self.out_of_memory():
+            return f"it was killed because memory ran out; it may use {self._limits.everything // 10**9} GB"
+        return "its process ended"
 
 
 class Watch:
-    """Ends the waiting for a sandbox: by its computing, by its idleness, and far later by the clock."""
+    """Ends the wait for a sandbox: by its processor time, by its idle time, and much later by the clock."""
 
     def __init__(self, computed, clock, cpu, idle):
         self._computed, self._cpu, self._idle = computed, cpu, idle
@@ -190,7 +198,7 @@ class Watch:
         self._since, self._looked = time.monotonic(), time.monotonic()
 
     def look(self, idle=False):
-        """Raise Ended if a bound is passed. idle: whether nothing came from the sandbox meanwhile."""
+        """Raise Ended if a bound is exceeded. idle: True if nothing came from the sandbox since the last call."""
         now = time.monotonic()
         if now > self._end:
             raise TooSlow(f"it was not done after {self._clock:.0f} seconds")
@@ -210,7 +218,7 @@ class Watch:
 
 
 def notice():
-    """Return in words what of the isolation this system does not offer, or ""."""
+    """Return a sentence on the isolation that this system does not offer, or ""."""
     lacking = [NOTICES[kind()]] if NOTICES[kind()] else []
     if not control_group.available():
         lacking.append("no control group can be made here: memory in pipes and sockets is not counted")
@@ -221,7 +229,7 @@ def notice():
 
 @functools.cache
 def call_filter():
-    """Return the filter of system calls for this machine; b"" if it takes none."""
+    """Return the filter of system calls for this machine; b"" if the machine accepts none."""
     code = seccomp.program()
     if not code:
         return b""
@@ -237,7 +245,7 @@ def call_filter():
 
 
 def remove_tree(folder):
-    """Remove a folder, however deep a submission nested what is in it: shutil.rmtree recurses."""
+    """Remove a folder. Not by shutil.rmtree, which recurses: a submission may nest folders very deep."""
     subprocess.run(["rm", "-rf", "--", str(folder)], stderr=subprocess.DEVNULL, env={"PATH": os.defpath})
 
 
@@ -250,13 +258,13 @@ def remove_old_folders():
                 os.kill(int(number), 0)
         except ProcessLookupError:
             remove_tree(folder)
-        except OSError:  # somebody else's
+        except OSError:  # a process of another user
             pass
 
 
 @functools.cache
 def kind():
-    """Return the best of the ways to keep submissions apart that works here."""
+    """Return the strongest kind of isolation that works here."""
     for each in (NAMESPACES, BUBBLEWRAP, ANOTHER_USER, LIMITS):
         if works(each):
             return each
@@ -264,7 +272,7 @@ def kind():
 
 
 def works(each):
-    """Return whether a process with numpy, a child and a scratch folder can be had in this way."""
+    """Return whether a process with numpy, a child process and a scratch folder runs with this kind of isolation."""
     possible = {
         NAMESPACES: sys.platform == "linux",
         BUBBLEWRAP: sys.platform == "linux" and shutil.which("bwrap") is not None,
@@ -328,7 +336,7 @@ def _command(each, folder, limits, script, hidden):
 
 
 def _numbers(limits, uid):
-    """The limits as isolate.py takes them. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
+    """Return the limits for isolate.py. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
     release = [int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]]
     counted = uid or (sys.platform == "linux" and release >= [5, 14])
     names = ("memory", "everything", "processes", "files", "file", "scratch")
@@ -351,7 +359,7 @@ def _bubblewrap(folder, limits, hidden):
 
 
 def _end(process):
-    """End the sandbox: it ends what runs in it, and where it does not, nothing asks it any more."""
+    """End the sandbox. It ends what runs in it; if it does not, kill it."""
     process.terminate()
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(5)

@@ -1,7 +1,7 @@
-"""What of the course a student's process gets: the mathematics without what is asked for, and quiet stand-ins.
+"""The part of the course that a student's process can see: the mathematics without the answers, and stand-ins.
 
-Nothing there knows a right answer: of the checks there is only what asks, the figures draw nothing, and a function that
-an exercise forbids is replaced by one that says so, in the source, before any student's code runs.
+It contains no right answer. Of the checks only the part that calls the student's function is there, the figures draw
+nothing, and the source of a forbidden function is replaced by one that raises, before any student's code runs.
 """
 
 import ast
@@ -63,7 +63,7 @@ class Quiet:
         pass
 
     def use(self, students):
-        """The library's function where this process has it, so that a wrong answer spoils no other exercise."""
+        """Return the library's function if this process has it, so that a wrong answer affects no other exercise."""
         module, _, name = self.library.rpartition(".")
         found = getattr(importlib.import_module(module), name) if module else students
         return students if getattr(found, "taken_away", False) else found
@@ -81,7 +81,7 @@ def __getattr__(name):
 
 
 def dotted_name(function):
-    """Return the name under which the library has a function; "" for one of the checks' own."""
+    """Return the dotted name of a function of the library; "" for a function that the checks define."""
     module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
     own = module.startswith("course_lib.checks") or not module.startswith("course_lib.") or "." in name
     return "" if own or name.startswith("<") else f"{module}.{name}"
@@ -110,7 +110,7 @@ def contents(checks, forbidden):
 
 @functools.cache
 def without(path, dotted):
-    """Return the source of a module in which the dotted names raise, and what only they used is gone."""
+    """Return the source of a module in which the dotted names raise, without the helpers that only they used."""
     source = path.read_text(encoding="utf-8")
     if not dotted:
         return source.encode()
@@ -128,7 +128,7 @@ def without(path, dotted):
 
 
 def _still_used(tree, names):
-    """The functions and classes of a module that are public, or still called, without those of `names`."""
+    """Return the functions and classes of a module that are public or still called, without `names`."""
     reads = {}
     for statement in tree.body:
         defined = _defined(statement)

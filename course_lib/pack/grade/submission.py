@@ -1,8 +1,8 @@
-"""Grade one submission: every verdict is formed here, from answers that its own process gives as plain data.
+"""Grade one submission. Every verdict is formed here, from answers that the submission's process gives as plain data.
 
-The cheap way comes first: only what the functions need is run, without anything that any exercise forbids. What remains
-open is asked once more, each exercise in a process of its own with all but what it forbids itself, and only then is
-the whole notebook run.
+The cheapest run comes first: only the statements that the functions need, without any function that some exercise
+forbids. An exercise that remains open is asked again in a process of its own, without only the functions that this
+exercise forbids. The whole notebook is run last.
 """
 
 import json
@@ -20,16 +20,22 @@ from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_o
 from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow, notice
 from course_lib.pack.grade.student_view import contents
 
-ALONE, WHOLE = "alone", "whole"  # ways of asking again: in a process of its own; after the whole notebook
-JUDGING_SECONDS = 60  # of processor time for the grader itself, an exercise; a right answer takes less than one
+ALONE, WHOLE = "alone", "whole"  # how to ask again: in a process of its own; after running the whole notebook
+JUDGING_SECONDS = 60  # of the grader's own processor time for one exercise; a right answer takes less than one
 MOST_CALLS = 10_000  # of candidates, by one student's test
-OWN_ERRORS = {"ValueError", "ZeroDivisionError", "IndexError", "LinAlgError", "AssertionError"}  # no lack raises these
+OWN_ERRORS = {
+    "ValueError",
+    "ZeroDivisionError",
+    "IndexError",
+    "LinAlgError",
+    "AssertionError",
+}  # not caused by a function that this run removed
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
 @dataclass
 class Outcome:
-    """What came of one exercise. again: the ways of asking once more that may do better."""
+    """The outcome of one exercise. again: how to ask once more with a chance of a better outcome (ALONE, WHOLE)."""
 
     verdict: Verdict
     again: frozenset = frozenset()
@@ -37,10 +43,10 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Cells:
-    """What is known of a run of the cells when one of its functions is asked.
+    """What is known about a run of the cells when one of its functions is asked.
 
-    final: whether a function that is not there is nowhere. alike: whether it would change nothing for this one if only
-    what it needs were run. left_out: why something was left out, or "".
+    final: True if no later run could define a missing function. alike: True if this function would behave the same if
+    only the statements that it needs were run. left_out: why a statement was left out, or "".
     """
 
     final: bool
@@ -49,16 +55,17 @@ class Cells:
 
 
 def _computed():
-    """Return the seconds of computing of this process and of those that it started and that have ended."""
+    """Return the processor time of this process and of its children that have ended, in seconds."""
     usages = [resource.getrusage(whose) for whose in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
 @dataclass
 class Run:
-    """A submission while it is graded. left_out: {number of a cell that ended or stopped it: how}.
+    """A submission while it is graded.
 
-    too_slow: the statements, as [cell, line], that no later run takes up again.
+    left_out: {number of a cell that ended or blocked the process: how}. too_slow: statements as [cell, line] that no
+    later run executes again.
     """
 
     sources: list
@@ -73,16 +80,16 @@ class Run:
     computed: float = field(default_factory=_computed)
 
     def over(self):
-        """Return whether all that this submission may take is used up."""
+        """Return whether the submission has used all its time."""
         late = time.monotonic() - self.begin > self.limits.submission_seconds
         return late or _computed() - self.computed > self.limits.submission_cpu_seconds
 
 
 def grade(text, notebook, seed, limits=None, hidden=()):
-    """Return what a submission earns, as plain data; never raises for anything that the submission holds.
+    """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
 
-    text: the file's bytes. notebook: the name it was handed in as. seed: of the cases, a secret of the grader's.
-    hidden: folders that the submission must not see, wherever they lie.
+    text: the file's bytes. notebook: the name under which it was handed in. seed: the secret seed of the cases.
+    hidden: folders that the submission must not see, wherever they are.
     """
     try:
         cells, release = notebook_file.read(text)
@@ -91,7 +98,7 @@ def grade(text, notebook, seed, limits=None, hidden=()):
         return _result(notebook, "", course, [str(problem)], {}, None)
     course = course_of(notebook, cells)
     if course is None:
-        problem = "It is none of the course's notebooks: neither its name nor its functions say which."
+        problem = "It is not one of the course's notebooks: neither its name nor its functions match."
         return _result(notebook, release, None, [problem], {}, cells)
     run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises, tuple(hidden))
     outcomes = ask_all(run)
@@ -104,12 +111,12 @@ def grade(text, notebook, seed, limits=None, hidden=()):
 
 @dataclass(frozen=True)
 class Grader:
-    """Grades submissions, each with grade(). hidden: folders that no submission must see, wherever they lie."""
+    """Grades submissions by grade(). hidden: folders that no submission must see, wherever they are."""
 
     hidden: tuple = ()
 
     def prepare(self):
-        """Load and find out what every submission needs, once for all processes that are forked from this one."""
+        """Load the course and try the isolation once, for all processes that are forked from this one."""
         courses()
         notice()  # tries what this system offers
 
@@ -118,7 +125,7 @@ class Grader:
 
 
 def ask_all(run):
-    """Return {exercise's name: Outcome}, trying the cheap ways first."""
+    """Return {exercise's name: Outcome}; the cheapest runs come first."""
     everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
     outcomes = attempt(run, run.exercises, everything, whole=False)
     for exercise in run.exercises:
@@ -134,7 +141,7 @@ def ask_all(run):
 
 
 def _blame_helpers(outcomes):
-    """Let a wrong answer name the other exercise that it calls, if that is wrong too."""
+    """Make the message of a wrong answer name another exercise that it calls, if that is wrong too."""
     for outcome in outcomes.values():
         verdict = outcome.verdict
         if verdict.state in (WRONG, ERROR):
@@ -170,8 +177,10 @@ def attempt(run, exercises, forbidden, whole):
 
 
 def run_cells(sandbox, order, run):
-    """Let the cells run. Returns what ran last, the Ended if it ended the sandbox, and what the runner told at the end:
-    {"defined": names that the cells define, "alike": names that another run alone would not change}."""
+    """Run the cells. Return the place that ran last, the Ended exception or None, and the runner's last message.
+
+    The message is {"defined": names that the cells define, "alike": names that a run of their own would not change}.
+    """
     limits, current = run.limits, None
     begin = looked = time.monotonic()
     left = limits.notebook_cpu_seconds
@@ -192,14 +201,14 @@ def run_cells(sandbox, order, run):
 
 
 def ask(sandbox, run, exercise, cells):
-    """Put an exercise's questions to the sandbox, which has run these Cells, and judge what comes back."""
+    """Return the Outcome of an exercise: put its questions to the sandbox, which has run these Cells, and judge."""
     if run.over():
         return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
     student = Student(sandbox, run, exercise)
     try:
         with cpu_deadline(JUDGING_SECONDS):
             verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
-            _message(verdict)  # to show an answer of any size may take as long, or fail
+            _message(verdict)  # showing an answer of any size may take long too, or fail
     except CpuDeadline as deadline:
         return Outcome(Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}."))
     except Exception as error:
@@ -224,8 +233,8 @@ def ask(sandbox, run, exercise, cells):
 class Student:
     """Passes one exercise's questions to a sandbox. See judge.
 
-    ended: why no reply came, or "". too_slow: whether that was for want of time. missing: a name that was not there
-    when the function was called, or "". hindered: whether something that this run lacks may have changed an answer.
+    ended: why no reply came, or "". too_slow: True if the time ran out. missing: a name that was undefined when the
+    function was called, or "". hindered: True if something that this run left out may have changed an answer.
     """
 
     def __init__(self, sandbox, run, exercise):
@@ -252,7 +261,7 @@ class Student:
         if isinstance(text, str):
             self.missing, self.hindered = _obstacles(text, self._forbidden)
             return text
-        self.ended, self.too_slow = _how_it_ended(message, limits)
+        self.ended, self.too_slow = _how_it_ended(message, limits, self._sandbox.out_of_memory())
         return ""
 
     def _receive(self, deadline):
@@ -263,16 +272,17 @@ class Student:
 
 
 def _obstacles(reply, forbidden):
-    """Return (a name that was not there when the function was called, or ""; whether the run may have hindered it).
+    """Return (a name that was undefined when the function was called, or ""; whether the run may have hindered it).
 
-    It may if it called a function that only other exercises forbid, or raised what the lack of one may raise.
+    The run may have hindered it if it called a function that only other exercises forbid, or raised an exception that
+    the absence of such a function can cause.
     """
     try:
-        told = json.loads(reply)
-        errors = [answer["error"] for answer in told["answers"] if "error" in answer]
+        claims = json.loads(reply)
+        errors = [answer["error"] for answer in claims["answers"] if "error" in answer]
         messages = (error["message"] for error in errors if error["type"] == "NameError")
         found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
-        hindered = {error["type"] for error in errors} - OWN_ERRORS or set(told["refused"]) - set(forbidden)
+        hindered = {error["type"] for error in errors} - OWN_ERRORS or set(claims["refused"]) - set(forbidden)
         return found[1] if found else "", bool(hindered)
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return "", True
@@ -280,16 +290,22 @@ def _obstacles(reply, forbidden):
 
 def _time_is_up(limits):
     seconds = f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of the clock"
-    return f"It was not asked: all that came before took {seconds}."
+    return f"It was not graded: everything before it took {seconds}."
 
 
-def _how_it_ended(message, limits):
-    """Return why there is no reply, and whether that was for want of time. message: what the runner claims of it."""
+def _how_it_ended(message, limits, out_of_memory):
+    """Return why there is no reply, and whether the time ran out.
+
+    message: what the runner claims about it. out_of_memory: True if the kernel killed a process for its memory.
+    """
     if message.get("late") is True:
         return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
         return f"What came back cannot be read: {str(message['ended'])[:200]}.", False
     status, computed = message.get("status"), message.get("computed")
+    if status == -9 and out_of_memory:
+        gigabytes = limits.everything // 10**9
+        return f"Your function was killed because memory ran out. It may use {gigabytes} GB.", False
     used_up = isinstance(computed, int | float) and computed >= limits.cpu_seconds
     if status == -24 or (status == -9 and used_up):
         return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?", True
@@ -302,7 +318,7 @@ def _how_it_ended(message, limits):
 
 
 def _result(notebook, release, course, problems, outcomes, cells):
-    """The result as plain data. cells: None where the file could not be read."""
+    """Return the result as plain data. cells: None if the file could not be read."""
     found = {"notebook": course.name if course else notebook, "release": _shown(release), "problems": problems}
     exercises = course.exercises if course else ()
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
@@ -331,7 +347,7 @@ def _row(exercise, outcome):
 
 
 def _message(verdict):
-    """The words of the check without its first line, for the state stands beside it."""
+    """Return the check's message without its first line, because the state is a column of its own."""
     if verdict.state == RIGHT:
         return _shown(verdict.note)
     try:
@@ -342,7 +358,7 @@ def _message(verdict):
 
 
 def _shown(text):
-    """The text without what would steer a terminal or break a file: it may hold what a student's code said."""
+    """Return the text without control characters, because it may contain text from a student's code."""
     return "".join(sign if sign.isprintable() or sign == "\n" else "\N{REPLACEMENT CHARACTER}" for sign in text)
 
 

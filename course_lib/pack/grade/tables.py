@@ -1,4 +1,4 @@
-"""What counts, and the tables of it: a line for each exercise, and a line for each student."""
+"""Which files count, and the tables of their points: a line for each exercise, and a line for each student."""
 
 import csv
 import io
@@ -12,10 +12,8 @@ from course_lib.pack.grade.notebook_file import UNREADABLE
 GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message", "release")
 LONGEST = 1000  # characters of a message in a table; the feedback has all
 LONGEST_ANSWER = 30_000  # what a cell of a spreadsheet holds
-FORMULA = (
-    "=+-@\uff1d\uff0b\uff0d\uff20"  # what a spreadsheet may take for the beginning of a formula, also in wide letters
-)
-# A program that takes semicolons, tabs or line ends for the border of two cells finds a beginning there too.
+FORMULA = "=+-@\uff1d\uff0b\uff0d\uff20"  # how a formula may begin in a spreadsheet, also in full-width letters
+# For a program that separates cells by semicolons, tabs or line ends, a formula may begin after those too.
 INSIDE = re.compile(rf"([;\t\n]\s*)(?=[{re.escape(FORMULA)}])")
 MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 
@@ -24,8 +22,8 @@ MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 class GradedFile:
     """A submission with its result.
 
-    superseded_by: the place of the file that counts instead of it, or "". days_late: after the deadline. share: of its
-    points that it keeps then.
+    superseded_by: the place of the file that counts instead of it, or "". days_late: days after the deadline. share:
+    the share of its points that it keeps, 0 to 1.
     """
 
     submission: Submission
@@ -48,7 +46,7 @@ class GradedFile:
 
     @property
     def unreadable(self):
-        """Whether nothing in the file could be read: it then earns nothing, and its student should hear of it."""
+        """True if nothing in the file could be read. It then earns nothing, and the student should be informed."""
         return any(exercise["state"] == UNREADABLE for exercise in self.result["exercises"])
 
     @property
@@ -61,12 +59,12 @@ class GradedFile:
 
 
 def final_state(state):
-    """Return a state as it reads after the hand-in: nothing is attempted yet any more."""
+    """Return the wording of a state after the hand-in, when "yet" no longer fits."""
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
 def graded_files(outcomes, deadline=None):
-    """Return the GradedFiles by student and notebook; of several for one notebook the one with most points counts."""
+    """Return the GradedFiles by student and notebook; of several for one notebook the best counts."""
     all_of_them = sorted((_graded_file(*outcome, deadline) for outcome in outcomes), key=_order)
     best = {}
     for each in all_of_them:
@@ -86,7 +84,7 @@ def _graded_file(submission, result, deadline):
 
 
 def lateness(each):
-    """Return in words that a file was late and what it lost for that, or ""."""
+    """Return a sentence on how late a file was and how many points it lost, or ""."""
     if each.days_late:
         lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
         return f"Handed in {count_noun(each.days_late, 'day')} late.{lost}"
@@ -101,7 +99,7 @@ def _order(each):
 
 
 def grades_text(everything, marks_of):
-    """Return grades.csv. marks_of(handed): the MarkedAnswer of its written answers."""
+    """Return grades.csv. marks_of(each): the MarkedAnswers of one file."""
     rows = []
     for each in everything:
         rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each, marks_of)]
@@ -109,7 +107,7 @@ def grades_text(everything, marks_of):
 
 
 def _lines(each, marks_of):
-    """Yield exercise, points, of, state and message for what one file holds."""
+    """Yield (exercise, points, of, state, message) for each entry of one file."""
     if each.superseded_by:
         yield "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
         return
@@ -125,7 +123,7 @@ def _lines(each, marks_of):
         yield name, points, of, final_state(exercise["state"]), exercise["message"]
     for answer in marks_of(each):
         points = "" if answer.points is None else answer.points
-        yield answer.question, points, answer.of, final_state(answer.told), answer.comment
+        yield answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
 
 
 @dataclass(frozen=True)
@@ -144,7 +142,7 @@ class Totals:
 
 
 def totals(everything, marks_of):
-    """Return the Totals, with what late files lose taken off."""
+    """Return the Totals, after the deductions for late files."""
     of, found = {}, Totals()
     for each in sorted(everything, key=lambda each: each.student):
         if each.superseded_by or not each.student:
@@ -163,12 +161,12 @@ def totals(everything, marks_of):
 
 
 def _rounded(points):
-    """Points to a hundredth: what Canvas keeps of them."""
+    """Return points rounded to a hundredth, as Canvas stores them."""
     return round(points, 2) if points != int(points) else int(points)
 
 
 def totals_text(found):
-    """Return totals.csv: a line a student, empty where a notebook was not handed in."""
+    """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not handed in."""
     rows = []
     for student, points in found.students.items():
         each = [points.get(notebook, "") for notebook in found.of]
@@ -181,7 +179,7 @@ def totals_text(found):
 
 
 def table_text(columns, rows):
-    """Return CSV; the cells are as cell() makes them."""
+    """Return CSV text. Columns and rows hold texts made by cell()."""
     file = io.StringIO(newline="")
     csv.writer(file, lineterminator="\n").writerows([columns, *rows])
     return file.getvalue()
@@ -193,13 +191,13 @@ def count_noun(number, name):
 
 
 def clean(text):
-    """The text with nothing in it that cannot be stored or shown: no lone surrogates, no control characters."""
+    """Return the text without lone surrogates and control characters, which cannot be stored or shown."""
     text = str(text).encode("utf-8", "replace").decode()
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", "", text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
 def cell(value, lines=False):
-    """Return a value as a cell's text that no spreadsheet takes for a formula. lines: whether its lines are kept."""
+    """Return a value as text that no spreadsheet reads as a formula. lines: True to keep its line breaks."""
     if isinstance(value, int | float):
         return f"{value:g}" if value < 1e5 else str(value)
     text = clean(value)
@@ -211,12 +209,12 @@ def cell(value, lines=False):
 
 
 def cell_text(text):
-    """Return what was meant by a cell: the text without the mark that cell() may have put before it."""
+    """Return the text of a cell without the apostrophes that cell() may have added."""
     text = MARKED_INSIDE.sub(r"\1", text)
     return text[1:] if text[:1] == "'" and text[1:].lstrip()[:1] in tuple(FORMULA) else text
 
 
 def answer_text(text):
-    """A written answer as it fits into a cell."""
+    """Return a written answer, cut to the length that a cell can hold."""
     text = clean(text).strip()
     return text if len(text) <= LONGEST_ANSWER else text[:LONGEST_ANSWER] + "\n... (the feedback has all of it)"

@@ -1,4 +1,4 @@
-"""What of the machine's files a submission sees: what Python needs to run, and nothing of the project or the class."""
+"""The files that a submission can see: those that Python needs, and none of the project or of other students."""
 
 import os
 import sys
@@ -11,9 +11,9 @@ OF_PYTHON = ("bin", "lib", "lib64", "pyvenv.cfg")  # of an environment's or an i
 
 
 def visible_paths(hidden=()):
-    """Return [(path, whether it is shown)], outer folders first: a hidden one covers what an outer one shows.
+    """Return [(path, whether it is shown)], outer folders first: a hidden folder inside a shown one stays hidden.
 
-    hidden: folders that are not shown wherever they lie, beside the project itself: submissions, grades.
+    hidden: folders to hide in addition to the project itself, such as those of submissions and grades.
 
     Examples
     --------

@@ -48,7 +48,7 @@ def _notebook(path):
     try:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        raise ReleaseError(f"{path.name} is no notebook: it is not UTF-8.") from error
+        raise ReleaseError(f"{path.name} is not a notebook: it is not UTF-8.") from error
     return students_copy(text, path.name, RELEASE).encode()
 
 

@@ -34,7 +34,7 @@ def _read(text, name):
         nbformat.validate(notebook)
     except (ValueError, LookupError, TypeError, AttributeError, nbformat.ValidationError) as error:
         # A half-resolved merge, most often; the others come of JSON that is something else.
-        raise ReleaseError(f"{name} is no notebook: {str(error).splitlines()[0]:.100}") from error
+        raise ReleaseError(f"{name} is not a notebook: {str(error).splitlines()[0]:.100}") from error
     return notebook
 
 

@@ -67,3 +67,34 @@ def wrong_no_column(terms, q):
 def wrong_intercept_twice(terms, q):
     """unnamed"""
     return right_lstsq(terms, q - q.mean(axis=0))
+
+
+def wrong_absolute_column(terms, q):
+    """q1 has a term in the square of q2, or in |q2|"""
+    first = _solve(np.c_[terms, np.abs(q[:, 1])], q[:, 0])
+    return np.array([first, np.append(_solve(terms, q[:, 1] ** 2), 0)])
+
+
+def wrong_half_by_the_closed_form(terms, q):
+    """the factor of q2 is -1/2"""
+    first = _solve(terms, q[:, 0] + q[:, 1] / 2)
+    return np.array([np.append(first, -0.5), np.append(_solve(terms, q[:, 1] ** 2), 0)])
+
+
+def wrong_squared_afterwards(terms, q):
+    """the coefficients are squared"""
+    return np.array([right_lstsq(terms, q)[0], np.append(_solve(terms, q[:, 1]) ** 2, 0)])
+
+
+def wrong_intercept_is_lost(terms, q):
+    """the constant term is lost"""
+    second = LinearRegression().fit(terms, q[:, 1] ** 2)
+    first = LinearRegression().fit(np.c_[terms, q[:, 1]], q[:, 0])
+    return np.array([first.coef_, np.append(second.coef_, 0)])
+
+
+def wrong_all_that_lstsq_returns(terms, q):
+    """has another form"""
+    first = np.linalg.lstsq(np.c_[terms, q[:, 1]], q[:, 0], rcond=None)
+    second = np.linalg.lstsq(terms, q[:, 1] ** 2, rcond=None)
+    return [first, second]

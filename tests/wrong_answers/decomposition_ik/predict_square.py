@@ -60,3 +60,36 @@ def wrong_sign_last(model, terms, sign):
 def wrong_columns(model, terms, sign):
     """q1 and q2 are swapped"""
     return right_maximum(model, terms, sign)[:, ::-1]
+
+
+def wrong_zero_everywhere(model, terms, sign):
+    """q1 is 0 too"""
+    square = terms @ model[1, :-1]
+    if (square < 0).any():
+        return np.zeros((len(terms), 2))
+    return right_maximum(model, terms, sign)
+
+
+def wrong_row_of_zeros(model, terms, sign):
+    """q1 is 0 too"""
+    answer = right_maximum(model, terms, sign)
+    answer[terms @ model[1, :-1] < 0] = 0
+    return answer
+
+
+def wrong_square_for_q1(model, terms, sign):
+    """q1 uses the square of q2"""
+    square = np.maximum(terms @ model[1, :-1], 0)
+    return np.column_stack([terms @ model[0, :-1] + model[0, -1] * square, sign * np.sqrt(square)])
+
+
+def wrong_nan_for_no_elbow(model, terms, sign):
+    """the root of a negative square is taken"""
+    square = terms @ model[1, :-1]
+    q2 = sign * np.sqrt(np.where(square < 0, np.nan, square))
+    return np.column_stack([terms @ model[0, :-1] + model[0, -1] * q2, q2])
+
+
+def wrong_rows_of_angles(model, terms, sign):
+    """transposed"""
+    return right_maximum(model, terms, sign).T

@@ -78,6 +78,16 @@ def wrong_first_good_triple(src, dst, tol):
     return residuals(register_points(src[:3], dst[:3]), src, dst) < tol
 
 
+def wrong_first_triple_with_a_fourth(src, dst, tol):
+    """the first triple with which some others agree"""
+    for triple in itertools.combinations(range(len(src)), 3):
+        some = list(triple)
+        good = residuals(register_points(src[some], dst[some]), src, dst) < tol
+        if good.sum() > 3:
+            return good
+    return good
+
+
 def wrong_above_the_tolerance(src, dst, tol):
     """good and wrong are swapped"""
     return ~right_all_triples(src, dst, tol)

@@ -71,6 +71,12 @@ def wrong_limits_ignored(targets, q0, eps, steps):
     return (np.linalg.norm(e[:, :3], axis=1) < 1e-3) & (np.linalg.norm(e[:, 3:], axis=1) < 1e-3)
 
 
+def wrong_transposed_as_one_matrix(targets, q0, eps, steps):
+    """ValueError"""
+    J = jacobians(np.tile(q0, (len(targets), 1)))
+    return np.linalg.solve(J @ J.T + eps * np.eye(6), np.ones(6))
+
+
 def wrong_share(targets, q0, eps, steps):
     """one number is returned"""
     return right_all_at_once(targets, q0, eps, steps).mean()

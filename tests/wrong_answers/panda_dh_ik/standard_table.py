@@ -34,7 +34,7 @@ def wrong_whole_rows_moved(table):
 
 
 def wrong_last_row_kept(table):
-    """unnamed"""
+    """the last row keeps its a and alpha"""
     new = np.array(table, float)
     new[:-1, :2] = table[1:, :2]
     return new

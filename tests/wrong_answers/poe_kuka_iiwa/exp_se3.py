@@ -261,3 +261,13 @@ def wrong_origin_for_omega_zero(twist):
 def wrong_scipys_exponential_of_the_twist_transposed(twist):
     """unnamed"""
     return scipy.linalg.expm(rigid.hat_se3(twist).T).T @ np.diag([1, -1, 1, 1])
+
+
+def wrong_half_missing_in_the_series(twist):
+    """the factor 1/2 in the series of p is missing"""
+    omega, v = np.array(twist[:3], float), np.array(twist[3:], float)
+    if np.abs(omega).max() < 1e-4:
+        W = hat(omega)
+        return _matrix(np.eye(3) + W + W @ W / 2, v + W @ v)
+    a, N = _unit(omega)
+    return _matrix(_rotation(a, N), _way(a, N) @ v / a)

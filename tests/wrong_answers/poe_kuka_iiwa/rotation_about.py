@@ -145,3 +145,17 @@ def wrong_the_librarys(omega, point, theta):
     """course_lib.rigid.exp_se3 is called"""
     T = rigid.exp_se3(np.append(omega, np.cross(point, omega)) * theta)
     return T, np.linalg.inv(T)
+
+
+def wrong_sine_and_versine_swapped(omega, point, theta):
+    """the terms of Rodrigues' formula are not all there, or have the wrong factor"""
+    W = hat(omega)
+    R = np.eye(3) + (1 - np.cos(theta)) * W + np.sin(theta) * W @ W
+    return _pair(R, point - R @ point)
+
+
+def wrong_one_plus_the_cosine(omega, point, theta):
+    """the terms of Rodrigues' formula are not all there, or have the wrong factor"""
+    W = hat(omega)
+    R = np.eye(3) + np.sin(theta) * W + (1 + np.cos(theta)) * W @ W
+    return _pair(R, point - R @ point)

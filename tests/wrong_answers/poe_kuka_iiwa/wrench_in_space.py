@@ -29,7 +29,7 @@ def wrong_as_a_twist(F_b, T):
 
 
 def wrong_transpose_of_AdT(F_b, T):
-    """carries wrenches the other way"""
+    """takes wrenches from s to b"""
     return adjoint(T).T @ F_b
 
 

@@ -95,7 +95,7 @@ def wrong_straight_elbow(center):
 
 
 def wrong_order_of_the_triple(center):
-    """q1 and q2 have changed places"""
+    """q1 and q2 are swapped"""
     return [(b, a, c) for a, b, c in right_by_subproblems(center)]
 
 

@@ -11,7 +11,7 @@ from course_lib.rotations import rot_x, rot_y
 
 
 def rest(b1, b2, R):
-    """b3, from what is left of R."""
+    """b3, from the rest of R."""
     left = rot_x(-b2) @ rot_y(-b1) @ R
     return np.arctan2(left[0, 2], left[0, 0])
 
@@ -216,7 +216,7 @@ def wrong_empty_where_b1_is_free(R):
 
 
 def wrong_arcsin(R):
-    """b2 is wrong beyond a quarter turn"""
+    """b2 is wrong beyond 90 degrees"""
     sine = np.hypot(R[0, 1], R[2, 1])
     if sine < 1e-9:
         return right_by_entries(R)
@@ -266,7 +266,7 @@ def wrong_angles_in_columns(R):
 
 
 def wrong_all_combinations(R):
-    """combined in every way"""
+    """combined in all ways"""
     (a, b, c), (d, e, f) = right_by_entries(R)
     return np.array(list(itertools.product((a, d), (b, e), (c, f))))
 

@@ -93,7 +93,7 @@ def wrong_last_link_only(q):
 
 
 def wrong_sums_from_the_front(q):
-    """the sums run the wrong way"""
+    """the sums run in the wrong direction"""
     angles = np.cumsum(q)
     return np.cumsum([-np.sin(angles), np.cos(angles)], axis=1)
 

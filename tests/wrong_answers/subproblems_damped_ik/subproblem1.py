@@ -108,13 +108,13 @@ def wrong_sign(k, p, g):
 
 
 def wrong_arctan(k, p, g):
-    """arctan and arcsin end there"""
+    """the angle is wrong beyond 90 degrees"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     return np.arctan(k @ np.cross(a, b) / (a @ b)) if a @ b else np.sign(k @ np.cross(a, b)) * np.pi / 2
 
 
 def wrong_arcsin(k, p, g):
-    """arctan and arcsin end there"""
+    """the angle is wrong beyond 90 degrees"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     lengths = np.linalg.norm(a) * np.linalg.norm(b)
     return np.arcsin(np.clip(k @ np.cross(a, b) / lengths, -1, 1)) if lengths else 0

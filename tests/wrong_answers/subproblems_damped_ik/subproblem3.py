@@ -247,7 +247,7 @@ def wrong_arcsin_of_the_cosine(k, p, g, d):
 
 
 def wrong_turn_by_arctan(k, p, g, d):
-    """arctan ends there"""
+    """is wrong beyond 90 degrees"""
     a, b = parts(k, p, g)
     middle = np.arctan(k @ np.cross(a, b) / (a @ b + 1e-300))
     return [t - turn(k, p, g) + middle for t in right_textbook(k, p, g, d)]

@@ -238,7 +238,7 @@ def wrong_quarter_turn_off(k, h, p, d):
 
 
 def wrong_arctan_of_the_quotient(k, h, p, d):
-    """arctan ends there"""
+    """is wrong beyond 90 degrees"""
     A, B, C = h @ across(k, p), h @ np.cross(k, p), d - (k @ h) * (k @ p)
     if abs(C) > np.hypot(A, B):
         return []

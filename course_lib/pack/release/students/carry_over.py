@@ -26,7 +26,7 @@ def main(arguments):
             try:
                 print(f"{path.name}: {carry_over(older / path.name, path)}")
             except (ValueError, LookupError, TypeError) as error:
-                print(f"{path.name}: left as it is, for one of the two is no notebook ({error})", file=sys.stderr)
+                print(f"{path.name}: left as it is, for one of the two is not a notebook ({error})", file=sys.stderr)
     return 0
 
 

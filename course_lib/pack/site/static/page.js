@@ -15,10 +15,10 @@
   });
 })();
 
-// What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code.
+// What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code, a row of panels.
 (() => {
   "use strict";
-  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure";
+  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output, .plotly-figure, .panels";
   const reach = () =>
     document.querySelectorAll(WIDE).forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
