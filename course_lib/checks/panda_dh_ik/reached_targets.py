@@ -52,14 +52,20 @@ def _clear(targets, q0, eps, steps):
     return (near_end < REACHED / 3).all(0) | (near_end > 20 * REACHED).all(0)
 
 
-def _case(rng, n, q0, eps, steps, spread):
-    """Return n targets, some of which are reached and some are not, none of them a close call."""
+def _case(rng, n, q0, eps, steps, spread, limited=False):
+    """Return n targets, some of which are reached and some are not, none of them a close call.
+
+    limited: one of those not reached is reached by whoever ignores the limits.
+    """
     while True:
         q = np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH)
         targets = PANDA.fk(q)
         targets = targets[_clear(targets, q0, eps, steps)][:n]
         found = right(targets, q0, eps, steps)
-        if len(targets) == n and found.any() and not found.all():
+        if len(targets) < n or found.all() or not found.any():
+            continue
+        beyond = np.abs(_descended(targets, q0, eps, steps, clip="")[0][-1]).max(-1) < REACHED / 3
+        if not limited or (beyond & ~found).any():
             return targets, q0, eps, steps
 
 
@@ -74,7 +80,7 @@ def _cases(rng):
     others = READY + 0.4 * rng.uniform(-1, 1, 7)
     return [
         (np.array([near[0], far]), READY, 0.01, 20),
-        _case(rng, 10, READY, 0.01, 20, 2.0),
+        _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
         _case(rng, 6, np.clip(others, LOW, HIGH), 0.05, 35, 1.5),
         (near, READY, 0.01, 15),
         (halves, READY, 100.0, 2),
