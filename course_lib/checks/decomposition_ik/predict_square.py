@@ -9,7 +9,6 @@ from course_lib.checks.decomposition_ik.shared import solutions, with_one
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import near, same_with_gaps
 
-
 _TRANSPOSED = Mistake("the answer is transposed", "Each row is (q1, q2) of one query: np.column_stack([q1, q2]).")
 
 
