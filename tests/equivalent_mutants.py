@@ -252,6 +252,9 @@ EQUIVALENT = {
     "newton_step": {
         "second_link = np.array([-np.sin(both), np.cos(-both)])": "sign",
     },
+    "number_distance": {
+        "return abs(b - a)": "order",
+    },
     "convergence_slope": {
         "return np.polyfit(np.log(sizes), np.log(errors), 1.1)[0]": "same place",
     },

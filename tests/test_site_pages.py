@@ -38,6 +38,7 @@ def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(course,
         article = visit.page.locator("article")
         text = words(article.inner_text())
         assert article.locator(".first-steps a").count() == 3
+        hours = []
         for notebook in NOTEBOOKS:
             said = first_cell(notebook)
             title = re.match("# (.*)", said)[1]
@@ -46,8 +47,8 @@ def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(course,
             question = words(card.replace(title, "").replace("#", "")).split(" About ")[0]
             assert len(question) > 20
             assert "?" in card
-            assert re.search(r"About \d+ hours\.", card)
-        assert "about 41 hours" in text
+            hours.append(int(re.search(r"About (\d+) hours\.", card)[1]))
+        assert f"about {sum(hours)} hours" in text
         for page in ("notation", "errata", "sources"):
             assert article.locator(f"li a[href='{page}.html']").count() >= 1
 

@@ -122,7 +122,12 @@ def errors(xy, contents):
         size = 6 + 60 * np.sqrt(np.clip(error, 0, 10) / 10)
         dots = ax.scatter(*xy.T, s=size, c=np.clip(error, 1e-3, 10), norm=scale, cmap="viridis_r", linewidths=0)
         ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)", title=title)
-    fig.colorbar(dots, ax=axes, label="error (cm)", extend="both")
+    bar = fig.colorbar(
+        dots, ax=axes, extend="both", shrink=0.75, aspect=14, ticks=[1e-3, 1e-2, 1e-1, 1, 10], format="%g"
+    )
+    bar.minorticks_off()
+    bar.ax.tick_params(labelsize=13)
+    bar.set_label("error (cm)", size=13)
     return fig
 
 

@@ -176,7 +176,11 @@ def by_bend(edges, mean):
         f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, between "
         f"{edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near {edges[-1]} degrees."
     )
-    return {"fig": fig, "alt": alt, "caption": "The first 40 degrees lie within one cell of the edge."}
+    return {
+        "fig": fig,
+        "alt": alt,
+        "caption": "Up to 36 degrees the tip is within a cell's diagonal, 10 cm, of the edge.",
+    }
 
 
 def costs(measured):
@@ -186,5 +190,8 @@ def costs(measured):
         for name, cost in measured.items()
     )
     alt = f"Mean error of both branches over memory, both logarithmic. {said}."
-    caption = "From the square of q2 on, each cure lowers the error by a power of ten or more. Memory hardly changes."
+    caption = (
+        "After the square of q2, each cure divides the error by 80 or more. "
+        "Memory changes by less than a factor of three."
+    )
     return {"fig": figures.costs(measured), "alt": alt, "caption": caption}

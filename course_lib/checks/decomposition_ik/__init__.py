@@ -11,6 +11,7 @@ EXERCISES = (
     "split_branches",
     "fit_cells",
     "predict",
+    "number_distance",
     "approximation_error",
     "convergence_slope",
     "branch_by_sign",

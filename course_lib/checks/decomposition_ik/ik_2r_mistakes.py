@@ -39,16 +39,13 @@ def in_order(q, xy):
 
 
 def mended(name, hint, *mendings):
-    """One mistake that can be mended: each of the mendings makes the right answer of a wrong one."""
+    """Return a Mistake that an answer shows if one of the mendings, mending(q, xy), makes a right answer of it."""
 
-    def seen(mending):
-        def looks(q, xy):
-            better = mending(q, xy)
-            return bool((off(better, xy) < 1e-6).all() and in_order(better, xy))
+    def seen(q, xy):
+        better = (mending(q, xy) for mending in mendings)
+        return any(bool((off(each, xy) < 1e-6).all() and in_order(each, xy)) for each in better)
 
-        return looks
-
-    return tuple(Mistake(name, hint, seen=seen(mending)) for mending in mendings)
+    return Mistake(name, hint, seen=seen)
 
 
 def with_q1(change):

@@ -8,7 +8,7 @@ PREDICTIONS = (
         "b",
         {
             "a": "K-means never leaves a cluster empty: it was asked for two, and it returns two.",
-            "b": "It was asked for two clusters, and it finds two. Whether there is one cloud or two, it does not say.",
+            "b": "Two clusters were asked for, and it finds two. It does not report how many clouds there are.",
             "c": "K-means raises an error only if there are fewer samples than clusters.",
         },
     ),
@@ -31,7 +31,7 @@ PREDICTIONS = (
             "mean of both has the least.",
             "b": "The least squared error belongs to the mean of the two: q2 near 0, the stretched arm. It is no "
             "solution, although each of the two is.",
-            "c": "A network always returns numbers. That is a part of the problem.",
+            "c": "A network always returns numbers, for positions out of reach too. That is a part of the problem.",
         },
     ),
     Prediction(
@@ -41,7 +41,7 @@ PREDICTIONS = (
             "a": "A method that converges linearly would do that. Newton's method uses the derivative.",
             "b": "The error after the step is about the square of the error before it, here up to a factor near 1: "
             "0.003 squared is about 1e-5 m.",
-            "c": "Only a linear function is inverted exactly by one step. The forward kinematics is none.",
+            "c": "One step inverts a linear function exactly, and the forward kinematics is not linear.",
         },
     ),
 )

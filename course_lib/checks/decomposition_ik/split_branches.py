@@ -297,9 +297,9 @@ EXERCISE = with_a_list(
         library=split_branches,
         hints=(
             "Fewer than two different samples, len(np.unique(q, axis=0)) < 2: return np.zeros(len(q), int).",
-            "labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q).",
+            "labels = KMeans(n_clusters=2, random_state=0).fit_predict(q).",
             "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean().",
-            "Where the first is the smaller one, return 1 - labels.",
+            "If the first is the smaller one, return 1 - labels.",
         ),
     ),
     position=0,

@@ -117,12 +117,12 @@ globalThis.course.kinematics = (() => {
     return [q.map((_, i) => P[i][1] - y), q.map((_, i) => x - P[i][0])];
   }
 
-  // The joint angles of a planar arm with two links that reach a point, theta2 >= 0; null out of reach.
+  // The joint angles of a planar arm with two links that reach a point, q2 >= 0; null out of reach.
   function twoLink([l1, l2], [x, y]) {
     const c = (x * x + y * y - l1 * l1 - l2 * l2) / (2 * l1 * l2);
     if (Math.abs(c) > 1) return null;
-    const theta2 = Math.acos(c);
-    return [Math.atan2(y, x) - Math.atan2(l2 * Math.sin(theta2), l1 + l2 * c), theta2];
+    const q2 = Math.acos(c);
+    return [Math.atan2(y, x) - Math.atan2(l2 * Math.sin(q2), l1 + l2 * c), q2];
   }
 
   // ---- linear algebra ----

@@ -24,19 +24,19 @@
     });
     const numbers = card.numbers(), words = card.words();
 
-    // A cell's samples (a square of 6 x 6, those within reach, theta1 without a jump), planes and worst error.
+    // A cell's samples (a square of 6 x 6, those within reach, q1 without a jump), planes and worst error.
     function cell(i, j) {
       const h = state.size, points = [], angles = [];
       for (let a = 0; a < 6; a++) for (let b = 0; b < 6; b++) {
-        const p = [(i + a / 5) * h, (j + b / 5) * h], theta = K.twoLink(lengths, p);
-        if (!theta) continue;
-        if (angles.length) theta[0] -= 2 * Math.PI * Math.round((theta[0] - angles[0][0]) / (2 * Math.PI));
+        const p = [(i + a / 5) * h, (j + b / 5) * h], q = K.twoLink(lengths, p);
+        if (!q) continue;
+        if (angles.length) q[0] -= 2 * Math.PI * Math.round((q[0] - angles[0][0]) / (2 * Math.PI));
         points.push(p);
-        angles.push(theta);
+        angles.push(q);
       }
       if (points.length < 6) return null;
       const centre = [(i + 0.5) * h, (j + 0.5) * h], shifted = points.map((p) => K.add(p, centre, -1));
-      const planes = [0, 1].map((k) => K.fitPlane(shifted, angles.map((theta) => theta[k])));
+      const planes = [0, 1].map((k) => K.fitPlane(shifted, angles.map((q) => q[k])));
       const model = (p) => planes.map(([a, b, c]) => a + b * (p[0] - centre[0]) + c * (p[1] - centre[1]));
       const errors = points.map((p) => K.norm(K.add(K.planarPoints(lengths, model(p))[2], p, -1)));
       return { points, angles, planes, centre, model, worst: Math.max(...errors), mean: errors.reduce((s, e) => s + e, 0) / errors.length };
@@ -74,7 +74,7 @@
           view.line([...at, at[0]], colour, 1.5);
           found.points.forEach((p, m) => view.line([put(p, found.angles[m][k]), put(p, found.model(p)[k])], COLOURS.crimson, 1.5));
           found.points.forEach((p, m) => { const x = put(p, found.angles[m][k]); view.line([x, K.add(x, [0, 0, 0.001])], colour, 5); });
-          view.text(K.add(at[0], [0, 0, 0.12]), `theta${k + 1}`, colour === COLOURS.orange ? "#8a5f00" : colour);
+          view.text(K.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour === COLOURS.orange ? "#8a5f00" : colour);
         });
         const floor = corners.map((p) => put(p, low));
         view.line([...floor, floor[0]], "#999", 1);
@@ -83,10 +83,10 @@
       }
       view.end();
       numbers.textContent = found
-        ? found.planes.map(([a, b, c], k) => `theta${k + 1} = ${P.number(a, 3)} ${b < 0 ? "-" : "+"} ${P.number(Math.abs(b), 3)} (x - ${P.number(found.centre[0], 2)}) ${c < 0 ? "-" : "+"} ${P.number(Math.abs(c), 3)} (y - ${P.number(found.centre[1], 2)})   rad`).join("\n") +
+        ? found.planes.map(([a, b, c], k) => `q${k + 1} = ${P.number(a, 3)} ${b < 0 ? "-" : "+"} ${P.number(Math.abs(b), 3)} (x - ${P.number(found.centre[0], 2)}) ${c < 0 ? "-" : "+"} ${P.number(Math.abs(c), 3)} (y - ${P.number(found.centre[1], 2)})   rad`).join("\n") +
           `\nthe arm stands ${P.number(1000 * K.norm(K.add(shown[2], state.at, -1)), 2)} mm from the query; on average in this cell ${P.number(1000 * found.mean, 2)} mm, at worst ${P.number(1000 * found.worst, 2)} mm`
         : "this cell holds too few points that the arm reaches";
-      words.textContent = `${count} cells of ${P.number(h)} m, 6 numbers each, branch theta2 >= 0; ${bad} of them are 5 cm off or more on average.`;
+      words.textContent = `${count} cells of ${P.number(h)} m, 6 numbers each, branch q2 >= 0; ${bad} of them are 5 cm off or more on average.`;
     }
     fill();
     draw();
