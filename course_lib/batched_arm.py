@@ -130,7 +130,7 @@ def _fill_cross(result, a, b):
 
 
 def _rotation_factors(R):
-    """Return the nonzero factors of each column. They are products of rotations: what is near 0, 1 or -1 means that."""
+    """Return the nonzero factors of each column, with entries near 0, 1 or -1 rounded: R is a product of rotations."""
     near = np.round(R)
     return [_nonzero_factors(column, 1.0) for column in np.where(np.abs(R - near) <= _ROUNDING, near, R).T]
 

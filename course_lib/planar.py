@@ -20,7 +20,7 @@ _MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
 def wrap_angle(angle):
     """Return the angle minus whole revolutions, in (-pi, pi].
 
-    An angle that lies there already comes back unchanged.
+    An angle already in this interval is returned unchanged.
 
     Parameters
     ----------

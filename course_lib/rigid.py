@@ -468,7 +468,7 @@ def _translation(twist, angle):
     omega, v = twist[:3], twist[3:]
     n = omega / np.where(angle > 0, angle, 1.0)
     once = _cross(n, v)
-    # With a unit axis, what the factors lose at small angles is lost beside 1: no series is needed.
+    # With a unit axis, the factors' rounding errors at small angles vanish beside 1, so no series is needed.
     return v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * _cross(n, once)
 
 

@@ -75,7 +75,7 @@ def vee(W):
     [1. 2. 3.]
     """
     W = real_array(W, "W", (3, 3), copy=False)
-    with np.errstate(over="ignore"):  # of what is not skew-symmetric
+    with np.errstate(over="ignore"):  # only if W is not skew-symmetric
         sums = W + np.swapaxes(W, -1, -2)
     off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
@@ -288,7 +288,7 @@ def nearest_so(M):
     """Return the rotation nearest to M in the Frobenius norm.
 
     With the singular value decomposition M = U S V^T it is U diag(1, ..., det(U V^T)) V^T. A rotation comes back
-    unchanged but for rounding. If several rotations are equally near (rank at most n - 2, or det M < 0 and the two
+    unchanged except for rounding. If several rotations are equally near (rank at most n - 2, or det M < 0 and the two
     smallest singular values equal), one of them is returned.
 
     Parameters

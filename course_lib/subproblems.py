@@ -330,7 +330,7 @@ def _meeting(heights, radii, cosine, sine):
     less, less1 = _less(np.abs(cosine), sine), _less(sign1 * heights[0], radii[0])
     less2 = _less(sign2 * heights[1], radii[1])
     x1 = sign2 * (less * (1 - less1) + less1 - less2) / sine
-    x2 = (less * (1 - less2) + less2 - less1) / sine  # from the second axis, but for its sign
+    x2 = (less * (1 - less2) + less2 - less1) / sine  # from the second axis, up to its sign
     smaller = radii[0] <= radii[1]
     radius, x = np.where(smaller, *radii), np.where(smaller, x1, x2)
     y = np.sqrt(np.maximum((radius - x) * (radius + x), 0.0))

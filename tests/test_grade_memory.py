@@ -125,7 +125,7 @@ def test_a_function_that_the_kernel_kills_for_its_memory_is_told_so(few, monkeyp
     bounded = lambda memory, processes: control_group.ControlGroup(500_000_000, processes)  # noqa: E731
     monkeypatch.setattr(sandbox, "ControlGroup", bounded)
     message = told(FILLS, few, replace(SHORT, cpu_seconds=20))
-    assert "Your function was killed because memory ran out. It may use 1 GB." in message
+    assert "Your function ran out of memory. It may use 1 GB." in message
 
 
 EVENTS = "low 0\nhigh 0\nmax 12\noom 1\noom_kill {}\noom_group_kill 0\n"
@@ -180,7 +180,7 @@ ENDS = b"import os, signal, sys\nsys.stdin.readline()\nos.kill(os.getpid(), sign
 @pytest.mark.parametrize(
     ("earlier", "later", "reason"),
     [
-        (0, 1, "it was killed because memory ran out; it may use 1 GB"),
+        (0, 1, "memory ran out; it may use 1 GB"),
         (0, 0, "its process ended"),
         (1, 1, "its process ended"),
     ],

@@ -13,7 +13,7 @@ from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
 
-UNWRITTEN = "Write {} here."  # the message of the line that stands in for an answer still to be written
+UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"
@@ -288,11 +288,11 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
     asked |= {"through": exercise.through, "names": list(exercise.arguments)}
     try:
-        told = json.loads(student.reply(write(asked), consult))
-        answers = [_claim(answer, exercise.arguments) for answer in told["answers"]]
+        claims = json.loads(student.reply(write(asked), consult))
+        answers = [_claim(answer, exercise.arguments) for answer in claims["answers"]]
         if len(answers) != len(cases):
             raise NotPlain("not one answer for each case")
-        calls = tuple(str(name)[:100] for name in told["calls"][:100])
+        calls = tuple(str(name)[:100] for name in claims["calls"][:100])
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
     with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
@@ -300,7 +300,7 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
 
 
 def with_blame(verdict, others):
-    """Return the verdict, which blames the first of the `others` that is not right: Verdicts on what it calls."""
+    """Return the verdict with the first function that it blames. others: the Verdicts on the functions it calls."""
     first = next((other.exercise.name for other in others if other.state != RIGHT), "")
     return replace(verdict, blames=first)
 

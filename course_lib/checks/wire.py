@@ -17,7 +17,7 @@ _MOST_ENTRIES = 2_000_000  # of an array
 
 
 class NotPlain(ValueError):
-    """A value that is not plain data; the message says of what type it is."""
+    """The value is not plain data; the message names its type."""
 
 
 @dataclass(frozen=True)

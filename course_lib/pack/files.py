@@ -4,7 +4,7 @@ import os
 import tempfile
 from pathlib import Path
 
-PART = ".part"  # ending of a file that is not whole yet; its name begins with a dot
+PART = ".part"  # suffix of an incomplete file; its name begins with a dot
 
 
 def write_atomically(path, content, mode=0o600):

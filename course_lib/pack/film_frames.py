@@ -129,7 +129,7 @@ def _seen(points, film):
 
 
 def _background(film):
-    """The picture and depths of all that stands still, lines on top of it."""
+    """Return the picture and depths of everything that does not move, with lines on top."""
     n = SIZE * _FINER
     canvas = (np.full((n, n, 3), 255.0), np.full((n, n), -np.inf))
     still = [trace for k, trace in enumerate(film["data"]) if k != film["layout"]["meta"]["course"]["trace"]]

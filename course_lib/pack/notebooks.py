@@ -32,7 +32,7 @@ from course_lib.pack.files import write_atomically
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
 STILL = "image/png"
 
-# What is kept of the metadata: the rest is what programs leave behind (timings, an editor's state).
+# The metadata that is kept; programs leave the rest behind (timings, an editor's state).
 NOTEBOOK_KEYS = ("course", "nbgrader")
 CELL_KEYS = ("course", "deletable", "editable", "jupyter", "nbgrader", "raw_mimetype", "tags")
 PYTHON = {
@@ -72,13 +72,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
-    """Run one notebook in place and return what there is to say about it."""
+    """Run one notebook in place, and return remarks on it, to follow its time."""
     try:
         before = path.read_text(encoding="utf-8")
         notebook = nbformat.reads(before, as_version=4)
     except OSError as error:
         raise NotebookFailed(f"cannot be read: {error.strerror}. Name a file that is there.") from error
-    except ValueError as error:  # a half-resolved merge, most often
+    except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
     known = {as_key(data[PLOTLY]): data[STILL] for data in outputs if STILL in data}
@@ -115,14 +115,14 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     client = NotebookClient(
         notebook,
         timeout=CELL_TIMEOUT,
-        coalesce_streams=True,  # how prints fall into pieces is a matter of timing
+        coalesce_streams=True,  # how prints are split into pieces depends on timing
         resources={"metadata": {"path": str(path.parent)}},
     )
     client.km = manager  # not an argument above: then the client would leave the kernel running
     with tempfile.TemporaryDirectory() as profile:
         # A profile of its own: the author's start-up files and settings change outputs.
         environment = {**os.environ, "IPYTHONDIR": profile}
-        environment.pop("JPY_SESSION_NAME", None)  # set where make runs inside JupyterLab: toys would be widgets
+        environment.pop("JPY_SESSION_NAME", None)  # set if make runs inside JupyterLab: toys would become widgets
         with client.setup_kernel(env=environment):
             number = 0
             for index, cell in enumerate(notebook.cells):
@@ -175,7 +175,7 @@ def as_key(figure: Figure) -> str:
 
 
 def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:
-    """Put a PNG beside every figure: the stored one where the figure is unchanged, else a new one.
+    """Add a PNG to every figure: the stored one if the figure is unchanged, else a new one.
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
     """
@@ -238,7 +238,7 @@ async def _draw_still(browser, figure: Figure) -> bytes:
 
 
 def tidy(notebook: nbformat.NotebookNode) -> None:
-    """Leave only what is the same for every author."""
+    """Remove everything that differs between authors."""
     notebook.metadata = nbformat.from_dict(PYTHON | keep(notebook.metadata, NOTEBOOK_KEYS))
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for number, cell in enumerate(notebook.cells):

@@ -19,10 +19,6 @@ def _one_revolution(angle):
     return angle - REVOLUTION * (angle > np.pi) + REVOLUTION * (angle < -np.pi)
 
 
-def _right_below_nine(angle):
-    return wrap_angle(angle) if abs(angle) < 9 else angle - REVOLUTION * np.sign(angle)
-
-
 EXERCISE = WriteTest(
     name="test_wrap_angle",
     points=2,

@@ -1,1 +1,1 @@
-"""`make bench`: the library beside other libraries, on this machine, and what it promises to be at most."""
+"""`make bench`: compare the library with other libraries on this machine, and with its promised bounds."""

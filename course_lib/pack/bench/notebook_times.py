@@ -60,7 +60,7 @@ def notebook_times(repeats=2):
 
 
 def _nbval(books):
-    """Return the processor time of one strict run, kernels included, and what it prints; stop where a cell fails."""
+    """Return the processor time of one strict run, kernels included, and its output; stop if a cell fails."""
     command = ["-m", "pytest", "-p", "no:cacheprovider", "-p", "no:xdist", "--nbval", "--nbval-current-env"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([sys.executable, *command, "--durations=20", *books], capture_output=True, text=True)

@@ -7,7 +7,7 @@ import numpy as np
 
 from course_lib.arms import panda
 
-# module -> what it is installed as
+# module -> name of the package
 PEERS = {
     "scipy": "scipy",
     "pinocchio": "pin",

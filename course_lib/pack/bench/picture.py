@@ -1,4 +1,4 @@
-"""Cost against size: what a pose costs when N of them are asked for, from 1 to a million."""
+"""Plot the time for one pose against the number of poses in a batch, from 1 to a million."""
 
 import sys
 import time
@@ -35,7 +35,7 @@ def seconds_by_size(peers, repeats=3):
 def pays_from(curves, batch, loop):
     """Return the size from which the batch is the faster of two, between measured sizes along straight lines."""
     sizes = curves[batch][0]
-    # A loop costs the same a pose whatever their number: what it cost at most poses goes on.
+    # In a loop the time for one pose does not depend on their number, so the last measurement is extended.
     both = [np.log(np.interp(np.log(sizes), np.log(x), y)) for x, y in (curves[batch], curves[loop])]
     ahead = both[1] - both[0]
     if ahead[0] >= 0:

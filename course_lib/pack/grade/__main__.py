@@ -138,11 +138,11 @@ def _seed(path, given):
         ) from error
 
 
-# ---- what is written ----
+# ---- the output files ----
 
 
 def _write(output, everything, platform, roster):
-    rows = read_marks(output / "questions.csv")  # again: somebody may have typed marks meanwhile
+    rows = read_marks(output / "questions.csv")  # read again, because marks may have been typed during the run
 
     @functools.cache
     def marks_of(place):

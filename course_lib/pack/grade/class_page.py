@@ -32,7 +32,7 @@ def class_page(everything, marks_of):
     return page("The class", "\n".join(part for part in parts if part))
 
 
-# ---- what the page shows ----
+# ---- the sections of the page ----
 
 
 def _notebooks(of, counting, graded, students):
@@ -133,7 +133,7 @@ def _short(text):
     return text if len(text) <= 120 else text[:120] + " ..."
 
 
-# ---- how it is drawn ----
+# ---- pictures and tables ----
 
 
 def _figure(height):

@@ -226,8 +226,8 @@ def watch(child, limits, every):
             print(reason, file=sys.stderr, flush=True)
             code = ENDED
         elif hasattr(signal, "sigtimedwait"):
-            told = signal.sigtimedwait(awaited, 0.2)
-            came = told.si_signo if told else None
+            received = signal.sigtimedwait(awaited, 0.2)
+            came = received.si_signo if received else None
         else:
             came = signal.sigwait(awaited)
         code = code if code is not None else reaped(child)

@@ -27,7 +27,7 @@ class GradingStopped(Exception):
     """The whole run cannot continue; the text says why."""
 
 
-# ---- what a result depends on ----
+# ---- the name of a result ----
 
 
 @functools.cache

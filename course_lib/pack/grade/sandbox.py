@@ -131,8 +131,10 @@ class Sandbox:
         try:
             return self._next(Watch(self.computed, clock, cpu, self._limits.idle_seconds + 2))
         except Ended as end:
+            if self.out_of_memory():  # also if the process that remains only waits for the one that was killed
+                end = type(end)(f"memory ran out; it may use {self._limits.everything // 10**9} GB")
             self._over = str(end)
-            raise
+            raise end from None
 
     def computed(self):
         """Return the processor time of everything in the sandbox, in seconds; None if the system does not report it."""
@@ -162,7 +164,7 @@ class Sandbox:
                 continue
             looked_at = len(self._left)
             if looked_at > self._limits.reply + 10_000:
-                raise Ended("it said too much")
+                raise Ended("it wrote too much")
             self._left += self._more(watch)
 
     def _more(self, watch):
@@ -181,11 +183,7 @@ class Sandbox:
             self._process.wait(2)
         os.set_blocking(self._process.stderr.fileno(), False)
         reason = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
-        if reason:
-            return reason.splitlines()[-1]
-        if self.out_of_memory():
-            return f"it was killed because memory ran out; it may use {self._limits.everything // 10**9} GB"
-        return "its process ended"
+        return reason.splitlines()[-1] if reason else "its process ended"
 
 
 class Watch:

@@ -74,7 +74,10 @@ def program(machine=None):
         steps += [(AT_LEAST, 0, 1, X32), no]
     for number in denied:
         steps += [(EQUAL, 0, 1, number), no]
-    steps += [(EQUAL, 0, 1, CLONE3[column]), unknown]  # its flags lie in memory; the C library then takes clone
+    steps += [
+        (EQUAL, 0, 1, CLONE3[column]),
+        unknown,
+    ]  # its flags are in memory, out of reach; the C library then uses clone
     steps += [(EQUAL, 0, 4, CLONE[column]), (LOAD, 0, 0, FIRST), (ANY_BIT, 0, 1, NEW_NAMESPACES), no]
     steps += [(RETURN, 0, 0, ALLOW)]
     steps += [(EQUAL, 0, 3, FCNTL[column]), (LOAD, 0, 0, SECOND), (EQUAL, 0, 1, SET_PIPE_SIZE), no]

@@ -158,11 +158,11 @@ def attempt(run, exercises, forbidden, whole):
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
         order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
         with Sandbox(files, run.limits, run.hidden) as sandbox:
-            guilty, end, told = run_cells(sandbox, order, run)
+            guilty, end, report = run_cells(sandbox, order, run)
             if not end:
-                alike = () if how else told["alike"]
+                alike = () if how else report["alike"]
                 return {
-                    e.name: ask(sandbox, run, e, Cells(whole or e.name in told["defined"], e.name in alike, how))
+                    e.name: ask(sandbox, run, e, Cells(whole or e.name in report["defined"], e.name in alike, how))
                     for e in exercises
                 }
         how = str(end)
@@ -298,14 +298,13 @@ def _how_it_ended(message, limits, out_of_memory):
 
     message: what the runner claims about it. out_of_memory: True if the kernel killed a process for its memory.
     """
+    if out_of_memory:  # first: a process that waits for one that was killed would seem to be idle
+        return f"Your function ran out of memory. It may use {limits.everything // 10**9} GB.", False
     if message.get("late") is True:
         return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
         return f"What came back cannot be read: {str(message['ended'])[:200]}.", False
     status, computed = message.get("status"), message.get("computed")
-    if status == -9 and out_of_memory:
-        gigabytes = limits.everything // 10**9
-        return f"Your function was killed because memory ran out. It may use {gigabytes} GB.", False
     used_up = isinstance(computed, int | float) and computed >= limits.cpu_seconds
     if status == -24 or (status == -9 and used_up):
         return f"Your function took more than {limits.cpu_seconds} seconds of computing. Does a loop never end?", True

@@ -11,7 +11,7 @@ from course_lib.pack.grade.notebook_file import UNREADABLE
 
 GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message", "release")
 LONGEST = 1000  # characters of a message in a table; the feedback has all
-LONGEST_ANSWER = 30_000  # what a cell of a spreadsheet holds
+LONGEST_ANSWER = 30_000  # characters that a spreadsheet's cell can hold
 FORMULA = "=+-@\uff1d\uff0b\uff0d\uff20"  # how a formula may begin in a spreadsheet, also in full-width letters
 # For a program that separates cells by semicolons, tabs or line ends, a formula may begin after those too.
 INSIDE = re.compile(rf"([;\t\n]\s*)(?=[{re.escape(FORMULA)}])")

@@ -1,4 +1,4 @@
-"""The release to students: notebooks without solutions, and what it takes to work in them. ``make student``."""
+"""The release to students: notebooks without solutions, and all that they need to run. ``make student``."""
 
 
 class ReleaseError(Exception):

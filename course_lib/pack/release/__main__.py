@@ -1,4 +1,4 @@
-"""``python -m course_lib.pack.release``: write the students' zip and say what is in it."""
+"""``python -m course_lib.pack.release``: write the students' zip and list its contents."""
 
 import argparse
 import sys

@@ -1,4 +1,4 @@
-"""What goes to students, by rules: nothing here is a second copy of a file of the project."""
+"""The students' zip, made from the project's files by rules, so that no file is kept twice."""
 
 import contextlib
 import hashlib
@@ -20,7 +20,7 @@ from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import students_copy
 
 FOLDER = "robot-kinematics"
-RELEASE = "@RELEASE@"  # stands in the files until their contents, and so the release, are known
+RELEASE = "@RELEASE@"  # a placeholder until the contents, and so the release, are known
 STUDENTS = Path(__file__).parent / "students"  # what only students have
 SET_UP = "course_lib/pack/environment.sh"
 LOCK_SAYS = "# The versions of all packages that this release was made with.\n"
@@ -53,17 +53,17 @@ def _notebook(path):
 
 
 def _pages(root):
-    """The pages of text that notebooks lead to."""
+    """Return the paths of the text pages that notebooks link to."""
     return list((root / "notebooks").glob("*.md"))
 
 
 def _data(root):
-    """The data that notebooks read. A picture there is for the project's own README."""
+    """Return the paths of the data that notebooks read; pictures there are for the project's README."""
     return [path for path in (root / "notebooks/data").iterdir() if path.suffix in (".csv", ".json")]
 
 
 def _package(root):
-    """The helper package, the settings of JupyterLab among it, less what only make runs."""
+    """Return the paths of the package, with the settings of JupyterLab, without `pack`."""
     package = root / "course_lib"
     files = [*package.rglob("*.py"), *package.rglob("*.js"), *package.glob("jupyter/*/*.json")]
     return [path for path in files if path.relative_to(package).parts[0] != "pack"]
@@ -73,11 +73,11 @@ def _as_they_are(folder, paths):
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
 
-# ---- what it takes to install ----
+# ---- the files for installing ----
 
 
 def reduced_project(text):
-    """Return pyproject.toml with only the tables by which the package is installed."""
+    """Return pyproject.toml with only the tables that installing the package needs."""
     tables = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
     return "".join(table for table in tables if table.startswith(("[build-system]", "[project]"))).rstrip() + "\n"
 
@@ -91,7 +91,7 @@ def wanted(project):
 def reduced_lock(lock, requirements):
     """Return the lines of a lock that the requirements need, and what those need in turn.
 
-    Markers are taken for true, but for extras: the lock's own markers say where a line counts.
+    Environment markers are ignored, except for extras, because the lines of the lock have markers of their own.
     """
     lines = [line for line in lock.splitlines() if not line.startswith("#")]
     pinned = {Requirement(line).name for line in lines}
@@ -108,7 +108,7 @@ def reduced_lock(lock, requirements):
 
 
 def _needs(name):
-    """What an installed package requires, whatever the markers; nothing of one for another system."""
+    """Return the requirements of a package; none if it is not installed because it is for another system."""
     try:
         return [Requirement(text) for text in importlib.metadata.requires(name) or []]
     except importlib.metadata.PackageNotFoundError:
@@ -116,7 +116,7 @@ def _needs(name):
 
 
 def _extra(requirement):
-    """The extra that a requirement belongs to, or ""."""
+    """Return the extra that a requirement belongs to, or ""."""
     found = re.search(r"extra == ['\"]([\w.-]+)", str(requirement.marker or ""))
     return found[1] if found else ""
 
@@ -140,8 +140,8 @@ def named(files):
 def release_date(root):
     """Return the date (year, month, day, hour, minute, second) that the files of a release carry, in UTC.
 
-    It is the date of the project's last commit, so that the same commit gives the same bytes; SOURCE_DATE_EPOCH in the
-    environment goes before it, and without either it is the first of January 2000.
+    It is SOURCE_DATE_EPOCH if the environment sets it, else the date of the project's last commit, so that the same
+    commit gives the same bytes; without either it is the first of January 2000.
     """
     seconds = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not seconds.isdigit():
@@ -150,13 +150,13 @@ def release_date(root):
             seconds = subprocess.run(command, capture_output=True, text=True).stdout.strip()
     if not seconds.isdigit():
         return (2000, 1, 1, 0, 0, 0)
-    return time.gmtime(max(int(seconds), 315532800))[:6]  # a zip knows no date before 1980
+    return time.gmtime(max(int(seconds), 315532800))[:6]  # a zip cannot store a date before 1980
 
 
 def write_zip(path, files, date):
-    """Write a zip that is the same bytes for the same files and date: no clock, no user, no order of a file system."""
+    """Write a zip whose bytes depend only on the files and the date: not on clock, user or file system."""
     content = io.BytesIO()
-    with zipfile.ZipFile(content, "w") as archive:  # stored: how far it can be pressed differs between zlibs
+    with zipfile.ZipFile(content, "w") as archive:  # not compressed, because versions of zlib compress differently
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=date)
             entry.create_system, entry.external_attr = 3, 0o100644 << 16  # as if from Unix, also on Windows

@@ -14,10 +14,10 @@ FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 
 
 def students_copy(text, name, release):
-    """Return the text of a notebook without what its solution cells hold and without outputs.
+    """Return the text of a notebook without solutions and outputs.
 
     name: the notebook's, for messages. release: goes into its metadata. Raises ReleaseError, naming notebook and
-    cell, where the markers are not paired, a stub would be no function, or words for graders stand in other cells.
+    cell, if the markers are not paired, a stub would not be a function, or another cell contains words for graders.
     """
     notebook = _read(text, name)
     for number, cell in enumerate(notebook.cells, 1):
@@ -33,25 +33,25 @@ def _read(text, name):
         notebook = nbformat.reads(text, as_version=4)
         nbformat.validate(notebook)
     except (ValueError, LookupError, TypeError, AttributeError, nbformat.ValidationError) as error:
-        # A half-resolved merge, most often; the others come of JSON that is something else.
+        # Most often a half-resolved merge; the other exceptions come from JSON that is not a notebook.
         raise ReleaseError(f"{name} is not a notebook: {str(error).splitlines()[0]:.100}") from error
     return notebook
 
 
 def _empty(cell, place):
-    """Take out of one cell what students write themselves, or shall see only after they have run it."""
+    """Remove from one cell the answer and the outputs, which students produce themselves."""
     nbgrader = cell.metadata.get("nbgrader", {})
     take_answer(cell, place)
     if cell.cell_type == "code":
         cell.outputs, cell.execution_count = [], None
-    if nbgrader:  # as nbgrader does it: its cells cannot be deleted by accident, nor the locked ones edited
+    if nbgrader:  # as nbgrader does: its cells cannot be deleted by accident, and locked ones cannot be edited
         cell.metadata["deletable"] = False
         if nbgrader.get("locked"):
             cell.metadata["editable"] = False
 
 
 def take_answer(cell, place):
-    """Put what students find in an answer cell in the place of the author's answer; refuse answers in other cells."""
+    """Replace the author's answer in an answer cell by its stub or prompt; refuse answers in other cells."""
     nbgrader = cell.metadata.get("nbgrader", {})
     if nbgrader.get("solution"):
         code = cell.cell_type == "code"
@@ -65,7 +65,7 @@ def take_answer(cell, place):
 def stub(source, exercise, place):
     """Return the source of an answer cell with the marked lines replaced by one that says what to write.
 
-    If lines stand below the marked ones, the exercise is to find a bug in them: they alone are left.
+    If there are lines below the marked ones, the exercise is to find a bug in them, and only they are kept.
     """
     kept, inside, blocks = [], False, 0
     has_bug = source.rpartition(END)[2].strip(" #\n") != ""
