@@ -64,10 +64,6 @@ def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(cour
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
 
 
-# Toys without a sentence below them; none may come in addition.
-BARE = {"05_panda_dh_ik": 1, "06_decomposition_ik": 1}
-
-
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
 def test_every_figure_has_a_caption(notebook):
     bare, count = [], 0
@@ -79,7 +75,7 @@ def test_every_figure_has_a_caption(notebook):
                 if not following.get("metadata", {}).get("caption", output.metadata.get("caption", "")).strip():
                     bare.append(f"cell {number}: {cell.source[:60]}")
     assert count > 8
-    assert len(bare) <= BARE.get(notebook.stem, 0), bare
+    assert bare == []
 
 
 def section(notebook, heading):

@@ -74,7 +74,8 @@ def panda_toy(q=_PANDA_START):
     )
     names = [f"{{{i}}}" for i in range(1, 8)] + ["flange"]
     more = {"names": names, "rows": _PANDA_ROWS}
-    return _arm_toy(panda(), q, ["frames", "elbow"], alt, "The Franka Panda and its joints", **more)
+    caption = "The gripper can stay where it is while the elbow swings: seven joints, and six numbers for a pose."
+    return _arm_toy(panda(), q, ["frames", "elbow"], alt, "The Franka Panda and its joints", caption=caption, **more)
 
 
 def jog(arm, fk=None, *, q=None, base=None):

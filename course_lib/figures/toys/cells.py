@@ -57,4 +57,6 @@ def cells_toy(lengths=(1, 1), size=0.5, at=(0.9, 0.7)):
         "two planes. A slider sets the size; the cell under the query, which starts at "
         f"({at[0]:g}, {at[1]:g}) m, shows its planes over x and y."
     )
-    return Toy("cells", {"lengths": lengths.tolist(), "size": float(size), "at": at.tolist()}, figure, alt)
+    caption = "Each cell has the colour of its error: where is it largest, and what do smaller cells change there?"
+    model = {"lengths": lengths.tolist(), "size": float(size), "at": at.tolist()}
+    return Toy("cells", model, figure, alt, caption=caption)
