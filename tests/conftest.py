@@ -4,6 +4,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 from hypothesis import settings
 
@@ -44,6 +45,13 @@ LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade
 def pytest_collection_modifyitems(items):
     ranks = {name: rank for rank, name in enumerate(LONGEST)}
     items.sort(key=lambda item: ranks.get(item.path.name, len(ranks)))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol():
+    """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test."""
+    with np.printoptions():
+        return (yield)
 
 
 @pytest.fixture(scope="session")

@@ -264,7 +264,7 @@ def sentence(capsys, *paths):
 def test_figures_that_are_no_movies_are_left_out(folder, tmp_path, capsys):
     solid = HELIX | {"layout": {"meta": {"movie": "helix", "seconds": 1}}}
     write(tmp_path, "01.ipynb", cell(*[output({FIGURE: figure}) for figure in (HELIX, MOVING, solid)]), cell())
-    assert sentence(capsys, tmp_path / "01.ipynb").startswith("No moving picture is stored in these notebooks.")
+    assert sentence(capsys, tmp_path / "01.ipynb").startswith("No animation is stored in these notebooks.")
     assert not folder.exists()
 
 

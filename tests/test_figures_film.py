@@ -139,6 +139,8 @@ def test_play_moves_it_and_pause_holds_it(page, browser, figure):
         moved = "([live, k, x]) => Math.abs(live.data[k].x[live.data[k].x.length - 1] - x) > 5"
         live = visit.page.locator(".plotly-live").first.element_handle()
         visit.page.wait_for_function(moved, arg=[live, film.course["trace"], 1000 * film.at(0)[-1, 0]])
+        slider = box.get_by_role("slider").element_handle()
+        visit.page.wait_for_function("slider => parseFloat(slider.ariaValueText) > 0", arg=slider)
         box.get_by_role("button", name="Pause").click()
         box.get_by_role("button", name="Play").wait_for()
         at = float(box.get_by_role("slider").get_attribute("aria-valuetext").split()[0])

@@ -229,8 +229,11 @@ def test_marks_typed_during_a_run_are_kept(place):
 SENTENCES = {
     "There is no folder": lambda place: shutil.rmtree(place / "in"),
     "There is nothing in": lambda place: None,
-    "holds no whole number": lambda place: (fill(place, 1), hand_in(place / "out", "seed", seed="x")),
-    "has no columns": lambda place: (fill(place, 1), hand_in(place / "out", "questions.csv").write_text("a;b\n1;2\n")),
+    "does not hold a whole number": lambda place: (fill(place, 1), hand_in(place / "out", "seed", seed="x")),
+    "no longer has the columns": lambda place: (
+        fill(place, 1),
+        hand_in(place / "out", "questions.csv").write_text("a;b\n1;2\n"),
+    ),
     "lies inside": lambda place: (place / "in/out").mkdir() or (place / "out").symlink_to("in/out"),
     "Not a directory|File exists": lambda place: (fill(place, 1), (place / "out").write_text("")),
 }
