@@ -8,19 +8,15 @@ from numpy.testing import assert_allclose
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
 from site_visits import Visit
-from two_sliders import explorer
 
-from course_lib.arms import planar_arm
 from course_lib.figures.rigid_motion import body_movie
 from course_lib.pack.site.build import build
 
 TIMES = np.linspace(0, 1, 21)
 POSES = np.stack([np.linspace(-6, 6, 21), np.linspace(-5, 2, 21), np.linspace(0, 2, 21)], -1)
-ALPHAS, EPSILONS, START = np.array([0.05, 0.2, 2.8]), np.array([0.5, 2, 8]), (1, 2)
 OWN = ".updatemenu-container, .updatemenu-button, .slider-container"  # what plotly draws
-NAMES = ("step size alpha", "damping epsilon (m²)")
 
-# A slider that does neither: it changes a colour. The margins at the sides are plotly's own.
+# A slider that drives no frames: it changes a colour. The margins at the sides are plotly's own.
 STEPS = [{"label": colour, "method": "restyle", "args": [{"marker.color": colour}]} for colour in ("red", "blue")]
 COLOURED = {
     "data": [{"type": "scatter", "mode": "markers", "x": [0], "y": [0]}],
@@ -47,28 +43,19 @@ BESIDE = {
     },
 }
 
-AXES = """live => Object.fromEntries(
-  ["xaxis", "xaxis2", "xaxis3", "yaxis", "yaxis2", "yaxis3"].map((name) => [name, live._fullLayout[name].range]))"""
-
-
-def explored():
-    q = np.random.default_rng(1).normal(0, 0.1, (3, 3, 40, 4)).cumsum(-2)
-    arms = planar_arm([1, 1, 1, 1]).frames(q)[..., :2, 3]
-    return explorer(ALPHAS, EPSILONS, arms, np.array([-1.9, 1.1]), np.array([[2.5, 1.2]] * 3), START)
-
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES)["fig"]), stored(explored()), COLOURED, BESIDE
+    return stored(body_movie("body", POSES, TIMES)["fig"]), COLOURED, BESIDE
 
 
 @pytest.fixture(scope="module")
 def page(figures, tmp_path_factory):
-    """A page with a movie, a figure of two sliders, one that is neither and one of two scenes, far from each other."""
+    """A page with a movie, a figure with a slider of another kind and one of two scenes, far from each other."""
     folder = tmp_path_factory.mktemp("controls")
-    movie, two, other, beside = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
-    begin, *words = [new_markdown_cell(text) for text in ("# Controls", *["Words. " * 1200] * 3)]
-    write(folder / "notebooks", "01.ipynb", begin, movie, words[0], two, words[1], other, words[2], beside)
+    movie, other, beside = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
+    begin, *words = [new_markdown_cell(text) for text in ("# Controls", *["Words. " * 1200] * 2)]
+    write(folder / "notebooks", "01.ipynb", begin, movie, words[0], other, words[1], beside)
     build(folder / "notebooks", folder / "html")
     return folder / "html/01.html"
 
@@ -118,25 +105,6 @@ def assert_shows(box, figure, i):
     assert width == pytest.approx(scale * np.ptp(there["x"]), abs=0.5)
     assert box.ranges.input_value() == str(i)
     assert box.ranges.get_attribute("aria-valuetext") == f"time (s): {TIMES[i]:.2f}"
-
-
-def assert_windows(box, figure, pair):
-    """Assert that windows, ranges and labels are those of a pair of step size and damping."""
-    wanted = {}
-    for slider, k in zip(figure["layout"]["sliders"], pair, strict=True):
-        wanted |= {name.removesuffix(".range"): limits for name, limits in slider["steps"][k]["args"][0].items()}
-    box.wait_for(
-        "live => live._fullLayout.xaxis.range[0] + ' ' + live._fullLayout.yaxis.range[0]",
-        "{} {}".format(*(f"{wanted[name][0]:.15g}" for name in ("xaxis", "yaxis"))),
-    )
-    axes = box.live.evaluate(AXES)
-    for name, limits in wanted.items():
-        assert_allclose(axes[name], limits, atol=1e-9, err_msg=name)
-    for name, values, k in zip(NAMES, (ALPHAS, EPSILONS), pair, strict=True):
-        bar = box.box.get_by_role("slider", name=name, exact=True)
-        assert bar.input_value() == str(k)
-        assert bar.get_attribute("aria-valuetext") == f"{name}: {values[k]:g}"
-        assert bar.locator("xpath=../span").inner_text() == f"{name}: {values[k]:g}"
 
 
 def assert_no_room_left(box, height, below):
@@ -195,61 +163,11 @@ def test_a_movie_stands_where_it_was_left(visit, figures):
     assert_no_room_left(box, lambda wide: min(560, wide - 80 + 70), 50)
 
 
-# ---- two sliders ----
-
-
-def test_two_sliders_become_two_ranges_with_names_and_values(visit, figures):
-    box = Box(visit, 1)
-    assert box.ranges.count() == 2
-    assert box.box.locator(".plotly-player button").count() == 0
-    assert [bar.get_attribute("aria-label") for bar in box.ranges.all()] == list(NAMES)
-    assert [bar.get_attribute("max") for bar in box.ranges.all()] == ["2", "2"]
-    assert_no_room_left(box, lambda wide: 600, 55)
-    assert_windows(box, figures[1], START)
-
-
-def test_each_range_moves_its_own_axes_and_they_work_together(visit, figures):
-    box = Box(visit, 1)
-    alpha, epsilon = box.ranges.all()
-    i, j = START
-    before = box.live.evaluate(AXES)
-    alpha.focus()
-    box.keyboard.press("ArrowRight")
-    assert_windows(box, figures[1], (i + 1, j))
-    after = box.live.evaluate(AXES)
-    moved = [name for name in after if not np.allclose(after[name], before[name], atol=1e-9)]
-    assert moved == ["xaxis", "xaxis2", "xaxis3"]
-    box.keyboard.press("Tab")
-    for key, k in (("ArrowLeft", 1), ("Home", 0), ("End", 2), ("ArrowLeft", 1)):
-        box.keyboard.press(key)
-        assert_windows(box, figures[1], (i + 1, k))
-    box.keyboard.press("Shift+Tab")
-    box.keyboard.press("Home")
-    assert_windows(box, figures[1], (0, 1))
-    assert epsilon.evaluate("e => document.activeElement !== e")
-
-
-def test_ranges_and_windows_still_agree_when_the_figure_is_drawn_again(visit, figures):
-    box = Box(visit, 1)
-    alpha, epsilon = box.ranges.all()
-    alpha.focus()
-    box.keyboard.press("Home")
-    epsilon.focus()
-    box.keyboard.press("ArrowLeft")
-    assert_windows(box, figures[1], (0, 1))
-    box.leave(2)
-    box.come()
-    assert_windows(box, figures[1], (0, 1))
-    alpha.focus()
-    box.keyboard.press("End")
-    assert_windows(box, figures[1], (2, 1))
-
-
 # ---- other sliders ----
 
 
-def test_a_slider_that_does_neither_stays_plotlys_own_with_its_room(visit):
-    box = Box(visit, 2)
+def test_a_slider_that_drives_no_frames_stays_plotlys_own_with_its_room(visit):
+    box = Box(visit, 1)
     assert box.ranges.count() == 0
     assert box.live.locator(".slider-container").count() == 1
     wide = box.box.bounding_box()["width"]
@@ -276,7 +194,7 @@ def test_a_live_figure_takes_the_colours_of_the_theme_there_and_back(visit, figu
 
 
 def test_scenes_stand_below_each_other_on_a_phone_each_under_its_title(visit):
-    box = Box(visit, 3)
+    box = Box(visit, 2)
     layout = box.live.evaluate("""live => ({
       x: [live._fullLayout.scene.domain.x, live._fullLayout.scene2.domain.x],
       y: [live._fullLayout.scene.domain.y, live._fullLayout.scene2.domain.y],

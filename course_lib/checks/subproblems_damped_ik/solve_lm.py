@@ -31,7 +31,7 @@ def _cases(rng):
         for alpha, eps, steps in ((0.5, 1.0, 2), (0.2, 0.5, 10), (0.8, 5.0, 7), (1.0, 0.1, 20), (0.4, 20.0, 12))
     ]
     reached = rng.uniform(0.3, 1.2, 4)
-    drawn.append((np.array([0.2, 3.5, 3.0, -4.0]), [1, 1], 0.2, 2.0, 3))  # angles beyond pi
+    drawn.append((np.array([0.2, 3.5, 3.0, -4.0]), [1, 2], 0.2, 2.0, 3))  # angles beyond pi
     ends = [(reached, tip(reached), 0.2, 2.0, 5), (drawn[0][0], drawn[0][1], 0.3, 1.0, 0)]
     return [(q0, np.array(target, float), alpha, eps, steps) for q0, target, alpha, eps, steps in named + drawn + ends]
 

@@ -75,13 +75,12 @@
     return steps.length > 0 && steps.every((s) => s.method === method);
   };
   const drivesFrames = does("animate");
-  const movesWindow = does("relayout");
 
   function takeOwnControls(layout) {
     const menus = layout.updatemenus || [];
     const sliders = layout.sliders || [];
     layout.updatemenus = menus.filter((menu) => !drivesFrames(menu));
-    layout.sliders = sliders.filter((slider) => !drivesFrames(slider) && !movesWindow(slider));
+    layout.sliders = sliders.filter((slider) => !drivesFrames(slider));
     // The room below the picture that they stood in, in pixels.
     const room = (layout.meta && layout.meta.controls) || 0;
     if (room && layout.sliders.length === 0) {
@@ -91,7 +90,6 @@
     return {
       button: menus.filter(drivesFrames).flatMap((menu) => menu.buttons)[0],
       slider: sliders.find(drivesFrames),
-      windows: sliders.filter(movesWindow),
     };
   }
 
@@ -100,26 +98,6 @@
     Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
     parent.append(made);
     return made;
-  }
-
-  // A range for each slider that moves the window over what is drawn.
-  function addWindows(box, live, sliders) {
-    sliders.forEach((slider) => {
-      const bar = element("div", { class: "plotly-player" }, box);
-      const before = (slider.currentvalue && slider.currentvalue.prefix) || "";
-      const settings = { type: "range", min: 0, max: slider.steps.length - 1, "aria-label": before.replace(/:\s*$/, "") || "Value" };
-      const range = element("input", { ...settings, value: slider.active || 0 }, bar);
-      const label = element("span", { "aria-hidden": "true" }, bar);
-      function name() {
-        label.textContent = before + slider.steps[Number(range.value)].label;
-        range.setAttribute("aria-valuetext", label.textContent);
-      }
-      range.addEventListener("input", () => {
-        name();
-        window.Plotly.relayout(live, slider.steps[Number(range.value)].args[0]);
-      });
-      name();
-    });
   }
 
   const usesPlotly = (meta) => !meta || meta.plotly !== false;
@@ -229,7 +207,6 @@
     const meta = figure.layout.meta && figure.layout.meta.course;
     const start = meta && window.course && window.course.kinds[meta.kind];
     const player = !start && figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
-    if (!start) addWindows(box, live, own.windows);
     let stop = null;
 
     const isDrawn = () => box.classList.contains("drawn");
