@@ -23,7 +23,7 @@ _SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])
 
 
 def _cases(rng):
-    named = [[0.3, 0.4, -0.5, 0.6, 0.7, -0.8], [0.5, -0.4, 0.9, 0.8, -0.9, 0.6]]  # hardly bent, bent
+    named = [[0.3, 0.4, -0.5, 0.6, 0.7, -0.8], [0.5, -0.4, 0.9, 0.8, -0.9, 0.6]]  # a slightly and a well bent arm
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
     reached = [(ARM.fk(q),) for q in named + drawn]
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]

@@ -12,7 +12,7 @@ from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobi
 
 _TIPS = Mistake(
     "the positions of the tip are returned, not the joint angles",
-    "Keep q after each step. The tips are made of it later.",
+    "Keep q after each step. The tip positions follow from it later.",
 )
 _TRANSPOSED = Mistake("the transpose is returned", "One row for each step, one column for each joint: np.array(...).T.")
 _NUMBERS = Mistake("one number is kept for each step", "Keep q itself, all four angles, after each step.")
@@ -60,7 +60,7 @@ def _path(q0, target, alpha, eps, steps):
 
 
 def _steps_that_fit(path, *rest):
-    """Whether each row comes of the row before it by a step."""
+    """Whether each row follows from the row before it by a step."""
     return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(path)]
 
 
@@ -168,7 +168,7 @@ EXERCISE = Exercise(
     properties=(
         Property("the first row is q0", _begins, _first_row),
         Property(
-            "each row comes of the row before it by one damped step",
+            "each row follows from the row before it by one damped step",
             _goes_on,
             _wrong_row,
         ),
@@ -212,22 +212,22 @@ EXERCISE = Exercise(
             _rows_of(lambda path, steps: np.tile(path[steps], (steps, 1))),
         ),
         Mistake(
-            "the rows stand in reverse order",
+            "the rows are in reverse order",
             "q0 is the first row, the last angles are the last.",
             _rows_of(lambda path, steps: path[steps::-1]),
         ),
         Mistake(
-            "one step too few is made",
+            "one step too few is taken",
             "range(steps) counts steps of them, from 0 to steps - 1.",
             _rows_of(lambda path, steps: path[:steps]),
         ),
         Mistake(
-            "one step too many is made",
+            "one step too many is taken",
             "range(steps) counts steps of them; with q0 that makes steps + 1 rows.",
             _rows_of(lambda path, steps: path[: steps + 2]),
         ),
         Mistake(
-            "q0 stands there twice",
+            "q0 appears twice",
             "q0 once, and then the angles after each step.",
             _rows_of(lambda path, steps: np.vstack([path[:1], path[: steps + 1]])),
             _rows_of(lambda path, steps: np.vstack([path[:1], path[:steps]])),
@@ -248,15 +248,15 @@ EXERCISE = Exercise(
             _rows_of(lambda path, steps: np.vstack([path[:steps], np.zeros((1, 4))])),
         ),
         _row_by_row(
-            "J and the error are not made anew in each step",
-            "Both change with q: make them in the loop.",
+            "J and the error are not recomputed in each step",
+            "Both depend on q: compute them in the loop.",
             _kept(_first, _first),
         ),
         _row_by_row(
-            "J is not made anew in each step", "J changes with q: make it in the loop.", _kept(_first, _latest)
+            "J is not recomputed in each step", "J depends on q: compute it in the loop.", _kept(_first, _latest)
         ),
         _row_by_row(
-            "the error is not made anew in each step",
+            "the error is not recomputed in each step",
             "e = tip(q) - target, with the present q.",
             _kept(_latest, _first),
         ),
@@ -284,7 +284,7 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            "it stops before all steps are made",
+            "it stops before all steps are taken",
             "All steps are asked for, also when the tip is there already: the array has steps + 1 rows.",
             seen=_part_of_the_path,
         ),

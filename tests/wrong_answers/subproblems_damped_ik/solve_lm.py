@@ -131,7 +131,7 @@ def wrong_last_row_not_filled(q0, target, alpha, eps, steps):
 
 
 def wrong_start_twice(q0, target, alpha, eps, steps):
-    """q0 stands there twice"""
+    """q0 appears twice"""
     q, way = q0, [q0]
     for _ in range(steps + 1):
         way.append(q)
@@ -157,7 +157,7 @@ def wrong_step_without_a_name(q0, target, alpha, eps, steps):
 
 
 def wrong_jacobian_of_the_start(q0, target, alpha, eps, steps):
-    """J is not made anew"""
+    """J is not recomputed"""
     J, way = planar_jacobian(q0), [q0]
     for _ in range(steps):
         e = tip(way[-1]) - target
@@ -166,7 +166,7 @@ def wrong_jacobian_of_the_start(q0, target, alpha, eps, steps):
 
 
 def wrong_error_of_the_start(q0, target, alpha, eps, steps):
-    """the error is not made anew"""
+    """the error is not recomputed"""
     e, way = tip(q0) - target, [q0]
     for _ in range(steps):
         J = planar_jacobian(way[-1])
@@ -175,7 +175,7 @@ def wrong_error_of_the_start(q0, target, alpha, eps, steps):
 
 
 def wrong_the_same_step_again(q0, target, alpha, eps, steps):
-    """J and the error are not made anew"""
+    """J and the error are not recomputed"""
     step = lm_step(q0, target, alpha, eps) - q0
     return np.array([q0 + k * step for k in range(steps + 1)])
 
