@@ -390,7 +390,7 @@ ANOTHER_SYMBOL = Mistake(
 )
 FORGOTTEN_RETURN = Mistake(
     "the function returns None: a return is missing, or returns nothing for this input",
-    "Look at each way through the function: does it end in `return` and a value of the kind that the task asks for?",
+    "Look at every branch of the function: does each end in `return`, with a value of the kind that the task asks for?",
 )
 _NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
 _LIST_FOR_ARRAY = Mistake(
@@ -399,6 +399,10 @@ _LIST_FOR_ARRAY = Mistake(
 _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",
     "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
+)
+_NOT_FINITE = Mistake(
+    "something was divided by zero, and the result, nan or infinity, is used further",
+    "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
 )
 ERRORS = (  # that occur in any exercise; an exercise's own go before
     (
@@ -414,6 +418,7 @@ ERRORS = (  # that occur in any exercise; an exercise's own go before
     ("TypeError", "only length-1 arrays can be converted", _ARRAY_FOR_NUMBER),
     ("TypeError", "only size-1 arrays can be converted", _ARRAY_FOR_NUMBER),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
+    ("ValueError", "must be finite; ", _NOT_FINITE),
     (
         "ValueError",
         "matmul",
