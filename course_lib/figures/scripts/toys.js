@@ -120,7 +120,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
     const texts = shape("g", { "font-size": half * 0.062, fill: "#555", "aria-hidden": "true" }, svg);
     for (let t = Math.ceil((cx - half) / step) * step; t <= cx + half + 1e-9; t += step) {
       shape("path", { d: `M${t},${cy - high}V${cy + high}` }, grid);
-      if (Math.abs(t - cx) < 0.9 * half) shape("text", { x: t, y: -cy + high - half * 0.02, "text-anchor": "middle" }, texts, number(t, step < 1 ? 1 : 0));
+      if (t - cx > -0.9 * half && t - cx < 0.76 * half) shape("text", { x: t, y: -cy + high - half * 0.02, "text-anchor": "middle" }, texts, number(t, step < 1 ? 1 : 0));
     }
     for (let t = Math.ceil((cy - high) / step) * step; t <= cy + high + 1e-9; t += step) {
       shape("path", { d: `M${cx - half},${t}H${cx + half}` }, grid);
