@@ -64,7 +64,7 @@ def complaints(name, function, verdict):
         if verdict.state == RIGHT:
             yield f"{name} is accepted"
         elif expected not in called(verdict):
-            yield f'{name} is called otherwise than "{expected}":\n{text}'
+            yield f'{name} is called "{called(verdict)}", not "{expected}":\n{text}'
     lines = [part for line in text.splitlines() for part in textwrap.wrap(line, 100) or [""]]
     if len(lines) > (1 if verdict.state == RIGHT else MOST_LINES):
         yield f"{name}: the message has {len(lines)} lines"

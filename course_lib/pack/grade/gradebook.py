@@ -52,7 +52,7 @@ def read_roster(path):
 
 
 class Roster:
-    """Finds a student's row by Canvas's number, by the column `student`, a login name, number or address, or by name."""
+    """Finds a student's row by Canvas's number, a login name, number or address, the column `student`, or the name."""
 
     def __init__(self, rows):
         self._ids, self._keys, self._names = {}, {}, {}
