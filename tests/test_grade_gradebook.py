@@ -113,7 +113,7 @@ def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
 
 
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
-def test_what_is_no_roster_is_told(roster, text):
+def test_a_file_that_is_not_a_roster_is_refused(roster, text):
     with pytest.raises(RosterUnreadable, match="is not a roster"):
         roster(text)
 
@@ -142,7 +142,7 @@ def test_a_date_counts_to_its_end_and_a_time_to_the_second():
 @pytest.mark.parametrize(
     ("when", "rule"), [("soon", ""), ("2026-13-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")]
 )
-def test_what_is_no_deadline_is_called_as_it_was_typed(when, rule):
+def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
     with pytest.raises(DeadlineUnclear, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
         read_deadline(when, rule)
 
@@ -155,7 +155,7 @@ def written(folder, *options):
     return folder / "out"
 
 
-def test_late_files_lose_what_the_rule_says_and_are_not_graded_again(tmp_path, capsys):
+def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
     late = hand_in(tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""])
     hand_in(tmp_path / "in", "bo_1235_98_01_rotations.ipynb", points=[2, 2])
     deadline = datetime(2026, 11, 30, 18).timestamp()
@@ -193,7 +193,7 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
     assert not (tmp_path / "out").exists()
 
 
-def test_who_is_not_in_the_roster_is_named(tmp_path, capsys):
+def test_students_not_in_the_roster_are_named(tmp_path, capsys):
     hand_in(tmp_path / "in", "eve_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(CANVAS)
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
