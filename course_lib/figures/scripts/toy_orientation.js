@@ -173,7 +173,7 @@
 
   function belt(card, meta) {
     const state = meta.belt || (meta.belt = { turn: 0, unwind: 0 }), rad = Math.PI / 180;
-    const view = P.space(card.views, { radius: 1.55, centre: [0.02, 0, 0], label: "A belt between a wall and a box", meta: state, azimuth: -1.2, elevation: 0.4, redraw: () => draw() });
+    const view = P.space(card.views, { radius: 1.28, centre: [0.05, 0, -0.3], shape: 0.72, label: "A belt between a wall and a box", meta: state, azimuth: -1.2, elevation: 0.4, redraw: () => draw() });
     const turn = card.range("Rotate the box", { min: 0, max: 720, step: 5, value: state.turn }, (x) => `${x}°`, (x) => { state.turn = x; if (x !== 720) { state.unwind = 0; unwind.set(0); } draw(); });
     const unwind = card.range("Move the box, without rotating it", { min: 0, max: 100, step: 1, value: 100 * state.unwind }, (x) => `${x} %`, (x) => { state.unwind = x / 100; draw(); });
     [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { state.turn = value; state.unwind = 0; turn.set(value); unwind.set(0); draw(); }));
