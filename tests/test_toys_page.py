@@ -274,6 +274,16 @@ def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
     assert float(re.search(r"distance left (\S+) m", box.locator("p[role=status]").inner_text())[1]) > 0.01
 
 
+def test_another_step_size_is_tried_from_the_first_configuration_though_the_arm_has_arrived(visit):
+    box = come(visit, "planar_arm_toy")
+    put(box, "Damping (m²)", -2)
+    status = box.locator("p[role=status]")
+    for size in (0.8, 0.9):
+        put(box, "Step size", size)
+        expect(status).to_contain_text(re.compile(r"distance left \de-[78]"))
+        assert int(status.inner_text().split()[0]) > 5
+
+
 def test_smaller_steps_dock_and_larger_ones_miss(visit):
     box = come(visit, "dead_reckoning_toy")
     put(box, "Step dt", 0)
