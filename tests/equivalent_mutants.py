@@ -1,38 +1,37 @@
-"""Mutants of the notebooks' solutions that their checks let live, and why; see test_mutants.py."""
+"""Mutants of the notebooks' solutions that their checks accept, and why; see test_mutants.py."""
 
 # Why a mutant answers as the solution does, as far as the task asks.
 REASONS = {
-    "order": (
-        "the two change nothing by changing places: a sum, a product of a number, a distance, or a list of solutions"
-    ),
+    "order": "exchanging the two changes nothing: a sum, a product of a number, a distance, or a list of solutions",
     "transposed": (
         "the number is the same for the transpose: its shape or length here, R R^T = 1 as R^T R = 1, det R^T = det R"
     ),
     "symmetric": "the matrix is its own transpose",
     "vector": "a vector has no transpose in numpy: it stays as it is",
-    "sign": "cos(-a) = cos(a); zeros, nan and lengths have no sign that shows, and a sign before both factors is none",
-    "either sign": "q and -q are the same rotation, a singular vector has two signs, and either is right",
-    "another sample": "a test that asks other rotations, or with another tolerance, tells right from wrong as well",
-    "half turn": "at half a turn either sign of the axis is right, and R + I is symmetric",
-    "bound": (
-        "the bound itself is met by no input but one of rounding, and on either side of it the same number comes out"
+    "sign": (
+        "cos(-a) = cos(a); the sign of a zero, of NaN or of a length does not show, and two changed signs cancel each "
+        "other"
     ),
-    "rounding": "what is added, dropped or changed is smaller than the rounding that the check allows to anybody",
-    "distribution": "the angles are even over the full turn, and what is drawn has the same distribution",
-    "mean": "the weighted differences from the mean add up to zero: what is added to the other factor drops out",
-    "axis part": "what lies along the axis is dropped by the other factor, which lies across it",
+    "either sign": "q and -q are the same rotation, a singular vector has two signs, and either is right",
+    "another sample": "a test that tries other rotations, or another tolerance, distinguishes the versions as well",
+    "half turn": "at an angle of pi either sign of the axis is right, and R + I is symmetric",
+    "bound": "only an input exactly on the bound shows it, and on either side the result is the same up to rounding",
+    "rounding": "what is added, dropped or changed is smaller than the rounding that the check allows",
+    "distribution": "the angles are uniform over a revolution, so the answers have the same distribution",
+    "mean": "the weighted differences from the mean add up to zero, so what is added to the other factor drops out",
+    "axis part": "the other factor is perpendicular to the axis, so a part along the axis drops out",
     "touching": (
-        "it matters only where circles touch exactly, or where a tolerance is 0: there rounding decides, right answers "
-        "differ, and nothing is asked"
+        "it matters only if circles touch exactly, or if a tolerance is 0: there rounding decides, right answers "
+        "differ, and no case asks"
     ),
     "another cut": "another start of k-means, and at times another cut: any cut that is as good is right",
-    "unasked": "it matters only where the task asks nothing, or where it takes any answer",
+    "unasked": "it matters only for inputs of which the task says nothing, or for which it accepts any answer",
     "same place": "the last axis of an array of this many dimensions, or the same integer once numpy has rounded it",
-    "free choice": "the task leaves it to the student: a damping, a tolerance below the one asked for, a seed",
+    "free choice": "the task leaves it to the student: a damping, a tolerance below the required one, a seed",
     "any point": (
-        "any point on an axis is right, and any configuration of the family, and so is any pose that a test asks about"
+        "any point on an axis is right, and any configuration of the family, and so is any pose that a test tries"
     ),
-    "rows": "as many rows differ from each other, and of an empty array none",
+    "rows": "the number of different rows is the same, and an empty array has none",
 }
 
 # {exercise: {the changed line: the key of its reason}}

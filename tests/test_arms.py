@@ -89,7 +89,7 @@ def test_one_joint_moves_only_what_comes_after(arm):
 
 
 @pytest.mark.parametrize("turns", [1.0, 1e3, 1e9])
-def test_whole_turns_change_nothing(arm, turns):
+def test_whole_revolutions_of_a_joint_change_nothing(arm, turns):
     q = angles(6)
     close(arm.frames(q + 2 * PI * turns), arm.frames(q), 1e-14 * (1 + 6 * turns))
     assert np.isfinite(arm.frames(q * 1e307)).all()

@@ -57,7 +57,7 @@ def run_tests(course, only, *paths):
     return done.returncode, done.stdout + done.stderr
 
 
-def test_a_new_exercise_passes_all_that_is_asked_of_it(course):
+def test_a_new_exercise_passes_every_test_that_concerns_it(course):
     (course / "course_lib/checks/poe_kuka_iiwa/unhat.py").write_text(CHECK + "\n")
     (course / "tests/wrong_answers/poe_kuka_iiwa/unhat.py").write_text(BANK + "\n")
     package = course / "course_lib/checks/poe_kuka_iiwa/__init__.py"

@@ -64,7 +64,7 @@ def complaints(name, function, verdict):
         if verdict.state == RIGHT:
             yield f"{name} is accepted"
         elif expected not in called(verdict):
-            yield f'{name} is called otherwise than "{expected}":\n{text}'
+            yield f'{name} is called "{called(verdict)}", not "{expected}":\n{text}'
     lines = [part for line in text.splitlines() for part in textwrap.wrap(line, 100) or [""]]
     if len(lines) > (1 if verdict.state == RIGHT else MOST_LINES):
         yield f"{name}: the message has {len(lines)} lines"
@@ -122,7 +122,7 @@ class Predicted:
 
 
 @each_exercise
-def test_each_mistake_is_refused_and_explained_by_itself_or_by_what_shadows_it(path):
+def test_each_mistake_is_refused_and_named_itself_or_by_the_one_that_shadows_it(path):
     exercise = replace(exercise_of(path), forbidden=(), through="")
     found = []
     for mistake in (*exercise.mistakes, *(p.mistake for p in exercise.properties if p.mistake)):
@@ -150,7 +150,7 @@ def test_the_library_s_answer_is_right(path):
 
 
 @each_exercise
-def test_an_answer_of_any_size_or_kind_is_refused_in_peace(path):
+def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
     exercise = exercise_of(path)
     right = next(function for name, function in answers(path).items() if name.startswith("right_"))
     shapes = []

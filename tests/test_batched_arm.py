@@ -28,7 +28,7 @@ def configurations(arm, *batch):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", ALL)
-def test_many_are_what_each_is_alone(name, method):
+def test_a_batch_gives_the_results_of_each_alone(name, method):
     of = getattr(ALL[name], method)
     q = configurations(ALL[name], 400)
     assert len(q) > arms._SMALL_BATCH

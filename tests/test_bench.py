@@ -37,7 +37,7 @@ def test_durations_have_three_digits_and_a_unit():
     assert [duration(s) for s in (12.345, 0.012345, 1.2e-5, 3.456e-8)] == ["12.3 s", "12.3 ms", "12 us", "34.6 ns"]
 
 
-def test_all_take_turns_and_each_gets_the_items_it_can_bear():
+def test_libraries_alternate_and_each_gets_the_items_it_can_bear():
     calls = []
 
     def counted(name):
@@ -56,7 +56,7 @@ def test_all_take_turns_and_each_gets_the_items_it_can_bear():
     assert 1.2 < np.median(result.seconds["b"]) / np.median(result.seconds["a"]) < 6
 
 
-def test_who_gives_another_answer_is_not_measured():
+def test_a_library_that_gives_another_answer_is_not_measured():
     near, far = Contestant("near", lambda x: 2 * x + 5e-10), Contestant("far", lambda x: 2 * x + 1e-8)
     other = Contestant("other shape", lambda x: x[:, None])
     nan = Contestant("nan", lambda x: x * np.nan)
@@ -97,7 +97,7 @@ def test_without_any_peer_the_library_is_measured_alone():
     assert len(tasks) == len(exact) == 4
 
 
-def test_scipy_is_compared_where_it_is():
+def test_scipy_is_compared_if_it_is_installed():
     tasks, exact = rotation_maps.tasks({"scipy": object()}, 200)
     for task in tasks:
         assert list(measured(task, repeats=1).seconds) == ["course_lib", "scipy"]
@@ -125,7 +125,7 @@ def test_the_hard_rotations_are_right():
     assert np.linalg.norm(w, axis=-1).max() == pytest.approx(np.pi, abs=1e-15)
 
 
-def test_what_is_reached_is_what_counts():
+def test_success_means_that_the_target_is_reached():
     q = panda().limits.mean(-1) + np.zeros((3, 7))
     targets = panda().fk(q)
     targets[1, 0, 3] += 2e-6

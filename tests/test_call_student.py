@@ -35,7 +35,7 @@ def the_error(function, *arguments, **options):
     return put(function, arguments, **options)[0]["error"]
 
 
-def test_what_a_function_prints_is_dropped(capfd):
+def test_the_output_of_a_function_is_dropped(capfd):
     def chatty(x):
         print("to stdout")
         print("to stderr", file=sys.stderr)
@@ -293,7 +293,7 @@ def test_what_has_no_lines_of_its_own_is_judged_too(function):
 
 
 @pytest.mark.parametrize("function", [3, "right", np.eye(3)])
-def test_what_cannot_be_called_is_an_error(function):
+def test_a_value_that_cannot_be_called_is_an_error(function):
     verdict = judge(NEAREST_SO, Here(function))
     assert verdict.state == ERROR
     assert "not callable" in describe(verdict)

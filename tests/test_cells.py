@@ -50,7 +50,7 @@ def test_queries_are_drawn_until_all_are_kept():
     assert (found[:, 0] > 0.9).all()
 
 
-def test_a_table_of_branches_answers_where_it_has_models_and_nowhere_else():
+def test_a_table_of_branches_answers_only_in_cells_that_have_models():
     rng = np.random.default_rng(1)
     q = rng.uniform([0.5, -1.2], [1.5, 1.2], (4000, 2))
     xy = cells.tips(planar_forward, q)

@@ -56,7 +56,7 @@ def test_markup_in_a_message_is_shown_as_it_is(shown):
     assert "<b>" not in shown[0]["text/html"]
 
 
-def test_an_exercise_not_begun_has_a_state_of_its_own(shown):
+def test_an_exercise_not_attempted_has_a_state_of_its_own(shown):
     each = Check(NEAREST_SO)
     each(_not_begun)
     assert each.verdict.state == NOT_ATTEMPTED
@@ -66,7 +66,7 @@ def test_an_exercise_not_begun_has_a_state_of_its_own(shown):
 @pytest.mark.parametrize(
     ("unwritten", "said"), [("inverse", "it calls inverse, which is"), ("nearest_so", "not attempted")]
 )
-def test_an_exercise_that_calls_one_not_begun_says_which(shown, unwritten, said):
+def test_an_exercise_that_calls_one_not_attempted_names_it(shown, unwritten, said):
     def calls_it(M):
         raise NotImplementedError(f"Write {unwritten} here.")
 
@@ -185,7 +185,7 @@ def test_a_check_says_how_to_call_it():
         ((right, np.eye(3)), "without brackets behind its name"),
     ],
 )
-def test_what_is_no_function_is_one_calm_message(shown, arguments, said):
+def test_a_value_that_is_not_a_function_gets_one_plain_message(shown, arguments, said):
     Check(NEAREST_SO)(*arguments)
     assert said in words(shown[-1])
 

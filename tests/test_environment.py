@@ -116,7 +116,7 @@ def test_the_set_up_with_uv_shows_what_uv_says(machine):
     assert "  Installed 2 packages in 40ms" in lines
 
 
-def test_uv_is_used_where_it_is(machine):
+def test_uv_is_used_if_it_is_installed(machine):
     machine.install("uv", stand_ins.UV)
     assert machine.make("environment").returncode == 0
     assert "uv venv --python python3 .venv" in machine.called()
@@ -124,7 +124,7 @@ def test_uv_is_used_where_it_is(machine):
     assert "-m pip" not in machine.called()
 
 
-def test_uv_may_fetch_a_python_where_there_is_none(machine):
+def test_uv_may_fetch_a_python_if_there_is_none(machine):
     machine.install("uv", stand_ins.UV)
     result = machine.make("environment", MINOR="9")
     assert result.returncode == 0, result.stderr
@@ -198,7 +198,7 @@ def test_a_newer_python_beside_an_old_one_is_found(machine):
     assert "with Python 3.13.2" in result.stdout
 
 
-def test_python_named_by_hand(machine):
+def test_a_python_that_the_user_names_is_used(machine):
     machine.install("mine", stand_ins.PYTHON)
     assert machine.make("environment", "PYTHON=mine").returncode == 0
     shutil.rmtree(machine.folder / ".venv")
@@ -319,7 +319,7 @@ def test_lock_that_fails_leaves_the_old_one(machine):
     assert (machine.folder / "environment.txt").read_bytes() == before
 
 
-def test_lock_fetches_uv_where_there_is_none(machine):
+def test_lock_fetches_uv_if_there_is_none(machine):
     machine.make("lock")
     assert "-m pip install uv" in machine.called()
     assert not (machine.folder / ".venv").exists()

@@ -107,12 +107,12 @@ def _thorough(log):
     return all(np.allclose(rotations.exp_so3(log(R)), R) for R in turns)
 
 
-def test_a_test_that_tells_all_versions_apart_is_right_for_every_seed():
+def test_a_test_that_distinguishes_all_versions_is_right_for_every_seed():
     for seed in range(5):
         assert judge(TEST_LOG, Here(_thorough), seed).state == RIGHT
 
 
-def test_what_slips_through_is_described_and_earns_in_proportion():
+def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
     verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
     assert (verdict.state, verdict.points) == (WRONG, 3)
     assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(verdict)

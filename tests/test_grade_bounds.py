@@ -34,12 +34,12 @@ def busy(seconds):
         pass
 
 
-def test_what_a_function_returns_comes_back_from_its_process():
+def test_a_function_s_result_comes_back_from_its_process():
     assert call_bounded(lambda a, b: {"sum": a + b, "text": "é\ud800"}, 1, 2) == {"sum": 3, "text": "é\ud800"}
     assert call_bounded(os.getpid) != os.getpid()
 
 
-def test_what_a_function_raises_is_told():
+def test_an_exception_in_the_process_is_reported():
     with pytest.raises(RuntimeError, match="ZeroDivisionError: division by zero"):
         call_bounded(lambda: 1 / 0)
 
@@ -54,7 +54,7 @@ def test_too_much_memory_is_an_error_or_the_end_of_the_process():
         call_bounded(lambda: len(bytearray(2 * 10**9)), memory=10**9)
 
 
-def test_what_ends_or_stops_its_process_is_told():
+def test_the_end_of_the_process_is_reported():
     with pytest.raises(OutOfBounds, match=r"ended \(exit status 3\)"):
         call_bounded(os._exit, 3)
     with pytest.raises(OutOfBounds, match=r"ended \(exit status -15\)"):

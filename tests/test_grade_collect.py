@@ -97,7 +97,7 @@ def test_two_spellings_of_one_name_are_one_student(tmp_path):
     assert {student for student, _ in found(tmp_path)} == {one}
 
 
-def test_what_programs_leave_behind_is_passed_over(tmp_path):
+def test_files_that_programs_leave_behind_are_ignored(tmp_path):
     write(tmp_path, "anna/.ipynb_checkpoints/01_rotations-checkpoint.ipynb", "anna/01_rotations.ipynb", ".DS_Store")
     write(tmp_path, "__MACOSX/anna/01_rotations.ipynb", "anna/._01_rotations.ipynb", "anna/numpy.py")
     assert found(tmp_path) == [("anna", "01_rotations")]
@@ -131,7 +131,7 @@ def test_links_are_refused_and_not_followed(tmp_path):
     assert who == {"anna", "bob", "carl", "dora", "emil"}
 
 
-def test_what_is_no_notebook_has_its_reason(tmp_path):
+def test_a_file_that_is_not_a_notebook_has_its_reason(tmp_path):
     write(tmp_path, "anna_01_rotations.py", "01_rotations.ipynb", "bob/report.pdf", "roster.csv")
     (tmp_path / "carl").mkdir()
     (tmp_path / "dora_01_rotations.ipynb").mkdir()

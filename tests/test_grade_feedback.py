@@ -70,7 +70,7 @@ def assert_inert(text, tags=TAGS):
 # ---- feedback ----
 
 
-def test_feedback_tells_what_was_found():
+def test_feedback_shows_points_messages_and_comments():
     each = GradedFile(*of("zoe", [2, 0], ["because"]))
     read = Read(feedback_page(each, marks_of(each)))
     for words in "2 of 6 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because":
@@ -82,12 +82,12 @@ def test_feedback_tells_what_was_found():
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
-def test_feedback_shows_what_is_from_a_submission_as_text():
+def test_feedback_shows_a_submission_s_words_as_text():
     each = GradedFile(*evil_one())
     assert_inert(feedback_page(each, marks_of(each)))
 
 
-def test_feedback_is_written_for_what_counts_and_only_below_its_folder(tmp_path):
+def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_path):
     everything = graded_files(
         [
             of("zoe", [2], place="a"),
@@ -147,7 +147,7 @@ def test_the_same_class_gives_the_same_page():
     assert class_page(a_class(), marks_of) == class_page(a_class(), marks_of)
 
 
-def test_the_class_page_shows_what_is_from_a_submission_as_text():
+def test_the_class_page_shows_a_submission_s_words_as_text():
     page = class_page(graded_files([evil_one()]), marks_of)
     assert_inert(page, TAGS | DRAWN)
     assert len(pictures(page)) == 3
@@ -209,7 +209,7 @@ def test_feedback_shows_a_question_with_its_letter_its_mark_and_the_comment():
     assert ("href", "#explain_frame") in read.attributes
 
 
-def test_after_the_hand_in_nothing_is_attempted_yet():
+def test_feedback_never_says_not_attempted_yet():
     submission, its = of("zoe", [0])
     its["exercises"][0]["state"] = NOT_ATTEMPTED
     text = Read(feedback_page(GradedFile(submission, its), [])).text

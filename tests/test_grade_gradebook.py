@@ -18,7 +18,7 @@ POINTS = Totals(
     students={"doejane_1234": {"01_rotations": 7.5}, "al": {"01_rotations": 12, "02_rigid_motion": 0}},
     waiting={"doejane_1234": 0, "al": 0},
     late={("doejane_1234", "01_rotations"): 2, ("al", "01_rotations"): 0, ("al", "02_rigid_motion"): 0},
-    platform_ids={"doejane_1234": "1234"},
+    user_ids={"doejane_1234": "1234"},
 )
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
     Points Possible,,,,,10
@@ -46,7 +46,7 @@ def roster(tmp_path):
 
 
 def test_canvas_takes_its_five_columns_and_a_row_of_points(roster):
-    text, missing = gradebook_text("canvas", POINTS, roster(CANVAS))
+    text, missing, _ = gradebook_text("canvas", POINTS, roster(CANVAS))
     assert missing == []
     assert rows(text) == [
         ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "01_rotations", "02_rigid_motion"],
@@ -57,7 +57,7 @@ def test_canvas_takes_its_five_columns_and_a_row_of_points(roster):
 
 
 def test_without_a_roster_canvas_has_the_numbers_of_its_own_files():
-    text, _ = gradebook_text("canvas", POINTS)
+    text, *_ = gradebook_text("canvas", POINTS)
     assert rows(text)[2:] == [
         ["al", "", "", "al", "", "12", "0"],
         ["doejane_1234", "1234", "", "", "", "7.5", ""],
@@ -65,11 +65,11 @@ def test_without_a_roster_canvas_has_the_numbers_of_its_own_files():
 
 
 def test_moodle_takes_whatever_identifies_the_user(roster):
-    text, _ = gradebook_text("moodle", POINTS)
+    text, *_ = gradebook_text("moodle", POINTS)
     assert rows(text)[0][:3] == ["Username", "ID number", "Email address"]
     assert rows(text)[1] == ["al", "", "", "", "", "12", "0"]
     names = Totals(POINTS.of, {"Jane Doe": {"01_rotations": 3}, "Al Bö": {}, "Eve": {}}, {}, {}, {})
-    text, missing = gradebook_text("moodle", names, roster(MOODLE))
+    text, missing, _ = gradebook_text("moodle", names, roster(MOODLE))
     assert rows(text)[1:] == [
         ["", "1234", "jane@example.org", "Jane", "Doe", "3", ""],
         ["", "1235", "al@example.org", "Al", "Bö", "", ""],
@@ -78,22 +78,42 @@ def test_moodle_takes_whatever_identifies_the_user(roster):
 
 
 def test_gradescopes_columns_hold_the_most_points_and_the_lateness():
-    text, _ = gradebook_text("gradescope", POINTS)
+    text, *_ = gradebook_text("gradescope", POINTS)
     assert rows(text)[0][4:7] == ["01_rotations", "01_rotations - Max Points", "01_rotations - Lateness (H:M:S)"]
     assert rows(text)[2] == ["", "", "doejane_1234", "", "7.5", "12", "48:00:00", "", "15", ""]
 
 
 def test_a_student_is_found_by_number_by_address_or_by_name_and_never_by_half(roster):
     found = Roster(roster(MOODLE + "Jane;Roe;1236;roe@example.org\nAl;Bo;1237;other@example.org\n"))
-    assert found.find("x", "1235")["Email address"] == "al@example.org"
+    assert found.find("1235")["Email address"] == "al@example.org"
     assert found.find("JANE@example.org")["ID number"] == "1234"
     assert found.find("doe jane")["ID number"] == "1234"
     assert found.find("Jane") is None
     assert found.find("Al Bo") is None, "two students whose names differ in an accent only"
 
 
+def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
+    """Moodle's number is of the hand-in, and an old score is no number of a student."""
+    canvas = Roster(roster(CANVAS))
+    assert canvas.find("x", "1235")["Student"] == "Bo, Al"
+    assert canvas.find("x", "8") is None
+    assert canvas.find("9") is None
+    (tmp_path / "in").mkdir()
+    hand_in(tmp_path / "in", "Jane Doe_1235_assignsubmission_file_/01_rotations.ipynb", points=[2])
+    (tmp_path / "moodle.csv").write_text(MOODLE)
+    out = written(tmp_path, "--lms", "moodle", "--roster", str(tmp_path / "moodle.csv"))
+    assert rows((out / "moodle.csv").read_text())[1:] == [["", "1234", "jane@example.org", "Jane", "Doe", "2"]]
+
+
+def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
+    both = Totals(POINTS.of, {"jane": {"01_rotations": 9}, "Doe Jane": {"01_rotations": 3, "02_rigid_motion": 1}})
+    text, missing, shared = gradebook_text("canvas", both, roster(CANVAS))
+    assert rows(text)[2:] == [["Doe, Jane", "1234", "u-1", "jane", "Kinematics", "9", "1"]]
+    assert (missing, shared) == ([], [["jane", "Doe Jane"]])
+
+
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
-def test_what_is_no_roster_is_told(roster, text):
+def test_a_file_that_is_not_a_roster_is_refused(roster, text):
     with pytest.raises(RosterUnreadable, match="is not a roster"):
         roster(text)
 
@@ -122,7 +142,7 @@ def test_a_date_counts_to_its_end_and_a_time_to_the_second():
 @pytest.mark.parametrize(
     ("when", "rule"), [("soon", ""), ("2026-13-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")]
 )
-def test_what_is_no_deadline_is_called_as_it_was_typed(when, rule):
+def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
     with pytest.raises(DeadlineUnclear, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
         read_deadline(when, rule)
 
@@ -135,7 +155,7 @@ def written(folder, *options):
     return folder / "out"
 
 
-def test_late_files_lose_what_the_rule_says_and_are_not_graded_again(tmp_path, capsys):
+def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
     late = hand_in(tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""])
     hand_in(tmp_path / "in", "bo_1235_98_01_rotations.ipynb", points=[2, 2])
     deadline = datetime(2026, 11, 30, 18).timestamp()
@@ -173,7 +193,7 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
     assert not (tmp_path / "out").exists()
 
 
-def test_who_is_not_in_the_roster_is_named(tmp_path, capsys):
+def test_students_not_in_the_roster_are_named(tmp_path, capsys):
     hand_in(tmp_path / "in", "eve_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(CANVAS)
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))

@@ -53,7 +53,7 @@ def fill(place, count=6, **told):
 # ---- once is enough ----
 
 
-def test_what_was_graded_is_not_graded_again(place):
+def test_files_that_were_graded_are_not_graded_again(place):
     fill(place)
     assert run(place, "--jobs", "1") == 0
     first = tables(place)
@@ -116,7 +116,7 @@ def test_the_same_tables_on_one_processor_and_on_several(place):
     assert b"s5,01_rotations,exercise_1,2,2,right" in tables(place)[0]
 
 
-def test_killed_in_the_middle_it_goes_on_where_it_was_and_leaves_no_process(place):
+def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
     fill(place, 8, seconds=0.4)
     command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]
     with subprocess.Popen([*command, "--jobs", "2"], stderr=subprocess.DEVNULL) as process:
@@ -240,7 +240,7 @@ SENTENCES = {
 
 
 @pytest.mark.parametrize("words", SENTENCES)
-def test_what_stops_a_run_is_said_in_a_sentence(place, capsys, words):
+def test_a_run_that_stops_gives_its_reason_in_a_sentence(place, capsys, words):
     SENTENCES[words](place)
     assert run(place, "--jobs", "1") == 1
     said = capsys.readouterr().err
@@ -257,14 +257,14 @@ def test_a_setting_that_is_no_number_is_called_as_it_was_typed(place, capsys, na
     assert capsys.readouterr().err == f"Grading stopped. {name}=two is not a whole number.\n"
 
 
-def test_a_file_in_the_place_of_the_folder_is_told(place, capsys):
+def test_a_file_instead_of_the_output_folder_is_reported(place, capsys):
     fill(place, 1)
     (one,) = place.glob("in/**/*.ipynb")
     assert main([str(one), "--output", str(place / "out")]) == 1
     assert f"{one} is a file: name the folder that it lies in." in capsys.readouterr().err
 
 
-def test_what_the_instructor_should_look_at_is_said_at_the_end(place, capsys):
+def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys):
     def unreadable(content, notebook, seed):
         result = grade(content, notebook, seed)
         for exercise in result["exercises"]:

@@ -121,7 +121,7 @@ FILLS = "import numpy as np\nfound = np.full(10**8, 1.0).sum()"  # 800 MB
 
 
 @needs_group
-def test_a_function_that_the_kernel_kills_for_its_memory_is_told_so(few, monkeypatch):
+def test_the_feedback_says_that_the_kernel_killed_a_function_for_its_memory(few, monkeypatch):
     bounded = lambda memory, processes: control_group.ControlGroup(500_000_000, processes)  # noqa: E731
     monkeypatch.setattr(sandbox, "ControlGroup", bounded)
     message = told(FILLS, few, replace(SHORT, cpu_seconds=20))
@@ -195,7 +195,7 @@ def test_only_a_kill_since_the_last_message_is_blamed_on_memory(version_2, earli
             one.receive(60)
 
 
-def test_what_cannot_be_had_is_told_at_the_start(monkeypatch):
+def test_missing_isolation_is_reported_at_the_start(monkeypatch):
     monkeypatch.setattr(control_group, "available", lambda: False)
     monkeypatch.setattr(sandbox, "call_filter", lambda: b"")
     said = sandbox.notice()

@@ -15,7 +15,7 @@ from course_lib.pack.grade.submission import grade
 
 
 @pytest.mark.parametrize("kind", sandbox.NOTICES)
-def test_each_way_of_keeping_apart_grades_alike(few, kind, monkeypatch):
+def test_each_kind_of_isolation_gives_the_same_grades(few, kind, monkeypatch):
     if not sandbox.works(kind):
         pytest.skip(f"{kind}: not possible here")
     monkeypatch.setattr(sandbox, "kind", lambda: kind)

@@ -99,7 +99,7 @@ def test_names_that_print_alike_stay_two_submissions(handed_in):
     assert len(set(places)) == len(places) == 3
 
 
-def test_what_cannot_be_read_is_told_in_the_students_line(handed_in, monkeypatch):
+def test_unreadable_files_are_reported_in_the_student_s_line(handed_in, monkeypatch):
     for name in ("locked/inner/01_rotations.ipynb", "gone/01_rotations.ipynb", "odd/01_rotations.ipynb"):
         hand_in(handed_in, name)
     hand_in(handed_in, "odd2_01_rotations.ipynb")

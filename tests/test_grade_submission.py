@@ -148,7 +148,7 @@ def test_what_a_notebook_claims_of_itself_changes_nothing():
     assert (row["points"], row["of"], row["state"]) == (0, 3, "wrong")
 
 
-def test_the_library_may_be_used_for_what_an_exercise_does_not_ask(few):
+def test_the_library_may_be_used_unless_an_exercise_forbids_it(few):
     own = few[1][-2] if "def nearest_so" in few[1][-2] else next(s for s in few[1] if "def nearest_so" in s)
     uses = own.replace("return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @")
     assert uses != own
@@ -174,7 +174,7 @@ def test_the_seed_chooses_the_cases(few):
     assert told[0] != told[2]
 
 
-def test_a_submission_that_takes_too_long_altogether_is_left_with_what_it_has(few):
+def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few):
     sleeps = "import time\ndef nearest_so(M):\n    time.sleep(100)"
     limits = replace(SHORT, idle_seconds=2, submission_seconds=2)
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)

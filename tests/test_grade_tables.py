@@ -91,7 +91,7 @@ def test_grades_have_a_line_for_each_exercise_and_question(path):
     assert {row["release"] for row in rows} == {"0.1.0-abc"}
 
 
-def test_totals_have_a_line_for_each_student_and_nothing_where_nothing_was_handed_in(path):
+def test_totals_have_a_line_for_each_student_and_empty_cells_for_missing_notebooks(path):
     rows = Class(
         path,
         outcome("zoe", [2, 0], ["because", PROMPT]),
@@ -117,7 +117,7 @@ def test_of_two_files_for_one_notebook_the_better_counts_once(path):
         assert len(said) == 4
 
 
-def test_refused_files_are_told_with_their_reason_and_cost_nobody_else(path):
+def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
     mine = submission("anna")
     nobodys = submission("", "", "roster.csv")
     both = Class(
@@ -163,7 +163,7 @@ def test_other_cells_stay_as_they_are():
     assert [cell(number) for number in (0, 2, 1.5, -1, 123456)] == ["0", "2", "1.5", "-1", "123456"]
 
 
-def test_what_cannot_be_written_or_read_is_left_out(path):
+def test_statements_that_cannot_be_written_or_read_are_left_out(path):
     evil = outcome("=anna", [0], ["\ud800 x\x00\x1b[31m \r\n=1"], release="-1\n")
     evil[1]["exercises"][0]["message"] = "=" + "m" * 5000 + "\ud800"
     written = Class(path, evil)
@@ -216,7 +216,7 @@ def test_the_same_words_of_another_student_are_marked_for_themselves(path):
     assert [(row["student"], row["total"]) for row in rows] == [("anna", "2"), ("zoe", "2")]
 
 
-def test_marks_of_who_is_not_in_this_run_are_kept(path):
+def test_marks_of_students_not_in_this_run_are_kept(path):
     Class(path, ZOE(texts=["because"])).questions()
     type_in(path, mark="2")
     Class(path, outcome("anna", texts=["so"])).questions()
@@ -236,7 +236,7 @@ def test_a_table_saved_by_a_spreadsheet_is_read(path, saved):
 
 
 @pytest.mark.parametrize("typed", ["3", "-1", "two", "nan", "inf", "1e99"])
-def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
+def test_an_invalid_mark_is_reported_and_not_counted(path, typed):
     Class(path, ZOE(texts=["because"])).questions()
     type_in(path, mark=typed)
     again = Class(path, ZOE(texts=["because"]))
@@ -245,7 +245,7 @@ def test_a_mark_that_is_none_is_told_and_not_counted(path, typed):
     assert again.totals()[0]["total"] == "2"
 
 
-def test_a_mark_that_is_none_is_not_told_to_the_student(path):
+def test_an_invalid_mark_is_not_shown_to_the_student(path):
     question = {"question": "explain_0", "of": 2, "text": "because"}
     its_key = key("zoe", "01_rotations", "explain_0", "because")
     each = mark_answer(question, "zoe", "01_rotations", {its_key: {"mark": "3", "comment": ""}})
@@ -258,7 +258,7 @@ def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
     assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
 
 
-def test_an_unanswered_question_has_nothing_to_be_read(path):
+def test_an_unanswered_question_waits_for_no_mark(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
     assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
@@ -279,7 +279,7 @@ def test_a_table_that_lost_its_columns_stops_the_run(path, text):
         read_marks(path)
 
 
-def test_a_long_answer_fits_into_a_cell_and_is_told_apart_to_its_end(path):
+def test_long_answers_fit_into_a_cell_and_differ_if_only_their_ends_do(path):
     answers = ["a" * 40_000 + end for end in "xy"]
     Class(path, ZOE(texts=answers[:1])).questions()
     type_in(path, mark="2")

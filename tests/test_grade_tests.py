@@ -41,7 +41,7 @@ def test_a_thorough_test_earns_all_points():
     assert (row["state"], row["points"]) == ("right", 4), row["message"]
 
 
-def test_a_superficial_test_earns_a_part_and_is_told_what_slips_through():
+def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_through():
     row = graded("def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])")
     assert (row["state"], row["points"]) == ("wrong", 3)
     assert "one that is wrong only near half a turn" in row["message"]

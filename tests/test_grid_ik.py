@@ -60,7 +60,7 @@ def test_nearly_every_solution_is_found_and_no_other(forward, share, off, xy):
     assert (got[:, 1, 1][found[:, 1]] <= 0).all()
 
 
-def test_any_place_in_a_wide_square_is_answered_rightly_or_not_at_all():
+def test_any_point_in_a_wide_square_gets_a_right_answer_or_none():
     xy = np.random.default_rng(3).uniform(-3, 3, (100_000, 2))
     got, true = fitted().predict(xy), in_range(closed_form(xy))
     assert not (np.isnan(true) & ~np.isnan(got)).any()
@@ -84,7 +84,7 @@ def test_beside_the_edge_where_the_branches_meet():
 
 @FORWARDS
 @pytest.mark.parametrize("gone", [(0,), (1,), (0, 1)])
-def test_where_a_branch_was_not_sampled_it_has_no_answer(forward, gone):
+def test_a_branch_has_no_answer_in_cells_without_its_samples(forward, gone):
     xy, theta = SAMPLES
     hole, inner = (np.linalg.norm(xy - [0.3, 1.6], axis=-1) < radius for radius in (0.25, 0.1))
     keep = ~(hole & np.isin(theta[:, 1] < 0, gone))

@@ -57,7 +57,7 @@ def test_a_descent_by_itself_takes_the_steps_that_it_takes_among_others():
     assert [one.iterations for one in alone] == together.iterations.tolist()
 
 
-def test_an_unreachable_target_ends_nearby_and_says_so():
+def test_an_unreachable_target_ends_nearby_without_success():
     arm = panda()
     far = rigid.transform(np.diag([1.0, -1, -1]), [3.0, 0, 0.333])
     found = solve(arm, far, np.random.default_rng(2), starts=20)

@@ -256,7 +256,7 @@ def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
     assert list(Path(path.parent).iterdir()) == [path]
 
 
-def test_who_may_read_the_file_stays(write):
+def test_the_file_keeps_its_permissions(write):
     path = write(new_code_cell("1"))
     path.chmod(0o640)
     write_atomically(path, "{}")

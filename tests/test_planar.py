@@ -61,7 +61,7 @@ def test_wrap_angle_at_the_ends_and_within():
     assert np.array_equal(wrap_angle(within), within)
 
 
-def test_pose_matrix_turns_and_then_moves():
+def test_pose_matrix_rotates_and_then_translates():
     close(pose_matrix([10, 20, PI / 2]) @ [1, 0, 1], [10, 21, 1])
     close(pose_matrix([10, 20, -PI / 2]) @ [2, 5, 1], [15, 18, 1])
     pose, point = np.random.default_rng(1).normal(size=(2, 50, 3))
@@ -170,7 +170,7 @@ def test_a_straight_line_when_the_velocities_are_zero():
         (100.0, 0.0, 32 * PI - 100),
     ],
 )
-def test_angles_go_the_short_way_round_and_places_do_not(begin, end, change):
+def test_angles_take_the_shorter_arc_and_positions_do_not(begin, end, change):
     for path in (
         interpolate_body([begin, 0, begin], [end, 1, end], 30),
         interpolate_body_screw([begin, 0, begin], [end, 1, end], 30),
@@ -202,14 +202,14 @@ def test_screw_path_is_one_body_twist_at_the_pace_of_the_cubic(batch):
         close(scipy.linalg.expm(pace[:, None, None] * twist), steps[index], 1e-10)
 
 
-def test_screw_path_without_a_turn_is_the_straight_line():
+def test_screw_path_without_a_rotation_is_the_straight_line():
     start, goal = np.array([1.0, -2, 0.8]), np.array([4.0, 5, 0.8])
     close(interpolate_body_screw(start, goal, 40), interpolate_body(start, goal, 40))
     nearly = interpolate_body_screw(start, goal + np.array([0, 0, 1e-9]), 40)
     close(nearly, interpolate_body(start, goal, 40), 1e-8)
 
 
-def test_screw_path_of_a_quarter_turn_is_a_quarter_circle():
+def test_screw_path_of_a_right_angle_is_a_quarter_circle():
     path = interpolate_body_screw([1, 0, PI / 2], [0, 1, PI], 3)
     close(path[1], [math.sqrt(0.5), math.sqrt(0.5), 3 * PI / 4])
     around = interpolate_body_screw([5, 0, 0], [-5, 0, PI], 50)

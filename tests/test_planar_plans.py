@@ -74,7 +74,7 @@ def test_euler_step_by_step(dt):
     close(propagate_body(START, PLAN, dt), euler(START, PLAN, dt), 1e-12)
 
 
-def test_euler_is_exact_without_turning():
+def test_euler_is_exact_without_rotation():
     plan = [((1.0, -0.5, 0), 0.77), ((0, 2.0, 0), 0.3)]
     close(propagate_body(START, plan, 0.1), propagate_body_exact(START, plan, 0.1))
     close(propagate_body(START, plan, 0.1)[-1, :2], START[:2] + rotated(2.0, [0.77, -0.385 + 0.6]))

@@ -84,7 +84,7 @@ SPREAD = np.random.default_rng(7).normal(size=(5, 3))
         (("points", SPREAD), "src must be an array"),
     ],
 )
-def test_what_fixes_no_rotation_is_refused(arguments, words):
+def test_sets_that_determine_no_rotation_are_refused(arguments, words):
     with pytest.raises(ValueError, match=words):
         register_points(*arguments)
 
@@ -106,7 +106,7 @@ def test_sets_of_any_size_are_right(exponent):
 
 
 @pytest.mark.parametrize("exponent", range(16))
-def test_thin_sets_are_right_to_what_rounding_allows_or_refused(exponent):
+def test_thin_sets_are_right_up_to_rounding_or_refused(exponent):
     """Points near a line in any direction: rounding of the points rotates them by 1e-16 / thickness."""
     rng, thickness = np.random.default_rng(9), 10.0**-exponent
     refused = 0

@@ -242,7 +242,7 @@ def test_words_for_graders_in_another_cell_are_named(tree, tmp_path, capsys, wor
 
 
 @pytest.mark.parametrize("text", ["<<<<<<< HEAD\n{}", "[1, 2]", '{"cells": 3}', "\udcff"], ids=range(4))
-def test_what_is_no_notebook_is_named(tree, tmp_path, capsys, text):
+def test_a_file_that_is_not_a_notebook_is_named(tree, tmp_path, capsys, text):
     (tree / "notebooks/02_rigid_motion.ipynb").write_bytes(text.encode(errors="surrogateescape"))
     assert main(["--root", str(tree), "--output", str(tmp_path / "student.zip")]) == 1
     assert "02_rigid_motion.ipynb is not a notebook" in one_sentence(capsys)

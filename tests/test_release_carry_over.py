@@ -96,7 +96,7 @@ def test_a_split_cell_is_put_together_and_an_exercise_that_is_gone_is_named(fold
     assert source(new, "wrap_angle") == f"turn = 7\n\n{CODE}"
 
 
-def test_what_cannot_be_read_is_told_in_a_sentence(folders):
+def test_unreadable_input_is_reported_in_a_sentence(folders):
     old, new = folders
     for folder in (old / "notebooks", old / "nowhere"):
         done = carry_over(folder, new)

@@ -59,7 +59,7 @@ def two_poses_and_a_twist(draw):
 
 
 @EITHER
-def test_transform_has_its_parts_in_their_places(n):
+def test_transform_has_rotation_translation_and_last_row_in_position(n):
     rng = np.random.default_rng(0)
     R, p = rotation_samples(n)(rng, (4, 1)), rng.normal(size=(5, n))
     T = transform(R, p)
@@ -176,7 +176,7 @@ def test_exp_by_any_angle(n):
 
 
 @EITHER
-def test_exp_without_turning_is_a_translation(n):
+def test_exp_without_rotation_is_a_translation(n):
     v = np.array([[1.0, -2, 3], [1e-300, 0, 1e300]])[:, :n]
     twists = np.concatenate([np.zeros((2, {2: 1, 3: 3}[n])), v], -1)
     T = EXP[n](twists)

@@ -68,7 +68,7 @@ def test_turns_about_one_axis(rot, axis, image_of):
     close(rot(angle), scipy.linalg.expm(angle[:, None, None] * cross_matrix(axis)), 1e-12)
 
 
-def test_exp_turns_by_any_angle():
+def test_exp_rotates_by_any_angle():
     w = np.random.default_rng(1).normal(size=(100, 3)) * np.linspace(0, 10, 100)[:, None]
     close(exp_so3(w), scipy.linalg.expm(cross_matrix(w)), 1e-12)
     for angle in (1e2, 1e8, 1e16, 1e155, 1e308):  # the sine of any float is exact; the axis is left as it was
@@ -76,7 +76,7 @@ def test_exp_turns_by_any_angle():
 
 
 @pytest.mark.parametrize("axis", AXES, ids=str)
-def test_half_turn(axis):
+def test_a_rotation_by_pi(axis):
     """At exactly pi the matrix is symmetric: R = 2 a a^T - I."""
     R = 2 * np.outer(axis, axis) - np.eye(3)
     w = log_so3(R)
@@ -131,7 +131,7 @@ def test_sign_of_a_quaternion(axis, sign):
         assert matrix_to_quaternion(exp_so3(sign * angle * axis))[0] > 0
 
 
-def test_half_turns_among_other_rotations():
+def test_rotations_by_pi_among_others():
     w = np.array([[0, -np.pi, 0], [0, 0, 0], [0, 0, -3.0], [0, 0.6 * np.pi, -0.8 * np.pi], [1e-9, 0, 0]])
     R = exp_so3(w)
     R[[0, 3]] = [2 * np.outer(a, a) - np.eye(3) for a in w[[0, 3]] / np.pi]
@@ -247,7 +247,7 @@ NO_VECTORS = [None, {"a": 1}, 3.0, [], [[]], [1j, 2], [np.nan, 1], [np.inf], "ab
 
 
 @pytest.mark.parametrize("v", NO_VECTORS, ids=str)
-def test_lengths_of_what_are_no_vectors_are_refused(v):
+def test_length_refuses_values_that_are_not_vectors(v):
     with pytest.raises(ValueError, match=r"^v\b"):
         rotations.length(v)
 

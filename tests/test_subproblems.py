@@ -153,7 +153,7 @@ def symmetric_about(theta, k, p, q):
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_parallel_axes_leave_one_turn_free(sign):
+def test_parallel_axes_leave_one_angle_free(sign):
     (k, p1), theta = random_vectors(2, 11, 1000), random_angles(12, 1000)
     k2, p2 = sign * 3 * k, rotate(k, theta, p1)
     got = subproblem2(k, k2, p1, p2)
@@ -178,7 +178,7 @@ def test_nearly_parallel_axes(angle, sign):
 # Points on their axes, zero vectors -----------------------------------------------------------------------------------
 
 
-def test_points_on_the_axis_leave_the_turn_free():
+def test_points_on_the_axis_leave_the_angle_free():
     tilted = np.array([0.6, 0, 0.8])
     for k in (EZ, 5 * EZ, np.array([1.0, -2, 3])):
         on = 0.3 * k
@@ -253,7 +253,7 @@ def test_sizes_far_from_each_other():
     assert_allclose(subproblem1(EZ, [5e-324, 0, 0], [0, 1.7e308, 0]).theta, PI / 2, rtol=1e-15)
 
 
-def test_half_turn_is_pi_and_not_minus_pi():
+def test_an_angle_of_half_a_revolution_is_pi_and_not_minus_pi():
     for zero in (0.0, -0.0):
         assert subproblem1(EZ, [1, zero, zero], [-1, zero, zero]).theta == PI
         assert subproblem1(-EZ, [1, zero, zero], [-1, zero, zero]).theta == PI
@@ -280,7 +280,7 @@ def test_euler_yxy():
 
 
 @pytest.mark.parametrize("middle", [0, PI])
-def test_euler_yxy_where_the_outer_turns_are_about_one_axis(middle):
+def test_euler_yxy_when_the_outer_rotations_share_an_axis(middle):
     rng = np.random.default_rng(19)
     off = np.concatenate([[0], 10 ** rng.uniform(-18, -1, 5000), 10.0 ** np.arange(-18, 0)])
     b = rng.uniform(-PI, PI, (len(off), 3))

@@ -138,7 +138,7 @@ def test_dead_reckoning_by_euler_and_exactly(rng):
 # ---- circles ----
 
 
-def test_circles_meet_where_subproblem_2_says_or_not_at_all(rng):
+def test_circles_meet_at_the_answers_of_subproblem_2_or_not_at_all(rng):
     k1, k2, p1, p2 = (unit_axes(rng) for _ in range(4))
     found = js("meetings", list(zip(k1, k2, p1, p2, strict=True)))
     right = subproblem2(k1, k2, p1, p2)

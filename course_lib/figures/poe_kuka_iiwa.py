@@ -65,7 +65,7 @@ def arm_with_axes(arm, q=None):
     -------
     plotly.graph_objects.Figure
     """
-    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW)
+    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW, height=560)
 
 
 def arm_movie(name, arm, q, times):

@@ -11,21 +11,22 @@ _LAB_FRAMES = 20  # for JupyterLab, which plays vertices: 14 KB each for an arm
 _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 
 
-def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0, fitted=True):
+def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0):
     """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in some twenty frames.
 
     Parameters
     ----------
     name : str
-        What its file is called where it is written as an animation.
+        Name of its file if it is written as an animation.
     model : Model
+        The bodies that move.
     poses : array_like, shape (m, bodies, 4, 4)
     times : array_like, shape (m,)
-        Seconds; it plays in real time.
+        Seconds, increasing; it plays in real time.
     still : sequence of plotly traces
-        What does not move, besides the floor.
+        Objects that stand still, without the floor.
     points : array_like, shape (n, 3)
-        What else is to be seen.
+        Further points that the view must contain, metres.
     view : array_like, shape (3,)
         The direction to the eye.
     height : int
@@ -36,7 +37,7 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     Returns
     -------
     plotly.graph_objects.Figure
-        Lengths in millimetres. `layout.meta.course` is what scripts/motion.js says of films.
+        Lengths in millimetres. scripts/motion.js describes `layout.meta.course`.
     """
     poses, times = np.asarray(poses, float), np.asarray(times, float)
     shown = np.unique(np.linspace(0, len(times) - 1, min(_LAB_FRAMES, len(times))).astype(int))
@@ -67,7 +68,7 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
         "trace": trace,
         "counts": model.counts,
         "times": [round(float(t), 4) for t in times - times[0]],
-        # Two arrays, for show rounds each to its own largest number.
+        # Two arrays, because `show` rounds each by its own largest number.
         "rotations": (np.round(log_so3(poses[..., :3, :3]) + 3.1e-7, 5) + 0.0).tolist(),
         "positions": (np.round(_MILLIMETRES * poses[..., :3, 3] + 3.1e-4, 2) + 0.0).tolist(),
     }

@@ -158,15 +158,17 @@ def _write(output, everything, platform, roster):
     write_atomically(output / "grades.csv", grades_text(everything, its_marks))
     points = totals(everything, its_marks)
     write_atomically(output / "totals.csv", totals_text(points))
-    missing = []
+    missing, shared = [], []
     if platform:
-        text, missing = gradebook_text(platform, points, roster)
+        text, missing, shared = gradebook_text(platform, points, roster)
         write_atomically(output / f"{platform}.csv", text)
     write_feedback(output / "feedback", everything, its_marks)
     write_atomically(output / "class.html", class_page(everything, its_marks))
     print(_summary(output, everything, listed))
     if missing:
         print(f"Not in the roster, and so not in {output / f'{platform}.csv'}: {', '.join(missing)}.")
+    for students in shared:
+        print(f"One student of the roster, whose better points of each notebook count: {', '.join(students)}.")
 
 
 def _summary(output, everything, listed):

@@ -32,8 +32,8 @@ class Submission:
     student: whose it is, or "" if the file's name does not say. notebook: the course's name for it if the file's
     name contains one, else the file's own. place: the path below the folder of submissions, unique, for messages
     and hashes. refused: why it is not graded, or "". modified: seconds since 1970 at which the file was written
-    last, or None. platform_id: the learning platform's number of the student, from the file's name, or "".
-    late: whether the platform marked the file as late.
+    last, or None. platform_id: the learning platform's number in the file's name, or "". late: whether the platform
+    marked the file as late. user_id: the platform_id if the platform's gradebook has it too, or "".
     """
 
     student: str
@@ -44,6 +44,7 @@ class Submission:
     modified: float | None = None
     platform_id: str = ""
     late: bool = False
+    user_id: str = ""
 
 
 class Refused(Exception):
@@ -79,9 +80,15 @@ def find(folder, notebooks):
 
 
 def _broken(path, problem):
-    student, _, number, late = exported_name(printable(path.stem))
+    name = exported_name(printable(path.stem))
     reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
-    return Submission(student, "", printable(path.name), path, f"It cannot be read: {reason}.", None, number, late)
+    refused = f"It cannot be read: {reason}."
+    return Submission(name.student, "", printable(path.name), path, refused, **_of_platform(name))
+
+
+def _of_platform(name):
+    """Return the fields of a Submission that the learning platform gives. name: Exported."""
+    return {"platform_id": name.number, "late": name.late, "user_id": name.user_id}
 
 
 def _is_clutter(name):
@@ -100,10 +107,10 @@ def _flat(path, folder, notebooks):
     """Return the Submission for a file directly in the folder, whose name contains the student's."""
     stem = printable(path.stem)
     student, notebook = split(stem, notebooks)
-    exported, rest, number, late = exported_name(stem if not notebook else student + "_")
-    if number:
-        student = exported
-        notebook = notebook or split(rest, notebooks)[1] or rest
+    name = exported_name(stem if not notebook else student + "_")
+    if name.number:
+        student = name.student
+        notebook = notebook or split(name.rest, notebooks)[1] or name.rest
     refused = ""
     if path.is_symlink():
         refused = "It is a link to another file, and links are not followed."
@@ -115,14 +122,15 @@ def _flat(path, folder, notebooks):
         student = printable(path.name)
     if not notebook and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
-    return Submission(student, notebook, printable(path.relative_to(folder)), path, refused, None, number, late)
+    place = printable(path.relative_to(folder))
+    return Submission(student, notebook, place, path, refused, **_of_platform(name))
 
 
 def _in_folder(top, folder, notebooks):
     """Return the Submissions in a student's folder, whose name is the student's."""
-    name = printable(top.name)
-    exported, _, number, late = exported_name(name)
-    whole = Submission(exported or name, "", name, top, "", None, number, late)
+    place = printable(top.name)
+    name = exported_name(place)
+    whole = Submission(name.student or place, "", place, top, **_of_platform(name))
     files, others, problems = _walk(top)
     found = []
     for path, is_link in files[:MAX_LISTED]:

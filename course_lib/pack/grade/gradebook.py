@@ -22,11 +22,9 @@ IDENTITY = {
     "moodle": ("Username", "ID number", "Email address", "First name", "Last name"),
     "gradescope": ("First Name", "Last Name", "SID", "Email"),
 }
-WITHOUT_ROSTER = {
-    "canvas": "SIS Login ID",
-    "moodle": "Username",
-    "gradescope": "SID",
-}  # the column of the students' names if there is no roster
+NAMES = ("Student", "First name", "Last name", "First Name", "Last Name")  # columns that tell no two students apart
+KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
+WITHOUT_ROSTER = {"moodle": "Username", "gradescope": "SID"}  # the column of the students' names if there is no roster
 
 
 class RosterUnreadable(Exception):
@@ -54,21 +52,22 @@ def read_roster(path):
 
 
 class Roster:
-    """Finds a student's row by the column `student`, by any number or address, or by the words of the name."""
+    """Finds a student's row by Canvas's number, a login name, number or address, the column `student`, or the name."""
 
     def __init__(self, rows):
-        self._exact, self._names = {}, {}
+        self._ids, self._keys, self._names = {}, {}, {}
         for row in rows:
-            for column, value in row.items():
-                if value and column not in ("Section", "Student", "First name", "Last name", "First Name", "Last Name"):
-                    self._exact.setdefault(cell_text(value).casefold(), []).append(row)
+            self._ids.setdefault(row.get("ID"), []).append(row)
+            for column in KEYS & row.keys():
+                if row[column]:
+                    self._keys.setdefault(cell_text(row[column]).casefold(), []).append(row)
             self._names.setdefault(_words(_full_name(row)), []).append(row)
 
-    def find(self, student, platform_id=""):
+    def find(self, student, user_id=""):
         """Return the row, or None if there is none or more than one."""
         for found in (
-            self._exact.get(platform_id.casefold(), []) if platform_id else [],
-            self._exact.get(student.casefold(), []),
+            self._ids.get(user_id, []) if user_id else [],
+            self._keys.get(student.casefold(), []),
             self._names.get(_words(student), []),
         ):
             if len({id(row) for row in found}) == 1:
@@ -77,8 +76,7 @@ class Roster:
 
 
 def _full_name(row):
-    parts = [row.get(name, "") for name in ("Student", "First name", "Last name", "First Name", "Last Name", "Name")]
-    return " ".join(part for part in parts if part)
+    return " ".join(row[name] for name in (*NAMES, "Name") if row.get(name))
 
 
 def _words(name):
@@ -88,7 +86,7 @@ def _words(name):
 
 
 def gradebook_text(platform, totals, roster=None):
-    """Return (text of the file, names of the students who are not in the roster and so not in it).
+    """Return (text of the file, students who are not in the roster and so not in it, students who share a line of it).
 
     Parameters
     ----------
@@ -97,40 +95,54 @@ def gradebook_text(platform, totals, roster=None):
     roster : list of dict, optional
         The result of read_roster. Without it, a student's name is used as the login name, and the Canvas number in the
         names of its files as the ID.
+
+    Returns
+    -------
+    text : str
+    missing : list of str
+    shared : list of list of str
+        Those whose names lead to the same line of the roster; of each notebook the better points are in the file.
     """
     look = Roster(roster) if roster else None
-    identity, rows, missing = IDENTITY[platform], [], []
-    for student, points in totals.students.items():
-        number = totals.platform_ids.get(student, "")
-        if look:
-            found = look.find(student, number)
-            if found is None:
-                missing.append(student)
-                continue
-            row = [found.get(name, "") for name in identity]
+    lines, missing = {}, []  # lines: {what identifies a student: their names}
+    for student in totals.students:
+        identity = _identity(platform, student, totals.user_ids.get(student, ""), look)
+        if identity is None:
+            missing.append(student)
         else:
-            known = {WITHOUT_ROSTER[platform]: student}
-            if platform == "canvas":
-                known = {"Student": student, "ID": number} if number.isdigit() else known | {"Student": student}
-            row = [known.get(name, "") for name in identity]
-        for notebook, of in totals.of.items():
-            value = points.get(notebook, "")
-            row += [value, of, _duration(totals, student, notebook)] if platform == "gradescope" else [value]
-        rows.append(row)
-    rows.sort(key=lambda row: [str(value) for value in row])
-    columns = [*identity]
+            lines.setdefault(identity, []).append(student)
+    rows = [[*identity, *_points(platform, totals, students)] for identity, students in sorted(lines.items())]
+    columns = [*IDENTITY[platform]]
     for notebook in totals.of:
         more = [f"{notebook} - Max Points", f"{notebook} - Lateness (H:M:S)"] if platform == "gradescope" else []
         columns += [notebook, *more]
     if platform == "canvas":
-        rows.insert(0, ["    Points Possible", *[""] * (len(identity) - 1), *totals.of.values()])
-    return table_text([cell(name) for name in columns], [[_written(value) for value in row] for row in rows]), missing
+        rows.insert(0, ["    Points Possible", *[""] * (len(IDENTITY[platform]) - 1), *totals.of.values()])
+    text = table_text([cell(name) for name in columns], [[_written(value) for value in row] for row in rows])
+    return text, missing, [students for students in lines.values() if len(students) > 1]
+
+
+def _identity(platform, student, user_id, look):
+    """Return the texts that identify a student to the platform, or None for one who is not in the roster."""
+    if look:
+        found = look.find(student, user_id)
+    elif platform == "canvas":
+        found = {"Student": student, "ID": user_id} if user_id else {"Student": student, "SIS Login ID": student}
+    else:
+        found = {WITHOUT_ROSTER[platform]: student}
+    return None if found is None else tuple(found.get(name, "") for name in IDENTITY[platform])
+
+
+def _points(platform, totals, students):
+    """Return the cells after those that identify one student of the platform, who may have several names here."""
+    for notebook, of in totals.of.items():
+        having = [student for student in students if notebook in totals.students[student]]
+        best = max(having, key=lambda student: totals.students[student][notebook], default=None)
+        yield "" if best is None else totals.students[best][notebook]
+        if platform == "gradescope":
+            yield of
+            yield "" if best is None else f"{24 * totals.late.get((best, notebook), 0):02}:00:00"
 
 
 def _written(value):
     return value if value == "    Points Possible" else cell(value)
-
-
-def _duration(totals, student, notebook):
-    days = totals.late.get((student, notebook), 0)
-    return f"{24 * days:02}:00:00" if notebook in totals.students[student] else ""

@@ -1,6 +1,7 @@
 """Learning platforms: the names of the files that they export."""
 
 import re
+from typing import NamedTuple
 
 # Moodle's "Download all submissions": <full name>_<number>_assignsubmission_file_, a folder or the beginning of a
 # file's name; the number is of the participant in this one assignment.
@@ -15,27 +16,40 @@ CANVAS = re.compile(
 )
 
 
-def exported_name(stem):
-    """Return (student, rest, number, late) from the name of a file or folder that Canvas or Moodle exported.
+class Exported(NamedTuple):
+    """What a name says that Canvas or Moodle exported.
 
-    rest: the student's own name for the file. number: the platform's number of the student. late: True if the platform
-    marked the file as late. For any other name all are empty. The platform's part comes first, so a student cannot
-    imitate it by the file's own name.
+    student: whose the file is. rest: the student's own name for the file. number: the platform's number, which tells
+    students of one name apart. late: True if the platform marked the file as late. user_id: the number by which the
+    gradebook knows the student, which only Canvas gives.
+    """
+
+    student: str = ""
+    rest: str = ""
+    number: str = ""
+    late: bool = False
+    user_id: str = ""
+
+
+def exported_name(stem):
+    """Return the Exported of the name of a file or folder that Canvas or Moodle exported, and an empty one of others.
+
+    The platform's part comes first, so a student cannot imitate it by the file's own name.
 
     Examples
     --------
     >>> exported_name("doejane_LATE_1234_5678_01_rotations")
-    ('doejane_1234', '01_rotations', '1234', True)
+    Exported(student='doejane_1234', rest='01_rotations', number='1234', late=True, user_id='1234')
     >>> exported_name("Jane Doe_42_assignsubmission_file_")
-    ('Jane Doe', '', '42', False)
+    Exported(student='Jane Doe', rest='', number='42', late=False, user_id='')
     """
     if found := MOODLE.fullmatch(stem):
         blind = found["name"] == "Participant"  # Moodle's name for everybody in anonymous submissions
         student = f"Participant {found['id']}" if blind else found["name"]
-        return student, found["rest"], found["id"], False
+        return Exported(student, found["rest"], found["id"])
     found = CANVAS.fullmatch(stem)
     if not found:
-        return "", "", "", False
+        return Exported()
     if found["anonymous"]:
-        return found["anonymous"], found["rest1"], found["anonymous"], bool(found["late1"])
-    return f"{found['name']}_{found['id']}", found["rest"], found["id"], bool(found["late"])
+        return Exported(found["anonymous"], found["rest1"], found["anonymous"], bool(found["late1"]))
+    return Exported(f"{found['name']}_{found['id']}", found["rest"], found["id"], bool(found["late"]), found["id"])

@@ -131,14 +131,14 @@ class Totals:
     """The points of a class.
 
     of: {notebook: points there are}. students: {student: {notebook: points}}. waiting: {student: answers to be read}.
-    late: {(student, notebook): days}. platform_ids: {student: the learning platform's number}.
+    late: {(student, notebook): days}. user_ids: {student: the number by which the platform's gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
     students: dict = field(default_factory=dict)
     waiting: dict = field(default_factory=dict)
     late: dict = field(default_factory=dict)
-    platform_ids: dict = field(default_factory=dict)
+    user_ids: dict = field(default_factory=dict)
 
 
 def totals(everything, marks_of):
@@ -155,8 +155,8 @@ def totals(everything, marks_of):
         unread = sum(answer.points is None for answer in answers)
         found.waiting[each.student] = found.waiting.get(each.student, 0) + unread
         found.late[each.student, each.notebook] = each.days_late
-        if each.submission.platform_id:
-            found.platform_ids[each.student] = each.submission.platform_id
+        if each.submission.user_id:
+            found.user_ids[each.student] = each.submission.user_id
     return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
 
 
