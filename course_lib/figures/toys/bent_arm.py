@@ -8,7 +8,7 @@ from course_lib.figures.moving import path, plane_layout
 from course_lib.figures.style import BLUE, GREY, ORANGE
 from course_lib.figures.toys.toy import Toy
 
-_REACH = 2.0  # metres: two links of 1 m
+_NEAR, _REACH = 1.2, 2.0  # metres: what the charts show of an arm with two links of 1 m
 
 
 def bent_arm_toy(at=(1.5, 0.9), width=0.25):
@@ -17,7 +17,7 @@ def bent_arm_toy(at=(1.5, 0.9), width=0.25):
     Parameters
     ----------
     at : array_like, shape (2,)
-        The position of the tip at the start, in metres, 0.2 to 2 from the base.
+        The position of the tip at the start, in metres, 1.2 to 2 from the base.
     width : float
         Width of the cells at the start, in metres, from 0.05 to 0.8.
 
@@ -37,8 +37,8 @@ def bent_arm_toy(at=(1.5, 0.9), width=0.25):
     """
     at = real_array(at, "at", (2,))
     r = float(np.hypot(*at)) if at.shape == (2,) else np.nan
-    if not 0.2 <= r <= _REACH:
-        raise ValueError(f"at must be one position from 0.2 to 2 m from the base; it is {at.tolist()}")
+    if not _NEAR <= r <= _REACH:
+        raise ValueError(f"at must be one position from 1.2 to 2 m from the base; it is {at.tolist()}")
     if not 0.05 <= width <= 0.8:
         raise ValueError(f"width must lie between 0.05 and 0.8; it is {width!r}")
     bend, direction = 2 * np.arccos(r / 2), np.arctan2(at[1], at[0])
