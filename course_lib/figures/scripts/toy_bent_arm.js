@@ -24,7 +24,7 @@
     return {
       line,
       mark: (r, value) => { P.set(dot, { cx: x(r), cy: y(value) }); svg.append(dot); },
-      shade: (from, to) => P.set(cell, { x: x(Math.max(NEAR, from)), width: x(to) - x(Math.max(NEAR, from)) }),
+      shade: (from, to) => P.set(cell, { x: x(from), width: x(to) - x(from) }),
     };
   }
 
@@ -68,7 +68,7 @@
       elbow.set(arm[1]);
       tip.set(state.at);
       // Cells are counted from the edge inwards, so that one of them touches it.
-      const k = Math.max(0, Math.ceil((REACH - r) / h - 1e-9) - 1), to = REACH - k * h, from = to - h;
+      const k = Math.max(0, Math.ceil(Math.min(REACH - r, REACH - NEAR) / h - 1e-9) - 1), to = REACH - k * h, from = Math.max(NEAR, to - h);
       const found = K.bendFits(from, to, state.degree, SAMPLES);
       angle.shade(from, to);
       square.shade(from, to);
