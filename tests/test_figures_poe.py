@@ -46,6 +46,13 @@ def test_joint_axes_are_numbered_at_zero_and_elsewhere():
         assert [name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]] == names
 
 
+def test_the_upright_arm_fills_more_than_half_of_the_picture_s_height():
+    figure = stored(figures.arm_with_axes(ARM))
+    body = solids.arm_model(ARM).placed(solids.link_poses(ARM, np.zeros(7)))
+    assert np.ptp(solids.scene.projected(body, figure["layout"]["scene"])[:, 1]) / 2 > 0.5
+    assert figure["layout"]["height"] >= 560
+
+
 def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
     poses = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
     figure = stored(figures.screw_motion(poses, np.array([0.5, 0, 0]), np.array([0.0, 0, 1])))

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from course_lib import subproblems
 from course_lib.figures import space
 from course_lib.figures import subproblems_damped_ik as figures
+from course_lib.figures.solids.scene import projected
 from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
 from course_lib.rotations import exp_so3
 
@@ -163,8 +164,13 @@ def test_subproblem_2_marks_where_the_circles_meet():
     assert np.linalg.norm(meetings[0] - meetings[1]) > 0.1
     words = named(figure)
     assert set(words) == {"p1", "p2", "k1", "k2", "1", "2"}
+    settings = figure["layout"]["scene"]
+    axes = np.concatenate([np.linspace(-1, 1, 200)[:, None] * tip for _, tip in arrows(figure, 2)])
+    lines = projected(np.concatenate([first, second, axes]), settings)
     for name, dot in [("p1", P1), ("p2", P2), ("1", meetings[0, 0]), ("2", meetings[1, 0])]:
-        assert 0.15 < np.linalg.norm(words[name] - dot) < 0.5, "beside its dot, not under it"
+        (word,), (seen,) = projected([words[name]], settings), projected([dot], settings)
+        assert 0.06 < np.linalg.norm(word - seen) < 0.25, "beside its dot, not under it"
+        assert np.linalg.norm(lines - word, axis=1).min() > 0.04, "on no line"
     for axis, k in zip(arrows(figure, 2), (K1, K2), strict=True):
         assert_on_axis(axis, k)
 
@@ -190,7 +196,12 @@ def test_subproblem_3_shows_the_sphere_and_where_the_circle_pierces_it():
     assert_allclose(answers @ K3, P3 @ K3, atol=ROUNDED)
     assert_allclose(np.linalg.norm(answers, axis=-1), np.linalg.norm(P3), atol=ROUNDED)
     assert np.linalg.norm(answers[0] - answers[1]) > 0.1
-    assert set(named(figure)) == {"p", "g", "k", "1", "2"}
+    words = named(figure)
+    assert set(words) == {"p", "g", "k", "1", "2"}
+    to_eye = figures.CAMERA / np.linalg.norm(figures.CAMERA)
+    for word in "12":
+        behind = np.linalg.norm(words[word] + np.linspace(0, 2, 200)[:, None] * to_eye - G3, axis=1) < D3
+        assert not behind.any(), "the sphere hides no word"
 
 
 def test_subproblem_4_shows_the_plane_and_where_the_circle_cuts_it():

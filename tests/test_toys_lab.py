@@ -13,7 +13,7 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
-from site_visits import PATIENCE
+from site_visits import CONTRAST, PATIENCE
 
 ROOT = Path(__file__).parent.parent
 PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
@@ -154,6 +154,19 @@ def test_a_right_one_moves_the_arm_and_agrees(lab):
         lab.keyboard.press("ArrowRight")
     lab.wait_for_function("([c, before]) => c.toDataURL() !== before", arg=[canvas.element_handle(), before])
     expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+
+
+def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_function(lab):
+    out = output(lab, 2)
+    values = [slider.input_value() for slider in out.get_by_role("slider").all()]
+    lab.get_by_role("menuitem", name="Settings").first.click()
+    lab.get_by_text("Theme", exact=True).first.hover()
+    lab.get_by_text("JupyterLab Dark", exact=True).click()
+    expect(lab.locator("body")).to_have_attribute("data-jp-theme-light", "false")
+    expect(out.locator(".course-toy")).to_have_css("background-color", "rgb(27, 31, 36)")
+    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+    assert [slider.input_value() for slider in out.get_by_role("slider").all()] == values
+    assert output(lab, 0).locator("svg").first.evaluate(CONTRAST) > 4.5
 
 
 def test_nobody_outside_was_asked(lab):

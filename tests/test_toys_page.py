@@ -8,7 +8,7 @@ from helpers import FIGURE, stored
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
-from site_visits import PATIENCE, Visit, violations
+from site_visits import CONTRAST, PATIENCE, Visit, violations
 
 from course_lib import figures
 from course_lib.arms import iiwa14
@@ -43,8 +43,14 @@ def visit(page, browser, request):
 
 def come(visit, name):
     box = visit.page.locator(".plotly-figure").nth(list(TOYS).index(name))
-    box.scroll_into_view_if_needed()
-    expect(box.locator(".course-toy").last).to_be_visible()
+    toy, seen = box.locator(".course-toy"), []
+
+    def stays():  # toys before it take room when they come, which may push it away again
+        box.scroll_into_view_if_needed()
+        seen.append(toy.count() > 0)
+        return seen[-5:] == [True] * 5
+
+    assert comes(visit, stays)
     return box
 
 
@@ -123,6 +129,82 @@ def test_arrow_keys_and_pointer_look_from_another_side(visit, name):
     visit.page.mouse.move(place["x"] + 140, place["y"] + 80, steps=4)
     visit.page.mouse.up()
     assert changes(visit, box, before)
+
+
+# ---- colours ----
+
+# From now on every canvas notes the colours of its words, and of its lines that are no grid and no seam between faces.
+NOTE = """() => {
+  window.noted = { words: new Set(), lines: new Set() };
+  const context = CanvasRenderingContext2D.prototype, { fillText, stroke } = context;
+  context.fillText = function (...a) { window.noted.words.add(this.fillStyle); fillText.apply(this, a); };
+  context.stroke = function (...a) {
+    if (this.lineWidth >= 1.5 && this.globalAlpha === 1) window.noted.lines.add(this.strokeStyle);
+    stroke.apply(this, a);
+  };
+}"""
+# The same of what is drawn in SVG; what separates filled cells has the colour of the ground.
+DRAWN = """(box) => {
+  const words = new Set(window.noted.words), lines = new Set(window.noted.lines);
+  const style = (e) => getComputedStyle(e), ground = style(box.querySelector("canvas, svg")).backgroundColor;
+  box.querySelectorAll("svg text").forEach((e) => words.add(style(e).fill));
+  box.querySelectorAll("svg :is(path, circle)").forEach((e) => {
+    if (!e.closest(".grid") && style(e).stroke !== "none" && style(e).stroke !== ground) lines.add(style(e).stroke);
+  });
+  return [ground, [...words], [...lines]];
+}"""
+
+
+STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
+
+
+def contrast(visit, colour, ground):
+    with_both = f"""([colour, ground]) => {{
+      const there = document.createElement("p");
+      there.style = `color:${{colour}};background-color:${{ground}}`;
+      document.body.append(there);
+      const measured = ({CONTRAST})(there);
+      there.remove();
+      return measured;
+    }}"""
+    return visit.page.evaluate(with_both, [colour, ground])
+
+
+@pytest.mark.parametrize("name", TOYS)
+def test_words_and_lines_stand_out_from_the_ground_of_the_theme(visit, name):
+    box = come(visit, name)
+    visit.page.evaluate(NOTE)
+    before = picture(box)
+    if box.locator("canvas").count():
+        box.locator("canvas").first.focus()
+        visit.page.keyboard.press("ArrowLeft")
+        assert changes(visit, box, before)
+    ground, words, lines = box.evaluate(DRAWN)
+    assert ground == STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
+    assert words or name == "belt"
+    assert lines
+    assert [colour for colour in words if contrast(visit, colour, ground) < 4.5] == []
+    assert [colour for colour in lines if contrast(visit, colour, ground) < 3] == []
+    card = box.locator(".course-toy").last
+    for part in (card, card.locator("pre, button, label").first, card.locator("p").last):
+        if part.count():
+            assert part.evaluate(CONTRAST) > 4.5
+
+
+@pytest.mark.parametrize("name", ["circles_toy", "planar_arm_toy"])
+def test_a_toy_takes_the_colours_of_the_other_theme_and_stays_as_it_was_moved(visit, name):
+    box = come(visit, name)
+    slider = box.get_by_role("slider").first
+    slider.focus()
+    visit.page.keyboard.press("ArrowRight")
+    value, before = slider.input_value(), picture(box)
+    theme = visit.page.evaluate("document.documentElement.dataset.theme")
+    for shown in ({"light": "dark", "dark": "light"}[theme], theme):
+        visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", shown)
+        ground = STAGES[shown]
+        assert comes(visit, lambda ground=ground: box.evaluate(DRAWN)[0] == ground)
+        assert comes(visit, lambda shown=shown: (picture(box) == before) == (shown == theme))
+        expect(slider).to_have_value(value)
 
 
 # ---- what they are for ----

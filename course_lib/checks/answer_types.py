@@ -73,7 +73,7 @@ def _finite(array, gaps=False):
         array = array.real
     array = array.astype(float)
     if gaps and np.isinf(array).any():
-        raise Unreadable("every entry of the answer is a number or nan. Yours holds inf.", NOT_A_NUMBER)
+        raise Unreadable("no entry of the answer is infinite. Yours holds inf.", NOT_A_NUMBER)
     if not gaps and not np.isfinite(array).all():
         raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
     return array

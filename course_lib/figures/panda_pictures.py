@@ -85,12 +85,12 @@ def table_rows(modified, standard):
     --------
     >>> print(table_rows([[0, 0, 0.3]], [[0.1, np.pi / 2, 0.3]]))
     joint   modified: a    alpha     d   standard: a    alpha     d
-      1       0.0000      0°   0.300      0.1000     90°   0.300
+      1          0.0000       0° 0.300        0.1000      90° 0.300
     """
     text = ["joint   modified: a    alpha     d   standard: a    alpha     d"]
     for i, rows in enumerate(np.hstack([modified, standard]), 1):
         shown = rows * np.tile([1, 180 / np.pi, 1], 2) + 0.0
-        text.append("{:3} {:12.4f} {:6.0f}° {:7.3f} {:11.4f} {:6.0f}° {:7.3f}".format(i, *shown))
+        text.append("{:3} {:15.4f} {:7.0f}° {:5.3f} {:13.4f} {:7.0f}° {:5.3f}".format(i, *shown))
     return "\n".join(text)
 
 
@@ -131,7 +131,7 @@ def descents(errors):
     Parameters
     ----------
     errors : dict
-        {method: lengths (n,)}.
+        {method: n lengths}.
 
     Returns
     -------
@@ -143,6 +143,7 @@ def descents(errors):
     >>> descents({"slow": np.array([1.0, 0.5]), "fast": np.array([1.0, 1e-9])})["alt"].split(": ")[1]
     'slow 0.5; fast below 1e-6 after step 1.'
     """
+    errors = {name: np.asarray(size) for name, size in errors.items()}
     shown = {name: np.maximum(size, 1e-15) for name, size in errors.items()}
     fig = lines(
         np.arange(len(next(iter(errors.values())))), shown, xlabel="iteration", ylabel="length of the error", log="y"
@@ -308,6 +309,32 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
     caption = "The dashed line is the path between the fingertips: straight pieces, on which the gripper keeps upright."
     fig = drawn.pick("pick", frames, grippers, openings, mugs, times, base, camera)
     return {"fig": fig, "alt": alt, "caption": caption}
+
+
+def mirrored(n, as_given, mended):
+    """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
+
+    Parameters
+    ----------
+    n : int
+        Of three points rounding decides: no two machines count the same, and the words say "about half".
+    as_given, mended : array_like, shape (m,)
+        Errors in degrees, one for each shape.
+
+    Returns
+    -------
+    str, float
+
+    Examples
+    --------
+    >>> mirrored(4, [120.0, 1, 2], [3.0, 1, 2])
+    ('1 of 3', 2.0)
+    >>> mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2])
+    ('about half', 2.5)
+    """
+    count, m = int((np.asarray(as_given) > np.asarray(mended) + 1e-6).sum()), len(mended)
+    about = n == 3 and 0.36 * m < count < 0.64 * m
+    return "about half" if about else f"{count} of {m}", float(np.median(mended))
 
 
 def iterations(counts, most):

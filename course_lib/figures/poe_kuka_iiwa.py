@@ -80,7 +80,7 @@ def arm_with_axes(arm, q=None):
     >>> [name for trace in fig.select_traces({"mode": "text"}) for name in trace.text]
     ['1, 3, 5, 7', '2', '4', '6']
     """
-    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW)
+    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW, height=560)
 
 
 def arm_movie(name, arm, q, times):

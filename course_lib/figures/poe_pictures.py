@@ -5,6 +5,7 @@ Each function returns {"fig": a figure, "alt": what it shows in words, "caption"
 
 import numpy as np
 
+from course_lib import rigid
 from course_lib.figures import poe_kuka_iiwa
 from course_lib.figures.plots import STYLES, lines, pi_ticks
 from course_lib.figures.solids import arm_model, film, link_poses, scene
@@ -243,21 +244,33 @@ def wrong_frame(paths, table):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def digits_lost(sizes, errors):
-    """Return relative errors over the angle, both logarithmic.
+def digits_lost(textbook, with_series):
+    """Return the relative errors of three ways to compute (1 - cos a)/a, over the angle, both logarithmic.
 
     Parameters
     ----------
-    sizes : array_like, shape (n,)
-        Angles, in radians.
-    errors : dict
-        Label to relative errors, shape (n,).
+    textbook, with_series : callable
+        Two ways, from angles of shape (n,) to values of shape (n,). The third is the library's ``exp_se3``.
 
     Returns
     -------
     dict
         "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> digits_lost(lambda a: (1 - np.cos(a)) / a, lambda a: 1.1 * a / 2)["alt"][-29:]
+    'in the library at most 1e-16.'
     """
+    sizes = np.logspace(-12, 0, 121)
+    exact = np.sinc(sizes / 2 / np.pi) ** 2 * sizes / 2  # 2 sin(a/2)^2 / a has all digits
+    twists = np.stack([sizes, np.ones_like(sizes)])
+    values = {
+        "$(1 - \\cos a)/a$": textbook(sizes),
+        "with a series below $10^{-4}$": with_series(sizes),
+        "in the library": rigid.exp_se3(np.einsum("kn,ki->ni", twists, np.eye(6)[[2, 3]]))[:, 1, 3],
+    }
+    errors = {name: np.maximum(np.abs(value / exact - 1), 1e-16) for name, value in values.items()}
     fig = lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error")
     told = ", ".join(f"{label} at most {error.max():.0e}" for label, error in errors.items())
     alt = f"The relative error over the angle, both logarithmic: {told}."
@@ -362,49 +375,94 @@ def velocities_against_each_other(v):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def along_the_trajectory(t, series, ylabel, caption=""):
-    """Return series over time.
+def manipulability(t, values):
+    """Return the manipulability along a trajectory.
 
     Parameters
     ----------
-    t : array_like, shape (n,)
-        In seconds.
-    series : dict
-        Label to values, shape (n,).
-    ylabel : str
-        What they are, with the unit.
-    caption : str, optional
-        What to notice.
+    t, values : array_like, shape (n,)
+        Times in seconds, and the manipulability at each.
 
     Returns
     -------
     dict
         "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> manipulability([0, 1], [0.1, 0.2])["alt"]
+    'The manipulability over time, between 0.100 and 0.200.'
     """
-    told = ", ".join(f"{label} between {y.min():.3g} and {y.max():.3g}" for label, y in series.items())
-    fig = lines(t, series, xlabel="time (s)", ylabel=ylabel)
-    return {"fig": fig, "alt": f"Over time: {_plain(told)} ({ylabel}).", "caption": caption}
+    fig = lines(t, {"manipulability": np.asarray(values)}, xlabel="time (s)", ylabel="manipulability")
+    ends = f"between {np.min(values):.3f} and {np.max(values):.3f}"
+    caption = f"It stays {ends}: the nearer to zero, the nearer to a singular configuration."
+    return {"fig": fig, "alt": f"The manipulability over time, {ends}.", "caption": caption}
 
 
-def singular_values(arm, configurations, angles):
-    """Return the smallest singular value of the Jacobian over one joint angle, for several configurations.
+def shares_of_the_limits(arm, angles, joints, steps=50):
+    """Return how near some joints come to their limits in each round of a motion that repeats.
 
     Parameters
     ----------
     arm : SerialArm
-    configurations : dict
-        Label to a pair: the joint that varies, counted from 1, and all joint angles, shape (n,), in radians.
-    angles : array_like, shape (m,)
-        The values of the angle that varies, in radians.
+        Its limits count.
+    angles : array_like, shape (m, n)
+        Joint angles in radians, from the start on, `steps` of them a round.
+    joints : sequence of int
+        The joints that are drawn, counted from 1.
+    steps : int, optional
+        Samples in a round; a round takes 2 pi seconds.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> angles = np.linspace(0, 1, 101)[:, None] * np.ones(7)
+    >>> shares_of_the_limits(iiwa14(), angles, (2,))["alt"]
+    'The largest share of its limit in each round, over time: q2 from 0.234 to 0.477.'
+    """
+    share = np.abs(angles) / arm.limits[:, 1]
+    ends = np.append(np.arange(steps, len(share), steps), len(share))
+    peaks = np.array([share[max(end - steps, 0) : end].max(axis=0) for end in ends])
+    rows = {f"$q_{joint}$": peaks[:, joint - 1] for joint in joints}
+    fig = lines(2 * np.pi / steps * ends, rows, xlabel="time (s)", ylabel="largest share of the limit")
+    told = ", ".join(f"{name} from {row[0]:.3g} to {row[-1]:.3g}" for name, row in rows.items())
+    alt = f"The largest share of its limit in each round, over time: {_plain(told)}."
+    name, row = max(rows.items(), key=lambda item: item[1][-1] - item[1][0])
+    whole = np.diff(row)[:-1]  # the last round may be cut off
+    caption = f"The share of {name} grows most."
+    if len(whole) > 1 and whole.min() > 0 and whole[-1] > whole[0]:
+        caption = f"In each round {name} comes nearer to its limit, faster and faster."
+    return {"fig": fig, "alt": alt, "caption": caption}
+
+
+def singular_values(arm, generic, straight):
+    """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
+
+    Parameters
+    ----------
+    arm : SerialArm
+        The iiwa.
+    generic, straight : array_like, shape (7,)
+        Joint angles in radians: of an ordinary configuration, and of the same one with a straight wrist.
 
     Returns
     -------
     dict
         "fig", "alt" and "caption", for show.
     """
+    varied = {
+        "$q_4$ varies (elbow)": (4, generic),
+        "$q_6$ varies (wrist)": (6, generic),
+        "$q_5$ varies, $q_6 = 0$": (5, straight),
+    }
     fig, (ax,) = plane_figure(6.4, 3)
-    lows = []
-    for colour, (label, (joint, q)) in zip(COLOURS, configurations.items(), strict=False):
+    angles, lows = np.linspace(-2, 2, 201), []
+    for colour, (label, (joint, q)) in zip(COLOURS, varied.items(), strict=False):
         at = np.tile(np.asarray(q, float), (len(angles), 1))
         at[:, joint - 1] = angles
         smallest = np.linalg.svd(arm.space_jacobian(at), compute_uv=False)[:, 5]

@@ -5,8 +5,8 @@ import plotly.graph_objects as go
 
 from course_lib.figures.plots import pi_ticks
 from course_lib.figures.solids import Model, Part, scene
-from course_lib.figures.solids.meshes import arrow, box
-from course_lib.figures.solids.model import LIGHT_BLUE, STEEL, VIOLET, WHITE, X_RED
+from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
+from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
 from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, space_layout, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.rotations import exp_so3
@@ -34,7 +34,7 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
     >>> print(fig.data[-1].x, fig.data[-1].z)  # the image of e_z
     [0.] [1.]
     """
-    fig = go.Figure(layout=space_layout(list(samples), camera))
+    fig = go.Figure(layout=space_layout(list(samples), camera, distance=1.5))
     for i, R in enumerate(samples.values()):
         name = scene_name(i)
         foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
@@ -46,12 +46,12 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
 
 
 def frames(rotations, view=(1.35, 1.1, 0.8)):
-    """Return a box with its frame at several orientations, side by side: x red, y green, z blue; the fixed axes grey.
+    """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
 
     Parameters
     ----------
     rotations : dict
-        {title: R (3, 3)}; any other matrix deforms the box.
+        {title: R (3, 3)}; a matrix that is no rotation deforms the drone.
     view : array_like, shape (3,)
         The direction to the eye.
 
@@ -65,24 +65,75 @@ def frames(rotations, view=(1.35, 1.1, 0.8)):
     >>> [note.text for note in fig.layout.annotations]
     ['start', 'stretched']
     """
-    block = Part(0, WHITE, box([-0.42, -0.28, -0.14], [0.42, 0.28, 0.14], 0.25, n=16))
-    fixed = [Part(1, STEEL, arrow(np.zeros(3), e, 1.25, 0.012)) for e in np.eye(3)]
-    model = Model.of([block, *scene.triad(0, np.eye(4), 1.0, 0.045), *fixed])
+    model = _drone_in_fixed_axes(1.0, 1.25)
     share, height, drawn, scenes = 1 / len(rotations), 320, [], []
     longest = max(1.3, *(np.linalg.norm(R, axis=0).max() for R in rotations.values()))
     reach = np.concatenate([longest * np.eye(3), -1.1 * np.eye(3)])  # of every orientation: all to one scale
     for i, R in enumerate(rotations.values()):
-        pose = np.eye(4)
-        pose[:3, :3] = R  # as it is: a matrix that is no rotation stretches the box
-        poses = [pose, np.eye(4)]
         aspect = 700 * share / height
         scenes.append(scene.fitted_scene(reach, view, aspect=aspect, fill=0.9, domain=(i * share, (i + 1) * share)))
-        drawn.append(model.trace(poses, scene_name(i)))
+        drawn.append(model.trace(_with_orientation(R), scene_name(i)))
         for name, colour, tip in zip("xyz", FRAME_COLOURS, np.asarray(R).T, strict=True):
             drawn += scene.labels(
                 {name: tip}, scenes[-1], [tip * 0.9], colour=colour, aspect=aspect, scene=scene_name(i)
             )
     return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(rotations)))
+
+
+def body_frame(R, view=(1.0, 1.3, 0.9)):
+    """Return a drone with its frame b, coloured, in the fixed frame a, grey; the names of their axes beside them.
+
+    Parameters
+    ----------
+    R : array_like, shape (3, 3)
+        The orientation of b relative to a.
+    view : array_like, shape (3,)
+        The direction to the eye.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+    """
+    model, height = _drone_in_fixed_axes(1.15, 1.35), 420
+    poses, aspect = _with_orientation(R), 700 / height
+    frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
+    seen = np.concatenate([model.placed(poses), *(tips for tips, _ in frames.values())])
+    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.88)
+    drawn = [model.trace(poses)]
+    for frame, (tips, colours) in frames.items():
+        for name, tip, colour in zip("xyz", tips, colours, strict=True):
+            (word,) = scene.labels({name: tip}, settings, colour=colour, size=22, aspect=aspect, gap=0.035)
+            drawn.append(word.update(text=[f"{name}<sub>{frame}</sub>"]))
+    return go.Figure(drawn, layout=scene.layout([settings], height=height))
+
+
+def _drone():
+    """The parts of a drone with four rotors, the two in front blue: x ahead, y to its left, z up."""
+    parts = [
+        Part(0, DARK, box([-0.36, -0.2, -0.09], [0.36, 0.2, 0.1], 0.5, n=12)),
+        Part(0, ORANGE, box([0.22, -0.1, -0.02], [0.46, 0.1, 0.07], 0.4, n=8)),  # the nose
+    ]
+    for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+        hub = np.array([0.5 * x, 0.5 * y, 0.06])
+        parts += [
+            Part(0, SILVER, capsule([0.18 * x, 0.12 * y, 0.02], hub - [0, 0, 0.02], 0.035, 6)),
+            Part(0, DARK, revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 8)),
+            Part(0, LIGHT_BLUE if x > 0 else STEEL, revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 16)),
+        ]
+    return parts
+
+
+def _drone_in_fixed_axes(own, fixed):
+    """The drone with its axes, of length `own`, as body 0, and the fixed axes, of length `fixed`, as body 1."""
+    axes = [Part(1, STEEL, arrow(np.zeros(3), e, fixed, 0.013)) for e in np.eye(3)]
+    return Model.of([*_drone(), *scene.triad(0, np.eye(4), own, 0.042), *axes])
+
+
+def _with_orientation(R):
+    """The poses of the drone and of the fixed axes; R as it is: a matrix that is no rotation stretches the drone."""
+    pose = np.eye(4)
+    pose[:3, :3] = R
+    return [pose, np.eye(4)]
 
 
 def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):

@@ -10,8 +10,29 @@ from course_lib.figures.plots import lines
 from course_lib.rotations import exp_so3
 
 
+def body_frame(R):
+    """Return a drone with its frame b in the fixed frame a.
+
+    Parameters
+    ----------
+    R : array_like, shape (3, 3)
+        The orientation of b relative to a.
+
+    Returns
+    -------
+    dict
+        Arguments of `figures.show`: fig, alt, caption.
+    """
+    axes = "; ".join(f"{name} along ({_numbers(R[:, k])})" for k, name in enumerate("xyz"))
+    return {
+        "fig": rotations.body_frame(R),
+        "alt": f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates of a: {axes}.",
+        "caption": "Frame b is fixed to the drone (x red, ahead; y green; z blue, up), frame a (grey) to the room.",
+    }
+
+
 def frames(orientations):
-    """Return a box with its frame at several orientations.
+    """Return a drone with its frame at several orientations.
 
     Parameters
     ----------
@@ -29,7 +50,7 @@ def frames(orientations):
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
         stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
         said.append(f"{title}: {axes}{stretched}")
-    alt = f"A box with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
+    alt = f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
     grown = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
     caption = "The two products end in different orientations: the order counts."
     if grown > 1.01:
@@ -135,15 +156,17 @@ def euler_rates(beta, smallest):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def double_cover(angle, values):
-    """Return entries of a quaternion and of a matrix against the angle of rotation.
+def double_cover(angle, w, entry):
+    """Return an entry of a quaternion and one of a matrix against the angle of rotation.
 
     Parameters
     ----------
     angle : array_like, shape (n,)
         Radians.
-    values : dict
-        {label: values (n,)}.
+    w : array_like, shape (n,)
+        The scalar of the quaternion.
+    entry : array_like, shape (n,)
+        The first entry of the matrix.
 
     Returns
     -------
@@ -151,8 +174,10 @@ def double_cover(angle, values):
         Arguments of `figures.show`: fig, alt, caption.
     """
     once = np.argmin(np.abs(angle - 2 * np.pi))
-    said = [f"{label} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for label, v in values.items()]
-    fig = lines(angle, values, xlabel="angle of rotation (rad)", ylabel="value", parts_of_pi=1)
+    named = {"the scalar w of the quaternion": w, "the first entry of the matrix": entry}
+    said = [f"{name} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for name, v in named.items()]
+    drawn = {"$w$": w, "$R_{00}$": entry}
+    fig = lines(angle, drawn, xlabel="angle of rotation (rad)", ylabel="value", parts_of_pi=1)
     alt = f"Two curves over {angle[-1] / 2 / np.pi:.2g} revolutions: {'; '.join(said)}."
     return {"fig": fig, "alt": alt, "caption": "The matrix repeats after $2\\pi$, the quaternion only after $4\\pi$."}
 

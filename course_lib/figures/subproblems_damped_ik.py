@@ -8,7 +8,7 @@ import plotly.graph_objects as go
 
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow
-from course_lib.figures.solids.model import AXIS, VIOLET
+from course_lib.figures.solids.model import AXIS, VIOLET, coordinates
 from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout, sphere
 from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
 from course_lib.rotations import exp_so3
@@ -38,14 +38,15 @@ def rotated_onto(k, p, g, theta):
     """
     k, p, g = (np.asarray(x, float) for x in (k, p, g))
     end, reach = _rotated(k, theta, p), _reach([p, g])
-    drawn = [*_circle(k, p, BLUE), *_named({"p": p, "g": g}, k, reach), *_named({"R p": end}, k, reach, CRIMSON)]
+    drawn = [*_circle(k, p, BLUE), points([p, g], 6, BLACK, "scene"), points([end], 6, CRIMSON, "scene")]
     drawn += [line([_foot(k, p), p], GREY, 3, "scene"), line([_foot(k, p), end], CRIMSON, 4, "scene")]
     gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
     alt = f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}."
     caption = (
         "The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it."
     )
-    return {"fig": _scene([k], ["k"], drawn, reach), "alt": alt, "caption": caption}
+    words = {BLACK: {"p": p, "g": g}, CRIMSON: {"R p": end}}
+    return {"fig": _scene({"k": k}, drawn, words, reach), "alt": alt, "caption": caption}
 
 
 def circles_meet(k1, k2, p1, p2, theta):
@@ -70,18 +71,18 @@ def circles_meet(k1, k2, p1, p2, theta):
     """
     reach = _reach([p1, p2])
     drawn = [*_circle(k1, p1, BLUE), *_circle(k2, p2, GREEN)]
-    drawn += [*_named({"p1": p1}, k1, reach, BLUE), *_named({"p2": p2}, k2, reach, GREEN)]
-    meeting = 0
+    drawn += [points([p1], 6, BLUE, "scene"), points([p2], 6, GREEN, "scene")]
+    meetings = {}
     for i, (t1, t2) in enumerate(theta):
         first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
-        together = bool(np.linalg.norm(first - second) < 1e-6)
-        meeting += together
+        if np.linalg.norm(first - second) < 1e-6:
+            meetings[f"{i + 1}"] = first
         drawn += [points([first, second], 6, CRIMSON, "scene"), line([first, second], CRIMSON, 5, "scene")]
-        drawn.append(_name_beside(first, first, f"{i + 1}" * together, reach, CRIMSON))
-    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(meeting, 2)]
+    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(len(meetings), 2)]
     alt = f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}."
     caption = "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$."
-    return {"fig": _scene([k1, k2], ["k1", "k2"], drawn, reach), "alt": alt, "caption": caption}
+    words = {BLUE: {"p1": p1}, GREEN: {"p2": p2}, CRIMSON: meetings}
+    return {"fig": _scene({"k1": k1, "k2": k2}, drawn, words, reach), "alt": alt, "caption": caption}
 
 
 def circle_and_sphere(k, p, g, d, theta):
@@ -110,12 +111,14 @@ def circle_and_sphere(k, p, g, d, theta):
     for c, centre in zip("xyz", g, strict=True):
         ball[c] = np.round(ball[c] + centre, 3)
     ball |= {"opacity": 0.45, "colorscale": [[0, ORANGE], [1, ORANGE]]}
-    drawn = [go.Surface(**ball), *_circle(k, p, BLUE), *_named({"p": p}, k, reach)]
+    answers = _answers(k, p, theta)
+    drawn = [go.Surface(**ball), *_circle(k, p, BLUE), points([p], 6, BLACK, "scene")]
     drawn += [points([g], 5, BLACK, "scene"), name_at(g + (d + 0.15 * reach) * _TO_EYE, "g", BLACK, "scene")]
-    drawn += _answers(k, p, theta, reach)
+    drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
     alt = f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}."
     caption = "Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$."
-    return {"fig": _scene([k], ["k"], drawn, reach), "alt": alt, "caption": caption}
+    words = {BLACK: {"p": p}, CRIMSON: answers}
+    return {"fig": _scene({"k": k}, drawn, words, reach, ball=(g, d)), "alt": alt, "caption": caption}
 
 
 def circle_and_plane(k, h, p, d, theta):
@@ -149,10 +152,13 @@ def circle_and_plane(k, h, p, d, theta):
     reach = _reach([p, *corners])
     faces = {"i": [0, 0], "j": [1, 2], "k": [2, 3]}
     plane = go.Mesh3d(x=x, y=y, z=z, **faces, color=ORANGE, opacity=0.45, hoverinfo="skip")
-    drawn = [plane, *_circle(k, p, BLUE), *_named({"p": p}, k, reach), *_answers(k, p, theta, reach)]
+    answers = _answers(k, p, theta)
+    drawn = [plane, *_circle(k, p, BLUE), points([p], 6, BLACK, "scene")]
+    drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
     alt = f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}."
     caption = "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value twice."
-    return {"fig": _scene([k, n], ["k", "h"], drawn, reach), "alt": alt, "caption": caption}
+    words = {BLACK: {"p": p}, CRIMSON: answers}
+    return {"fig": _scene({"k": k, "h": n}, drawn, words, reach), "alt": alt, "caption": caption}
 
 
 def orientation_paths(tracks):
@@ -197,14 +203,38 @@ def orientation_paths(tracks):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def _scene(axes, names, drawn, reach):
-    ends = [reach * np.asarray(k) for k in axes]
-    arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends])
+def _scene(axes, drawn, words, reach, ball=((0, 0, 0), 0)):
+    """A figure of what is drawn, with axes {name: direction} and words {colour: {word: point}} clear of all lines.
+
+    ball: centre and radius of a sphere that must not hide the words.
+    """
+    ends = {name: reach * np.asarray(k) for name, k in axes.items()}
+    arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends.values()])
+    taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
+    taken += [np.linspace(-1, 1, 41)[:, None] * end for end in ends.values()]
     drawn = [*drawn, arrows.trace([np.eye(4)])]
-    drawn += [name_at(1.1 * end, name, AXIS, "scene") for end, name in zip(ends, names, strict=True)]
-    corners = [np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1) for trace in drawn]
-    settings = scene.fitted_scene(np.concatenate(corners), CAMERA, fill=0.82)
+    settings = scene.fitted_scene(np.concatenate([_places(trace) for trace in drawn]), CAMERA, fill=0.82)
+    for colour, at in {AXIS: ends, **words}.items():
+        names = scene.labels(at, settings, np.concatenate(taken), colour=colour, size=16)
+        taken += [_places(trace) for trace in names]
+        drawn += [trace.update(_in_front(_places(trace), settings, *ball)) for trace in names]
     return go.Figure(drawn, layout=scene.layout([settings], height=460))
+
+
+def _in_front(at, settings, centre, radius):
+    """Coordinates of points (n, 3), those behind a sphere moved towards the eye: they are seen at the same place."""
+    ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
+    metres = np.ptp(ranges[0]) / settings["aspectratio"]["x"]
+    towards = ranges.mean(1) + metres * np.array([settings["camera"]["eye"][c] for c in "xyz"]) - at
+    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
+    centre = np.asarray(centre, float)
+    along = ((centre - at) * towards).sum(1)
+    half = np.sqrt(np.maximum(radius**2 - ((centre - at - along[:, None] * towards) ** 2).sum(1), 0))
+    return coordinates(at + np.where(half > 0, np.maximum(along + half + 0.1 * radius, 0), 0)[:, None] * towards)
+
+
+def _places(trace):
+    return np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1)
 
 
 def _reach(far):
@@ -223,24 +253,8 @@ def _circle(k, p, colour):
     return [line([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5, "scene")]
 
 
-def _named(at, k, reach, colour=BLACK):
-    """Dots with names beside them: outward from the axis as the eye sees it, clear of dot, circle and sphere."""
-    drawn = [points(list(at.values()), 6, colour, "scene")]
-    for name, point in at.items():
-        drawn.append(_name_beside(point, np.asarray(point) - _foot(k, point), name, reach, colour))
-    return drawn
-
-
-def _name_beside(point, outward, name, reach, colour):
-    seen = outward - (outward @ _TO_EYE) * _TO_EYE
-    if np.linalg.norm(seen) < 0.3 * np.linalg.norm(outward):  # it points at the eye
-        seen = np.array([0, 0, 1.0])
-    at = point + reach * (0.17 * seen / np.linalg.norm(seen) + 0.1 * _TO_EYE)
-    return name_at(at, name, colour, "scene")
-
-
-def _answers(k, p, theta, reach):
-    return _named({f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}, k, reach, CRIMSON) if len(theta) else []
+def _answers(k, p, theta):
+    return {f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}
 
 
 def _count(theta):

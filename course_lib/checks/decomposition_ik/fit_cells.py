@@ -22,6 +22,10 @@ _SHAPES = {
 _COUNT = Mistake(
     "count is not used for the number of cells", "Cells may be empty, the last one too: np.full((count, 2, 2, 3), nan)."
 )
+_EMPTY = Mistake(
+    "a model is fitted to a cluster without samples",
+    "A cell may be empty, or hold one cluster only: ask for three samples or more before LinearRegression.",
+)
 _FIRST_AXIS = Mistake("the clusters stand on the first axis", "First the cell, then the cluster: models[c, k].")
 
 
@@ -133,6 +137,7 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=MISTAKES,
+    errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
     alike=same_with_gaps,
     library=fit_cells,
     hints=(

@@ -86,6 +86,13 @@ EXERCISE = Exercise(
             _columns(*_LINEAR, _SQUARES[0], lambda x, y: (x * y) ** 2, _SQUARES[2]),
         ),
     ),
+    errors=(
+        (
+            "ValueError",
+            "values to unpack",
+                Mistake("xy is taken for one position", "It holds one in each row: x, y = xy.T takes its columns."),
+        ),
+    ),
     hints=(
         "x, y = xy.T gives all x and all y.",
         "There are six terms of degree two at most: one constant, two linear ones, three of degree two.",

@@ -137,6 +137,11 @@ def _clustered(name, hint, by, most=1.03):
     return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _nearly_best(labels, q, by, most))
 
 
+def _as_k_means_numbers_them(q):
+    with threadpool_limits(1):
+        return KMeans(2, random_state=0).fit(q).labels_
+
+
 def _least(labels, q):
     return within(q, labels) <= 1.0001 * within(q, best_split(q)) + 1e-12
 
@@ -168,6 +173,7 @@ _MISTAKES = (
         "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
         "Compare q[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
         lambda q: 1 - split(q) if several(q) else None,
+        lambda q: _as_k_means_numbers_them(q) if several(q) else None,
     ),
     Mistake(
         "the samples are split by the sign of q2",

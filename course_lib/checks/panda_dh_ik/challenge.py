@@ -25,7 +25,9 @@ _TABLE = 0.6  # height of its top in the world, metres
 def mug_scene(rng):
     """Return the pose (4, 4) of a mug somewhere on the table, and its key points (7, 3) as seen, in the world.
 
-    The points have 1 mm of noise. Up to three of them are wrong: some centimetres off, in nearly the same direction.
+    The mug stands 25 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of straight ahead, where
+    the arm can grasp it from above. The points have 1 mm of noise. Up to three of them are wrong: some centimetres off,
+    in nearly the same direction.
 
     Parameters
     ----------
@@ -42,8 +44,9 @@ def mug_scene(rng):
     >>> float(T[2, 3]), points.shape
     (0.6, (7, 3))
     """
-    at = [rng.uniform(-0.1, 0.45), rng.uniform(-0.45, 0.6), _TABLE]
-    T = transform(rot_z(rng.uniform(-np.pi, np.pi)), at)
+    radius, bearing = rng.uniform(0.25, 0.65), rng.uniform(-2, 2)
+    x, y = T_W0[:2, 3] + radius * np.array([np.cos(bearing), np.sin(bearing)])
+    T = transform(rot_z(rng.uniform(-np.pi, np.pi)), [x, y, _TABLE])
     points = TEMPLATE @ T[:3, :3].T + T[:3, 3] + 0.001 * rng.normal(size=TEMPLATE.shape)
     wrong = rng.choice(7, rng.integers(0, 4), replace=False)
     points[wrong] += 0.06 * rng.normal(size=3) + 0.01 * rng.normal(size=(len(wrong), 3))
@@ -84,3 +87,28 @@ def picked(T_mug, joints, T_fg):
     above = np.abs(T[0, :3, 3] - T[-1, :3, 3] - [0, 0, 0.15]).max() < 0.01
     smooth = len(joints) > 1 and np.abs(np.diff(joints, axis=0)).max() < 0.4
     return bool(straight_down and centred and above and smooth)
+
+
+def score(plan, T_fg):
+    """Return how many of thirty mugs a plan picks.
+
+    Parameters
+    ----------
+    plan : callable
+        plan(points) are joint angles (n, 7) for the key points (7, 3) of one mug, as seen.
+    T_fg : array_like, shape (4, 4)
+        The gripper's pose in the flange's frame.
+
+    Returns
+    -------
+    int
+        From 0 to 30; the mugs are the same each time.
+
+    Examples
+    --------
+    >>> score(lambda points: [[np.nan] * 7], np.eye(4))
+    0
+    """
+    random = np.random.default_rng(11)
+    scenes = [mug_scene(random) for _ in range(30)]
+    return sum(picked(T, plan(points), T_fg) for T, points in scenes)

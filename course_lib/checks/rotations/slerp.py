@@ -155,9 +155,9 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "On the sphere, the angle between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
-        "The two weights are sin((1 - t) a) and sin(t a), both divided by sin(a).",
-        "If sin(a) is nearly 0, (1 - t) q0 + t q1 does.",
+        "On the sphere, the angle phi between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
+        "The two weights are sin((1 - t) phi) and sin(t phi), both divided by sin(phi).",
+        "If sin(phi) is nearly 0, (1 - t) q0 + t q1 does.",
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),
 )

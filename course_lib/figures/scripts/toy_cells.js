@@ -3,23 +3,23 @@
   "use strict";
   const K = globalThis.course.kinematics, P = globalThis.course.parts, { COLOURS } = P;
   const LEVELS = [[2e-3, "#2166ac", "below 2 mm"], [1e-2, "#92c5de", "below 1 cm"], [2e-2, "#f7e6c4", "below 2 cm"],
-    [5e-2, "#f4a582", "below 5 cm"], [Infinity, "#b2182b", "5 cm and more"]];
+    [5e-2, "#f4a582", "below 5 cm"], [Infinity, "#b01a2a", "5 cm and more"]];
 
   globalThis.course.kinds["toy:cells"] = (host, meta) => {
     const { lengths } = meta, reach = lengths[0] + lengths[1];
     const state = meta.state || (meta.state = { size: meta.size, at: [...meta.at] });
     const card = P.card(host, "Cells and their two planes");
     const plane = P.plane(card.views, { half: 1.08 * reach, step: 1, label: "The workspace cut into cells, coloured by the error of each cell's planes" });
-    const field = P.shape("g", {}, plane.up), rim = plane.line("#555", 0.6);
+    const field = P.shape("g", {}, plane.up), rim = plane.line("#555555", 0.6);
     rim.set(Array.from({ length: 91 }, (_, i) => [reach * Math.cos((i * Math.PI) / 45), reach * Math.sin((i * Math.PI) / 45)]));
-    const chosen = plane.line(COLOURS.black, 1.6), links = [plane.line("#444", 3.5), plane.line("#f07818", 3)], tip = plane.dot(COLOURS.crimson, 1.3);
+    const chosen = plane.line(COLOURS.black, 1.6), links = [plane.line("#444444", 3.5), plane.line(COLOURS.link, 3)], tip = plane.dot(COLOURS.crimson, 1.3);
     const query = plane.handle({ name: "Query", colour: COLOURS.blue, moved: (p) => { state.at = p; draw(); }, describe: () => state.at.map((x) => P.number(x)).join(", ") + " m" });
     const view = P.space(card.views, { radius: 1, azimuth: -2.2, elevation: 0.35, shape: 1, label: "The joint angles over the cell and the two planes fitted to them", meta: state, redraw: () => draw() });
     card.range("Cell size", { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) }, (x) => `${(2 ** x).toFixed(2)} m`, (x) => { state.size = 2 ** x; fill(); draw(); });
     const legend = P.element("p", { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" }, card.controls);
     LEVELS.forEach(([, colour, label]) => {
       const item = P.element("span", {}, legend);
-      P.element("span", { style: `display:inline-block;width:.9em;height:.9em;margin-right:.35em;background:${colour}` }, item);
+      P.element("span", { style: `display:inline-block;width:.9em;height:.9em;margin-right:.35em;background:${P.tint(colour)}` }, item);
       item.append(label);
     });
     const numbers = card.numbers(), words = card.words();
@@ -54,7 +54,7 @@
         bad += level === LEVELS.length - 1;
       }
       field.replaceChildren();
-      LEVELS.forEach(([, colour], k) => P.shape("path", { d: paths[k], fill: colour, "fill-opacity": 0.75, stroke: "#fff", "stroke-width": 0.006 }, field));
+      LEVELS.forEach(([, colour], k) => P.shape("path", { d: paths[k], fill: colour, "fill-opacity": 0.75, stroke: COLOURS.ground, "stroke-width": 0.006 }, field));
     }
     function draw() {
       const h = state.size, [i, j] = state.at.map((x) => Math.floor(x / h)), found = cell(i, j);
@@ -74,10 +74,10 @@
           view.line([...at, at[0]], colour, 1.5);
           found.points.forEach((p, m) => view.line([put(p, found.angles[m][k]), put(p, found.model(p)[k])], COLOURS.crimson, 1.5));
           found.points.forEach((p, m) => { const x = put(p, found.angles[m][k]); view.line([x, K.add(x, [0, 0, 0.001])], colour, 5); });
-          view.text(K.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour === COLOURS.orange ? "#8a5f00" : colour);
+          view.text(K.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour);
         });
         const floor = corners.map((p) => put(p, low));
-        view.line([...floor, floor[0]], "#999", 1);
+        view.line([...floor, floor[0]], "#999999", 1);
         view.text(K.add(floor[1], [0.12, 0, 0]), "x", COLOURS.grey);
         view.text(K.add(floor[3], [0, 0.12, 0]), "y", COLOURS.grey);
       }

@@ -64,7 +64,7 @@
 
   function gimbals(card, meta) {
     const state = meta.gimbals || (meta.gimbals = { yaw: 30, pitch: 20, roll: 10 }), rad = Math.PI / 180;
-    const view = P.space(card.views, { radius: 1.45, label: "Three gimbal rings around an aircraft", meta: state, redraw: () => draw() });
+    const view = P.space(card.views, { radius: 1.62, label: "Three gimbal rings around an aircraft", meta: state, redraw: () => draw() });
     const outer = S.ring(at(about(Y, Math.PI / 2)), 1.36, 0.05, 3, 0, 48); // carried by yaw; pitch's pins along y
     const middle = S.ring(at(about(Z, 0)), 1.18, 0.05, 5, 0, 48); // carried by pitch; roll's pins along x
     const inner = S.ring(at(about(X, Math.PI / 2)), 1.0, 0.05, 4, 0, 48);
@@ -173,7 +173,7 @@
 
   function belt(card, meta) {
     const state = meta.belt || (meta.belt = { turn: 0, unwind: 0 }), rad = Math.PI / 180;
-    const view = P.space(card.views, { radius: 1.4, centre: [-0.15, 0, 0], label: "A belt between a wall and a box", meta: state, azimuth: -1.2, elevation: 0.4, redraw: () => draw() });
+    const view = P.space(card.views, { radius: 1.28, centre: [0.05, 0, -0.3], shape: 0.72, label: "A belt between a wall and a box", meta: state, azimuth: -1.2, elevation: 0.4, redraw: () => draw() });
     const turn = card.range("Rotate the box", { min: 0, max: 720, step: 5, value: state.turn }, (x) => `${x}°`, (x) => { state.turn = x; if (x !== 720) { state.unwind = 0; unwind.set(0); } draw(); });
     const unwind = card.range("Move the box, without rotating it", { min: 0, max: 100, step: 1, value: 100 * state.unwind }, (x) => `${x} %`, (x) => { state.unwind = x / 100; draw(); });
     [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { state.turn = value; state.unwind = 0; turn.set(value); unwind.set(0); draw(); }));

@@ -8,10 +8,10 @@
     const state = meta.state || (meta.state = { q: [...meta.q], target: [...meta.target], damping: meta.damping, step: meta.step, errors: [], path: [] });
     const card = P.card(host, "A planar arm and its target");
     const plane = P.plane(card.views, { half: 1.12 * reach, step: reach > 6 ? 2 : 1, label: "The arm, its target and its manipulability ellipse" });
-    const rim = plane.line("#9aa3ad", 0.6, { "stroke-dasharray": reach * 0.02 });
+    const rim = plane.line(COLOURS.steel, 0.6, { "stroke-dasharray": reach * 0.02 });
     rim.set(Array.from({ length: 91 }, (_, i) => [reach * Math.cos((i * Math.PI) / 45), reach * Math.sin((i * Math.PI) / 45)]));
     const ellipse = plane.line(COLOURS.green, 1, { fill: COLOURS.green, "fill-opacity": 0.13 }), trail = plane.line(COLOURS.crimson, 0.7, { "stroke-dasharray": reach * 0.03 });
-    const links = lengths.map((_, i) => plane.line(i % 2 ? "#f07818" : "#8d959e", Math.max(2.2, 6.5 - i)));
+    const links = lengths.map((_, i) => plane.line(i % 2 ? COLOURS.link : COLOURS.steel, Math.max(2.2, 6.5 - i)));
     const joints = lengths.map(() => plane.dot("#2f3338", 1.1)), tip = plane.dot(COLOURS.crimson, 1.4);
     const goal = plane.handle({
       name: "Target", colour: COLOURS.blue,
@@ -21,10 +21,10 @@
 
     // The error over the steps, on a linear or a logarithmic axis.
     const chart = P.shape("svg", { viewBox: "0 0 320 260", role: "img", "aria-label": "Distance from the target over the steps" }, card.views);
-    const frame = P.shape("path", { d: "M52 12V220H312", fill: "none", stroke: "#555" }, chart);
-    P.shape("text", { x: 182, y: 252, "text-anchor": "middle", "font-size": 13, fill: "#222" }, chart, "steps");
-    P.shape("text", { x: 12, y: 116, "text-anchor": "middle", "font-size": 13, fill: "#222", transform: "rotate(-90 12 116)" }, chart, "distance left (m)");
-    const ticks = P.shape("g", { "font-size": 12, fill: "#444", "text-anchor": "end" }, chart);
+    const frame = P.shape("path", { d: "M52 12V220H312", fill: "none", stroke: "#555555" }, chart);
+    P.shape("text", { x: 182, y: 252, "text-anchor": "middle", "font-size": 13, fill: COLOURS.black }, chart, "steps");
+    P.shape("text", { x: 12, y: 116, "text-anchor": "middle", "font-size": 13, fill: COLOURS.black, transform: "rotate(-90 12 116)" }, chart, "distance left (m)");
+    const ticks = P.shape("g", { "font-size": 12, fill: "#444444", "text-anchor": "end" }, chart);
     const curve = P.shape("path", { fill: "none", stroke: COLOURS.crimson, "stroke-width": 2.5, "stroke-linejoin": "round" }, chart);
     frame.setAttribute("stroke-width", 1);
 

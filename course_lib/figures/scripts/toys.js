@@ -3,22 +3,47 @@
 (() => {
   "use strict";
   const K = globalThis.course.kinematics, NS = "http://www.w3.org/2000/svg";
-  const COLOURS = { blue: "#0072B2", orange: "#E69F00", green: "#009E73", purple: "#9b4f7f", red: "#D55E00", grey: "#6b7177",
-    black: "#222222", crimson: "#b2182b", pale: "#dfe3e8" };
-  const STYLE = `.course-toy{box-sizing:border-box;max-width:720px;margin:0;padding:.75rem;background:#fff;color:#222;
-font:14px/1.45 system-ui,sans-serif;border-radius:.25rem;color-scheme:light}
+  // Toys name the colours of the light theme. Those that would be lost on the dark ground have a partner there, and words
+  // on the light one a darker one, so that lines keep a contrast of 3 to their ground and words one of 4.5.
+  const COLOURS = { blue: "#0072b2", orange: "#b87a00", green: "#009e73", purple: "#9b4f7f", red: "#d55e00", grey: "#6b7177",
+    black: "#222222", crimson: "#b2182b", steel: "#7f8891", link: "#d96a12", ground: "#f7f8fa", grid: "#dde1e6" };
+  const IN_DARK = {
+    "#0072b2": "#56a8de", "#b87a00": "#e69f00", "#009e73": "#33c79c", "#9b4f7f": "#d08ab5", "#d55e00": "#f0863a", "#6b7177": "#b3bac1",
+    "#222222": "#e7eaee", "#b2182b": "#f2667a", "#7f8891": "#8d959e", "#d96a12": "#f07818", "#f7f8fa": "#14171b", "#dde1e6": "#2a3037",
+    "#444444": "#b9c0c7", "#555555": "#a3abb3", "#999999": "#8a929a", "#ffffff": "#14171b", "#0b5fff": "#6ea8ff",
+    "#2f3338": "#69727c", "#5b6168": "#7d858e", "#e4e7ea": "#4a535d", "#2166ac": "#4393d0", "#b01a2a": "#d6404f",
+  };
+  const AS_WORDS = { "#009e73": "#007a59", "#b87a00": "#8a5f00", "#d55e00": "#b84f00" };
+  const isDark = () => document.documentElement.dataset.theme === "dark" || document.body.dataset.jpThemeLight === "false";
+  const tint = (colour) => (isDark() && IN_DARK[colour.toLowerCase()]) || colour;
+  const wordTint = (colour) => (!isDark() && AS_WORDS[colour.toLowerCase()]) || tint(colour);
+
+  // Call change when the page (data-theme) or JupyterLab goes over to its other theme; returns what ends that.
+  function onTheme(change) {
+    let before = isDark();
+    const watch = new MutationObserver(() => { if (isDark() !== before) { before = isDark(); change(); } });
+    watch.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    watch.observe(document.body, { attributeFilter: ["data-jp-theme-light"] });
+    return () => watch.disconnect();
+  }
+
+  const STYLE = `.course-toy{--ground:#fff;--stage:#f7f8fa;--ink:#222;--edge:#555;--button:#f2f2f2;--pressed:#d9e8f3;--chosen:#0072b2;--numbers:#f2f4f6;
+--focus:#0b5fff;color-scheme:light;box-sizing:border-box;max-width:720px;margin:0;padding:.75rem;background:var(--ground);color:var(--ink);
+font:14px/1.45 system-ui,sans-serif;border-radius:.25rem}
+:is([data-theme=dark],[data-jp-theme-light=false]) .course-toy{--ground:#1b1f24;--stage:#14171b;--ink:#e7eaee;--edge:#a3abb3;--button:#39414a;
+--pressed:#1f4a66;--chosen:#56a8de;--numbers:#14171b;--focus:#6ea8ff;color-scheme:dark}
 .course-toy *{box-sizing:border-box}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
-.course-toy svg,.course-toy canvas{display:block;width:100%;background:#f7f8fa;border-radius:.25rem}
+.course-toy svg,.course-toy canvas{display:block;width:100%;background:var(--stage);border-radius:.25rem}
 .course-toy .setting{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}
 .course-toy .setting label{flex:0 0 9.5em}.course-toy .setting input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
 .course-toy .setting output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
-.course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid #555;border-radius:.25rem;background:#f2f2f2;color:#222}
-.course-toy button[aria-pressed=true]{background:#d9e8f3;border-color:#0072B2}
-.course-toy pre{margin:.5rem 0 0;padding:.4rem .6rem;background:#f2f4f6;color:#222;border:0;border-radius:.25rem;
+.course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid var(--edge);border-radius:.25rem;background:var(--button);color:inherit}
+.course-toy button[aria-pressed=true]{background:var(--pressed);border-color:var(--chosen)}
+.course-toy pre{margin:.5rem 0 0;padding:.4rem .6rem;background:var(--numbers);color:inherit;border:0;border-radius:.25rem;
 white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
-.course-toy p{margin:.4rem 0 0}.course-toy :focus-visible{outline:3px solid #0b5fff;outline-offset:2px}
+.course-toy p{margin:.4rem 0 0}.course-toy :focus-visible{outline:3px solid var(--focus);outline-offset:2px}
 .course-toy .handle{cursor:grab;touch-action:none;outline:none}.course-toy .handle .ring{opacity:0}
 .course-toy .handle:focus .ring{opacity:1}
 @media(max-width:480px){.course-toy .setting{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .setting label{flex:1 1 55%}
@@ -38,7 +63,8 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
     parent.append(made);
     return made;
   }
-  const set = (node, attributes) => Object.entries(attributes).forEach(([key, value]) => node.setAttribute(key, value));
+  const set = (node, attributes) => Object.entries(attributes).forEach(([key, value]) =>
+    node.setAttribute(key, key === "fill" && node.tagName === "text" ? wordTint(value) : key === "fill" || key === "stroke" ? tint(value) : value));
   const degrees = (angle, digits = 0) => `${((180 / Math.PI) * angle).toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1")}°`;
   const number = (x, digits = 2) => x.toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1");
   const signed = (x, digits = 3) => number(x, digits).padStart(digits + 4);
@@ -116,11 +142,11 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
   function plane(parent, { half, centre = [0, 0], step = 1, unit = "m", label, height = 1 }) {
     const [cx, cy] = centre, high = half * height;
     const svg = shape("svg", { viewBox: `${cx - half} ${-cy - high} ${2 * half} ${2 * high}`, role: "group", "aria-label": label }, parent);
-    const up = shape("g", { transform: "scale(1,-1)" }, svg), grid = shape("g", { stroke: "#dde1e6", "stroke-width": half * 0.004 }, up);
-    const texts = shape("g", { "font-size": half * 0.062, fill: "#555", "aria-hidden": "true" }, svg);
+    const up = shape("g", { transform: "scale(1,-1)" }, svg), grid = shape("g", { class: "grid", stroke: COLOURS.grid, "stroke-width": half * 0.004 }, up);
+    const texts = shape("g", { "font-size": half * 0.062, fill: "#555555", "aria-hidden": "true" }, svg);
     for (let t = Math.ceil((cx - half) / step) * step; t <= cx + half + 1e-9; t += step) {
       shape("path", { d: `M${t},${cy - high}V${cy + high}` }, grid);
-      if (Math.abs(t - cx) < 0.9 * half) shape("text", { x: t, y: -cy + high - half * 0.02, "text-anchor": "middle" }, texts, number(t, step < 1 ? 1 : 0));
+      if (t - cx > -0.9 * half && t - cx < 0.8 * half) shape("text", { x: t, y: -cy + high - half * 0.02, "text-anchor": "middle" }, texts, number(t, step < 1 ? 1 : 0));
     }
     for (let t = Math.ceil((cy - high) / step) * step; t <= cy + high + 1e-9; t += step) {
       shape("path", { d: `M${cx - half},${t}H${cx + half}` }, grid);
@@ -145,7 +171,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
         return { node: made, set: (p) => p ? set(made, { cx: p[0], cy: p[1], visibility: "visible" }) : made.setAttribute("visibility", "hidden") };
       },
       text(colour, size = 1) {
-        const made = shape("text", { fill: colour, "font-size": size * half * 0.075, "text-anchor": "middle", style: "paint-order:stroke;stroke:#f7f8fa;stroke-width:" + half * 0.02 }, svg);
+        const made = shape("text", { fill: colour, "font-size": size * half * 0.075, "text-anchor": "middle", style: "paint-order:stroke;stroke:var(--stage);stroke-width:" + half * 0.02 }, svg);
         return { node: made, set: (p, words) => { if (p) set(made, { x: p[0], y: -p[1] }); made.textContent = words; } };
       },
       // Something to take by the hand: drag it, or focus it and use the arrow keys (with Shift: larger steps).
@@ -154,7 +180,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
         const group = shape("g", { class: "handle", tabindex: 0, role: "application", "aria-roledescription": "handle", "aria-label": name }, up);
         shape("circle", { class: "ring", r: (radius + 1.6) * half * 0.02, fill: "none", stroke: "#0b5fff", "stroke-width": half * 0.015 }, group);
         shape("circle", { r: Math.max(radius * 1.8, 4.5) * half * 0.02, fill: colour, "fill-opacity": 0.12 }, group); // wide enough for a thumb
-        shape("circle", { r: radius * half * 0.02, fill: "#fff", stroke: colour, "stroke-width": half * 0.014 }, group);
+        shape("circle", { r: radius * half * 0.02, fill: "#ffffff", stroke: colour, "stroke-width": half * 0.014 }, group);
         let at = [0, 0], grip = null;
         const clamp = ([x, y]) => [Math.min(cx + half, Math.max(cx - half, x)), Math.min(cy + high, Math.max(cy - high, y))];
         const say = () => group.setAttribute("aria-label", `${name}: ${describe ? describe() : at.map((x) => number(x)).join(", ")}`);
@@ -220,7 +246,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
       },
       // Faces of a mesh {vertices, faces, colours (index of the palette for each face), bodies (of each vertex)}.
       mesh(mesh, poses, palette, opacity = 1) {
-        const rows = poses.map((T) => T.slice(0, 3).flat()), tints = palette.map(rgb), n = mesh.vertices.length;
+        const rows = poses.map((T) => T.slice(0, 3).flat()), tints = palette.map((colour) => rgb(tint(colour))), n = mesh.vertices.length;
         const at = new Array(n), flat = new Array(n);
         for (let i = 0; i < n; i++) { // written out: this is where the time goes
           const T = rows[mesh.bodies[i]], [x, y, z] = mesh.vertices[i];
@@ -248,11 +274,11 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
       },
       // A line through points, piece by piece, so that each piece hides behind what is before it.
       line(points, colour, width = 2, { dash = [], above = false } = {}) {
-        const flat = points.map(project);
+        const flat = points.map(project), shown = tint(colour);
         for (let i = 0; i + 1 < flat.length; i++) {
           const [A, B] = [flat[i], flat[i + 1]];
           put(above ? 1e9 : (A[2] + B[2]) / 2 + 0.001, () => {
-            context.strokeStyle = colour; context.lineWidth = width; context.lineCap = "round"; context.setLineDash(dash);
+            context.strokeStyle = shown; context.lineWidth = width; context.lineCap = "round"; context.setLineDash(dash);
             context.beginPath(); context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.stroke(); context.setLineDash([]);
           });
         }
@@ -263,7 +289,7 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
         if (l < 2) return;
         const u = [d[0] / l, d[1] / l];
         put(options && options.above ? 1e9 : B[2] + 0.002, () => {
-          context.fillStyle = colour;
+          context.fillStyle = tint(colour);
           context.beginPath();
           context.moveTo(B[0], B[1]);
           context.lineTo(B[0] - head * u[0] - 0.42 * head * u[1], B[1] - head * u[1] + 0.42 * head * u[0]);
@@ -283,16 +309,16 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
         const A = project(p);
         put(2e9, () => {
           context.font = "600 13px system-ui, sans-serif"; context.textAlign = align;
-          context.lineWidth = 3; context.strokeStyle = "#f7f8fa"; context.strokeText(words, A[0], A[1] + 4);
-          context.fillStyle = colour; context.fillText(words, A[0], A[1] + 4);
+          context.lineWidth = 3; context.strokeStyle = tint(COLOURS.ground); context.strokeText(words, A[0], A[1] + 4);
+          context.fillStyle = wordTint(colour); context.fillText(words, A[0], A[1] + 4);
         });
       },
-      floor(z, half, step, at = [0, 0]) {
+      floor(z, half, step) {
         for (let t = -half; t <= half + 1e-9; t += step) {
           const e = Math.sqrt(Math.max(0, half * half - t * t));
           [[[t, -e], [t, e]], [[-e, t], [e, t]]].forEach(([a, b]) => {
-            const A = project([a[0] + at[0], a[1] + at[1], z]), B = project([b[0] + at[0], b[1] + at[1], z]);
-            put(-1e9, () => { context.strokeStyle = "#cfd5db"; context.lineWidth = 1; context.beginPath(); context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.stroke(); });
+            const A = project([...a, z]), B = project([...b, z]);
+            put(-1e9, () => { context.strokeStyle = "rgba(125,138,150,0.4)"; context.lineWidth = 1; context.beginPath(); context.moveTo(A[0], A[1]); context.lineTo(B[0], B[1]); context.stroke(); });
           });
         }
       },
@@ -302,7 +328,8 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
           put(-5e8, () => {
             context.save(); context.translate(A[0], A[1]); context.scale(1, Math.max(0.15, Math.sin(view.elevation)));
             const fade = context.createRadialGradient(0, 0, 0, 0, 0, r);
-            fade.addColorStop(0, "rgba(60,70,80,0.16)"); fade.addColorStop(1, "rgba(60,70,80,0)");
+            const [shade, depth] = isDark() ? ["0,0,0", 0.5] : ["60,70,80", 0.16];
+            fade.addColorStop(0, `rgba(${shade},${depth})`); fade.addColorStop(1, `rgba(${shade},0)`);
             context.fillStyle = fade; context.beginPath(); context.arc(0, 0, r, 0, 7); context.fill(); context.restore();
           });
         });
@@ -331,5 +358,5 @@ white-space:pre-wrap;font:13px/1.5 ui-monospace,Consolas,monospace}
     return api;
   }
 
-  globalThis.course.parts = { COLOURS, element, shape, set, degrees, number, signed, table, card, plane, space };
+  globalThis.course.parts = { COLOURS, tint, onTheme, element, shape, set, degrees, number, signed, table, card, plane, space };
 })();

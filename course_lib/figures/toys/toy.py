@@ -19,11 +19,15 @@ CORE = ("motion", "kinematics", "toys", "shapes")
 _RENDER = """
 export default { render({ model, el }) {
   const meta = JSON.parse(JSON.stringify(model.get("meta")));
-  const answers = new Set();
+  const answers = new Set(), { kinds, parts } = globalThis.course;
   model.on("msg:custom", (message) => answers.forEach((hear) => hear(message)));
   const kernel = { ask: (question) => model.send(question), hear: (answer) => answers.add(answer) };
   el.setAttribute("aria-label", model.get("alt"));
-  return globalThis.course.kinds[meta.kind](el, meta, model.get("figure"), model.get("answers") ? kernel : null);
+  const start = () => kinds[meta.kind](el, meta, model.get("figure"), model.get("answers") ? kernel : null);
+  let stop = start();
+  // What is in `meta` outlives the change to the colours of the other theme.
+  const leave = parts.onTheme(() => { stop(); answers.clear(); stop = start(); });
+  return () => { leave(); stop(); };
 } };
 """
 

@@ -297,3 +297,15 @@ def wrong_changed_in_place(xy, q, cell, count):
     """cell is changed in place"""
     cell[cell < 0] = count
     return _models(xy, q, cell, count, _fit)
+
+
+def wrong_without_a_look_at_the_number_of_samples(xy, q, cell, count):
+    """ValueError"""
+    models = np.zeros((count, 2, 2, 3))
+    for c in range(count):
+        inside = cell == c
+        upper = q[inside][:, 1] > 0
+        for k, own in enumerate((upper, ~upper)):
+            line = LinearRegression().fit(xy[inside][own], q[inside][own])
+            models[c, k] = np.column_stack([line.coef_, line.intercept_])
+    return models

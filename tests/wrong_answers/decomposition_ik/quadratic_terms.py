@@ -87,3 +87,9 @@ def wrong_whole_numbers(xy):
     for row, (x, y) in zip(terms, xy):
         row[:] = 1, x, y, x**2, x * y, y**2
     return terms
+
+
+def wrong_for_one_position(xy):
+    """ValueError"""
+    x, y = xy
+    return np.array([1, x, y, x**2, x * y, y**2])

@@ -272,3 +272,8 @@ def wrong_split_at_the_mean(q):
     """at the mean or the median of q2"""
     q = np.asarray(q, float)
     return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)
+
+
+def wrong_labels_as_k_means_returns_them(q):
+    """KMeans calls its clusters 0 and 1 in any order"""
+    return KMeans(n_clusters=2, random_state=0).fit(q).labels_

@@ -220,9 +220,11 @@
       }
       box.classList.add("drawn");
       figure.layout.height = fit();
-      if (usesPlotly(meta) && isDark() !== inDark) {
+      if (isDark() !== inDark) {
         inDark = isDark();
-        [figure.data, figure.layout, figure.frames || []].forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
+        // A figure that plotly does not draw takes care of its own colours.
+        const parts = usesPlotly(meta) ? [figure.data, figure.layout, figure.frames || []] : [];
+        parts.forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
       }
       const { data, layout, frames } = figure;
       if (usesPlotly(meta)) await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
@@ -251,7 +253,7 @@
       work = work.then(() => (near && !isDrawn() ? draw() : !near && isDrawn() && letGo()));
     };
     const changeTheme = () => {
-      if (usesPlotly(meta) && isDrawn()) work = work.then(() => isDark() !== inDark && isDrawn() && (letGo(), draw()));
+      if (isDrawn()) work = work.then(() => isDark() !== inDark && isDrawn() && (letGo(), draw()));
     };
     return { come, changeTheme };
   }

@@ -1,0 +1,95 @@
+"""What notebook 5 measures methods of inverse kinematics with: the distance of poses, and a descent to many targets."""
+
+import numpy as np
+
+from course_lib.arguments import count, positive, real_array
+from course_lib.ik import pose_error
+from course_lib.rigid import checked_pose
+from course_lib.rotations import unchecked_length
+
+
+def pose_distance(T, target):
+    """Return the distance of two poses as seven numbers: position, and the quaternion of the nearer sign.
+
+    Parameters
+    ----------
+    T, target : array_like (..., 4, 4)
+        Poses in one frame, batches broadcast; metres.
+
+    Returns
+    -------
+    array (...)
+        The length of the difference, sqrt(|p - p_target|^2 + min |kappa -+ kappa_target|^2).
+
+    Raises
+    ------
+    ValueError
+        If `T` or `target` is not a pose, or their batches do not fit.
+
+    Examples
+    --------
+    >>> from course_lib.rigid import transform
+    >>> from course_lib.rotations import rot_z
+    >>> print(pose_distance(np.eye(4), transform(np.eye(3), [0.3, 0.4, 0])))
+    0.5
+    >>> print(pose_distance(np.eye(4), transform(rot_z(np.pi), [0, 0, 0])).round(4))
+    1.4142
+    """
+    phi, p = np.split(pose_error(T, target), 2, axis=-1)
+    return np.hypot(2 * np.sin(unchecked_length(phi) / 4), unchecked_length(p))
+
+
+def descend(arm, targets, q0, rules, steps, near):
+    """Return which targets are reached by steps of one's own, and after how many.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    targets : array_like (m, 4, 4)
+        Poses of the end-effector in the base frame; metres.
+    q0 : array_like (n,)
+        The start for each target, in radians.
+    rules : (error_of, move, inside)
+        error_of(T, target) is the error of poses (k, 4, 4), shape (k, 6); move(J, e, distance) are the steps (k, n) for
+        Jacobians (k, 6, n), errors and distances (k,); inside(q) are the joint angles (k, n) within the limits. Errors
+        and Jacobians are those of `ik.pose_error` and `SerialArm.geometric_jacobian`, (omega, v) in the base frame.
+    steps : int
+        The largest number of steps for each target.
+    near : float
+        The `pose_distance` at which a target is reached.
+
+    Returns
+    -------
+    reached : bool array (m,)
+    taken : int array (m,)
+        Steps until the target was reached; steps + 1 where it was not.
+
+    Raises
+    ------
+    ValueError
+        If a target is not a pose, or `q0`, `steps` or `near` does not fit.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> arm = planar_arm([1, 1])
+    >>> rules = pose_error, lambda J, e, distance: np.einsum("kij,ki->kj", J, e) / 4, lambda q: q
+    >>> reached, taken = descend(arm, arm.fk([[0.3, 0.5], [0.5, 0.9]]), [0.4, 0.6], rules, 100, 1e-3)
+    >>> print(reached, bool(taken[0] < taken[1]))
+    [ True  True] True
+    """
+    targets = checked_pose(targets, "targets", (4, 4))
+    steps, near = count(steps, "steps"), positive(near, "near")
+    q = np.tile(real_array(q0, "q0", (arm.n,)), (len(targets), 1))
+    error_of, move, inside = rules
+    taken, busy = np.full(len(q), steps + 1), np.arange(len(q))
+    for k in range(steps + 1):
+        T, J = arm.pose_and_geometric_jacobian(q[busy])
+        distance = pose_distance(T, targets[busy])
+        far = distance > near
+        taken[busy[~far]] = k
+        busy = busy[far]
+        if not busy.size:
+            break
+        q[busy] = inside(q[busy] + move(J[far], error_of(T[far], targets[busy]), distance[far]))
+    return taken <= steps, taken
