@@ -170,13 +170,15 @@ THIN_OUT = """() => {
 }"""
 
 
-def violations(visit):
-    """What axe-core, which looks for barriers, finds on a page with all that is folded shut opened.
+def violations(visit, within=None):
+    """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
 
-    The page is of no other use afterwards.
+    After a whole page was searched it is of no other use.
     """
-    visit.page.evaluate(OPEN)
-    visit.page.evaluate(THIN_OUT)
+    if within is None:
+        visit.page.evaluate(OPEN)
+        visit.page.evaluate(THIN_OUT)
     # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
-    found = Axe().run(visit.page, options={"preload": False, "resultTypes": ["violations"]}).response["violations"]
+    options = {"preload": False, "resultTypes": ["violations"]}
+    found = Axe().run(visit.page, context=within, options=options).response["violations"]
     return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]

@@ -23,6 +23,7 @@ def made(tmp_path_factory):
     ]
     write(folder, "01_rotations.ipynb", new_markdown_cell(TEXT + "\nSee [the next](02_rigid_motion.ipynb)."), *cells)
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
+    write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
     said, _ = built(folder)
     return folder, said
 
@@ -53,6 +54,13 @@ def test_progress_names_each_notebook(made):
         "01_rotations.ipynb: 2 live figures, 0 pictures",
         "02_rigid_motion.ipynb: 0 live figures, 0 pictures",
     ]
+
+
+def test_only_numbered_notebooks_are_pages(made):
+    assert {page.name for page in (made[0].parent / "html").glob("[0-9U]*.html")} == {
+        "01_rotations.html",
+        "02_rigid_motion.html",
+    }
 
 
 def test_what_is_unchanged_is_left_as_it_is(notebooks):
