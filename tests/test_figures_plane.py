@@ -8,6 +8,7 @@ from helpers import ALT, FIGURE, places, shown, stored
 from matplotlib.colors import same_color
 from numpy.testing import assert_allclose
 
+from course_lib import rotations
 from course_lib.arms import planar_arm
 from course_lib.figures import damped_steps, mobile_robots, panels
 from course_lib.figures import planar_arm as arms
@@ -268,6 +269,20 @@ def test_gains_peak_at_the_root_of_the_damping():
         assert dot[1] == pytest.approx(max(s / (s**2 + eps)), rel=1e-4)
     assert [line.get_xdata()[0] for line in ax.lines[-2:]] == [1.1, 2.6]
     assert [(note.get_text(), note.xy[0]) for note in ax.texts] == [("$s_2$", 1.1), ("$s_1$", 2.6)]
+
+
+def test_the_largest_rates_are_those_of_the_matrix_and_follow_the_text_s_formulas():
+    b2 = np.linspace(0.02, np.pi - 0.02, 301)
+    (ax,) = damped_steps.largest_rates(lambda b: np.linalg.inv(wrist_rates(b)))["fig"].axes
+    together, single = (line.get_ydata() for line in ax.lines)
+    assert_allclose(single, 1 / np.sin(b2))
+    assert_allclose(together, 1 / np.sqrt(1 - np.abs(np.cos(b2))))
+
+
+def wrist_rates(b):
+    """The columns of Ry(b1) Rx(b2) Ry(b3): the axes of its rates."""
+    first = rotations.rot_y(b[0])
+    return np.column_stack([[0, 1, 0], first[:, 0], (first @ rotations.rot_x(b[1]))[:, 1]])
 
 
 def test_the_step_map_shows_each_run_where_it_belongs_and_the_limit():
