@@ -43,7 +43,8 @@ def plain_figures():
             xlabel="t (s)",
         ),
         bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
-        bodies.tracks(ends, {"goal": POINTS[-1, -1]})["fig"],
+        bodies.tracks(ends)["fig"],
+        bodies.missed_dock(POSES, POSES[::-1])["fig"],
         bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
         arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
         damped_steps.descents({"run": POINTS}, TARGET)["fig"],
@@ -179,13 +180,30 @@ def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
 
 
 def test_tracks_draw_what_they_are_given():
-    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)})["fig"]
+    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]})["fig"]
     (ax,) = fig.axes
-    a, b, goal = drawn_lines(ax)
+    a, b = drawn_lines(ax)
     assert_allclose(a, POSES[:, :2])
     assert_allclose(b, POINTS[:, -1])
-    assert_allclose(goal, [[1, 2]])
-    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b", "goal"]
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b"]
+
+
+def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_where_it_is_believed():
+    driven, believed = np.array([[0, 0, 0], [1, 0.5, np.pi / 2]]), np.array([[0, 0, 0], [1.1, 0.4, np.pi / 2]])
+    (ax,) = bodies.missed_dock(driven, believed)["fig"].axes
+    assert_allclose(drawn_lines(ax)[0], driven[:, :2])
+    assert_allclose(drawn_lines(ax)[1], believed[:, :2])
+    circles = [patch for patch in ax.patches if hasattr(patch, "center")]
+    assert_allclose(circles[-1].center, believed[-1, :2])
+    assert same_color(circles[-1].get_edgecolor(), CRIMSON)
+    assert_allclose([circles[0].center, circles[-2].center], driven[:, :2])
+    (dock,) = [patch for patch in ax.patches if not hasattr(patch, "center")]
+    x, y = dock.get_xy()[:4].T
+    assert_allclose(np.mean(x), 1)
+    assert np.min(y) > 0.5 + circles[0].radius
+
+
+def test_joint_tracks_draw_the_angles():
     (ax,) = bodies.joint_tracks({"a": ANGLES})["fig"].axes
     assert_allclose(drawn_lines(ax), [ANGLES])
 
