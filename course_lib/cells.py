@@ -1,4 +1,4 @@
-"""What notebook 6 measures its tables with: an arm that sags, cells and their samples, queries and scores."""
+"""Tables of inverse kinematics and their measurement: an arm that sags, cells and their samples, queries and scores."""
 
 import numpy as np
 
@@ -65,7 +65,13 @@ def numbered(index, n):
 
 
 def missing(angles):
-    """Return whether answers (..., 2) hold nan."""
+    """Return for answers (..., 2) whether they hold NaN.
+
+    Examples
+    --------
+    >>> missing(np.array([[0.1, 0.2], [np.nan, np.nan]]))
+    array([False,  True])
+    """
     return np.isnan(angles).any(axis=-1)
 
 
@@ -85,7 +91,14 @@ def in_ranges(solutions, lowest, highest):
 
 
 def drawn(m, low, high, keep, rng):
-    """Return m positions (m, 2) uniform in a box, those drawn again for which keep(xy (k, 2)) is False."""
+    """Return m positions (m, 2) uniform in the part of a box for which keep(xy (k, 2)) is True.
+
+    Examples
+    --------
+    >>> xy = drawn(500, [0, 0], [1, 1], lambda xy: xy[:, 0] > xy[:, 1], np.random.default_rng(0))
+    >>> xy.shape, bool((xy[:, 0] > xy[:, 1]).all())
+    ((500, 2), True)
+    """
     found = np.empty((0, 2))
     while len(found) < m:
         xy = rng.uniform(low, high, (m, 2))
@@ -99,6 +112,13 @@ def kinds(q, number, count, split):
     q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with 6 samples or more
     is of one of KINDS: its samples have both signs of q2 and the labels agree with them, or they have one sign, or
     they have both and a cluster mixes them.
+
+    Examples
+    --------
+    >>> q = np.tile([[0.1, 1.0], [1.1, -1.0]], (3, 1))
+    >>> kind_of, examples = kinds(q, np.zeros(6, int), 2, split=lambda q: (q[:, 1] < 0).astype(int))
+    >>> print(kind_of)
+    ['both elbows, separated' 'fewer than 6 samples']
     """
     kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
     for c, own in _cells(number):
@@ -136,6 +156,17 @@ class BranchTable:
         branch(q (m, 2)) is 0 or 1 for each sample, (m,).
     least : int
         The smallest number of samples for a model.
+
+    Examples
+    --------
+    The mean angles of each cell and branch:
+
+    >>> table = BranchTable(lambda xy: xy, lambda terms, q: q.mean(0), lambda mean, terms, sign: mean,
+    ...                     branch=lambda q: (q[:, 1] < 0).astype(int), least=2)
+    >>> xy, q = np.zeros((3, 2)), np.array([[0.0, 1.0], [0.2, 1.0], [0.3, -1.0]])
+    >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
+    array([[[0.1, 1. ],
+            [nan, nan]]])
     """
 
     def __init__(self, terms, fit, predict, branch, least=8):
@@ -153,7 +184,10 @@ class BranchTable:
         return self
 
     def predict(self, xy, number):
-        """Return the angles (m, 2, 2) of both branches for positions in the cells `number`; nan without a model."""
+        """Return the angles (m, 2, 2) of both branches for positions xy (m, 2) in the cells `number` (m,).
+
+        They are NaN without a model.
+        """
         found = np.full((len(xy), 2, 2), np.nan)
         for c, own in _cells(number):
             for k, sign in ((0, 1), (1, -1)):
@@ -165,7 +199,13 @@ class BranchTable:
 def after_step(step, angles, xy):
     """Return the angles (m, 2, 2) after step(q (2,), position (2,)) for each.
 
-    nan stays nan, and a stretched arm, whose Jacobian has no inverse, stays as it is.
+    NaN stays NaN, and a stretched arm, whose Jacobian has no inverse, stays as it is.
+
+    Examples
+    --------
+    >>> after_step(lambda q, p: q + p, np.array([[[0.1, 1.0], [0.5, 0.0]]]), [[1.0, 2.0]])
+    array([[[1.1, 3. ],
+            [0.5, 0. ]]])
     """
     found = [
         [q if np.isnan(q).any() or q[1] == 0 else step(q, p) for q in both] for both, p in zip(angles, xy, strict=True)
@@ -200,6 +240,20 @@ def largest_errors(corner, sizes, degree, solve, forward):
     Each cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
     branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the positions
     reached.
+
+    Examples
+    --------
+    >>> from course_lib.grid_ik import planar_forward
+    >>> def solve(xy):  # q2 in [0, pi] first
+    ...     q2 = np.arccos((xy**2).sum(1) / 2 - 1)
+    ...     q1 = np.arctan2(xy[:, 1], xy[:, 0]) - q2 / 2
+    ...     return np.stack([np.stack([q1, q2], 1)] * 2, 1)
+    >>> reached = lambda q: tips(planar_forward, q)
+    >>> for degree in (3, 1):
+    ...     q2, position = largest_errors((1.5, 0), [0.2, 0.1], degree, solve, reached)
+    ...     print(*(f"{x:.6f}" for x in position))
+    0.000022 0.000002
+    0.008571 0.002099
     """
     return np.transpose([_largest_error(np.asarray(corner), h, degree, solve, forward) for h in sizes])
 
