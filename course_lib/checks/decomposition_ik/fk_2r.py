@@ -190,7 +190,7 @@ EXERCISE = with_a_list(
         hints=(
             "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
             "q2 is counted from the first link, so the second one points in the direction q1 + q2.",
-            "t1, t2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
+            "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
             "puts x and y back at the end.",
         ),
         forbidden=(

@@ -261,8 +261,8 @@ EXERCISE = Exercise(
     library=ik_2r,
     hints=(
         "r^2 = x^2 + y^2 = 2 + 2 cos q2 gives cos q2, and arccos gives q2 >= 0; -q2 is the other one.",
-        "The position lies in the direction atan2(y, x), the second link bends away from it: "
-        "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2), for each q2.",
+        "The direction to the position, np.arctan2(y, x), halves the angle q2 between the links: q1 is half of q2 "
+        "less, for each of the two q2.",
         "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, r may be 2 + 4e-16 at the edge "
         "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
     ),

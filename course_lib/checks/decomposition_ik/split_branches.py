@@ -302,10 +302,10 @@ EXERCISE = with_a_list(
         errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
         library=split_branches,
         hints=(
-            "Fewer than two different samples, len(np.unique(q, axis=0)) < 2: return np.zeros(len(q), int).",
-            "labels = KMeans(n_clusters=2, random_state=0).fit_predict(q).",
-            "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean().",
-            "If the first is the smaller one, return 1 - labels.",
+            "KMeans(n_clusters=2, random_state=0) has the method fit_predict, which returns a label for each sample.",
+            "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean(): if the "
+            "first is the smaller one, 1 - labels exchanges the two.",
+            "Before that: with fewer than two different samples, len(np.unique(q, axis=0)) < 2, return zeros.",
         ),
     ),
     position=0,

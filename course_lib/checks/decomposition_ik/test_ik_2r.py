@@ -62,8 +62,8 @@ EXERCISE = WriteTest(
         "You need no right version to compare with: fk_2r says where a solution leads.",
         "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
         "four quadrants.",
-        "Three special positions are left: beyond 2 m all is nan, at 2 m exactly nothing is, and close to 2 m both "
-        "rows still lead to xy.",
+        "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m exactly, where nothing is "
+        "nan; and slightly nearer than 2 m, where both rows lead to xy.",
     ),
     shapes=((2,),),
     versions=(
