@@ -199,6 +199,7 @@ WRONG_STEPS = (
         "eps belongs to the diagonal of J^T J: J^T J + eps I.",
         _by(lambda J, e, alpha, eps: alpha * (np.linalg.pinv(J) @ e + eps)),
         _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e + eps),
+        _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e - eps),
     ),
     Mistake(
         "the distance is taken for both coordinates of the error",

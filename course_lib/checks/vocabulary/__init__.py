@@ -35,6 +35,7 @@ from course_lib.checks.vocabulary.mistakes import (
     in_degrees,
     inverted,
     negated,
+    series_cut,
     transposed,
     whole_numbers,
 )
@@ -69,6 +70,7 @@ __all__ = [
     "same_angles",
     "same_up_to_sign",
     "same_with_gaps",
+    "series_cut",
     "transposed",
     "unit",
     "whole_numbers",

@@ -87,6 +87,25 @@ def entry_by_entry(
     return Mistake(name, hint, wrong)
 
 
+def series_cut(right, matrix):
+    """The exponential series of matrix(*arguments) with too few terms, if that shows."""
+
+    def answer(terms):
+        def partial_sum(*case):
+            M = matrix(*case)
+            steps = range(1, terms)
+            total = sum(itertools.accumulate(steps, lambda term, k: term @ M / k, initial=np.eye(len(M))))
+            return None if np.allclose(total, right(*case), rtol=1e-11, atol=1e-11) else total
+
+        return partial_sum
+
+    return Mistake(
+        "the series of the exponential is cut after some terms",
+        "A few terms are enough for small angles only. The closed formula is the sum of all of them.",
+        *(answer(terms) for terms in range(2, 21)),
+    )
+
+
 def few_digits(right):
     """The mistake of an answer that is nearly right; to be tried first."""
 

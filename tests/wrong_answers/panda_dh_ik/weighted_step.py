@@ -50,7 +50,7 @@ def wrong_weights_unused(q, J, e, eps, weights):
 
 
 def wrong_divided(q, J, e, eps, weights):
-    """divided by zero"""
+    """the rows are divided by the weights"""
     roots = np.sqrt(weights)
     return q + step(J / roots[:, None], e / roots, eps)
 
