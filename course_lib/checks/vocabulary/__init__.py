@@ -38,6 +38,7 @@ from course_lib.checks.vocabulary.mistakes import (
     series_cut,
     transposed,
     whole_numbers,
+    wrong_steps,
 )
 
 __all__ = [
@@ -74,4 +75,5 @@ __all__ = [
     "transposed",
     "unit",
     "whole_numbers",
+    "wrong_steps",
 ]

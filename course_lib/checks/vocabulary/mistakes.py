@@ -80,6 +80,24 @@ def halves_swapped(
     return Mistake(name, hint, _changed(right, lambda x: np.roll(x, x.shape[axis] // 2, axis)))
 
 
+def wrong_steps(right):
+    """Mistakes in the last line of a function that returns its first argument, joint angles, after one step."""
+    return (
+        Mistake(
+            "the step leads away from the target",
+            "Is the error the target minus what is reached, or the other way round? The step has one sign, not two.",
+            lambda q, *rest: 2 * q - right(q, *rest),
+        ),
+        Mistake(
+            "only the step is returned",
+            "The answer is the joint angles after the step.",
+            lambda q, *rest: right(q, *rest) - q,
+            lambda q, *rest: q - right(q, *rest),
+        ),
+        Mistake("q is returned as it came: nothing moves", "Add the step to it.", lambda q, *rest: q),
+    )
+
+
 def entry_by_entry(
     wrong, name="* or ** works entry by entry", hint="In numpy the product of matrices is @; M ** 2 squares each entry."
 ):

@@ -79,7 +79,7 @@ def wrong_step_only(q, J, e, eps, weights):
 
 
 def wrong_away(q, J, e, eps, weights):
-    """the wrong sign"""
+    """the step leads away"""
     return 2 * q - right_by_scaled_rows(q, J, e, eps, weights)
 
 
