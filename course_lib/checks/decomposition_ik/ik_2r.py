@@ -197,13 +197,15 @@ EXERCISE = Exercise(
             "There y / x is 0 / 0. Any q1 is right, so np.arctan2(0, 0) = 0 will do.",
             seen=lambda q, xy: not xy.any() and np.isnan(q).any(),
         ),
-        *(
-            Mistake(
-                "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
-                "np.arctan2(y, x) looks at both signs.",
-                seen=by_arctan(side),
-            )
-            for side in (1, -1)
+        Mistake(
+            "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
+            "np.arctan2(y, x) looks at both signs.",
+            seen=by_arctan(1),
+        ),
+        Mistake(
+            "the elbow correction of q1 has the wrong sign, and atan of y / x looks at one quotient only",
+            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): np.arctan2(y, x) looks at both signs.",
+            seen=by_arctan(-1),
         ),
         Mistake(
             "x and y are swapped in atan2",
