@@ -1,4 +1,4 @@
-"""What notebook 5 measures methods of inverse kinematics with: the distance of poses, and a descent to many targets."""
+"""Measurement of methods of inverse kinematics: the distance of poses, and a descent to many targets."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ def pose_distance(T, target):
 
 
 def descend(arm, targets, q0, rules, steps, near):
-    """Return which targets are reached by steps of one's own, and after how many.
+    """Return which targets are reached by the given rules for steps, and after how many steps.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def descend(arm, targets, q0, rules, steps, near):
     -------
     reached : bool array (m,)
     taken : int array (m,)
-        Steps until the target was reached; steps + 1 where it was not.
+        Steps until the target was reached; steps + 1 if it was not.
 
     Raises
     ------

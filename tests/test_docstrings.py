@@ -7,7 +7,18 @@ import re
 
 import pytest
 
-MODULES = ["rotations", "rigid", "planar", "subproblems", "arms", "ik", "registration", "grid_ik", "trajectory"]
+MODULES = [
+    "rotations",
+    "rigid",
+    "planar",
+    "subproblems",
+    "arms",
+    "ik",
+    "descents",
+    "registration",
+    "grid_ik",
+    "trajectory",
+]
 # Their functions look at no argument, so they have nothing to say of errors.
 TRUSTING = [
     "cells",

@@ -129,7 +129,7 @@ def errors(xy, contents):
     >>> [ax.get_title() for ax in fig.axes[:1]], fig.axes[1].get_ylabel()
     (['table'], 'error (cm)')
     """
-    fig, axes = plane_figure(5.2 * len(contents), 4.4, len(contents), sharey=True)
+    fig, axes = plane_figure(5.2 * len(contents), 3.6, len(contents), sharey=True)
     scale = LogNorm(1e-3, 1e1)
     for ax, (title, error) in zip(axes, contents.items(), strict=True):
         size = 6 + 60 * np.sqrt(np.clip(error, 0, 10) / 10)

@@ -93,12 +93,17 @@ def body_frame(R, view=(1.0, 1.3, 0.9)):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> [word.text[0] for word in body_frame(np.eye(3)).data[1:3]]
+    ['x<sub>a</sub>', 'y<sub>a</sub>']
     """
     model, height = _drone_in_fixed_axes(1.15, 1.35), 420
-    poses, aspect = _with_orientation(R), 700 / height
+    poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped
     frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
     seen = np.concatenate([model.placed(poses), *(tips for tips, _ in frames.values())])
-    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.88)
+    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.94)
     drawn = [model.trace(poses)]
     for frame, (tips, colours) in frames.items():
         for name, tip, colour in zip("xyz", tips, colours, strict=True):
