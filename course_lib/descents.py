@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.arguments import count, positive, real_array
+from course_lib.arms import checked_arm
 from course_lib.ik import pose_error
 from course_lib.rigid import checked_pose
 from course_lib.rotations import unchecked_length
@@ -67,7 +68,7 @@ def descend(arm, targets, q0, rules, steps, near):
     Raises
     ------
     ValueError
-        If a target is not a pose, or `q0`, `steps` or `near` does not fit.
+        If `arm` is not a SerialArm, a target is not a pose, or `q0`, `rules`, `steps` or `near` does not fit.
 
     Examples
     --------
@@ -78,9 +79,15 @@ def descend(arm, targets, q0, rules, steps, near):
     >>> print(reached, bool(taken[0] < taken[1]))
     [ True  True] True
     """
-    targets = checked_pose(targets, "targets", (4, 4))
+    checked_arm(arm, "arm")
+    targets, q0 = checked_pose(targets, "targets", (4, 4)), real_array(q0, "q0", (arm.n,))
+    for name, array, axes in (("targets", targets, 3), ("q0", q0, 1)):
+        if array.ndim != axes:
+            raise ValueError(f"{name} must have {axes} axes; its shape is {array.shape}")
     steps, near = count(steps, "steps"), positive(near, "near")
-    q = np.tile(real_array(q0, "q0", (arm.n,)), (len(targets), 1))
+    if not (isinstance(rules, tuple | list) and len(rules) == 3 and all(map(callable, rules))):
+        raise ValueError(f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}")
+    q = np.tile(q0, (len(targets), 1))
     error_of, move, inside = rules
     taken, busy = np.full(len(q), steps + 1), np.arange(len(q))
     for k in range(steps + 1):
