@@ -248,9 +248,12 @@ def largest_errors(corner, sizes, degree, solve, forward):
     ...     q2 = np.arccos((xy**2).sum(1) / 2 - 1)
     ...     q1 = np.arctan2(xy[:, 1], xy[:, 0]) - q2 / 2
     ...     return np.stack([np.stack([q1, q2], 1)] * 2, 1)
-    >>> _, cubic = largest_errors((1.5, 0), [0.2, 0.1], 3, solve, lambda q: tips(planar_forward, q))
-    >>> print(cubic.round(7))  # half the size, a fourteenth of the error
-    [2.16e-05 1.50e-06]
+    >>> reached = lambda q: tips(planar_forward, q)
+    >>> for degree in (3, 1):
+    ...     q2, position = largest_errors((1.5, 0), [0.2, 0.1], degree, solve, reached)
+    ...     print(*(f"{x:.6f}" for x in position))
+    0.000022 0.000002
+    0.008571 0.002099
     """
     return np.transpose([_largest_error(np.asarray(corner), h, degree, solve, forward) for h in sizes])
 

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from helpers import FIGURE, stored
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
@@ -12,7 +13,6 @@ from site_visits import CONTRAST, PATIENCE, Visit, violations
 
 from course_lib import figures
 from course_lib.arms import iiwa14
-from course_lib.pack.site.build import build
 
 TOYS = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
 TOYS["jog"] = lambda: figures.jog(iiwa14())
