@@ -1,9 +1,10 @@
-"""What notebook 6 measures its tables with: an arm that sags, cells and their samples, queries and scores."""
+"""Tables of inverse kinematics and their measurement: an arm that sags, cells and their samples, queries and scores."""
 
 import numpy as np
 
 from course_lib.grid_ik import planar_forward
 
+_SAG = 0.04  # radians for each unit of 2 cos q1 + cos(q1 + q2), the load about the shoulder
 KINDS = ("both elbows, separated", "one elbow, split in two", "elbows mixed")
 FEW = "fewer than 6 samples"
 
@@ -20,9 +21,22 @@ def sagging(q):
     [0.] [2.]
     """
     q1, q2 = q
-    (x, y), ((a, b), (c, d)) = planar_forward(np.array([q1 - 0.04 * (2 * np.cos(q1) + np.cos(q1 + q2)), q2]))
-    first, second = 1 + 0.04 * (2 * np.sin(q1) + np.sin(q1 + q2)), 0.04 * np.sin(q1 + q2)
+    (x, y), ((a, b), (c, d)) = planar_forward(sagged(np.transpose(q)).T)
+    first, second = 1 + _SAG * (2 * np.sin(q1) + np.sin(q1 + q2)), _SAG * np.sin(q1 + q2)
     return (x, y), ((a * first, a * second + b), (c * first, c * second + d))
+
+
+def sagged(q):
+    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2).
+
+    Examples
+    --------
+    >>> sagged([0.0, 0.0])
+    array([-0.12,  0.  ])
+    """
+    q = np.asarray(q, float)
+    q1, both = q[..., 0], q.sum(axis=-1)
+    return np.stack([q1 - _SAG * (2 * np.cos(q1) + np.cos(both)), q[..., 1]], axis=-1)
 
 
 def tips(forward, q):
@@ -51,7 +65,13 @@ def numbered(index, n):
 
 
 def missing(angles):
-    """Return whether answers (..., 2) hold nan."""
+    """Return for answers (..., 2) whether they hold NaN.
+
+    Examples
+    --------
+    >>> missing(np.array([[0.1, 0.2], [np.nan, np.nan]]))
+    array([False,  True])
+    """
     return np.isnan(angles).any(axis=-1)
 
 
@@ -71,7 +91,14 @@ def in_ranges(solutions, lowest, highest):
 
 
 def drawn(m, low, high, keep, rng):
-    """Return m positions (m, 2) uniform in a box, those drawn again for which keep(xy (k, 2)) is False."""
+    """Return m positions (m, 2) uniform in the part of a box for which keep(xy (k, 2)) is True.
+
+    Examples
+    --------
+    >>> xy = drawn(500, [0, 0], [1, 1], lambda xy: xy[:, 0] > xy[:, 1], np.random.default_rng(0))
+    >>> xy.shape, bool((xy[:, 0] > xy[:, 1]).all())
+    ((500, 2), True)
+    """
     found = np.empty((0, 2))
     while len(found) < m:
         xy = rng.uniform(low, high, (m, 2))
@@ -85,6 +112,13 @@ def kinds(q, number, count, split):
     q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with 6 samples or more
     is of one of KINDS: its samples have both signs of q2 and the labels agree with them, or they have one sign, or
     they have both and a cluster mixes them.
+
+    Examples
+    --------
+    >>> q = np.tile([[0.1, 1.0], [1.1, -1.0]], (3, 1))
+    >>> kind_of, examples = kinds(q, np.zeros(6, int), 2, split=lambda q: (q[:, 1] < 0).astype(int))
+    >>> print(kind_of)
+    ['both elbows, separated' 'fewer than 6 samples']
     """
     kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
     for c, own in _cells(number):
@@ -122,6 +156,17 @@ class BranchTable:
         branch(q (m, 2)) is 0 or 1 for each sample, (m,).
     least : int
         The smallest number of samples for a model.
+
+    Examples
+    --------
+    The mean angles of each cell and branch:
+
+    >>> table = BranchTable(lambda xy: xy, lambda terms, q: q.mean(0), lambda mean, terms, sign: mean,
+    ...                     branch=lambda q: (q[:, 1] < 0).astype(int), least=2)
+    >>> xy, q = np.zeros((3, 2)), np.array([[0.0, 1.0], [0.2, 1.0], [0.3, -1.0]])
+    >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
+    array([[[0.1, 1. ],
+            [nan, nan]]])
     """
 
     def __init__(self, terms, fit, predict, branch, least=8):
@@ -139,7 +184,10 @@ class BranchTable:
         return self
 
     def predict(self, xy, number):
-        """Return the angles (m, 2, 2) of both branches for positions in the cells `number`; nan without a model."""
+        """Return the angles (m, 2, 2) of both branches for positions xy (m, 2) in the cells `number` (m,).
+
+        They are NaN without a model.
+        """
         found = np.full((len(xy), 2, 2), np.nan)
         for c, own in _cells(number):
             for k, sign in ((0, 1), (1, -1)):
@@ -151,7 +199,13 @@ class BranchTable:
 def after_step(step, angles, xy):
     """Return the angles (m, 2, 2) after step(q (2,), position (2,)) for each.
 
-    nan stays nan, and a stretched arm, whose Jacobian has no inverse, stays as it is.
+    NaN stays NaN, and a stretched arm, whose Jacobian has no inverse, stays as it is.
+
+    Examples
+    --------
+    >>> after_step(lambda q, p: q + p, np.array([[[0.1, 1.0], [0.5, 0.0]]]), [[1.0, 2.0]])
+    array([[[1.1, 3. ],
+            [0.5, 0. ]]])
     """
     found = [
         [q if np.isnan(q).any() or q[1] == 0 else step(q, p) for q in both] for both, p in zip(angles, xy, strict=True)
@@ -180,19 +234,66 @@ def scores(error, given, exists):
     }
 
 
-def largest_error(corner, h, degree, solve, forward):
-    """Return the largest error of q2 (rad) and of the position (m) of one polynomial in one cell.
+def largest_errors(corner, sizes, degree, solve, forward):
+    """Return the largest errors of q2 (rad) and of the position (m), (2, n), of one polynomial in cells of n sizes.
 
-    The cell, h wide, ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to
-    the first branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the
-    positions reached.
+    Each cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
+    branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the positions
+    reached.
+
+    Examples
+    --------
+    >>> from course_lib.grid_ik import planar_forward
+    >>> def solve(xy):  # q2 in [0, pi] first
+    ...     q2 = np.arccos((xy**2).sum(1) / 2 - 1)
+    ...     q1 = np.arctan2(xy[:, 1], xy[:, 0]) - q2 / 2
+    ...     return np.stack([np.stack([q1, q2], 1)] * 2, 1)
+    >>> reached = lambda q: tips(planar_forward, q)
+    >>> for degree in (3, 1):
+    ...     q2, position = largest_errors((1.5, 0), [0.2, 0.1], degree, solve, reached)
+    ...     print(*(f"{x:.6f}" for x in position))
+    0.000022 0.000002
+    0.008571 0.002099
     """
+    return np.transpose([_largest_error(np.asarray(corner), h, degree, solve, forward) for h in sizes])
+
+
+def _largest_error(corner, h, degree, solve, forward):
     u = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
-    xy = np.asarray(corner) + h / 2 * (u - [1, 0])
+    xy = corner + h / 2 * (u - [1, 0])
     u, xy = u[np.hypot(*xy.T) <= 2], xy[np.hypot(*xy.T) <= 2]
     powers = [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
     basis = np.stack([u[:, 0] ** i * u[:, 1] ** j for i, j in powers], axis=-1)
     angles = solve(xy)[:, 0]
     fitted = basis @ np.linalg.lstsq(basis, angles)[0]
     off = np.linalg.norm(forward(fitted) - xy, axis=1)
-    return float(np.abs(fitted - angles)[:, 1].max()), float(off.max())
+    return np.abs(fitted - angles)[:, 1].max(), off.max()
+
+
+def score_noisy_table(make, lowest, highest):
+    """Return the percentage of 1,000 positions that a table from few noisy samples of the sagging arm reaches.
+
+    Parameters
+    ----------
+    make : callable
+        make(positions (3000, 2), angles (3000, 2)) is a function from positions (m, 2) to angles (m, 2, 2), NaN for
+        none. The positions have 1 mm of noise.
+    lowest, highest : array_like, shape (2,)
+        Joint ranges in radians.
+
+    Returns
+    -------
+    float
+        From 0 to 100: how many have an answer within 2 mm. The samples are the same each time.
+
+    Examples
+    --------
+    >>> score_noisy_table(lambda xy, q: lambda wanted: np.full((len(wanted), 2, 2), np.nan), [0, -1], [3, 1])
+    0.0
+    """
+    chance = np.random.default_rng(7)
+    angles = chance.uniform(lowest, highest, (3000, 2))
+    noisy = tips(sagging, angles) + chance.normal(0, 1e-3, (3000, 2))
+    wanted = tips(sagging, chance.uniform(lowest, highest, (1000, 2)))
+    off = np.linalg.norm(tips(sagging, make(noisy, angles)(wanted)) - wanted[:, None], axis=-1)
+    return float(100 * (np.nanmin(off, axis=1, initial=np.inf) < 2e-3).mean())

@@ -42,6 +42,12 @@ LONGEST += ["test_grade_submission.py", "test_toys_page.py", "05_panda_dh_ik.ipy
 LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade_jobs.py", "test_notebook_runner.py"]
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers():
+    """Half as many processes again as processors: a third of the time tests wait, for a sandbox, a kernel or a page."""
+    return None if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ else max(1, (os.cpu_count() or 1) * 3 // 2)
+
+
 def pytest_collection_modifyitems(items):
     ranks = {name: rank for rank, name in enumerate(LONGEST)}
     items.sort(key=lambda item: ranks.get(item.path.name, len(ranks)))

@@ -122,8 +122,11 @@ FACTS = r"""() => {
 }"""
 
 
-def assert_readable(visit, notebook, width):
-    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from."""
+def assert_readable(visit, notebook, width, draws=True):
+    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from.
+
+    draws: whether these are drawn. Otherwise their still pictures stand where the page was not scrolled to.
+    """
     facts = visit.page.evaluate(FACTS)
     assert not facts["tex"]
     assert not facts["unset"]
@@ -137,7 +140,9 @@ def assert_readable(visit, notebook, width):
     cells = nbformat.read(notebook, as_version=4).cells if notebook else []
     outputs = [o for c in cells for o in c.get("outputs", [])]
     figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
-    assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
+    if draws:
+        assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
+    assert len(facts["groups"]) == len(figures)
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
     assert violations(visit) == []
     assert visit.complaints == []
@@ -170,13 +175,15 @@ THIN_OUT = """() => {
 }"""
 
 
-def violations(visit):
-    """What axe-core, which looks for barriers, finds on a page with all that is folded shut opened.
+def violations(visit, within=None):
+    """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
 
-    The page is of no other use afterwards.
+    After a whole page was searched it is of no other use.
     """
-    visit.page.evaluate(OPEN)
-    visit.page.evaluate(THIN_OUT)
+    if within is None:
+        visit.page.evaluate(OPEN)
+        visit.page.evaluate(THIN_OUT)
     # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
-    found = Axe().run(visit.page, options={"preload": False, "resultTypes": ["violations"]}).response["violations"]
+    options = {"preload": False, "resultTypes": ["violations"]}
+    found = Axe().run(visit.page, context=within, options=options).response["violations"]
     return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]

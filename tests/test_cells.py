@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from course_lib import cells
 from course_lib.checks import decomposition_ik as check
-from course_lib.grid_ik import planar_forward
+from course_lib.grid_ik import GridIK, planar_forward
 
 BOTH = np.array([[1.0, 1.0], [2.0, -1.0], [1.1, 1.1], [2.1, -1.1], [1.2, 1.0], [2.2, -1.2]])
 
@@ -72,5 +73,22 @@ def test_a_step_is_made_for_each_answer_but_those_that_are_missing():
 @pytest.mark.parametrize(("corner", "degree", "slope"), [((1.0, 0.9), 1, 2), ((1.0, 0.9), 2, 3), ((2.0, 0.0), 2, 1)])
 def test_the_largest_error_falls_with_the_power_that_taylor_or_the_edge_says(corner, degree, slope):
     solve, forward = check.ik_2r.library, check.fk_2r.library
-    coarse, fine = (cells.largest_error(corner, h, degree, solve, forward)[1] for h in (0.02, 0.01))
+    coarse, fine = cells.largest_errors(corner, (0.02, 0.01), degree, solve, forward)[1]
     assert np.log2(coarse / fine) == pytest.approx(slope, abs=0.1)
+
+
+def test_the_sagging_arm_reaches_what_the_rigid_one_reaches_at_the_angles_it_takes():
+    q = np.random.default_rng(3).uniform(-2, 2, (3, 4, 2))
+    np.testing.assert_allclose(cells.tips(cells.sagging, q), cells.tips(planar_forward, cells.sagged(q)), atol=1e-12)
+
+
+def test_a_table_of_noisy_samples_scores_by_what_it_reaches_and_not_by_what_it_leaves_out():
+    ranges = np.deg2rad([[0, -90], [170, 90]])
+
+    def make(positions, angles):
+        tree = cKDTree(positions)
+        return lambda wanted: np.stack([angles[tree.query(wanted)[1]], np.full((len(wanted), 2), np.nan)], axis=1)
+
+    nearest = cells.score_noisy_table(make, *ranges)
+    assert 0 < nearest < 30, "the nearest of 3,000 samples is a centimetre off"
+    assert cells.score_noisy_table(lambda *samples: GridIK(cells=(10, 10)).fit(*samples).predict, *ranges) > 90

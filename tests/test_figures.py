@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from course_lib import rotations
 from course_lib.figures import lines, show
 from course_lib.figures import rotations as figures
+from course_lib.figures.solids.model import X_RED, Y_GREEN, Z_BLUE
 
 
 @pytest.fixture
@@ -31,6 +32,7 @@ def space_figures(R):
     return [
         figures.rotations_on_sphere({"a": R, "b": R}),
         figures.frames({"a": R[0]}),
+        figures.body_frame(R[0]),
         figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2])),
     ]
 
@@ -139,3 +141,15 @@ def test_the_rotated_point_is_drawn_by_the_function_it_is_given():
     still = figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2]), lambda w: np.eye(3))
     way = next(t for t in still.data if len(t.x) == 60)
     assert np.ptp(way.x) == np.ptp(way.y) == np.ptp(way.z) == 0
+
+
+def test_the_arrows_of_the_body_frame_are_the_columns_of_its_matrix(draws):
+    fig = figures.body_frame(draws[0])
+    mesh = fig.data[0]
+    corners = np.stack([mesh.x, mesh.y, mesh.z], -1)
+    for colour, column in zip((X_RED, Y_GREEN, Z_BLUE), draws[0].T, strict=True):
+        arrow = corners[np.asarray(mesh.intensity) == colour]
+        tip = arrow[np.linalg.norm(arrow, axis=1).argmax()]
+        np.testing.assert_allclose(tip / np.linalg.norm(tip), column, atol=1e-3)
+    words = [word for trace in fig.data[1:] for word in trace.text]
+    assert words == [f"{axis}<sub>{frame}</sub>" for frame in "ab" for axis in "xyz"]

@@ -92,11 +92,24 @@ def test_each_picture_has_words_and_a_caption():
     made = [
         pictures.samples(xy, np.array([[0, 0], [1, 1]]), xy.min(0), xy.max(0) + 1, 2),
         pictures.clusters({"one": (xy, np.array([0, 1]))}),
-        pictures.percentiles(share, {"box": share / 100}),
-        pictures.errors(xy, {"better": np.array([0.1, 2.0])}, "Notice the second."),
+        pictures.percentiles({"box": share / 100}),
+        pictures.errors_in_the_report(xy, np.array([0.1, 2.0])),
         pictures.convergence(np.array([0.2, 0.1]), {"affine": np.array([0.04, 0.01])}, {"affine": 2.0}),
         pictures.costs({"table": cost}),
     ]
     assert all(picture["caption"].endswith(".") and len(picture["alt"]) > 60 for picture in made)
     assert "the largest 2.0 at (1.0, 1.0) m" in made[3]["alt"]
     assert "240,000 bytes, 2e-03 m, 0.16 µs" in made[5]["alt"]
+
+
+def test_the_better_and_the_worse_of_two_answers_are_told_apart_where_there_are_both():
+    xy, off = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]]), np.array([[0.1, 0.4], [0.3, 0.2], [0.5, np.nan]])
+    picture = pictures.errors_of_both(xy, off)
+    better, worse = (ax.collections[0].get_array() for ax in picture["fig"].axes[:2])
+    np.testing.assert_allclose([better, worse], [[0.1, 0.2], [0.4, 0.3]])
+    assert "of 2 queries" in picture["alt"]
+
+
+def test_percentiles_leave_out_what_has_no_answer():
+    alt = pictures.percentiles({"all": np.array([[1.0, 3.0], [2.0, np.nan]])})["alt"]
+    assert "half below 2, all below 3" in alt

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from films import Film
 from helpers import FIGURE, stored
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from numpy.testing import assert_allclose
 from site_notebooks import cell, output, write
@@ -15,7 +16,6 @@ import course_lib.figures
 from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa
-from course_lib.pack.site.build import build
 from course_lib.rotations import random_rotations
 
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"

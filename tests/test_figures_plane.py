@@ -8,6 +8,7 @@ from helpers import ALT, FIGURE, places, shown, stored
 from matplotlib.colors import same_color
 from numpy.testing import assert_allclose
 
+from course_lib import rotations
 from course_lib.arms import planar_arm
 from course_lib.figures import damped_steps, panels
 from course_lib.figures import planar_arm as arms
@@ -42,7 +43,8 @@ def plain_figures():
             xlabel="t (s)",
         ),
         bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
-        bodies.tracks(ends, {"goal": POINTS[-1, -1]})["fig"],
+        bodies.tracks(ends)["fig"],
+        bodies.missed_dock(POSES, POSES[::-1])["fig"],
         bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
         arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
         damped_steps.descents({"run": POINTS}, TARGET)["fig"],
@@ -178,13 +180,30 @@ def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
 
 
 def test_tracks_draw_what_they_are_given():
-    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]}, {"goal": (1, 2)})["fig"]
+    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]})["fig"]
     (ax,) = fig.axes
-    a, b, goal = drawn_lines(ax)
+    a, b = drawn_lines(ax)
     assert_allclose(a, POSES[:, :2])
     assert_allclose(b, POINTS[:, -1])
-    assert_allclose(goal, [[1, 2]])
-    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b", "goal"]
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b"]
+
+
+def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_where_it_is_believed():
+    driven, believed = np.array([[0, 0, 0], [1, 0.5, np.pi / 2]]), np.array([[0, 0, 0], [1.1, 0.4, np.pi / 2]])
+    (ax,) = bodies.missed_dock(driven, believed)["fig"].axes
+    assert_allclose(drawn_lines(ax)[0], driven[:, :2])
+    assert_allclose(drawn_lines(ax)[1], believed[:, :2])
+    circles = [patch for patch in ax.patches if hasattr(patch, "center")]
+    assert_allclose(circles[-1].center, believed[-1, :2])
+    assert same_color(circles[-1].get_edgecolor(), CRIMSON)
+    assert_allclose([circles[0].center, circles[-2].center], driven[:, :2])
+    (dock,) = [patch for patch in ax.patches if not hasattr(patch, "center")]
+    x, y = dock.get_xy()[:4].T
+    assert_allclose(np.mean(x), 1)
+    assert np.min(y) > 0.5 + circles[0].radius
+
+
+def test_joint_tracks_draw_the_angles():
     (ax,) = bodies.joint_tracks({"a": ANGLES})["fig"].axes
     assert_allclose(drawn_lines(ax), [ANGLES])
 
@@ -238,6 +257,20 @@ def test_gains_peak_at_the_root_of_the_damping():
         assert dot[1] == pytest.approx(max(s / (s**2 + eps)), rel=1e-4)
     assert [line.get_xdata()[0] for line in ax.lines[-2:]] == [1.1, 2.6]
     assert [(note.get_text(), note.xy[0]) for note in ax.texts] == [("$s_2$", 1.1), ("$s_1$", 2.6)]
+
+
+def test_the_largest_rates_are_those_of_the_matrix_and_follow_the_text_s_formulas():
+    b2 = np.linspace(0.02, np.pi - 0.02, 301)
+    (ax,) = damped_steps.largest_rates(lambda b: np.linalg.inv(wrist_rates(b)))["fig"].axes
+    together, single = (line.get_ydata() for line in ax.lines)
+    assert_allclose(single, 1 / np.sin(b2))
+    assert_allclose(together, 1 / np.sqrt(1 - np.abs(np.cos(b2))))
+
+
+def wrist_rates(b):
+    """The columns of Ry(b1) Rx(b2) Ry(b3): the axes of its rates."""
+    first = rotations.rot_y(b[0])
+    return np.column_stack([[0, 1, 0], first[:, 0], (first @ rotations.rot_x(b[1]))[:, 1]])
 
 
 def test_the_step_map_shows_each_run_where_it_belongs_and_the_limit():

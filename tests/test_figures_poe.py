@@ -54,14 +54,14 @@ def test_the_upright_arm_fills_more_than_half_of_the_picture_s_height():
 
 
 def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
-    way = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
-    figure = stored(figures.screw_motion(way, np.array([0.5, 0, 0]), np.array([0.0, 0, 1])))
+    poses = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
+    figure = stored(figures.screw_motion(poses, np.array([0.5, 0, 0]), np.array([0.0, 0, 1])))
     drawn = next(places(trace) for trace in figure["data"] if len(trace["x"]) == 30)
-    np.testing.assert_allclose(drawn, way[:, :3, 3], atol=2e-3)
+    np.testing.assert_allclose(drawn, poses[:, :3, 3], atol=2e-3)
     mesh = places(next(trace for trace in figure["data"] if trace["type"] == "mesh3d" and trace["cmax"] < 99))
     for k in (0, 9, 19, 29):
         for axis in range(3):
-            tip = way[k, :3, 3] + 0.2 * np.ptp(way[:, :3, 3], axis=0).max() * way[k, :3, axis]
+            tip = poses[k, :3, 3] + 0.2 * np.ptp(poses[:, :3, 3], axis=0).max() * poses[k, :3, axis]
             assert np.linalg.norm(mesh - tip, axis=1).min() < 1e-3
 
 

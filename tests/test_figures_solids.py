@@ -18,7 +18,7 @@ from course_lib.rotations import random_rotations
 
 NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
 RNG = np.random.default_rng(7)
-NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 
 
 def random_arm(n, rng):
@@ -211,7 +211,7 @@ def test_parts_of_a_body_keep_their_colour_and_order():
 
 
 @pytest.mark.parametrize(
-    "path", sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb")), ids=lambda path: path.stem
+    "path", sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb")), ids=lambda path: path.stem
 )
 def test_a_notebook_stays_below_two_megabytes(path):
     assert path.stat().st_size < 2_000_000

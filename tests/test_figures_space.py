@@ -58,7 +58,7 @@ def circle_and_plane(shake=1.0):
 
 
 def orientation_paths(shake=1.0):
-    return figures.orientation_paths({name: R * shake for name, R in TRACKS.items()})["fig"]
+    return figures.orientation_paths({name: R * shake for name, R in TRACKS.items()}, 2.0)["fig"]
 
 
 SCENES = [rotated_onto, circles_meet, circles_miss, circle_and_sphere, circle_and_plane, orientation_paths]

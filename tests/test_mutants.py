@@ -51,7 +51,7 @@ class Judge:
 @pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
 def test_a_mutant_is_refused_or_known(path, record_property):
     exercise, name = exercise_of(path), path.stem
-    (notebook,) = (found.stem for found in NOTEBOOKS.glob(f"0*_{path.parent.name}.ipynb"))
+    (notebook,) = (found.stem for found in NOTEBOOKS.glob(f"[0-9][0-9]_{path.parent.name}.ipynb"))
     space, sources = solved(notebook)
     judge_of = Judge(exercise, space)
     assert judge_of.bounded_by(sources[name])

@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell, new_output
 from site_notebooks import (
     CHECK,
@@ -28,7 +29,7 @@ from site_notebooks import (
 )
 from site_visits import CONTRAST, OPEN, Visit, assert_readable
 
-from course_lib.pack.site.build import build
+from course_lib.pack.site import build as builder
 from course_lib.pack.site.errors import SiteError
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
@@ -72,8 +73,7 @@ def site(notebooks):
     return notebooks.parent / "html"
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize(("width", "theme"), [(390, "light"), (1280, "dark")])
 def test_page_works_offline(site, notebooks, browser, theme, width):
     with Visit(browser, site / "01_rotations.html", theme=theme, width=width) as visit:
         facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
@@ -244,7 +244,7 @@ def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
 
 
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
-    build(notebooks, tmp_path / "html")
+    builder.build(notebooks, tmp_path / "html")
     for file in site.rglob("*"):
         again = tmp_path / "html" / file.relative_to(site)
         assert file.is_dir() or file.read_bytes() == again.read_bytes(), file

@@ -3,11 +3,12 @@
 import shutil
 
 import pytest
+from loaded_sphinx import build
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import HELIX, MOVING, NBGRADER, PLOTLY, SOLUTION, TEXT, cell, output, png, write
 from site_visits import Visit, assert_readable
 
-from course_lib.pack.site.build import build
+from course_lib.pack.site import build as builder
 from course_lib.pack.site.errors import SiteError
 
 
@@ -23,6 +24,7 @@ def made(tmp_path_factory):
     ]
     write(folder, "01_rotations.ipynb", new_markdown_cell(TEXT + "\nSee [the next](02_rigid_motion.ipynb)."), *cells)
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
+    write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
     said, _ = built(folder)
     return folder, said
 
@@ -55,11 +57,41 @@ def test_progress_names_each_notebook(made):
     ]
 
 
+def test_only_numbered_notebooks_are_pages(made):
+    assert {page.name for page in (made[0].parent / "html").glob("[0-9U]*.html")} == {
+        "01_rotations.html",
+        "02_rigid_motion.html",
+    }
+
+
 def test_what_is_unchanged_is_left_as_it_is(notebooks):
     first = written(notebooks)
     said, second = built(notebooks)
     assert said == [f"Nothing has changed since {notebooks.parent / 'html' / 'index.html'} was written."]
     assert second == first
+
+
+class Begun(Exception):
+    """Sphinx was about to make the pages."""
+
+
+@pytest.fixture
+def begins(monkeypatch):
+    """A function that builds, as far as Sphinx: it returns whether the build would have made pages."""
+
+    def stop(*arguments):
+        raise Begun
+
+    def begins(notebooks, **settings):
+        with monkeypatch.context() as patch:
+            patch.setattr(builder, "_run_sphinx", stop)
+            try:
+                built(notebooks, **settings)
+            except Begun:
+                return True
+        return False
+
+    return begins
 
 
 def rewrite(notebooks):
@@ -76,24 +108,32 @@ def rewrite(notebooks):
     ],
     ids=["a notebook", "a file beside it", "a page", "a library"],
 )
-def test_whatever_changed_is_seen(notebooks, change):
-    first = written(notebooks)
+def test_whatever_changed_is_seen(notebooks, begins, change):
+    assert not begins(notebooks)
     change(notebooks)
+    assert begins(notebooks)
+
+
+def test_a_page_that_was_scribbled_over_is_written_again(notebooks):
+    first = written(notebooks)
+    (notebooks.parent / "html/01_rotations.html").write_text("scribbled over")
     said, second = built(notebooks)
     assert said[-1].startswith("Wrote")
     assert min(second.values()) > max(first.values())
     assert "scribbled" not in (notebooks.parent / "html/01_rotations.html").read_text("utf-8")
 
 
-def test_other_settings_are_seen(notebooks):
+def test_other_settings_are_seen(notebooks, begins):
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")
-    built(notebooks, solutions=False)
-    assert "BEGIN SOLUTION" not in page.read_text("utf-8")
-    built(notebooks, single=True)
-    assert not (page.parent / "_static").exists()
-    built(notebooks)
     assert (page.parent / "_static").exists()
+    assert begins(notebooks, solutions=False)
+    built(notebooks, solutions=False, single=True)
+    assert "BEGIN SOLUTION" not in page.read_text("utf-8")
+    assert not (page.parent / "_static").exists()
+    assert begins(notebooks, solutions=False)
+    assert begins(notebooks, single=True)
+    assert begins(notebooks)
 
 
 def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):

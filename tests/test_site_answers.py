@@ -5,12 +5,12 @@ from pathlib import Path
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
 from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, png, write
 from site_visits import CONTRAST, Visit
 
-from course_lib.pack.site.build import build
 from course_lib.pack.site.errors import SiteError
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"

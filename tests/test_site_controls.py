@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers import FIGURE, places, stored
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from numpy.testing import assert_allclose
 from playwright.sync_api import expect
@@ -10,7 +11,6 @@ from site_notebooks import cell, output, write
 from site_visits import Visit
 
 from course_lib.figures.rigid_motion import body_movie
-from course_lib.pack.site.build import build
 
 TIMES = np.linspace(0, 1, 21)
 POSES = np.stack([np.linspace(-6, 6, 21), np.linspace(-5, 2, 21), np.linspace(0, 2, 21)], -1)

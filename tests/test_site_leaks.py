@@ -78,7 +78,7 @@ def secret_formulas():
     answers = {cell.id for _, cell in answer_cells()}
     cells = [
         cell
-        for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+        for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
         for cell in nbformat.read(path, 4).cells
         if cell.cell_type == "markdown"
     ]
@@ -100,7 +100,7 @@ def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wa
 
 def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
     (file,) = sites["no"].glob("*.zip")
-    assert len(notebooks(file)) == len(list((ROOT / "notebooks").glob("*.ipynb")))
+    assert len(notebooks(file)) == len(list((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")))
     for page in sites["no"].glob("0*.html"):
         assert f'href="{file.name}"' in page.read_text(encoding="utf-8")
     with zipfile.ZipFile(tmp_path / "planted.zip", "w") as archive:

@@ -25,8 +25,7 @@ def words(text):
     return " ".join(re.findall(r"\w+", text))
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1000])
+@pytest.mark.parametrize(("width", "theme"), [(390, "dark"), (1000, "light")])
 @pytest.mark.parametrize("page", PAGES)
 def test_works_offline(course, browser, page, theme, width):
     with Visit(browser, course / f"{page}.html", theme=theme, width=width) as visit:

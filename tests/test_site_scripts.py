@@ -1,6 +1,7 @@
 """Figures with a script of their own: the page loads it, starts it when the figure is near, stops it when it is far."""
 
 import pytest
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from site_notebooks import HELIX, PLOTLY, cell, output, write
 from site_visits import Visit
@@ -37,7 +38,7 @@ def site(tmp_path_factory):
         write(folder / "notebooks", f"{name}.ipynb", new_markdown_cell(f"# Page {name}"), figure, words, last)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(builder, "SCRIPTS", folder / "scripts")
-        builder.build(folder / "notebooks", folder / "html")
+        build(folder / "notebooks", folder / "html")
     return folder / "html"
 
 

@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from course_lib import ik, rigid, rotations
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm
+from course_lib.checks import decomposition_ik as check
 from course_lib.figures.toys.toy import SCRIPTS
 from course_lib.planar import interpolate_body_screw, pose_matrix, propagate_body, propagate_body_exact
 from course_lib.subproblems import subproblem2
@@ -227,3 +228,32 @@ def test_a_plane_is_the_one_nearest_to_its_points(rng):
     points, heights = rng.normal(size=(N, 12, 2)), rng.normal(size=(N, 12))
     for p, z, found in zip(points, heights, js("fitPlane", list(zip(points, heights, strict=True))), strict=True):
         assert_allclose(found, np.linalg.lstsq(np.c_[np.ones(12), p], z)[0], **CLOSE)
+
+
+# ---- the bent arm ----
+
+
+def test_a_polynomial_is_that_of_least_squares(rng):
+    cases = [(rng.uniform(-1, 1, 30), rng.normal(size=30), int(rng.integers(1, 4))) for _ in range(N)]
+    for (x, y, degree), found in zip(cases, js("fitPolynomial", cases), strict=True):
+        assert_allclose(found, np.polynomial.polynomial.polyfit(x, y, degree), **CLOSE)
+
+
+def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(rng):
+    low = rng.uniform(0, 1.8, N)
+    cases = list(
+        zip(low, low + rng.uniform(0.1, 1, N) * (2 - low), rng.integers(1, 4, N).tolist(), [41] * N, strict=True)
+    )
+    cases[0] = (1.75, 2.0, 1, 41)
+    for (a, b, degree, n), found in zip(cases, js("bendFits", cases), strict=True):
+        r, u = np.linspace(a, b, n), np.linspace(-1, 1, n)
+        inverse = check.ik_2r.library(np.stack([np.minimum(r, 2), 0 * r], -1))[:, 0]
+        direct = np.polyval(np.polyfit(u, inverse[:, 1], degree), u)
+        square = np.polyval(np.polyfit(u, inverse[:, 1] ** 2, degree), u)
+        rooted = np.sqrt(np.maximum(square, 0))
+        assert_allclose(found["direct"], direct, **CLOSE)
+        assert_allclose(found["square"], square, **CLOSE)
+        for name, bend in (("directError", direct), ("rootedError", rooted)):
+            assert_allclose(found[name]["angle"], np.abs(bend - inverse[:, 1]).max(), rtol=0, atol=1e-7)
+            tips = check.fk_2r.library(np.stack([-bend / 2, bend], -1))
+            assert_allclose(found[name]["tip"], np.linalg.norm(tips - np.stack([r, 0 * r], -1), axis=-1).max(), **CLOSE)

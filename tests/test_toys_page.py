@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from helpers import FIGURE, stored
+from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
@@ -12,7 +13,6 @@ from site_visits import CONTRAST, PATIENCE, Visit, violations
 
 from course_lib import figures
 from course_lib.arms import iiwa14
-from course_lib.pack.site.build import build
 
 TOYS = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
 TOYS["jog"] = lambda: figures.jog(iiwa14())
@@ -91,7 +91,7 @@ def test_every_range_has_a_name_and_words_and_moves_the_picture_by_keyboard(visi
         assert one.get_attribute("aria-valuetext") != words
 
 
-@pytest.mark.parametrize("name", ["two_poses_toy", "planar_arm_toy", "cells_toy"])
+@pytest.mark.parametrize("name", ["two_poses_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy"])
 def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
     box = come(visit, name)
     for handle in box.locator(".handle").all():
@@ -274,6 +274,16 @@ def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
     assert float(re.search(r"distance left (\S+) m", box.locator("p[role=status]").inner_text())[1]) > 0.01
 
 
+def test_another_step_size_is_tried_from_the_first_configuration_though_the_arm_has_arrived(visit):
+    box = come(visit, "planar_arm_toy")
+    put(box, "Damping (m²)", -2)
+    status = box.locator("p[role=status]")
+    for size in (0.8, 0.9):
+        put(box, "Step size", size)
+        expect(status).to_contain_text(re.compile(r"distance left \de-[78]"))
+        assert int(status.inner_text().split()[0]) > 5
+
+
 def test_smaller_steps_dock_and_larger_ones_miss(visit):
     box = come(visit, "dead_reckoning_toy")
     put(box, "Step dt", 0)
@@ -291,7 +301,26 @@ def test_circles_meet_touch_and_miss(visit):
         expect(box.locator("p[role=status]")).to_contain_text(said)
 
 
-def test_a_page_with_toys_is_accessible(visit):
+def test_at_the_edge_a_higher_degree_helps_the_square_of_the_bend_only(visit):
+    box = come(visit, "bent_arm_toy")
+    put(box, "Distance r", 1.95)
+    off = []
+    for degree in (1, 3):
+        put(box, "Degree", degree)
+        off.append([float(x) for x in re.findall(r"(\S+)° off", box.locator("pre").inner_text())])
+    assert "touches the edge" in box.locator("p[role=status]").inner_text()
+    (line, line_of_square), (cubic, cubic_of_square) = off
+    assert cubic > 0.3 * line
+    assert cubic_of_square < 0.1 * line_of_square
+    picture_before = picture(box)
+    box.get_by_role("button", name="Other elbow").click()
+    assert changes(visit, box, picture_before)
+    assert "q2 = -" in box.locator("p[role=status]").inner_text()
+    box.get_by_role("button", name="Other elbow").click()
+
+
+def test_every_toy_is_accessible(visit):
+    """One after the other, because a page lets go of toys that are far from the screen."""
     for name in TOYS:
         come(visit, name)
-    assert violations(visit) == []
+        assert violations(visit, within=".course-toy") == [], name

@@ -144,6 +144,8 @@ def _holding_itself():
         np.zeros(2, dtype=[("a", float)]),
         np.array([b"bytes"]),
         np.random.default_rng(0),
+        10**4300,
+        [1.0, -(10**9000)],
     ],
     ids=lambda value: type(value).__name__,
 )

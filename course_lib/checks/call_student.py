@@ -248,15 +248,19 @@ def _taken_away(names, function):
     Yields the answer to every question if the student's function is itself one of them, else None. This is a deterrent:
     a pasted copy of the library's code is not recognized.
     """
-    put_back, refused = [], None
+    things = {}
     for name in names:
-        module, attribute = name.rsplit(".", 1)
+        module, _, attribute = name.rpartition(".")
         thing = getattr(importlib.import_module(module), attribute)
-        if function is thing:
-            refused = _error("NotAllowed", name)
-        spaces = [vars(loaded) for key, loaded in list(sys.modules.items()) if key.startswith(("course_lib", module))]
-        for space in [*spaces, getattr(function, "__globals__", {})]:
-            for key in [key for key, value in list(space.items()) if value is thing]:
+        things[id(thing)] = thing, name, ("course_lib", module)
+    refused = _error("NotAllowed", things[id(function)][1]) if id(function) in things else None
+    packages = tuple({package for *_, where in things.values() for package in where})
+    spaces = [(key, vars(loaded)) for key, loaded in list(sys.modules.items()) if packages and key.startswith(packages)]
+    put_back = []
+    for place, space in [*spaces, ("course_lib", getattr(function, "__globals__", {}))]:
+        for key, value in list(space.items()):
+            thing, name, where = things.get(id(value), (None, "", ()))
+            if thing is not None and place.startswith(where):
                 put_back.append((space, key, thing))
                 space[key] = _Taken(name)
     try:

@@ -14,6 +14,7 @@ import numpy as np
 
 _DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
 _MOST_ENTRIES = 2_000_000  # of an array
+_MOST_BITS = 10_000  # of a whole number: Python writes no number of more than 4,300 digits
 
 
 class NotPlain(ValueError):
@@ -65,6 +66,8 @@ def to_json(value, depth=0):
         raise NotPlain("lists nested too deeply")
     if isinstance(value, np.ndarray | np.generic):
         return _array_to_json(value)
+    if isinstance(value, int) and int.bit_length(value) > _MOST_BITS:
+        raise NotPlain(f"a whole number of more than {int(_MOST_BITS * math.log10(2))} digits")
     if value is None or isinstance(value, bool | int | float | str):
         return value
     if isinstance(value, Seed):

@@ -8,6 +8,7 @@ from course_lib.figures.display import show
 from course_lib.figures.plots import lines, panels
 
 _TOYS = (
+    "bent_arm_toy",
     "cells_toy",
     "circles_toy",
     "dead_reckoning_toy",

@@ -11,15 +11,13 @@ from course_lib.figures.plots import STYLES, lines
 from course_lib.figures.style import BLACK, COLOURS, GREY, plane_figure
 
 
-def joint_motion(bends, motion):
+def joint_motion(motions):
     """Return the joint motion that a step commands, over the bend of the last joint.
 
     Parameters
     ----------
-    bends : array_like, shape (n,)
-        In radians.
-    motion : dict
-        Label to joint motions, shape (n,), in radians.
+    motions : dict
+        Label to a function from a bend to a joint motion, both in radians.
 
     Returns
     -------
@@ -27,27 +25,27 @@ def joint_motion(bends, motion):
 
     Examples
     --------
-    >>> joint_motion([0.01, 0.1], {"undamped": [120.0, 12.0]})["alt"][-28:]
-    'undamped from 12 to 120 rad.'
+    >>> joint_motion({"undamped": lambda bend: 1.2 / bend})["alt"][-29:]
+    'undamped from 1.2 to 400 rad.'
     """
-    fig = lines(bends, motion, log="xy", xlabel="bend of the last joint (rad)", ylabel="joint motion (rad)")
-    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in motion.items())
+    bends = np.geomspace(0.003, 1, 60)
+    rows = {label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()}
+    fig = lines(bends, rows, log="xy", xlabel="bend of the last joint (rad)", ylabel="joint motion (rad)")
+    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in rows.items())
     alt = f"The joint motion over the bend of the last joint, both logarithmic: {said}."
     caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
-    if len(motion) > 1:
+    if len(rows) > 1:
         caption = "The undamped step grows as one over the bend; the damped step stays small at every bend."
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def largest_rates(b2, rates):
+def largest_rates(inverse_rate_matrix):
     """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
 
     Parameters
     ----------
-    b2 : array_like, shape (n,)
-        In radians.
-    rates : dict
-        Label to rates, shape (n,), in rad/s.
+    inverse_rate_matrix : callable
+        From the three angles, in radians, to the matrix (3, 3) that takes angular velocities to rates.
 
     Returns
     -------
@@ -55,14 +53,22 @@ def largest_rates(b2, rates):
 
     Examples
     --------
-    >>> largest_rates([0.1, 1.5], {"single": np.array([10.0, 1.0])})["alt"][-26:]
-    'single from 1 to 10 rad/s.'
+    >>> largest_rates(lambda b: np.eye(3) / np.sin(b[1]))["alt"][-78:]
+    'all three together from 1 to 50 rad/s; largest single rate from 1 to 50 rad/s.'
     """
+    b2 = np.linspace(0.02, np.pi - 0.02, 301)
+    inverses = np.array([inverse_rate_matrix(np.array([0.4, x, 0.0])) for x in b2])
+    together, single = np.linalg.norm(inverses, 2, axis=(1, 2)), np.linalg.norm(inverses, axis=2).max(1)
+    rates = {"all three together": together, "largest single rate": single}
     axes = {"xlabel": r"$b_2$ (rad)", "ylabel": "rates for 1 rad/s (rad/s)"}
     fig = lines(b2, rates, log="y", parts_of_pi=4, **axes)
     said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.0f} rad/s" for label, y in rates.items())
     alt = f"The largest rates for an angular velocity of one, over b2, on a logarithmic axis: {said}."
-    caption = r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide."
+    middle = np.abs(b2 - np.pi / 4).argmin()
+    caption = (
+        r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide. "
+        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s (together)."
+    )
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
@@ -154,10 +160,45 @@ def descents(runs, target, caption=""):
     if lowest < error.get_ylim()[1] / 30:
         error.set(yscale="log", ylim=(max(lowest, 1e-9) / 2, None))
     if len(runs) > 1:
-        fig.legend(loc="outside upper center", ncols=len(runs), frameon=False)
+        columns = 1 if max(map(len, runs)) > 30 else len(runs)
+        fig.legend(loc="outside upper center", ncols=columns, frameon=False)
     x, y = target
     alt = f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. {'; '.join(said)}."
     return {"fig": fig, "alt": alt, "caption": caption or "The arm is drawn as it ends; the cross is the target."}
+
+
+def race(racers, points_of, target, near=0.01):
+    """Return the runs of several methods towards one target; the legend says how fast and how large their steps are.
+
+    Parameters
+    ----------
+    racers : dict
+        Label to joint angles, shape (steps + 1, joints), in radians.
+    points_of : callable
+        From joint angles to the arm's points, base first, shape (..., joints + 1, 2), in metres.
+    target : array_like, shape (2,)
+        In metres.
+    near : float, optional
+        The distance at which the target counts as reached, in metres.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> path = np.array([[0.0], [0.5], [1.0]])
+    >>> told = race({"one": path}, lambda q: np.stack([0 * q, q], -2) @ np.ones((1, 2)), [1.0, 1.0])["alt"]
+    >>> "one: 2 steps to 1 cm, at most 0.5 rad: ends less than a micrometre from it" in told
+    True
+    """
+    runs = {}
+    for label, path in racers.items():
+        miss = np.linalg.norm(points_of(path)[:, -1] - target, axis=-1)
+        count, largest = np.argmax(miss < near), np.linalg.norm(np.diff(path, axis=0), axis=1).max()
+        steps = f"{count} steps to {100 * near:g} cm" if (miss < near).any() else "never there"
+        runs[f"{label}: {steps}, at most {largest:.3g} rad"] = points_of(path)
+    return descents(runs, target, "Gauss-Newton jumps; the damped tip takes a smooth path.")
 
 
 def _in_words(label):
@@ -237,7 +278,8 @@ def step_map(alphas, epsilons, errors, largest, runs):
     """
     fig, (ax,) = plane_figure(7.2, 4.6)
     levels = TwoSlopeNorm(-2, -8, 0.5)
-    image = ax.pcolormesh(alphas, epsilons, np.log10(errors.T), cmap="RdBu_r", norm=levels, rasterized=True)
+    decades = np.log10(np.maximum(errors.T, 1e-9))
+    image = ax.pcolormesh(alphas, epsilons, decades, cmap="RdBu_r", norm=levels, rasterized=True)
     limit = 2 * (1 + np.array(epsilons) / largest**2)
     ax.plot(limit, epsilons, color=BLACK, linewidth=2, label=r"$\alpha = 2(1 + \epsilon/s_1^2)$")
     ax.plot(*np.transpose(runs), "o", color=BLACK, markerfacecolor="white", markersize=8, label="the report's runs")
@@ -266,7 +308,7 @@ def two_arms(paths, points_of, every=12):
     Parameters
     ----------
     paths : dict
-        Title to joint angles, shape (n, joints).
+        Damping, in square metres, to joint angles, shape (n, joints).
     points_of : callable
         From joint angles to the arm's points, base first, shape (..., joints + 1, 2).
     every : int, optional
@@ -278,11 +320,11 @@ def two_arms(paths, points_of, every=12):
 
     Examples
     --------
-    >>> arms = {"one": np.array([[0.0], [1.0]])}
-    >>> two_arms(arms, lambda q: np.stack([0 * q, q], -2) @ np.ones((1, 2)))["alt"][-45:]
-    'The last elbow bends at most by one: 1.0 rad.'
+    >>> arms = {0.5: np.array([[0.0], [1.0]])}
+    >>> two_arms(arms, lambda q: np.stack([0 * q, q], -2) @ np.ones((1, 2)))["alt"][-58:]
+    'The last elbow bends at most by epsilon = 0.5 m²: 1.0 rad.'
     """
-    arms = {}
+    paths, arms = {rf"$\epsilon$ = {eps:g} m²": path for eps, path in paths.items()}, {}
     for title, path in paths.items():
         gone = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
         shares = np.linspace(0, gone[-1], 61)
@@ -300,15 +342,15 @@ def two_arms(paths, points_of, every=12):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def along_the_steps(series, ylabel):
-    """Return series over the steps of a run.
+def manipulability_along(dampings, values):
+    """Return the manipulability over the steps of runs with several dampings.
 
     Parameters
     ----------
-    series : dict
-        Label to values, shape (n,), one a step.
-    ylabel : str
-        What they are, with the unit.
+    dampings : array_like, shape (m,)
+        In square metres.
+    values : array_like, shape (m, n)
+        One row a damping, one value a step, in square metres.
 
     Returns
     -------
@@ -316,11 +358,11 @@ def along_the_steps(series, ylabel):
 
     Examples
     --------
-    >>> along_the_steps({"a": np.array([1.0, 2.0])}, "distance (m)")["alt"]
-    'The distance (m) over the steps. a: 1.0 to 2.0.'
+    >>> manipulability_along([2.0], [[1.0, 2.0]])["alt"]
+    'The manipulability (m²) over the steps. epsilon = 2 m²: 1.0 to 2.0.'
     """
-    steps = np.arange(len(next(iter(series.values()))))
-    fig = lines(steps, series, xlabel="steps", ylabel=ylabel)
-    said = "; ".join(f"{_in_words(label)}: {np.min(y):.1f} to {np.max(y):.1f}" for label, y in series.items())
+    rows = {rf"$\epsilon$ = {eps:g} m²": np.asarray(row) for eps, row in zip(dampings, values, strict=True)}
+    fig = lines(np.arange(np.shape(values)[1]), rows, xlabel="steps", ylabel="manipulability (m²)")
+    said = "; ".join(f"{_in_words(label)}: {np.min(y):.1f} to {np.max(y):.1f}" for label, y in rows.items())
     caption = "With little damping the curve settles within a few steps; with much damping it changes slowly."
-    return {"fig": fig, "alt": f"The {ylabel} over the steps. {said}.", "caption": caption}
+    return {"fig": fig, "alt": f"The manipulability (m²) over the steps. {said}.", "caption": caption}

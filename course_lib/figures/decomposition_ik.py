@@ -1,4 +1,4 @@
-"""The figures of notebook 6: the 2R arm and its elbows, samples in cells, clusters, errors over the plane, costs."""
+"""Figures of inverse kinematics by tables: the 2R arm, samples in cells, clusters, errors over the plane, costs."""
 
 import numpy as np
 from matplotlib.colors import LogNorm
@@ -59,6 +59,13 @@ def samples(xy, cell, low, high, n):
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> xy, cell = np.array([[0.1, 0.1], [0.9, 0.1]]), np.array([[0, 0], [1, 0]])
+    >>> fig = samples(xy, cell, low=np.zeros(2), high=np.ones(2), n=2)
+    >>> [ax.get_title() for ax in fig.axes]
+    ['positions reached', 'by cell']
     """
     fig, axes = plane_figure(10.2, 4.6, 2, sharey=True)
     by_cell = np.array(COLOURS)[(cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
@@ -115,8 +122,14 @@ def errors(xy, contents):
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> fig = errors(np.array([[1.0, 0], [0, 1]]), {"table": np.array([0.02, 3.0])})
+    >>> [ax.get_title() for ax in fig.axes[:1]], fig.axes[1].get_ylabel()
+    (['table'], 'error (cm)')
     """
-    fig, axes = plane_figure(5.2 * len(contents), 4.4, len(contents), sharey=True)
+    fig, axes = plane_figure(5.2 * len(contents), 3.6, len(contents), sharey=True)
     scale = LogNorm(1e-3, 1e1)
     for ax, (title, error) in zip(axes, contents.items(), strict=True):
         size = 6 + 60 * np.sqrt(np.clip(error, 0, 10) / 10)

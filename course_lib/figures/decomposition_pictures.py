@@ -126,8 +126,10 @@ def clusters(contents):
     return {"fig": figures.clusters(contents), "alt": alt, "caption": caption}
 
 
-def percentiles(share, curves):
-    """Return percentiles of errors, {label: errors (n,) in cm}, over their share (n,) in percent."""
+def percentiles(contents):
+    """Return percentiles of errors, {label: errors in cm, NaN for none}, over their share."""
+    share = np.linspace(5, 100, 96)
+    curves = {name: np.nanpercentile(e, share) for name, e in contents.items()}
     said = "; ".join(
         f"{name}: half below {np.interp(50, share, e):.2g}, all below {e[-1]:.2g}" for name, e in curves.items()
     )
@@ -136,8 +138,51 @@ def percentiles(share, curves):
     return {"fig": fig, "alt": f"Percentiles of the error in cm on a logarithmic axis. {said}.", "caption": caption}
 
 
-def errors(xy, contents, caption):
-    """Return errors {title: (m,) in cm} in the plane at the queries xy (m, 2)."""
+def means(contents):
+    """Print the mean and the largest of errors, {label: errors in cm, NaN for none}.
+
+    Examples
+    --------
+    >>> means({"one": np.array([0.1, 0.3, np.nan])})
+         mean (cm)  worst (cm)
+    one       0.20        0.30
+    """
+    table(["mean (cm)", "worst (cm)"], {name: _mean_and_worst(e, 2) for name, e in contents.items()})
+
+
+def by_kind(kind, error):
+    """Print share, mean and largest error (m, 2) in cm of the queries whose cells are of a kind (m,) of cells.KINDS.
+
+    Examples
+    --------
+    >>> by_kind(np.array(["elbows mixed"] * 3 + [cells.FEW]), np.array([[0.1, 7.0]] * 4))
+                          queries  mean (cm)  worst (cm)
+    elbows mixed              75%       3.55           7
+    fewer than 6 samples      25%       3.55           7
+    """
+    found = [name for name in (*cells.KINDS, cells.FEW) if (kind == name).any()]
+    rows = {name: (f"{(kind == name).mean():.0%}", *_mean_and_worst(error[kind == name], 0)) for name in found}
+    table(["queries", "mean (cm)", "worst (cm)"], rows)
+
+
+def _mean_and_worst(error, digits):
+    return f"{np.nanmean(error):.2f}", f"{np.nanmax(error):.{digits}f}"
+
+
+def errors_in_the_report(xy, error):
+    """Return the error (m,) in cm of the report's better answer at its queries xy (m, 2)."""
+    caption = "The largest errors lie at the inner edge and at both ends of the band."
+    return _errors(xy, {"the better, in the report": error}, caption)
+
+
+def errors_of_both(xy, error):
+    """Return the errors (m, 2) in cm of the better and the worse answer at the queries xy (m, 2) that have both."""
+    known = ~np.isnan(error).any(axis=1)
+    contents = {"the better answer": error[known].min(axis=1), "the worse": error[known].max(axis=1)}
+    return _errors(xy[known], contents, "The worse answer fails in two stretches, where one elbow's range ends.")
+
+
+def _errors(xy, contents, caption):
     said = []
     for title, e in contents.items():
         k = int(np.argmax(e))
@@ -161,6 +206,19 @@ def convergence(sizes, curves, slopes):
     alt = f"The largest error of the position in a cell, in cm, over the width of the cell, both logarithmic: {said}."
     caption = "At the workspace's edge the degree of the polynomial does not change the slope."
     return {"fig": fig, "alt": alt, "caption": caption}
+
+
+def slopes(contents):
+    """Print slopes of the angle and of the position, {name: (angle, position)}.
+
+    Examples
+    --------
+    >>> slopes({"affine": (2.0, 1.999)})
+            slope of the angle  of the position
+    affine                2.00             2.00
+    """
+    rows = {name: [f"{slope:.2f}" for slope in both] for name, both in contents.items()}
+    table(["slope of the angle", "of the position"], rows)
 
 
 def by_bend(edges, mean):

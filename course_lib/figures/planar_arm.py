@@ -7,7 +7,27 @@ from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREY, plane_figure
 
 
 def arm_movie(name, points, times):
-    """Return an arm in red with its tip's dashed blue path. points: (n, links + 1, 2), base first. times: (n,)."""
+    """Return a moving picture of an arm in red with its tip's dashed blue path.
+
+    Parameters
+    ----------
+    name : str
+        Name of its file if it is written as an animation.
+    points : array_like, shape (n, links + 1, 2)
+        The joints' positions, the base first, the tip last; links of one metre.
+    times : array_like, shape (n,)
+        Seconds.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> fig = arm_movie("arm", [[[0, 0], [1, 0]], [[0, 0], [0, 1]]], [0.0, 1.0])
+    >>> len(fig.frames), fig.layout.meta["movie"]
+    (2, 'arm')
+    """
     points = np.round(points, 3)
     half = points.shape[1] - 1 + 0.4  # for links of one metre
     trail = path(points[:, -1], BLUE, dash="dash")
@@ -23,9 +43,24 @@ def _body(arm):
 
 
 def arm_paths(contents, every=10):
-    """Return arms side by side, drawn at every so many instants, the later the darker, with the tip's path.
+    """Return a figure of arms side by side, drawn at several instants, the later the darker, with the tip's path.
 
-    contents: {title: points (n, links + 1, 2)}.
+    Parameters
+    ----------
+    contents : dict
+        {title: points (n, links + 1, 2)}, as for arm_movie.
+    every : int
+        How many instants lie between two that are drawn. The last is always drawn.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> points = np.array([[[0, 0], [np.cos(a), np.sin(a)]] for a in np.linspace(0, 1, 21)])
+    >>> len(arm_paths({"one joint": points}).axes[0].lines)  # the arm at instants 0, 10 and 20, and the path
+    4
     """
     fig, axes = plane_figure(4.2 * len(contents), 4.2, len(contents), sharey=True)
     for ax, (title, points) in zip(axes, contents.items(), strict=True):

@@ -12,12 +12,12 @@ from course_lib.figures.style import BLUE, COLOURS, CRIMSON, plane_figure
 VIEW = (1.2, 1.4, 0.6)
 
 
-def screw_motion(way, through, axis):
-    """Return a frame at several instants of its motion along a screw, and the path of its origin.
+def screw_motion(poses, through, axis):
+    """Return a figure of a frame at four instants of its motion along a screw, and the path of its origin.
 
     Parameters
     ----------
-    way : array_like, shape (n, 4, 4)
+    poses : array_like, shape (n, 4, 4)
         The frame's poses.
     through, axis : array_like, shape (3,)
         A point on the screw axis and its direction.
@@ -25,35 +25,43 @@ def screw_motion(way, through, axis):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> from course_lib.rigid import exp_se3
+    >>> poses = exp_se3(np.linspace(0, np.pi, 9)[:, None] * [0, 0, 1, 0, 0, 0.1]) @ exp_se3([0, 0, 0, 1, 0, 0])
+    >>> path = screw_motion(poses, [0, 0, 0], [0, 0, 1]).data[2]
+    >>> print(np.round([path.x[-1], path.z[-1]], 3))  # half a revolution, 0.1 m for each radian
+    [-1.     0.314]
     """
-    way, through, axis = (np.asarray(a, float) for a in (way, through, axis))
+    poses, through, axis = (np.asarray(a, float) for a in (poses, through, axis))
     axis = axis / np.linalg.norm(axis)
-    path = way[:, :3, 3]
+    path = poses[:, :3, 3]
     along = (path - through) @ axis
     size = max(np.ptp(path, axis=0).max(), 0.1)
     foot = through + (min(along.min(), 0) - 0.05 * size) * axis
     length = np.ptp(np.r_[along, 0]) + 0.45 * size
-    shown = way[np.linspace(0, len(way) - 1, 4).astype(int)]
+    shown = poses[np.linspace(0, len(poses) - 1, 4).astype(int)]
     parts = [part for k in range(4) for part in scene.triad(k, np.eye(4), 0.2 * size)]
     model = Model.of([*parts, Part(4, VIOLET, arrow(foot, axis, length, 0.008 * size))])
-    poses = np.concatenate([shown, np.eye(4)[None]])
-    vertices = model.placed(poses)
+    placed = np.concatenate([shown, np.eye(4)[None]])
+    vertices = model.placed(placed)
     ground = vertices[:, 2].min()
     words = {"S": foot + length * axis, **{f"{k + 1}": pose[:3, 3] for k, pose in enumerate(shown)}}
     settings = scene.fitted_scene(np.concatenate([vertices, path, scene.rim(vertices, ground)]), (1.4, 0.9, 0.6))
-    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6, "scene"), model.trace(poses)]
+    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6, "scene"), model.trace(placed)]
     drawn += scene.labels(words, settings, np.concatenate([path, _along_axes(shown, 0.2 * size)]))
     return go.Figure(drawn, layout=scene.layout([settings], height=420))
 
 
 def _along_axes(poses, length):
-    """Points on the arrows of frames (n, 4, 4), which words should not cover."""
+    """Return points on the arrows of frames (n, 4, 4), which words should not cover."""
     reach = length * np.array([0.3, 0.6, 1.0])[:, None, None]
     return (poses[:, None, :3, 3, None] + reach * poses[:, None, :3, :3]).transpose(0, 1, 3, 2).reshape(-1, 3)
 
 
 def arm_with_axes(arm, q=None):
-    """Return an arm with its joint axes, dashed and numbered; an arrowhead shows where each points.
+    """Return a figure of an arm with its joint axes, dashed and numbered; an arrowhead shows where each points.
 
     Parameters
     ----------
@@ -64,6 +72,13 @@ def arm_with_axes(arm, q=None):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> fig = arm_with_axes(iiwa14())
+    >>> [name for trace in fig.select_traces({"mode": "text"}) for name in trace.text]
+    ['1, 3, 5, 7', '2', '4', '6']
     """
     return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW, height=560)
 
@@ -74,7 +89,7 @@ def arm_movie(name, arm, q, times):
     Parameters
     ----------
     name : str
-        What its file is called where it is written as an animation.
+        Name of its file if it is written as an animation.
     arm : SerialArm
     q : array_like, shape (m, n)
         Joint angles, radians.
@@ -84,6 +99,13 @@ def arm_movie(name, arm, q, times):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> fig = arm_movie("swing", iiwa14(), np.zeros((5, 7)) + np.linspace(0, 1, 5)[:, None], np.linspace(0, 2, 5))
+    >>> len(fig.frames), fig.layout.meta["course"]["times"][-1]
+    (5, 2.0)
     """
     model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
     path = line(arm.fk(q)[:, :3, 3], BLUE, 5, "scene", "dash")
@@ -91,7 +113,23 @@ def arm_movie(name, arm, q, times):
 
 
 def plane_projections(path):
-    """Return a path in space (n, 3) seen along z, along y and along x."""
+    """Return a figure of a path in space seen along z, along y and along x.
+
+    Parameters
+    ----------
+    path : array, shape (n, 3)
+        Positions, metres.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> fig = plane_projections(np.array([[0.0, 1, 2], [1, 1, 3]]))
+    >>> [(ax.get_xlabel(), ax.get_ylabel()) for ax in fig.axes]
+    [('x (m)', 'y (m)'), ('x (m)', 'z (m)'), ('y (m)', 'z (m)')]
+    """
     fig, axes = plane_figure(10.2, 3.4, 3)
     for ax, (i, j) in zip(axes, ((0, 1), (0, 2), (1, 2)), strict=True):
         ax.plot(path[:, i], path[:, j], color=BLUE, linewidth=2)
@@ -103,7 +141,23 @@ def plane_projections(path):
 
 
 def against_each_other(velocities):
-    """Return the components of velocities plotted against one another, a row for each. velocities: {title: (n, 3)}."""
+    """Return a figure of the components of velocities plotted against one another, a row for each velocity.
+
+    Parameters
+    ----------
+    velocities : dict
+        {title: v (n, 3)}, metres per second.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> fig = against_each_other({"spatial": np.ones((2, 3)), "body": np.zeros((2, 3))})
+    >>> len(fig.axes), fig.axes[0].get_xlabel()
+    (6, '$v_y$ (m/s)')
+    """
     from matplotlib.figure import Figure
 
     fig = Figure(figsize=(9.6, 2.9 * len(velocities)), layout="constrained", facecolor="white")

@@ -220,7 +220,7 @@ def wrong_frame(paths, table):
     --------
     >>> drawn = wrong_frame({"A": np.zeros((2, 3)), "B": np.array([[0, 0, 0.3], [0, 0, 0.1]])}, 0.2)
     >>> drawn["caption"]
-    'B: the gripper ends 20 cm from where it began. A: it stays where it is.'
+    'B: the gripper ends 20 cm from where it began. A: it stays there.'
     """
     fig, (ax,) = plane_figure(6.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
@@ -236,10 +236,8 @@ def wrong_frame(paths, table):
     lowest = min(path[:, 2].min() for path in paths.values())
     through = "One path goes through the table." if lowest < table else "No path touches the table."
     farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
-    caption = (
-        f"{farthest}: the gripper ends {100 * moved[farthest]:.0f} cm from where it began. "
-        f"{nearest}: it stays where it is."
-    )
+    first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
+    caption = f"{first}: the gripper ends {100 * moved[farthest]:.0f} cm from where it began. {second}: it stays there."
     alt = f"The gripper's path seen from the side, above a table. {ends}. {through}"
     return {"fig": fig, "alt": alt, "caption": caption}
 

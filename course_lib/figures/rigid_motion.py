@@ -5,6 +5,7 @@ from the same data, and its caption.
 """
 
 import numpy as np
+from matplotlib.patches import Circle
 
 from course_lib.figures import planar_arm
 from course_lib.figures.moving import movie, path, plane_layout
@@ -16,6 +17,7 @@ from course_lib.rigid import inverse, log_se2
 HALF = 10  # metres from the middle of the scene to its edge
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
+_INSIDE = "#f0b7bd"  # of bodies outlined in crimson
 
 
 def outline(pose):
@@ -84,7 +86,7 @@ counter-clockwise by 0.50 rad.
     """
     trail = path(np.round(poses[:, :2], 3), BLUE, dash="dash")
     ends = path(np.round(poses[[0, -1], :2], 3), BLUE, mode="markers")
-    moving = [[path(outline(pose), CRIMSON, width=3, fill="toself", fillcolor="#f0b7bd")] for pose in poses]
+    moving = [[path(outline(pose), CRIMSON, width=3, fill="toself", fillcolor=_INSIDE)] for pose in poses]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. A body outlined in red moves along a dashed blue path from "
         f"{_point(poses[0])} to {_point(poses[-1])}, {_rotation(poses[:, 2])}."
@@ -123,7 +125,9 @@ def body_paths(contents, every=10, pole=None, caption=""):
         ax.plot(poses[:, 0], poses[:, 1], color=BLUE, linestyle="--", linewidth=1.5)
         shown = [*range(0, len(poses) - 1, every), len(poses) - 1]
         for i in shown:
-            ax.plot(*outline(poses[i]).T, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * i / shown[-1])
+            share = i / shown[-1]
+            ax.plot(*outline(poses[i]).T, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * share)
+            ax.fill(*outline(poses[i]).T, color=_INSIDE, alpha=0.15 + 0.75 * share)
         if pole is not None:
             ax.plot(*pole, "o", color=BLACK)
             ax.annotate("pole", pole, xytext=(8, 6), textcoords="offset points")
@@ -209,15 +213,13 @@ def straight_and_screw(motions, pole):
     return body_paths(motions, 10, pole, caption=f"Distance from the pole: {said}.")
 
 
-def tracks(paths, ends=None, caption=""):
+def tracks(paths, caption=""):
     """Return several paths of points in one picture.
 
     Parameters
     ----------
     paths : dict
         Label to points, shape (n, 2), in metres; those of the last one are where the others should be.
-    ends : dict, optional
-        Label to a point (2,) that is marked.
     caption : str, optional
         What to notice.
 
@@ -231,15 +233,13 @@ def tracks(paths, ends=None, caption=""):
     >>> print(tracks({"Euler": np.array([[0, 0], [1, 0]]), "exact": np.array([[0, 0], [1, 0.1]])})["alt"])
     Paths from one point. The path "Euler" ends at (1, 0), 0.10 m from the end of "exact".
     """
-    fig, (ax,) = plane_figure(6.4, 4.2)
+    fig, (ax,) = plane_figure(7.2, 4.2)
     for i, (label, points) in enumerate(paths.items()):
         few = {"marker": "o", "markersize": 3} if len(points) < 60 else {}
         ax.plot(*np.asarray(points).T, label=label, linestyle=STYLES[i % 4], linewidth=2, **few)
-    for marker, (label, point) in zip("sD^", (ends or {}).items(), strict=False):
-        ax.plot(*point, marker, color=BLACK, label=label)
     ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
     ax.margins(0.08)
-    fig.legend(loc="outside upper center", frameon=False)
+    fig.legend(loc="outside right upper", frameon=False)
     *others, last = paths
     said = (
         f'The path "{label}" ends at {_point(paths[label][-1])}, '
@@ -249,13 +249,16 @@ def tracks(paths, ends=None, caption=""):
     return {"fig": fig, "alt": f"Paths from one point. {' '.join(said)}", "caption": caption}
 
 
+_RADIUS = 0.17  # of the vacuum robot, metres
+
+
 def missed_dock(driven, believed):
-    """Return the path that a vacuum robot drives, and the path that it computes.
+    """Return the path that a vacuum robot drives to its dock, and the path that it computes, with the robot on them.
 
     Parameters
     ----------
-    driven, believed : array_like, shape (n, 2)
-        Points, in metres; the dock is the last of those driven.
+    driven, believed : array_like, shape (n, 3)
+        Poses (x, y, theta), in metres and radians; the robot stands in its dock in the last of those driven.
 
     Returns
     -------
@@ -264,15 +267,35 @@ def missed_dock(driven, believed):
 
     Examples
     --------
-    >>> print(missed_dock(np.array([[0, 0], [1, 0]]), np.array([[0, 0], [1, 0.2]]))["alt"])
-    Paths from one point. The path "where it believes it is" ends at (1, 0.2), 0.20 m from the end of \
-"where it drives".
+    >>> print(missed_dock(np.array([[0, 0, 0], [1, 0, 0]]), np.array([[0, 0, 0], [1, 0.2, 0]]))["alt"])
+    A vacuum robot drives from (0, 0) to its dock, where it stops at (1, 0). By its own computation it is at (1, 0.2), \
+0.20 m from there.
     """
-    return tracks(
-        {"where it believes it is": believed, "where it drives": driven},
-        ends={"dock": driven[-1]},
-        caption="On the straight parts the two paths are parallel: they come apart in the bends.",
-    )
+    driven, believed = np.asarray(driven, float), np.asarray(believed, float)
+    fig, (ax,) = plane_figure(7.2, 4.4)
+    ax.plot(*driven[:, :2].T, color=BLUE, linewidth=3, label="where it drives")
+    ax.plot(*believed[:, :2].T, "o--", color=CRIMSON, markersize=4, linewidth=2, label="where it believes it is")
+    for i in np.linspace(0, len(driven) - 1, 5).round().astype(int):
+        _draw_robot(ax, driven[i], BLUE, "#cfe0ec")
+    _draw_robot(ax, believed[-1], CRIMSON, _INSIDE)
+    R, front = pose_matrix(driven[-1])[:2, :2], driven[-1, :2]
+    corners = np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])  # of the dock, in radii of the robot
+    ax.fill(*(_RADIUS * R @ corners.T + front[:, None]), color=BLACK, label="dock")
+    ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
+    ax.margins(0.04)
+    fig.legend(loc="outside upper center", ncols=3, frameon=False)
+    off = np.linalg.norm(driven[-1, :2] - believed[-1, :2])
+    alt = f"A vacuum robot drives from {_point(driven[0])} to its dock, where it stops at {_point(front)}. "
+    alt += f"By its own computation it is at {_point(believed[-1])}, {off:.2f} m from there."
+    caption = "On the straight parts the two paths are parallel: they come apart in the bends."
+    return {"fig": fig, "alt": alt, "caption": caption}
+
+
+def _draw_robot(ax, pose, colour, inside):
+    """Draw a round robot at a pose (3,), with a line to its front."""
+    ax.add_patch(Circle(pose[:2], _RADIUS, facecolor=inside, edgecolor=colour, linewidth=2, zorder=3))
+    ahead = np.array([pose[:2], pose[:2] + _RADIUS * np.array([np.cos(pose[2]), np.sin(pose[2])])])
+    ax.plot(*ahead.T, color=colour, linewidth=2, zorder=4)
 
 
 def euler_paths(paths):
@@ -423,7 +446,7 @@ def euler_errors(steps, errors):
         f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} s."
     )
     labels = {"xlabel": "step dt (s)", "ylabel": "error at the end (m)"}
-    caption = "The points lie on a straight line of slope 1: the error is proportional to the step."
+    caption = "For short steps the slope is 1: the error is proportional to the step."
     return {"fig": lines(steps, curves, log="xy", **labels), "alt": alt, "caption": caption}
 
 

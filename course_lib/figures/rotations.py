@@ -27,6 +27,12 @@ def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> fig = rotations_on_sphere({"one": np.eye(3)[None]}, axis=2)
+    >>> print(fig.data[-1].x, fig.data[-1].z)  # the image of e_z
+    [0.] [1.]
     """
     fig = go.Figure(layout=space_layout(list(samples), camera, distance=1.5))
     for i, R in enumerate(samples.values()):
@@ -45,13 +51,19 @@ def frames(rotations, view=(1.35, 1.1, 0.8)):
     Parameters
     ----------
     rotations : dict
-        {title: R (3, 3)}; a matrix that is no rotation is drawn with what it does to the drone.
+        {title: R (3, 3)}; a matrix that is no rotation deforms the drone.
     view : array_like, shape (3,)
         The direction to the eye.
 
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> fig = frames({"start": np.eye(3), "stretched": 1.5 * np.eye(3)})
+    >>> [note.text for note in fig.layout.annotations]
+    ['start', 'stretched']
     """
     model = _drone_in_fixed_axes(1.0, 1.25)
     share, height, drawn, scenes = 1 / len(rotations), 320, [], []
@@ -83,10 +95,10 @@ def body_frame(R, view=(1.0, 1.3, 0.9)):
     plotly.graph_objects.Figure
     """
     model, height = _drone_in_fixed_axes(1.15, 1.35), 420
-    poses, aspect = _with_orientation(R), 700 / height
+    poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped
     frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
     seen = np.concatenate([model.placed(poses), *(tips for tips, _ in frames.values())])
-    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.88)
+    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.94)
     drawn = [model.trace(poses)]
     for frame, (tips, colours) in frames.items():
         for name, tip, colour in zip("xyz", tips, colours, strict=True):
@@ -133,13 +145,19 @@ def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
         Rotation vector, radians.
     p : array_like, shape (3,)
     exp : callable
-        The exponential that draws it: w -> R.
+        The exponential that computes the path: w -> R.
     view : array_like, shape (3,)
         The direction to the eye.
 
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> path = rotated_point([0, 0, np.pi / 2], [1, 0, 0]).data[1]
+    >>> print(np.round([path.x[-1], path.y[-1]], 3) + 0.0)
+    [0. 1.]
     """
     path = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
     n = w / np.linalg.norm(w)
@@ -166,6 +184,12 @@ def angle_histogram(samples):
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> fig = angle_histogram({"by pi": np.diag([1.0, -1, -1])[None]})
+    >>> print(round(fig.axes[0].patches[-1].get_height(), 2))  # the last bar holds all: 30 / pi
+    9.55
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     a = np.linspace(0, np.pi, 200)
@@ -192,6 +216,11 @@ def height_histogram(samples):
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> [ax.get_title() for ax in height_histogram({"one": np.eye(3)[None]}).axes]
+    ['one']
     """
     fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
     for ax, (title, R) in zip(axes, samples.items(), strict=True):
@@ -217,6 +246,12 @@ def nearest_on_circle(M, candidates):
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> fig = nearest_on_circle(np.array([[0.9, -0.1], [0.2, 1.1]]), {"I": np.eye(2)})
+    >>> fig.axes[1].lines[0].get_ydata().round(4)  # the distance from M to I
+    array([0.2646])
     """
     fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
     circle = np.linspace(0, 2 * np.pi, 721)

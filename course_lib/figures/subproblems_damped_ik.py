@@ -6,12 +6,12 @@ Each function returns {"fig", "alt", "caption"}, for ``show(**...)``.
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.solids import Model, Part, scene
+from course_lib.figures.solids import Model, Part, draw, scene
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import AXIS, VIOLET, coordinates
 from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout, sphere
 from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
-from course_lib.rotations import exp_so3
+from course_lib.rotations import exp_so3, log_so3
 
 CAMERA = np.array([1.3, 1.0, 0.7])
 _TO_EYE = CAMERA / np.linalg.norm(CAMERA)
@@ -35,6 +35,8 @@ def rotated_onto(k, p, g, theta):
     --------
     >>> rotated_onto([0, 0, 1], [1, 0, 0], [0, 2, 0], 1.5)["alt"][-36:]
     'R p is 1.005 from g; p itself 2.236.'
+    >>> rotated_onto([0, 0, 1], [1, 0, 0], [0, 2, 0], np.pi / 2)["caption"][:26]
+    '$R\\\\,p$ is 1.000 m from $g$'
     """
     k, p, g = (np.asarray(x, float) for x in (k, p, g))
     end, reach = _rotated(k, theta, p), _reach([p, g])
@@ -42,8 +44,10 @@ def rotated_onto(k, p, g, theta):
     drawn += [line([_foot(k, p), p], GREY, 3, "scene"), line([_foot(k, p), end], CRIMSON, 4, "scene")]
     gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
     alt = f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}."
+    nearest = min(np.linalg.norm(_rotated(k, t, p) - g) for t in np.linspace(-np.pi, np.pi, 721))
     caption = (
-        "The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it."
+        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
+        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it."
     )
     words = {BLACK: {"p": p, "g": g}, CRIMSON: {"R p": end}}
     return {"fig": _scene({"k": k}, drawn, words, reach), "alt": alt, "caption": caption}
@@ -116,7 +120,12 @@ def circle_and_sphere(k, p, g, d, theta):
     drawn += [points([g], 5, BLACK, "scene"), name_at(g + (d + 0.15 * reach) * _TO_EYE, "g", BLACK, "scene")]
     drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
     alt = f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}."
-    caption = "Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$."
+    away = np.linalg.norm([_rotated(k, t, p) - g for t in np.linspace(0, 2 * np.pi, 721)], axis=1)
+    found = [np.linalg.norm(_rotated(k, t, p) - g) for t in theta]
+    caption = (
+        f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: {_listed(found)}. All "
+        f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$."
+    )
     words = {BLACK: {"p": p}, CRIMSON: answers}
     return {"fig": _scene({"k": k}, drawn, words, reach, ball=(g, d)), "alt": alt, "caption": caption}
 
@@ -156,18 +165,39 @@ def circle_and_plane(k, h, p, d, theta):
     drawn = [plane, *_circle(k, p, BLUE), points([p], 6, BLACK, "scene")]
     drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
     alt = f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}."
-    caption = "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value twice."
+    found = [h @ _rotated(k, t, p) for t in theta]
+    caption = (
+        "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value between its "
+        f"extremes twice. Here it is {_listed(found)}."
+    )
     words = {BLACK: {"p": p}, CRIMSON: answers}
     return {"fig": _scene({"k": k, "h": n}, drawn, words, reach), "alt": alt, "caption": caption}
 
 
-def orientation_paths(tracks):
+def six_axis_arm(arm, q):
+    """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,) in radians.
+
+    Examples
+    --------
+    >>> from course_lib.arms import panda
+    >>> six_axis_arm(panda(), np.zeros(7))["alt"][:33]
+    'A solid arm with 7 dashed, number'
+    """
+    high = arm.fk(q)[2, 3]
+    alt = f"A solid arm with {arm.n} dashed, numbered joint axes; its flange is {high:.2f} m above the floor."
+    caption = "Axes 2 and 3 are parallel; axes 4, 5 and 6 meet in the wrist center."
+    return {"fig": draw(arm, q, axes=True, view=(0.6, 1.4, 0.5)), "alt": alt, "caption": caption}
+
+
+def orientation_paths(tracks, duration):
     """Return where rotating frames take e_x, on a sphere.
 
     Parameters
     ----------
     tracks : dict
-        Label to rotations, shape (n, 3, 3), with the same first and last one.
+        Label to rotations, shape (n, 3, 3), evenly spaced in time, with the same first and last one.
+    duration : float
+        In seconds.
 
     Returns
     -------
@@ -175,18 +205,21 @@ def orientation_paths(tracks):
 
     Examples
     --------
-    >>> orientation_paths({"still": np.array([np.eye(3), np.eye(3)])})["alt"][-31:]
-    'still on a path of length 0.00.'
+    >>> orientation_paths({"still": np.array([np.eye(3), np.eye(3)])}, 1.0)["alt"][-54:]
+    'still on a path of length 0.00, at 0.00 to 0.00 rad/s.'
     """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
-    layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.5)  # the eye is in front of the paths
+    layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.3)  # the eye is in front of the paths
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
-    lengths = {}
+    lengths, speeds = {}, []
     for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
         drawn.append(
             line(R[:, :, 0], colour, 7, "scene", dash).update(name=label.replace("omega", "ω"), showlegend=True)
         )
-        lengths[label] = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
+        step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
+        length = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
+        lengths[label] = f"on a path of length {length:.2f}, at {step.min():.2f} to {step.max():.2f} rad/s"
+        speeds.append(label.replace("omega", "$\\omega$") + f", {step.min():.2f} to {step.max():.2f} rad/s")
     ends = next(iter(tracks.values()))[[0, -1], :, 0]
     drawn.append(points(ends, 6, BLACK, "scene"))
     drawn += [
@@ -197,9 +230,12 @@ def orientation_paths(tracks):
     fig = go.Figure(drawn, layout={**layout, "annotations": [], "showlegend": True, "legend": legend}).update_traces(
         selector={"showlegend": None}, showlegend=False
     )
-    said = "; ".join(f"{label} on a path of length {length:.2f}" for label, length in lengths.items())
+    said = "; ".join(f"{label} {told}" for label, told in lengths.items())
     alt = f"Where e_x goes on the unit sphere, in motions between the same two orientations: {said}."
-    caption = "With constant $\\omega$ every point runs on a circle about $\\omega$; with constant rates it does not."
+    caption = (
+        "With constant $\\omega$ every point runs on a circle about $\\omega$; with constant rates it does not. "
+        f"The bodies rotate at: {'; '.join(speeds)}."
+    )
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
@@ -255,6 +291,10 @@ def _circle(k, p, colour):
 
 def _answers(k, p, theta):
     return {f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}
+
+
+def _listed(lengths):
+    return " and ".join(f"{length:.3f} m" for length in lengths) or "nowhere"
 
 
 def _count(theta):

@@ -90,7 +90,7 @@ EXERCISE = Exercise(
         (
             "ValueError",
             "values to unpack",
-                Mistake("xy is taken for one position", "It holds one in each row: x, y = xy.T takes its columns."),
+            Mistake("xy is taken for one position", "It holds one in each row: x, y = xy.T takes its columns."),
         ),
     ),
     hints=(

@@ -152,6 +152,24 @@ globalThis.course.kinematics = (() => {
     const A = points.map(([x, y]) => [1, x, y]), At = transpose(A);
     return solve(times(At, A), apply(At, z));
   }
+  // Coefficients, constant first, of the polynomial nearest to the values y at x.
+  function fitPolynomial(x, y, degree) {
+    const A = x.map((u) => Array.from({ length: degree + 1 }, (_, k) => u ** k)), At = transpose(A);
+    return solve(times(At, A), apply(At, y));
+  }
+  // For an arm with two links of 1 m and n distances r of its tip in a cell: its bend q2 by a polynomial (direct), and by
+  // the root of one for the square of q2 (rooted); the largest errors of q2, and of the tip, whose direction is exact.
+  function bendFits(from, to, degree, n) {
+    const u = Array.from({ length: n }, (_, i) => (2 * i) / (n - 1) - 1), r = u.map((t) => ((1 - t) * from + (1 + t) * to) / 2);
+    const bend = r.map((x) => 2 * Math.acos(Math.min(1, x / 2)));
+    const fit = (y) => { const c = fitPolynomial(u, y, degree); return u.map((t) => c.reduceRight((sum, each) => sum * t + each, 0)); };
+    const direct = fit(bend), square = fit(bend.map((b) => b * b)), rooted = square.map((s) => Math.sqrt(Math.max(0, s)));
+    const errors = (found) => ({
+      angle: Math.max(...found.map((b, i) => Math.abs(b - bend[i]))),
+      tip: Math.max(...found.map((b, i) => Math.abs(2 * Math.cos(b / 2) - r[i]))),
+    });
+    return { r, direct, square, rooted, directError: errors(direct), rootedError: errors(rooted) };
+  }
   // Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations.
   function eigen(A) {
     const n = A.length, M = A.map((row) => [...row]), V = eye(n);
@@ -214,7 +232,7 @@ globalThis.course.kinematics = (() => {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, rotation, quaternion, multiply, fromEuler,
     toEuler, pose, rotationOf, positionOf, move, inverse, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames,
    
-    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, fitPlane, eigen, nullVector, poseError,
+    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, fitPlane, fitPolynomial, bendFits, eigen, nullVector, poseError,
     meshOf,
   };
 })();

@@ -35,9 +35,9 @@
         robots[k][0].set([x, y]);
         robots[k][1].set([[x, y], [x + r * Math.cos(theta), y + r * Math.sin(theta)]]);
       });
-      const side = [-Math.sin(home[2]), Math.cos(home[2])], front = K.add(home.slice(0, 2), [Math.cos(home[2]), Math.sin(home[2])], 1.2 * r);
+      const ahead = [Math.cos(home[2]), Math.sin(home[2])], side = [-ahead[1], ahead[0]], front = K.add(home.slice(0, 2), ahead, 1.2 * r);
       dock.set([K.add(front, side, 0.25), K.add(front, side, -0.25)]);
-      label.set(K.add(front, [0, 0.3]), "dock");
+      label.set(K.add(K.add(front, ahead, 0.35), [0, -0.06]), "dock");
       miss.set(state.s === 1 ? [home, end] : []);
       const off = K.norm(K.add(home.slice(0, 2), end.slice(0, 2), -1)), steps = coarse.euler.length - 1;
       words.textContent = `${steps} Euler steps miss the dock by ${off < 0.01 ? `${(1000 * off).toFixed(1)} mm` : `${(100 * off).toFixed(1)} cm`}. ` +

@@ -28,11 +28,11 @@
     const curve = P.shape("path", { fill: "none", stroke: COLOURS.crimson, "stroke-width": 2.5, "stroke-linejoin": "round" }, chart);
     frame.setAttribute("stroke-width", 1);
 
-    const steps = card.range("Step size", { min: 0.05, max: 2.5, step: 0.05, value: state.step }, (x) => x.toFixed(2), (x) => { state.step = x; start(); });
-    const dampings = card.range("Damping (m²)", { min: -4, max: 1.5, step: 0.1, value: Math.log10(state.damping) }, (x) => (10 ** x).toPrecision(2).replace(/e.*/, (e) => e), (x) => { state.damping = 10 ** x; start(); });
+    const steps = card.range("Step size", { min: 0.05, max: 2.5, step: 0.05, value: state.step }, (x) => x.toFixed(2), (x) => { state.step = x; again(); start(); });
+    const dampings = card.range("Damping (m²)", { min: -4, max: 1.5, step: 0.1, value: Math.log10(state.damping) }, (x) => (10 ** x).toPrecision(2).replace(/e.*/, (e) => e), (x) => { state.damping = 10 ** x; again(); start(); });
     card.button("One step", () => { stop(); once(); draw(); });
     card.button("Run", () => start());
-    card.button("Start again", () => { stop(); Object.assign(state, { q: [...meta.q], errors: [], path: [] }); draw(); });
+    card.button("Start again", () => { again(); draw(); });
     card.tick("logarithmic error", Boolean(state.log), (on) => { state.log = on; draw(); });
     const words = card.words();
     let halt = null;
@@ -48,6 +48,8 @@
       return state.errors[state.errors.length - 1] > 1e-6 && state.errors.length < 201;
     }
     const stop = () => { if (halt) halt(); halt = null; };
+    // Another step size or damping is tried from the first configuration: an arm that has arrived would show nothing.
+    const again = () => { stop(); Object.assign(state, { q: [...meta.q], errors: [], path: [] }); };
     function start() {
       stop();
       state.errors = [];

@@ -11,7 +11,7 @@ from course_lib.planar import interpolate_body_screw, plan_times, propagate_body
 
 _OUTLINE = np.array([[-0.5, -0.3], [0.5, -0.3], [0.75, 0], [0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3]])
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
-_ROUND = (((0.5, 0, 0), 4), ((0.3, 0, 0.9), 3.4), ((0.5, 0, 0), 3), ((0.3, 0, -0.9), 2), ((0.4, 0, 0.45), 7))
+_ROUND = (((0.5, 0, 0), 4), ((0.3, 0, 0.9), 3.5), ((0.5, 0, 0), 3), ((0.3, 0, -0.9), 2), ((0.4, 0, 0.45), 7))
 _POLE = "The dot is the pole: the red arc is one rotation about it."
 _STEP = "The shorter the step, the smaller the error; on the straight parts any step is right."
 

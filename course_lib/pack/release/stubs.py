@@ -96,10 +96,14 @@ def stub(source, exercise, place):
 
 
 def _defines(text, exercise, kind):
-    """Return whether the text is Python that defines the exercise's function, with a statement of this kind in it."""
+    """Return whether the text is Python that defines the exercise's function, with a statement of this kind in it.
+
+    What stands in for a solution raises on every call. Code with a bug may return in each of its cases.
+    """
     try:
         statements = ast.parse(text).body
     except SyntaxError:
         return False
     functions = [s for s in statements if isinstance(s, ast.FunctionDef) and s.name == exercise]
-    return any(isinstance(line, kind) for function in functions for line in function.body)
+    lines = ast.walk if kind is ast.Return else lambda function: function.body
+    return any(isinstance(line, kind) for function in functions for line in lines(function))

@@ -26,14 +26,14 @@ PLOTLY = "plotly.packed.js"
 
 
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
-    """Write the notebooks of one folder, as they were saved, to `output` as a static site.
+    """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
     Answers are folded shut, or left out where `solutions` is False. `single` makes each page one file that
     needs no other. Nothing is executed, no notebook is changed, and where all is as it was at the last build
     nothing is done. `say` gets a line for each notebook and stage. Raises SiteError where a notebook cannot be
     published; `output` then stays as it was.
     """
-    sources = sorted(notebooks.glob("*.ipynb"))
+    sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
         raise SiteError(f"There are no notebooks in {notebooks}.")
     if notebooks.resolve() in output.resolve().parents:

@@ -1,0 +1,41 @@
+"""The challenge of notebook 3: what counts as a step, and what a rule may return."""
+
+import numpy as np
+import pytest
+
+from course_lib.arms import planar_arm
+from course_lib.checks.subproblems_damped_ik.challenge import mean_steps
+
+ARM = planar_arm([1, 1, 1, 1])
+
+
+def damped_step(q, target, alpha, eps):
+    J, e = ARM.position_jacobian(q)[:2], ARM.fk(q)[:2, 3] - target
+    return q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ e)
+
+
+def test_the_report_s_rule_needs_124_steps_and_one_that_adapts_far_fewer():
+    def adapting(k, before, after, alpha, eps):
+        return 1.0, max(eps / 3, 1e-3) if after < before else 4 * eps
+
+    assert mean_steps(lambda *tried: (0.2, 2.0), damped_step) == pytest.approx(124.3, abs=0.05)
+    assert mean_steps(adapting, damped_step) < 10
+
+
+def test_a_rule_hears_of_each_step_its_number_its_distances_and_what_it_used():
+    heard = []
+
+    def listening(k, before, after, alpha, eps):
+        heard.append((k, before, after, alpha, eps))
+        return 1.0 + k, 3.0
+
+    mean_steps(listening, lambda q, target, alpha, eps: q + 0.1)
+    assert [row[0] for row in heard[:3]] == [0, 1, 2]
+    assert [row[3:] for row in heard[:3]] == [(0.2, 2.0), (1.0, 3.0), (2.0, 3.0)]
+    assert heard[0][2] == heard[1][1]
+
+
+@pytest.mark.parametrize("answer", [None, 0.2, (0.2,), (np.nan, 2.0), (0.2, np.inf), (1.0, 0.0), ("a", "b")])
+def test_a_rule_that_returns_something_else_is_told_what_it_should_return(answer):
+    with pytest.raises(ValueError, match="rule must return two finite numbers, alpha and an eps above 0; it returned"):
+        mean_steps(lambda *tried: answer, damped_step)
