@@ -73,8 +73,6 @@ def _finite(array, gaps=False, mistake=None):
             raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
         array = array.real
     array = array.astype(float)
-    if gaps and np.isinf(array).any():
-        raise Unreadable("no entry of the answer is infinite. Yours holds inf.", NOT_A_NUMBER)
     if not gaps and not np.isfinite(array).all():
         raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", mistake or NOT_A_NUMBER)
     return array
