@@ -63,6 +63,8 @@ def tree(tmp_path):
         else:
             shutil.copy(ROOT / part, tmp_path / "copy" / part)
     (tmp_path / "copy/notebooks/Untitled.ipynb").write_text("{}")
+    (tmp_path / "copy/notebooks/answers.md").write_text("# Notes for graders")
+    (tmp_path / "copy/notebooks/data/class.csv").write_text("student,points\n")
     (tmp_path / "copy/course_lib/__pycache__").mkdir()
     (tmp_path / "copy/course_lib/__pycache__/rotations.cpython-311.pyc").write_bytes(b"\0")
     return tmp_path / "copy"

@@ -59,7 +59,8 @@ def notebooks(tmp_path_factory):
         cell(source="hidden_input = 1", tags=["hide-input"]),
         cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
-    plain = new_markdown_cell("# Rigid motion\n\nNo figure; see [the first](01_rotations.ipynb). The adjoint.")
+    links = "see [the first](01_rotations.ipynb), [notation](notation.md)"
+    plain = new_markdown_cell(f"# Rigid motion\n\nNo figure; {links}. The adjoint.")
     write(folder, "02_rigid_motion.ipynb", plain)
     (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     return folder

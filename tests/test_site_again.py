@@ -25,6 +25,7 @@ def made(tmp_path_factory):
     write(folder, "01_rotations.ipynb", new_markdown_cell(TEXT + "\nSee [the next](02_rigid_motion.ipynb)."), *cells)
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
     write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
+    (folder / "Answers.md").write_text("# For graders")
     said, _ = built(folder)
     return folder, said
 
@@ -57,8 +58,8 @@ def test_progress_names_each_notebook(made):
     ]
 
 
-def test_only_numbered_notebooks_are_pages(made):
-    assert {page.name for page in (made[0].parent / "html").glob("[0-9U]*.html")} == {
+def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages(made):
+    assert {page.name for page in (made[0].parent / "html").glob("[0-9UA]*.html")} == {
         "01_rotations.html",
         "02_rigid_motion.html",
     }

@@ -36,7 +36,7 @@ def collect(root):
         raise ReleaseError(f"There are no notebooks in {root / 'notebooks'}.")
     project = (root / "pyproject.toml").read_text(encoding="utf-8")
     files = {f"notebooks/{path.name}": _notebook(path) for path in notebooks}
-    files |= _as_they_are(root, _pages(root) + _data(root) + _package(root) + [root / SET_UP])
+    files |= _as_they_are(root, _read_by(files, root) + _package(root) + [root / SET_UP])
     files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
     files["pyproject.toml"] = reduced_project(project).encode()
     lock = (root / "environment.txt").read_text(encoding="utf-8")
@@ -52,14 +52,14 @@ def _notebook(path):
     return students_copy(text, path.name, RELEASE).encode()
 
 
-def _pages(root):
-    """Return the paths of the text pages that notebooks link to."""
-    return list((root / "notebooks").glob("*.md"))
+def _read_by(notebooks, root):
+    """Return the paths of the text pages and data that the notebooks name; other files there may be the author's own.
 
-
-def _data(root):
-    """Return the paths of the data that notebooks read; pictures there are for the project's README."""
-    return [path for path in (root / "notebooks/data").iterdir() if path.suffix in (".csv", ".json")]
+    notebooks: {path: bytes}.
+    """
+    text = b"".join(notebooks.values())
+    beside = [*root.glob("notebooks/*.md"), *root.glob("notebooks/data/*.csv"), *root.glob("notebooks/data/*.json")]
+    return [path for path in beside if path.relative_to(root / "notebooks").as_posix().encode() in text]
 
 
 def _package(root):

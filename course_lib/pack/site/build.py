@@ -86,8 +86,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
         figures += counts.figures
         say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     notebooks = [gather.read(source, pages) for source in sources]
-    # Pages of text beside the notebooks are pages of the site too.
-    others = sorted(pages.glob("*.md"))
+    others = _linked(sources, pages)
     for heading, page in ((sections.ERRATA, pages / "errata.ipynb"), (sections.SOURCES, pages / "sources.ipynb")):
         if sections.write(heading, sources, page):
             prepare(page, pages, solutions)
@@ -96,6 +95,16 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
         gather.home(notebooks, others, living_panda(pages), offered(release)), encoding="utf-8"
     )
     return figures
+
+
+def _linked(sources: list[Path], pages: Path) -> list[Path]:
+    """Return the pages of text that the notebooks name; delete the others, which may be the author's own."""
+    text = "".join(source.read_text(encoding="utf-8") for source in sources)
+    found = sorted(pages.glob("*.md"))
+    for page in found:
+        if page.name not in text:
+            page.unlink()
+    return [page for page in found if page.exists()]
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
