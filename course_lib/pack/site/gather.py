@@ -109,7 +109,7 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
         zip=f"{offered} and unpack it. " if offered else "",
         steps="\n".join(f"- {step}" for step in steps),
         notebooks="\n\n".join(map(_card, notebooks)),
-        more="## Beside them\n\n" + "\n".join(more) if more else "",
+        more="## Reference\n\n" + "\n".join(more) if more else "",
         pages="\n".join([*(notebook.name for notebook in notebooks), *(page.stem for page in others)]),
     )
 
