@@ -29,10 +29,17 @@ NAMES = {
     'class="btn btn-sm pst-navbar-icon search-button search-button__button pst-js-only"': (
         'class="btn btn-sm pst-navbar-icon search-button search-button__button pst-js-only" aria-label="Search"'
     ),
+    # The theme's script chooses light or dark; without it there would be no colours at all.
+    'data-theme="auto"': 'data-theme="light"',
+    # What does nothing without JavaScript is not there without it.
+    "btn-fullscreen-button ": "btn-fullscreen-button pst-js-only ",
+    'class="sidebar-toggle ': 'class="pst-js-only sidebar-toggle ',
     'aria-label="Main"': 'aria-label="Pages of the course"',
     'title="Toggle primary sidebar"': 'title="Pages of the course" aria-label="Pages of the course"',
     'title="Toggle secondary sidebar"': 'title="On this page" aria-label="On this page"',
     "> Contents\n": "> On this page\n",
+    # Above the printed page; the page's own title is its one heading of the first level.
+    "<h2> Contents </h2>": '<p class="print-contents">Contents</p>',
 }
 
 
@@ -41,20 +48,48 @@ def finish(site: Path) -> None:
     for page in site.glob("*.html"):
         page.write_text(_finished(page.read_text(encoding="utf-8")), encoding="utf-8")
     static = site / "_static"
-    for style in static.rglob("*.css"):
-        text = style.read_text(encoding="utf-8")
-        style.write_text(re.sub(r"@font-face\s*\{[^}]*\}", "", text), encoding="utf-8")
     shutil.rmtree(static / "vendor", ignore_errors=True)
     for name in ("scripts/fontawesome.js", "searchtools.js", "language_data.js", "english-stemmer.js"):
         (static / name).unlink(missing_ok=True)
+    used = _words([*site.glob("*.html"), *static.rglob("*.js")])
+    for style in static.rglob("*.css"):
+        style.write_text(_pruned(style.read_text(encoding="utf-8"), used), encoding="utf-8")
     # Source maps serve the theme's own authors; its translations, pages in other languages than ours.
     for source_map in site.rglob("*.map"):
         source_map.unlink()
     shutil.rmtree(static / "locales", ignore_errors=True)
 
 
+def _words(files) -> set[str]:
+    """Return the names that may be those of classes: all words of pages and scripts."""
+    texts = (file.read_text(encoding="utf-8") for file in files if file.name != "plotly.packed.js")
+    return {word for text in texts for word in re.findall(r"[A-Za-z_][\w-]*", text)}
+
+
+def _pruned(style: str, used: set[str]) -> str:
+    """Return a style sheet without fonts, and without rules for classes that no page has and no script names.
+
+    A browser reads the style sheets before it shows anything; nine tenths of the theme's are for other sites.
+    """
+    style = re.sub(r"/\*.*?\*/|@font-face\s*\{[^}]*\}", "", style, flags=re.DOTALL)
+
+    def kept(rule: re.Match) -> str:
+        if set(rule[1]) & set("@;(\\"):  # no plain list of selectors
+            return rule[0]
+        names = {one: re.findall(r"\.([A-Za-z_][\w-]*)", one) for one in rule[1].split(",")}
+        # Bootstrap puts names such as bs-tooltip-auto together.
+        selectors = [one for one, all_of in names.items() if all(n in used or n.startswith("bs-") for n in all_of)]
+        return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
+
+    return re.sub(r"([^{}]+)\{([^{}]*)\}", kept, style)
+
+
+PRINTED_TITLE = re.compile(r'(<div id="jb-print-docs-body"[^>]*>\s*)<h1>(.*?)</h1>', re.DOTALL)
+
+
 def _finished(page: str) -> str:
     page = EMPTY.sub("", NOT_NEEDED.sub("", page))
+    page = PRINTED_TITLE.sub(r'\1<p class="print-title">\2</p>', page)
     for old, new in NAMES.items():
         page = page.replace(old, new)
     title = html.unescape(re.search(r"<title>(.*?)</title>", page, re.DOTALL)[1]).strip()

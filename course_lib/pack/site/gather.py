@@ -12,12 +12,12 @@ from course_lib.pack.site.prepare import IMAGES, alternative, picture
 COVER = "cover"  # the tag of the cell whose picture stands for its notebook
 # What each notebook answers. A notebook may say it itself: in its metadata, as "question".
 QUESTIONS = {
-    "01_rotations": "How does one compute with orientations, and keep them valid?",
-    "02_rigid_motion": "How does a body get from one pose to another, along which path, and how fast?",
-    "03_subproblems_damped_ik": "Which joint angles reach a given pose, and what can be done if there is no formula?",
+    "01_rotations": "How do you compute with orientations, and keep them valid?",
+    "02_rigid_motion": "Why does a robot that counts the revolutions of its wheels miss its dock?",
+    "03_subproblems_damped_ik": "What can be solved exactly, and what do you do when nothing can?",
     "04_poe_kuka_iiwa": "Where is the end-effector of a seven-joint arm, how fast does it move, and what can it hold?",
     "05_panda_dh_ik": "How does a robot find a mug, grasp it and put it somewhere else?",
-    "06_decomposition_ik": "Can samples of a workspace replace a formula for inverse kinematics, and with what error?",
+    "06_decomposition_ik": "Can samples replace a formula for inverse kinematics, and with what error?",
 }
 NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 

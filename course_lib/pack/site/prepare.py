@@ -72,7 +72,7 @@ def _show(output, place: str, folder: Path, counts: Counts) -> None:
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if PLOTLY in output.data:
         alt = alternative(output, place)
-        still = picture(output, image, "plotly-still", alt, folder) if image else ""
+        still = picture(output, image, "plotly-still", alt, folder, _controls(output.data[PLOTLY])) if image else ""
         output.data = {"text/html": _captioned(_figure(output.data[PLOTLY], alt, still), output)}
         counts.figures += 1
     elif image and "text/html" not in output.data:
@@ -123,6 +123,13 @@ def alternative(output, place: str) -> str:
     return " ".join(alt.split())
 
 
+def _controls(figure: dict) -> float:
+    """Return the share of a figure's height that plotly's own controls stand in, which the page puts elsewhere."""
+    layout = figure.get("layout", {})
+    meta = layout.get("meta") or {}
+    return meta.get("controls", 0) / layout["height"] if layout.get("height") else 0
+
+
 def _figure(figure: dict, alt: str, still: str) -> str:
     """Return a figure as data that figures.js draws; until then, and in print, its still picture shows.
 
@@ -130,6 +137,7 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     """
     course = figure.get("layout", {}).get("meta", {}).get("course") or {}
     kind = course.get("kind", "")
+    moves = bool(figure.get("frames")) or kind == "film"
     if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
         figure = {**figure, "frames": []}
     # "</" would end the script element; in JSON "<\/" is the same string.
@@ -138,18 +146,23 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
     own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
     own += " data-without-plotly" if course.get("plotly") is False else ""
+    own += " data-moves" if moves else ""
     return (
         f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
         f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
     )
 
 
-def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
-    """Store an image beside the pages and return the element that shows it."""
+def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0) -> str:
+    """Store an image beside the pages and return the element that shows it.
+
+    `cut` is the share of its height to leave out at the bottom.
+    """
     text, ending, size, wide = output.data[kind], IMAGES[kind], "", False
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind == "image/png":
         image = Image.open(io.BytesIO(content))
+        image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
         # Known beforehand, so that the text below does not jump when the picture arrives.
         shown = output.metadata.get(kind, {}).get("width", image.width)
         size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'

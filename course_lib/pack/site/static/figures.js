@@ -20,6 +20,7 @@
 (() => {
   "use strict";
   const NEAR = "600px 0px";
+  const PLAYER = 52; // the height of a film's button and range, as site.css has it
   // What plotly gives a figure that names no size of its own.
   const [WIDTH, HEIGHT] = [700, 450];
   // Its buttons stand at the right edge, clear of titles and legends, when a mouse comes; a phone has no room for them.
@@ -209,6 +210,11 @@
     const player = !start && figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
     let stop = null;
 
+    let keptAt = null;
+    const keepHeight = (height) => { // else the text would jump
+      box.style.minHeight = `${height}px`;
+      keptAt = box.clientWidth;
+    };
     const isDrawn = () => box.classList.contains("drawn");
     const fit = () => fittingHeight(figure.layout, meant, box.clientWidth);
 
@@ -235,13 +241,16 @@
     // Plotly keeps camera and zoom in the layout it was given, so that they are still there next time.
     function letGo() {
       if (player) player.stop();
-      box.style.minHeight = `${box.offsetHeight}px`; // else the text would jump
+      keepHeight(box.offsetHeight);
       if (stop) stop();
       stop = null;
       usesPlotly(meta) ? window.Plotly.purge(live) : live.replaceChildren();
       box.classList.remove("drawn");
     }
-    const fitAgain = () => isDrawn() && usesPlotly(meta) && window.Plotly.relayout(live, { height: fit() });
+    const fitAgain = () => {
+      if (!isDrawn() && box.clientWidth !== keptAt) box.style.minHeight = "";
+      else if (isDrawn() && usesPlotly(meta)) window.Plotly.relayout(live, { height: fit() });
+    };
     window.addEventListener("resize", fitAgain);
 
     // One after the other: a reader may scroll past faster than a figure is drawn.
@@ -255,7 +264,14 @@
     const changeTheme = () => {
       if (isDrawn()) work = work.then(() => isDark() !== inDark && isDrawn() && (letGo(), draw()));
     };
-    return { come, changeTheme };
+    // Take as much room as the live figure will, while the reader is elsewhere.
+    const reserve = () => (work = work.then(async () => {
+      if (isDrawn()) return;
+      if (usesPlotly(meta)) return keepHeight(fit() + ("moves" in box.dataset ? PLAYER : 0));
+      await draw();
+      if (!near) letGo();
+    }));
+    return { come, changeTheme, reserve };
   }
 
   // What scripts of figures may use (see the top).
@@ -281,5 +297,17 @@
 
   // Without its own script a figure that plotly does not draw stays the still picture that it is.
   const canBeDrawn = (box) => box.dataset.kind in window.course.kinds || !("withoutPlotly" in box.dataset);
-  document.querySelectorAll(".plotly-figure").forEach((box) => canBeDrawn(box) && watch.observe(box));
+  const boxes = [...document.querySelectorAll(".plotly-figure")].filter(canBeDrawn);
+  boxes.forEach((box) => watch.observe(box));
+
+  // When the page is there and nothing else is to be done: one figure after the other.
+  const idle = window.requestIdleCallback || ((work) => setTimeout(work, 50));
+  async function reserveNext() {
+    const box = boxes.shift();
+    if (!box) return;
+    if (!figures.has(box)) figures.set(box, setUp(box));
+    await figures.get(box).reserve();
+    idle(reserveNext);
+  }
+  window.addEventListener("load", () => idle(reserveNext));
 })();
