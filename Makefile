@@ -29,17 +29,17 @@ help:
 environment:
 	@sh course_lib/pack/environment.sh
 
-# Jupyter refuses to run as root unless told. It warns of plain-text connections to kernels, and of its
-# own default for an interval, unless these two are set. The folder named first has the setting by which it does not ask about news and updates.
+# Jupyter refuses to run as root unless told to. The two settings keep it from warning of plain-text connections to
+# kernels and of its own default for an interval; the folder named first keeps it from asking about news and updates.
 lab: environment ## open the notebooks in JupyterLab
 	@JUPYTER_CONFIG_PATH="$(CURDIR)/course_lib/jupyter$${JUPYTER_CONFIG_PATH:+:$$JUPYTER_CONFIG_PATH}" \
 		$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
 		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 \
 		notebooks/01_rotations.ipynb
 
-# One pytest run, whose summary ends the output. With ONLY, one process: what has that in its name takes seconds. Matplotlib builds its font list beforehand, for it
-# tells on stderr when that takes long, and nbval would compare that too. One notebook stays in one
-# worker (loadfile), since its cells share a kernel; conftest.py says which files go first.
+# One pytest run, so that its summary comes last; with ONLY, one process, because few tests take seconds. Matplotlib
+# builds its font list beforehand: it reports on stderr if that takes long, and nbval would compare that too. The cells
+# of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
 test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name
 	$(PY) -m ruff check --no-cache .
 	.venv/bin/lint-imports --no-cache --no-logo

@@ -198,3 +198,12 @@ def test_students_not_in_the_roster_are_named(tmp_path, capsys):
     (tmp_path / "roster.csv").write_text(CANVAS)
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
     assert f"Not in the roster, and so not in {out / 'canvas.csv'}: eve." in capsys.readouterr().out
+
+
+def test_two_folders_of_one_student_are_named(tmp_path, capsys):
+    for name in ("jane", "Doe Jane"):
+        hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(CANVAS)
+    written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
+    expected = "One student of the roster, whose better points of each notebook count: Doe Jane, jane."
+    assert expected in capsys.readouterr().out
