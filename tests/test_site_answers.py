@@ -56,8 +56,7 @@ def page(site):
     return site[True] / "01.html"
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1000])
+@pytest.mark.parametrize(("width", "theme"), [(390, "dark"), (1000, "light")])
 @pytest.mark.parametrize("name", ANSWERS)
 def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(page, browser, name, theme, width):
     with Visit(browser, page, theme=theme, width=width) as visit:

@@ -60,11 +60,20 @@ def page(figures, tmp_path_factory):
     return folder / "html/01.html"
 
 
-@pytest.fixture(params=[1280, 390], ids=["desktop", "phone"])
-def visit(page, browser, request):
+@pytest.fixture(scope="module", params=[1280, 390], ids=["desktop", "phone"])
+def opened(page, browser, request):
     with Visit(browser, page, width=request.param) as visit:
         yield visit
-        assert visit.complaints == []
+
+
+@pytest.fixture
+def visit(opened):
+    """The page, opened once for all tests of a width; each leaves the movie at its beginning."""
+    yield opened
+    movie = opened.page.locator(".plotly-figure").first.get_by_role("slider")
+    if movie.count():  # it is drawn
+        movie.press("Home")
+    assert opened.complaints == []
 
 
 class Box:

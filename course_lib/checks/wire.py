@@ -15,6 +15,7 @@ import numpy as np
 _DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
 _MOST_ENTRIES = 2_000_000  # of an array
 _MOST_BITS = 10_000  # of a whole number: Python writes no number of more than 4,300 digits
+_WRITTEN_AS_THEY_ARE = frozenset({"<f8", "<i8", "|b1", "<c16"})  # the types of nearly all arrays
 
 
 class NotPlain(ValueError):
@@ -92,15 +93,15 @@ def _array_to_json(value):
     array = np.asarray(value)  # not a subclass; and not copied before its size is known
     if array.size > _MOST_ENTRIES:
         raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
-    array = np.array(array, copy=True, order="C")
-    if array.dtype.kind not in "biufc":
-        if array.dtype.kind == "U":
-            return to_json(array.tolist())
-        raise NotPlain(f"an array of type {array.dtype}")
-    widest = {"f": "<f8", "c": "<c16"}.get(array.dtype.kind)
-    if widest and array.dtype.itemsize > np.dtype(widest).itemsize:  # long doubles differ between machines
-        array = array.astype(widest)
-    array = array.astype(array.dtype.newbyteorder("<"))
+    if array.dtype.str not in _WRITTEN_AS_THEY_ARE:
+        if array.dtype.kind not in "biufc":
+            if array.dtype.kind == "U":
+                return to_json(array.tolist())
+            raise NotPlain(f"an array of type {array.dtype}")
+        widest = {"f": "<f8", "c": "<c16"}.get(array.dtype.kind)
+        if widest and array.dtype.itemsize > np.dtype(widest).itemsize:  # long doubles differ between machines
+            array = array.astype(widest)
+        array = array.astype(array.dtype.newbyteorder("<"))
     return {
         "array": array.dtype.str,
         "shape": list(array.shape),

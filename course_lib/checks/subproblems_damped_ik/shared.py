@@ -1,5 +1,7 @@
 """Answers that are lists of all solutions: none, one or two, each an angle or several, up to multiples of 2 pi."""
 
+import functools
+
 import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
@@ -16,6 +18,22 @@ _ROUNDED_OUT = Mistake(
     "rounding takes a number slightly out of its range, where the two solutions coincide",
     "np.clip(c, -1, 1) before arccos, max(s, 0) before the root.",
 )
+
+
+@functools.cache
+def once_a_case(solutions):
+    """Return solutions(*arguments) with its values kept: all properties and mistakes ask for those of the same case."""
+    known = {}
+
+    def kept(*case):
+        key = tuple(np.asarray(argument, float).tobytes() for argument in case)
+        if key not in known:
+            if len(known) >= 1000:
+                known.clear()
+            known[key] = solutions(*case)
+        return known[key]
+
+    return kept
 
 
 def rotated(k, theta, p):
@@ -62,6 +80,7 @@ def _inside(some, others):
 
 def unless_empty(reader, solutions):
     """Return the reader, with a mistake of its own for nan where there are less than two solutions(*arguments)."""
+    solutions = once_a_case(solutions)
 
     def asking(value, *case):
         try:
@@ -77,6 +96,7 @@ def unless_empty(reader, solutions):
 
 def changed(solutions, change):
     """Return the wrong answer change(solution) for each right solution, an array; None if there is none."""
+    solutions = once_a_case(solutions)
 
     def answer(*case):
         found = [np.array(one) for one in solutions(*case)]
@@ -87,6 +107,7 @@ def changed(solutions, change):
 
 def where_two(solutions, misses, *mistakes):
     """Return the mistakes, silent if there are not two solutions (none should be returned) or if both are found."""
+    solutions = once_a_case(solutions)
 
     def has_two(*case):
         return len(solutions(*case)) == 2
@@ -118,6 +139,7 @@ def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
     error; tell(solution, *arguments): the same in words. solutions(*arguments): two, one if the two coincide, or none.
     none: the properties if there is none; touch: further ones if there is one.
     """
+    solutions = once_a_case(solutions)
 
     def solved(within):
         return lambda found, *case: all(misses(solution, *case) < within for solution in found)
@@ -187,6 +209,7 @@ def swing_mistakes(to, solutions, misses, swing):
     to: the name of what p is rotated to. solutions(*arguments): the right angles. swing(about): the answer of
     somebody who takes about(k, p, to) for the angle between p and it.
     """
+    solutions = once_a_case(solutions)
     take = f"The two solutions lie on both sides of phi, the angle about k from p to {to}."
     angle = f"the angle from p to {to}"
     return (

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.subproblems_damped_ik.shared import changed, different, in_degrees
+from course_lib.checks.subproblems_damped_ik.shared import changed, different, in_degrees, once_a_case
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, rot_y, rot_z
 from course_lib.subproblems import euler_yxy, subproblem2, subproblem3
@@ -55,6 +55,7 @@ def every_solution(equation, misses, tell, solutions):
     equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in words.
     solutions(*arguments): the right list.
     """
+    solutions = once_a_case(solutions)
     return (
         Property(
             equation,
