@@ -432,6 +432,13 @@ class SerialArm:
         return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 
+def checked_arm(value, name):
+    """Return `value` if it is a SerialArm, or ValueError that names the argument."""
+    if not isinstance(value, SerialArm):
+        raise ValueError(f"{name} must be a SerialArm; it is of type {type(value).__name__}")
+    return value
+
+
 def planar_arm(lengths):
     """Return the arm in the plane z = 0 whose links lie along x at q = 0.
 

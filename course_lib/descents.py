@@ -1,8 +1,9 @@
-"""What notebook 5 measures methods of inverse kinematics with: the distance of poses, and a descent to many targets."""
+"""Measurement of methods of inverse kinematics: the distance of poses, and a descent to many targets."""
 
 import numpy as np
 
 from course_lib.arguments import count, positive, real_array
+from course_lib.arms import checked_arm
 from course_lib.ik import pose_error
 from course_lib.rigid import checked_pose
 from course_lib.rotations import unchecked_length
@@ -40,7 +41,7 @@ def pose_distance(T, target):
 
 
 def descend(arm, targets, q0, rules, steps, near):
-    """Return which targets are reached by steps of one's own, and after how many.
+    """Return which targets are reached by the given rules for steps, and after how many steps.
 
     Parameters
     ----------
@@ -62,12 +63,12 @@ def descend(arm, targets, q0, rules, steps, near):
     -------
     reached : bool array (m,)
     taken : int array (m,)
-        Steps until the target was reached; steps + 1 where it was not.
+        Steps until the target was reached; steps + 1 if it was not.
 
     Raises
     ------
     ValueError
-        If a target is not a pose, or `q0`, `steps` or `near` does not fit.
+        If `arm` is not a SerialArm, a target is not a pose, or `q0`, `rules`, `steps` or `near` does not fit.
 
     Examples
     --------
@@ -78,9 +79,15 @@ def descend(arm, targets, q0, rules, steps, near):
     >>> print(reached, bool(taken[0] < taken[1]))
     [ True  True] True
     """
-    targets = checked_pose(targets, "targets", (4, 4))
+    checked_arm(arm, "arm")
+    targets, q0 = checked_pose(targets, "targets", (4, 4)), real_array(q0, "q0", (arm.n,))
+    for name, array, axes in (("targets", targets, 3), ("q0", q0, 1)):
+        if array.ndim != axes:
+            raise ValueError(f"{name} must have {axes} axes; its shape is {array.shape}")
     steps, near = count(steps, "steps"), positive(near, "near")
-    q = np.tile(real_array(q0, "q0", (arm.n,)), (len(targets), 1))
+    if not (isinstance(rules, tuple | list) and len(rules) == 3 and all(map(callable, rules))):
+        raise ValueError(f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}")
+    q = np.tile(q0, (len(targets), 1))
     error_of, move, inside = rules
     taken, busy = np.full(len(q), steps + 1), np.arange(len(q))
     for k in range(steps + 1):

@@ -9,9 +9,9 @@ two in (x, y) is fitted to the square of theta2, and another one plus a multiple
 every smooth map has this form.
 
 If the forward kinematics is given, Newton's method makes the answer exact; it works in the square too, so it converges
-as fast on the fold as elsewhere. An answer that does not lead back to its query, or leaves the range of the samples, is
-not given. This takes 13 numbers for each cell and branch, and two or three evaluations of the forward kinematics for
-each query and branch.
+as fast on the fold as elsewhere. An answer whose forward kinematics misses the query, or that leaves the range of the
+samples, is left out. This takes 13 numbers for each cell and branch, and two or three evaluations of the forward
+kinematics for each query and branch.
 
 Source: Golubitsky and Guillemin, Stable Mappings and Their Singularities (1973), for folds.
 """
@@ -32,7 +32,7 @@ _CHUNK = 4096  # queries at a time: few enough that all their numbers stay in th
 
 
 def planar_forward(theta, lengths=(1.0, 1.0)):
-    """Return the end (x, y) of a planar arm with two links, and its Jacobian.
+    """Return the tip (x, y) of a planar arm with two links, and its Jacobian.
 
     For other lengths, give GridIK functools.partial(planar_forward, lengths=(...)). It does not check its arguments,
     because it runs often.
@@ -88,7 +88,7 @@ class GridIK(BaseEstimator):
     steps : int, default 3
         The largest number of Newton steps; used with `forward`.
     tol : float, default 1e-9
-        The largest distance, along each axis, between the query and where an answer leads; used with `forward`.
+        The largest distance, along each axis, between the query and the tip at an answer; used with `forward`.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class GridIK(BaseEstimator):
     >>> theta = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (50_000, 2))
     >>> xy = np.stack(planar_forward(theta.T)[0], -1)
     >>> found = GridIK(forward=planar_forward).fit(xy, theta).predict([[0.5, 1.5]])
-    >>> x, y = planar_forward(found[0].T)[0]  # where both solutions lead
+    >>> x, y = planar_forward(found[0].T)[0]  # the tip at both solutions
     >>> print(x.round(6), y.round(6))
     [0.5 0.5] [1.5 1.5]
     """

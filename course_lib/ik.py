@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.arguments import broadcast, count, generator, positive, real_array, refuse_first
-from course_lib.arms import SerialArm
+from course_lib.arms import checked_arm
 from course_lib.batched_arm import CHUNK
 from course_lib.rigid import checked_pose
 from course_lib.rotations import log_so3, unchecked_length
@@ -98,7 +98,7 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     >>> bool(found.success), bool(np.abs(arm.fk(found.q) - target).max() < 1e-6)
     (True, True)
     """
-    _require_arm(arm)
+    checked_arm(arm, "arm")
     targets = checked_pose(targets, "targets", (4, 4))
     generator(rng)
     starts, steps = count(starts, "starts", least=1), count(steps, "steps", least=1)
@@ -419,7 +419,7 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     >>> print(arm.fk(path[-1])[:2, 3].round(6))
     [1. 1.]
     """
-    _require_arm(arm)
+    checked_arm(arm, "arm")
     q = real_array(q0, "q0", (arm.n,))
     target = real_array(target, "target", (2,), (3,))
     alpha, eps = positive(alpha, "alpha"), positive(eps, "eps")
@@ -441,8 +441,3 @@ def damped_path(arm, q0, target, alpha, eps, steps):
         path[..., i + 1, :] = q.T.reshape(*batch, n)
         refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", lambda i: "is too large: the angles overflow")
     return path
-
-
-def _require_arm(arm):
-    if not isinstance(arm, SerialArm):
-        raise ValueError(f"arm must be a SerialArm; it is of type {type(arm).__name__}")

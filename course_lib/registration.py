@@ -1,4 +1,4 @@
-"""Registration of points: the pose that moves one set of points onto another, each point knowing its partner.
+"""Registration of points: the pose that moves one set of points onto another, with known correspondences (partners).
 
 Sources: Kabsch, A solution for the best rotation to relate two sets of vectors, Acta Crystallographica A32 (1976);
 Umeyama, Least-squares estimation of transformation parameters between two point patterns, IEEE PAMI 13 (1991);
@@ -22,8 +22,8 @@ _SMALLEST_ANGLE = 1e-15  # radians
 def register_points(src, dst, weights=None):
     """Return the pose T that minimises the weighted sum of |T src_i - dst_i|^2. It is never a reflection.
 
-    The points may be nearly on one line, or of any size. The answer is exact to what rounding allows for them, and
-    they are refused if that leaves the angle about the line uncertain by more than 1e-4 rad.
+    The points may be nearly on one line, and of any scale. The answer is as exact as rounding allows; the points are
+    refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def _centred(points, share, name):
     """Return the points scaled to a largest coordinate of about 1 and less their mean, the mean, and more.
 
     Also the exponent of 2 that undoes the scale, and the principal axes (..., 3, 3), as rows, the longest first.
-    A point without weight counts as none, however far away it is.
+    A point of weight zero is ignored, however far away it is.
     """
     points = np.where(share > 0, points, 0.0)
     exponent = np.frexp(np.abs(points).max((-2, -1)))[1][..., None]

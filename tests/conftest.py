@@ -19,7 +19,7 @@ settings.load_profile("course")
 
 BANK = Path(__file__).parent / "wrong_answers"
 collect_ignore = ["wrong_answers"]  # some are called test_..., as the exercises are in which a test is written
-ABOUT_AN_EXERCISE = ("test_bank.py", "test_mutants.py", "test_release_leaks.py")
+ABOUT_AN_EXERCISE = ("test_bank.py", "test_exercise_cells.py", "test_mutants.py", "test_release_leaks.py")
 ABOUT_A_NOTEBOOK = (*ABOUT_AN_EXERCISE, "test_notebooks.py", "test_release_runs.py")
 
 

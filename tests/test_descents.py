@@ -59,11 +59,20 @@ def test_the_rule_for_the_limits_is_applied_after_each_step():
 
 
 @pytest.mark.parametrize(
-    ("change", "name"),
-    [({"targets": np.zeros((1, 4, 4))}, "targets"), ({"q0": READY[:6]}, "q0"), ({"steps": -1}, "steps"),
-     ({"near": 0}, "near")],
-)  # fmt: skip
-def test_the_argument_that_does_not_fit_is_named(change, name):
-    given = {"targets": TARGETS, "q0": READY, "rules": (ik.pose_error, damped, as_it_is), "steps": 3, "near": 0.02}
-    with pytest.raises(ValueError, match=f"^{name}"):
-        descents.descend(PANDA, **{**given, **change})
+    ("argument", "value"),
+    [
+        ("arm", None),
+        ("targets", np.eye(4)),
+        ("targets", np.zeros((2, 4, 4))),
+        ("q0", np.zeros((2, 7))),
+        ("q0", np.zeros(6)),
+        ("rules", damped),
+        ("rules", (ik.pose_error, damped)),
+        ("steps", -1),
+        ("near", 0.0),
+    ],
+)
+def test_invalid_arguments_are_named(argument, value):
+    valid = {"arm": PANDA, "targets": TARGETS[:2], "q0": READY, "rules": (ik.pose_error, damped, as_it_is)}
+    with pytest.raises(ValueError, match=f"^{argument}"):
+        descents.descend(**(valid | {"steps": 3, "near": 0.02} | {argument: value}))

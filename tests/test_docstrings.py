@@ -7,7 +7,18 @@ import re
 
 import pytest
 
-MODULES = ["rotations", "rigid", "planar", "subproblems", "arms", "ik", "registration", "grid_ik", "trajectory"]
+MODULES = [
+    "rotations",
+    "rigid",
+    "planar",
+    "subproblems",
+    "arms",
+    "ik",
+    "descents",
+    "registration",
+    "grid_ik",
+    "trajectory",
+]
 # Their functions look at no argument, so they have nothing to say of errors.
 TRUSTING = [
     "cells",
@@ -21,6 +32,12 @@ TRUSTING = [
     "figures.poe_kuka_iiwa",
     "figures.rigid_motion",
     "figures.rotations",
+    "figures.solids.draw",
+    "figures.solids.film",
+    "figures.solids.meshes",
+    "figures.solids.model",
+    "figures.solids.scene",
+    "figures.solids.shells",
     "figures.space",
     "figures.subproblems_damped_ik",
     "figures.toys.cells",
@@ -30,7 +47,7 @@ TRUSTING = [
     "figures.toys.plane",
 ]
 # Other modules of the library call these with arrays that are looked at already.
-WITHIN = {"checked_pose", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
+WITHIN = {"checked_pose", "checked_arm", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
 
 
 def public(name):
@@ -87,6 +104,6 @@ def test_a_functions_docstring_has_all_sections(name, key, function):
 @pytest.mark.parametrize(("name", "key", "thing"), [case for case in ALL if case[0] in TRUSTING])
 def test_a_docstring_has_an_example_and_names_existing_parameters(name, key, thing):
     said = sections(thing)
-    assert "Examples" in said or key.startswith("BranchTable."), "a method has its example with the class"
+    assert "Examples" in said or "." in key, "a method may have its example with the class"
     named = re.findall(r"^(\w[\w, ]*?) :", said.get("Parameters", ""), flags=re.MULTILINE)
     assert set(", ".join(named).split(", ")) - {""} <= set(inspect.signature(thing).parameters)

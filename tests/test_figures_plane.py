@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from course_lib import rotations
 from course_lib.arms import planar_arm
-from course_lib.figures import damped_steps, panels
+from course_lib.figures import damped_steps, mobile_robots, panels
 from course_lib.figures import planar_arm as arms
 from course_lib.figures import rigid_motion as bodies
 from course_lib.figures.moving import plane_layout
@@ -44,7 +44,8 @@ def plain_figures():
         ),
         bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
         bodies.tracks(ends)["fig"],
-        bodies.missed_dock(POSES, POSES[::-1])["fig"],
+        mobile_robots.missed_dock(POSES, POSES[::-1])["fig"],
+        mobile_robots.parking(POSES, POSES[-1], (1, 2, 0.4), 0.6)["fig"],
         bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
         arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
         damped_steps.descents({"run": POINTS}, TARGET)["fig"],
@@ -190,7 +191,7 @@ def test_tracks_draw_what_they_are_given():
 
 def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_where_it_is_believed():
     driven, believed = np.array([[0, 0, 0], [1, 0.5, np.pi / 2]]), np.array([[0, 0, 0], [1.1, 0.4, np.pi / 2]])
-    (ax,) = bodies.missed_dock(driven, believed)["fig"].axes
+    (ax,) = mobile_robots.missed_dock(driven, believed)["fig"].axes
     assert_allclose(drawn_lines(ax)[0], driven[:, :2])
     assert_allclose(drawn_lines(ax)[1], believed[:, :2])
     circles = [patch for patch in ax.patches if hasattr(patch, "center")]
@@ -201,6 +202,17 @@ def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_w
     x, y = dock.get_xy()[:4].T
     assert_allclose(np.mean(x), 1)
     assert np.min(y) > 0.5 + circles[0].radius
+
+
+def test_a_car_parks_beside_the_table_as_it_drove():
+    poses = np.array([[0, 0, 0], [0.5, 0, 0], [1, 0.3, np.pi / 2]])
+    (ax,) = mobile_robots.parking(poses, [1, 2, np.pi / 2], [0.6, 1, 0.4], 0.5)["fig"].axes
+    assert_allclose(drawn_lines(ax)[0], poses[:, :2])
+    circles = [patch for patch in ax.patches if hasattr(patch, "center")]
+    assert_allclose([circles[0].center, circles[1].center], 2 * [[0.6, 1]])
+    assert [circles[0].radius, circles[1].radius] == [0.5, 0.4]
+    (dock,) = [patch for patch in ax.patches if not hasattr(patch, "center")]
+    assert dock.get_xy()[:, 1].min() > 2 + circles[-1].radius
 
 
 def test_joint_tracks_draw_the_angles():

@@ -240,4 +240,6 @@ def test_orientations_on_the_sphere_follow_e_x():
     assert [t["name"] for t in figure["data"] if t["showlegend"]] == list(TRACKS)
     (ends,) = traces(figure, BLACK, "markers")
     assert_allclose(ends, STEADY[[0, -1], :, 0], atol=ROUNDED)
-    assert_allclose([named(figure)["start"], named(figure)["end"]], 1.15 * ends + [0, 0, 0.17], atol=2 * ROUNDED)
+    words = [named(figure)[name] for name in ("start", "end")]
+    seen, beside = (projected(at, figure["layout"]["scene"]) for at in (ends, words))
+    assert (np.linalg.norm(beside - seen, axis=1) < 0.35).all(), "each word is beside its end"

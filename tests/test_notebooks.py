@@ -9,12 +9,12 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
+from exercise_cells import SOLUTION, graded
 from nbclient import NotebookClient
 from PIL import Image
 
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 ROOMS = ["Explain", "Reproduce", "What the report got wrong", "Go further", "Sources"]
-SOLUTION = re.compile(r"( *)### BEGIN SOLUTION\n.*?### END SOLUTION", re.DOTALL)
 MOST_LINES, MOST_BYTES = 26, 2_000_000
 
 pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -27,15 +27,6 @@ def checks_of(path):
 
 def code_cells(notebook):
     return [cell for cell in notebook.cells if cell.cell_type == "code"]
-
-
-def graded(notebook):
-    """{grade_id: cell} of the cells that nbgrader knows."""
-    cells = [cell for cell in notebook.cells if "nbgrader" in cell.metadata]
-    found = {cell.metadata.nbgrader.grade_id: cell for cell in cells}
-    names = [cell.metadata.nbgrader.grade_id for cell in cells]
-    assert len(found) == len(names), f"these occur twice: {', '.join(sorted({n for n in names if names.count(n) > 1}))}"
-    return found
 
 
 def check_cells(notebook):
@@ -75,41 +66,14 @@ def test_has_all_its_rooms(path):
     assert headings[-len(ROOMS) :] == ROOMS
 
 
-def test_every_check_has_a_task_an_answer_and_its_points(path):
+def test_its_checks_are_those_of_its_package_in_their_order(path):
+    names = [check.exercise.name for check in checks_of(path).CHECKS]
     cells = graded(nbformat.read(path, 4))
-    exercises = [check.exercise for check in checks_of(path).CHECKS]
-    missing = [f"{exercise.name}: {what}" for exercise in exercises for what in missing_of(exercise, cells)]
-    names = [exercise.name for exercise in exercises]
     checked = [name.removeprefix("check_") for name in cells if name.startswith("check_")]
     lines = f"course_lib/checks/{path.stem[3:]}/__init__.py"
-    missing += [f"{name}: {lines} has no line for it" for name in checked if name not in names]
-    assert not missing, "\n" + "\n".join(missing)
+    unknown = [f"{name}: {lines} has no line for it" for name in checked if name not in names]
+    assert not unknown, "\n" + "\n".join(unknown)
     assert checked == names, f"progress() names the next one in the order of {lines}, which is not the notebook's"
-
-
-def missing_of(exercise, cells):
-    """What the notebook lacks of an exercise, in words for its author. cells: by their grade_id."""
-    name, points = exercise.name, exercise.points
-    absent = [
-        f"no cell has the grade_id {prefix}{name}" for prefix in ("task_", "", "check_") if prefix + name not in cells
-    ]
-    if absent:
-        return absent
-    task, answer, check = (cells[prefix + name] for prefix in ("task_", "", "check_"))
-    about, shown = check.metadata.nbgrader, f"({points} point{'s' if points > 1 else ''})"
-    head = f"def {name}({', '.join(exercise.arguments)})"
-    wanted = {
-        f"the first line of its task does not name `{name}`": f"`{name}`" in task.source.splitlines()[0],
-        "its task has no Example": "Example" in task.source,
-        "its task does not say *Why it matters:*": "*Why it matters:*" in task.source,
-        f"its task does not say {shown}, which its Exercise gives": shown in task.source,
-        "its answer has no BEGIN SOLUTION and END SOLUTION": bool(SOLUTION.search(answer.source)),
-        f"its answer does not begin with {head}": head in answer.source,
-        f"its check is not check.{name}({name})": check.source == f"check.{name}({name})",
-        f"its check's metadata say points {about.get('points')}, its Exercise {points}": about.get("points") == points,
-        "its check's metadata do not say grade and locked": about.grade and about.locked,
-    }
-    return [what for what, holds in wanted.items() if not holds]
 
 
 def test_written_questions_have_an_answer_and_a_rubric(path):

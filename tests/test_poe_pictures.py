@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from course_lib import arms, trajectory
+from course_lib.figures import poe_drawing
 from course_lib.figures import poe_pictures as pictures
 
 ARMS = {"iiwa": arms.iiwa14(), "ur5e": arms.ur5e()}
@@ -13,7 +14,7 @@ ARMS = {"iiwa": arms.iiwa14(), "ur5e": arms.ur5e()}
 
 @pytest.mark.parametrize("name", ARMS)
 def test_the_drawing_s_corners_lie_on_the_axes_and_end_at_the_flange(name):
-    arm, data = ARMS[name], pictures._ARMS[name]
+    arm, data = ARMS[name], poe_drawing._ARMS[name]
     corners = np.array(data["corners"])
     np.testing.assert_allclose(corners[-1], arm.home[-1][:3, 3], atol=1e-12)
     np.testing.assert_allclose(data["flange"], arm.home[-1][:3, :3], atol=1e-12)
@@ -23,11 +24,11 @@ def test_the_drawing_s_corners_lie_on_the_axes_and_end_at_the_flange(name):
 
 @pytest.mark.parametrize("name", ARMS)
 def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
-    data = pictures._ARMS[name]
+    data = poe_drawing._ARMS[name]
     lengths = np.abs(np.diff(np.array(data["corners"]), axis=0)).max(1)
     drawn = [np.abs(np.subtract(end, start)).max() for _, start, end, _ in data["dimensions"]]
     np.testing.assert_allclose(sorted(lengths), sorted(drawn), atol=1e-12)
-    told = pictures.three_views(name, ARMS[name])
+    told = poe_drawing.three_views(name, ARMS[name])
     texts = [text.get_text() for ax in told["fig"].axes for text in ax.texts]
     for length in lengths:
         assert f"{1000 * length:g}" in texts

@@ -19,11 +19,12 @@ def boolean(value, *case):
     return bool(array.item())
 
 
-def numbers(shape_of, known=None, gaps=False):
+def numbers(shape_of, known=None, gaps=False, nan=None):
     """Return a reader of arrays: shape_of(*arguments) is the shape wanted; (4, 1) and (1, 4) pass for (4,).
 
     known: the mistakes that an array of another shape reveals: {shape: Mistake}, or known(array, *arguments), which
-    returns a Mistake or None. gaps: True to allow nan.
+    returns a Mistake or None. gaps: True to allow nan and inf. nan: nan(*arguments), the Mistake that nan or inf
+    reveals, or None if nothing particular is known.
     """
 
     def reader(value, *case):
@@ -33,7 +34,7 @@ def numbers(shape_of, known=None, gaps=False):
         if array.shape != shape and not vectors:
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
             raise Unreadable(reason, _named(known, array, case))
-        return _finite(array, gaps).reshape(shape)
+        return _finite(array, gaps, nan and nan(*case)).reshape(shape)
 
     return reader
 
@@ -65,17 +66,15 @@ def _named(known, array, case):
     return found or OTHER_FORM
 
 
-def _finite(array, gaps=False):
-    """Return the entries as floats; raise Unreadable if they are complex or not numbers. gaps: True to allow nan."""
+def _finite(array, gaps=False, mistake=None):
+    """Return the entries as floats; raise Unreadable if they are complex, or not numbers unless gaps allows that."""
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
             raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
         array = array.real
     array = array.astype(float)
-    if gaps and np.isinf(array).any():
-        raise Unreadable("no entry of the answer is infinite. Yours holds inf.", NOT_A_NUMBER)
     if not gaps and not np.isfinite(array).all():
-        raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", NOT_A_NUMBER)
+        raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", mistake or NOT_A_NUMBER)
     return array
 
 

@@ -182,11 +182,7 @@ class Exercise:
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:
-            # A known mistake in a simpler case is more helpful than an error in a later case.
-            before = self.verdict(cases[:first], answers[:first]) if first else None
-            if before and before.mistake in self.mistakes:
-                return replace(before, credit=0)
-            return no_answer(self, cases[first], **answers[first]["error"])
+            return self._named_before(first, cases, answers) or no_answer(self, cases[first], **answers[first]["error"])
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)
@@ -199,13 +195,22 @@ class Exercise:
             try:
                 values[position] = self.returns(values[position], *case)
             except Unreadable as wrong_kind:
-                return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake, case, values[position])
+                named = self._named_before(position, cases, answers)
+                return named or Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake, case, values[position])
         for wanted in self.properties:
             failing = wanted.failing(cases, values)
             if failing:
                 return _wrong(self, wanted, cases, values, failing)
         note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
         return Verdict(self, RIGHT, note=note)
+
+    def _named_before(self, position, cases, answers):
+        """Return the Verdict on the cases before this one if it names a mistake of the exercise, else None.
+
+        A known mistake in a simple case is more helpful than an error, or nan, in a later one.
+        """
+        before = self.verdict(cases[:position], answers[:position]) if position else None
+        return replace(before, credit=0) if before and before.mistake in self.mistakes else None
 
     def _is_unchanged(self, cases, values):
         pairs = [(attempt(self.broken, *case), value) for case, value in zip(cases, values, strict=True)]
@@ -400,6 +405,10 @@ _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",
     "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
 )
+_NUMBER_FOR_ARRAY = Mistake(
+    "a number is taken for an array or a list",
+    "A number has no entries to index or to loop over. numpy's functions work on numbers and on arrays.",
+)
 _NOT_FINITE = Mistake(
     "something was divided by zero, and the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
@@ -412,6 +421,12 @@ ERRORS = (  # that occur in any exercise; an exercise's own go before
     ),
     ("TypeError", "'list' and 'list'", _LIST_FOR_ARRAY),
     ("TypeError", "can't multiply sequence by non-int", _LIST_FOR_ARRAY),
+    *(
+        ("TypeError", f"'{kind}' object is not {use}", _NUMBER_FOR_ARRAY)
+        for kind in ("float", "int", "numpy.float64")
+        for use in ("iterable", "subscriptable")
+    ),
+    ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
     ("TypeError", "operand type(s) for ^", _NO_POWER),
     ("TypeError", "bitwise_xor", _NO_POWER),
     ("TypeError", "only 0-dimensional arrays can be converted", _ARRAY_FOR_NUMBER),

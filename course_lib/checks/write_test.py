@@ -43,7 +43,7 @@ class Version:
 
     kind: str
     function: Callable
-    right: bool
+    right: bool = False
 
 
 @dataclass(frozen=True)

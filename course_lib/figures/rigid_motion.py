@@ -5,7 +5,6 @@ from the same data, and its caption.
 """
 
 import numpy as np
-from matplotlib.patches import Circle
 
 from course_lib.figures import planar_arm
 from course_lib.figures.moving import movie, path, plane_layout
@@ -247,55 +246,6 @@ def tracks(paths, caption=""):
         for label in others
     )
     return {"fig": fig, "alt": f"Paths from one point. {' '.join(said)}", "caption": caption}
-
-
-_RADIUS = 0.17  # of the vacuum robot, metres
-
-
-def missed_dock(driven, believed):
-    """Return the path that a vacuum robot drives to its dock, and the path that it computes, with the robot on them.
-
-    Parameters
-    ----------
-    driven, believed : array_like, shape (n, 3)
-        Poses (x, y, theta), in metres and radians; the robot stands in its dock in the last of those driven.
-
-    Returns
-    -------
-    dict
-        What `show` takes.
-
-    Examples
-    --------
-    >>> print(missed_dock(np.array([[0, 0, 0], [1, 0, 0]]), np.array([[0, 0, 0], [1, 0.2, 0]]))["alt"])
-    A vacuum robot drives from (0, 0) to its dock, where it stops at (1, 0). By its own computation it is at (1, 0.2), \
-0.20 m from there.
-    """
-    driven, believed = np.asarray(driven, float), np.asarray(believed, float)
-    fig, (ax,) = plane_figure(7.2, 4.4)
-    ax.plot(*driven[:, :2].T, color=BLUE, linewidth=3, label="where it drives")
-    ax.plot(*believed[:, :2].T, "o--", color=CRIMSON, markersize=4, linewidth=2, label="where it believes it is")
-    for i in np.linspace(0, len(driven) - 1, 5).round().astype(int):
-        _draw_robot(ax, driven[i], BLUE, "#cfe0ec")
-    _draw_robot(ax, believed[-1], CRIMSON, _INSIDE)
-    R, front = pose_matrix(driven[-1])[:2, :2], driven[-1, :2]
-    corners = np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])  # of the dock, in radii of the robot
-    ax.fill(*(_RADIUS * R @ corners.T + front[:, None]), color=BLACK, label="dock")
-    ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
-    ax.margins(0.04)
-    fig.legend(loc="outside upper center", ncols=3, frameon=False)
-    off = np.linalg.norm(driven[-1, :2] - believed[-1, :2])
-    alt = f"A vacuum robot drives from {_point(driven[0])} to its dock, where it stops at {_point(front)}. "
-    alt += f"By its own computation it is at {_point(believed[-1])}, {off:.2f} m from there."
-    caption = "On the straight parts the two paths are parallel: they come apart in the bends."
-    return {"fig": fig, "alt": alt, "caption": caption}
-
-
-def _draw_robot(ax, pose, colour, inside):
-    """Draw a round robot at a pose (3,), with a line to its front."""
-    ax.add_patch(Circle(pose[:2], _RADIUS, facecolor=inside, edgecolor=colour, linewidth=2, zorder=3))
-    ahead = np.array([pose[:2], pose[:2] + _RADIUS * np.array([np.cos(pose[2]), np.sin(pose[2])])])
-    ax.plot(*ahead.T, color=colour, linewidth=2, zorder=4)
 
 
 def euler_paths(paths):

@@ -93,6 +93,11 @@ def body_frame(R, view=(1.0, 1.3, 0.9)):
     Returns
     -------
     plotly.graph_objects.Figure
+
+    Examples
+    --------
+    >>> [word.text[0] for word in body_frame(np.eye(3)).data[1:3]]
+    ['x<sub>a</sub>', 'y<sub>a</sub>']
     """
     model, height = _drone_in_fixed_axes(1.15, 1.35), 420
     poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped

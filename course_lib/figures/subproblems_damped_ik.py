@@ -9,7 +9,7 @@ import plotly.graph_objects as go
 from course_lib.figures.solids import Model, Part, draw, scene
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import AXIS, VIOLET, coordinates
-from course_lib.figures.space import fixed_frame, line, name_at, points, space_layout, sphere
+from course_lib.figures.space import fixed_frame, line, name_at, points, sphere
 from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
 from course_lib.rotations import exp_so3, log_so3
 
@@ -209,7 +209,6 @@ def orientation_paths(tracks, duration):
     'still on a path of length 0.00, at 0.00 to 0.00 rad/s.'
     """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
-    layout = space_layout([""], np.add(middle, [0, 0, 0.3]), distance=1.3)  # the eye is in front of the paths
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
     lengths, speeds = {}, []
     for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
@@ -222,14 +221,16 @@ def orientation_paths(tracks, duration):
         speeds.append(label.replace("omega", "$\\omega$") + f", {step.min():.2f} to {step.max():.2f} rad/s")
     ends = next(iter(tracks.values()))[[0, -1], :, 0]
     drawn.append(points(ends, 6, BLACK, "scene"))
-    drawn += [
-        name_at(np.add(1.15 * end, [0, 0, 0.17]), name, BLACK, "scene")
-        for name, end in zip(("start", "end"), ends, strict=True)
-    ]
+    shown = np.concatenate([_places(trace) for trace in drawn])
+    settings = scene.fitted_scene(shown, np.add(middle, [0, 0, 0.3]), fill=0.88)  # the eye is in front of the paths
+    taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
+    taken += [np.linspace(1, 1.2, 9)[:, None] * e for e in np.eye(3)]
+    names = scene.labels(dict(zip(("start", "end"), ends, strict=True)), settings, np.concatenate(taken), size=16)
+    drawn += [trace.update(_in_front(_places(trace), settings, (0, 0, 0), 1.0)) for trace in names]
     legend = {"orientation": "h", "x": 0.5, "xanchor": "center", "y": 1.0, "yanchor": "bottom"}
-    fig = go.Figure(drawn, layout={**layout, "annotations": [], "showlegend": True, "legend": legend}).update_traces(
-        selector={"showlegend": None}, showlegend=False
-    )
+    layout = {**scene.layout([settings], height=440), "showlegend": True, "legend": legend}
+    layout["margin"] = {**layout["margin"], "t": 30}
+    fig = go.Figure(drawn, layout=layout).update_traces(selector={"showlegend": None}, showlegend=False)
     said = "; ".join(f"{label} {told}" for label, told in lengths.items())
     alt = f"Where e_x goes on the unit sphere, in motions between the same two orientations: {said}."
     caption = (

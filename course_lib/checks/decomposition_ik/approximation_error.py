@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.shared import position, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import same_with_gaps
+from course_lib.checks.vocabulary import argument_degrees, same_with_gaps
 
 _FINE = 1e-9  # metres
 
@@ -194,11 +194,7 @@ EXERCISE = Exercise(
             "q2 counts from the first link: the second points along q1 + q2.",
             _with(lambda t1, t2: (np.cos(t1) + np.cos(t2), np.sin(t1) + np.sin(t2))),
         ),
-        Mistake(
-            "the angles are taken for degrees",
-            "Angles are radians everywhere.",
-            lambda xy, angles: distances(xy, np.deg2rad(angles)),
-        ),
+        argument_degrees(distances, 1, "the angles are taken for degrees"),
         Mistake(
             "the second link is missing",
             "Two links of 1 m: take your fk_2r.",

@@ -180,6 +180,19 @@ EXERCISE = Exercise(
             changed(to_whole=np.trunc, mark=unmarked),
         ),
         Mistake(
+            "positions outside the box get the number 0, which is a cell's",
+            "Outside means -1: cell 0 is the first one in the box.",
+            changed(mark=lambda index, outside: np.where(outside, 0, index)),
+        ),
+        Mistake(
+            "cell 0 is taken for outside",
+            "Cells are counted from 0: -1 alone means that there is no cell.",
+            *(
+                changed(mark=lambda index, outside, some=some: marked(index, outside | some(index <= 0, 1)[:, None]))
+                for some in (np.any, np.all)
+            ),
+        ),
+        Mistake(
             "only one of the two numbers is -1 where only x, or only y, is outside",
             "Outside is outside: (low <= xy) & (xy <= high) has to hold for both, np.all(..., axis=1).",
             changed(outside=each_by_itself),

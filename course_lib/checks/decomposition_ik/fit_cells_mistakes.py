@@ -1,8 +1,20 @@
 """The mistakes in the models of fit_cells."""
 
-import numpy as np
+import functools
 
-from course_lib.checks.decomposition_ik.shared import clusters, least_squares, models, position, split
+import numpy as np
+from sklearn.cluster import KMeans
+from threadpoolctl import threadpool_limits
+
+from course_lib.checks.decomposition_ik.shared import (
+    best_split,
+    clusters,
+    least_squares,
+    models,
+    position,
+    several,
+    split,
+)
 from course_lib.checks.decomposition_ik.split_branches import split_branches
 from course_lib.checks.exercise import Mistake
 from course_lib.checks.vocabulary import same_with_gaps
@@ -40,6 +52,29 @@ def one_for_both(*case):
 
 def _second_row(change):
     return _changed(lambda right: np.stack([right[:, :, 0], change(right[:, :, 0])], 2))
+
+
+def _of_clustered_positions(value, xy, q, cell, count):
+    """Whether the models of each cell are those of two clusters of its positions, from whatever start of k-means."""
+
+    def may_be(c):
+        own = cell == c
+        ends = _ends_of_k_means(np.round(position(q[own]), 12).tobytes())
+        found = (models(xy[own], q[own], np.zeros(own.sum()), 1, labels=lambda q, end=end: end)[0] for end in ends)
+        return any(same_with_gaps(value[c], two) or same_with_gaps(value[c], two[::-1]) for two in found)
+
+    return all(map(may_be, range(count)))
+
+
+@functools.lru_cache(maxsize=1000)
+def _ends_of_k_means(data):
+    """Return the labels with which k-means of these points ends, each once, for twenty starts."""
+    points = np.frombuffer(data).reshape(-1, 2)
+    if not several(points):
+        return [np.zeros(len(points))]
+    with threadpool_limits(1):
+        ends = [KMeans(2, n_init=1, random_state=start).fit_predict(points) for start in range(20)]
+    return list(np.unique([best_split(points), *ends], axis=0))
 
 
 def _together(xy, q, cell, count):
@@ -159,6 +194,7 @@ MISTAKES = (
         "Both elbows reach the same positions: only q tells them apart. split_branches(q[own]).",
         lambda *case: models(*case, labels=lambda q: split(position(q))),
         lambda *case: models(*case, labels=lambda q: split_branches(position(q))),
+        seen=_of_clustered_positions,
     ),
     Mistake(
         "the samples are split by the sign of q2",

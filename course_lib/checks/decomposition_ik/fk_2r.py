@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.shared import position, with_a_list
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import argument_degrees
 
 _FIRST_ROWS = Mistake(
     "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
@@ -129,11 +130,7 @@ EXERCISE = with_a_list(
                 _sum(_FIRST, _link(lambda t1, t2: t1 - t2)),
                 _sum(_FIRST, _link(lambda t1, t2: t2 - t1)),
             ),
-            Mistake(
-                "the angles are taken for degrees",
-                "Angles are radians everywhere: no np.deg2rad is needed.",
-                lambda q: position(np.deg2rad(q)),
-            ),
+            argument_degrees(position, name="the angles are taken for degrees"),
             Mistake(
                 "the angles are converted to degrees",
                 "np.cos and np.sin take radians.",
@@ -190,7 +187,7 @@ EXERCISE = with_a_list(
         hints=(
             "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
             "q2 is counted from the first link, so the second one points in the direction q1 + q2.",
-            "t1, t2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
+            "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
             "puts x and y back at the end.",
         ),
         forbidden=(

@@ -197,13 +197,15 @@ EXERCISE = Exercise(
             "There y / x is 0 / 0. Any q1 is right, so np.arctan2(0, 0) = 0 will do.",
             seen=lambda q, xy: not xy.any() and np.isnan(q).any(),
         ),
-        *(
-            Mistake(
-                "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
-                "np.arctan2(y, x) looks at both signs.",
-                seen=by_arctan(side),
-            )
-            for side in (1, -1)
+        Mistake(
+            "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
+            "np.arctan2(y, x) looks at both signs.",
+            seen=by_arctan(1),
+        ),
+        Mistake(
+            "the elbow correction of q1 has the wrong sign, and atan of y / x looks at one quotient only",
+            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): np.arctan2(y, x) looks at both signs.",
+            seen=by_arctan(-1),
         ),
         Mistake(
             "x and y are swapped in atan2",
@@ -261,8 +263,8 @@ EXERCISE = Exercise(
     library=ik_2r,
     hints=(
         "r^2 = x^2 + y^2 = 2 + 2 cos q2 gives cos q2, and arccos gives q2 >= 0; -q2 is the other one.",
-        "The position lies in the direction atan2(y, x), the second link bends away from it: "
-        "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2), for each q2.",
+        "The direction to the position, np.arctan2(y, x), halves the angle q2 between the links: q1 is half of q2 "
+        "less, for each of the two q2.",
         "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, r may be 2 + 4e-16 at the edge "
         "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
     ),

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.shared import position, solutions
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import near
+from course_lib.checks.vocabulary import near, wrong_steps
 
 
 def jacobian(q):
@@ -68,11 +68,7 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=(
-        Mistake(
-            "the step leads away from xy",
-            "The residual is the target minus the position reached.",
-            _step(lambda J, e: -np.linalg.solve(J, e)),
-        ),
+        *wrong_steps(right),
         Mistake(
             "the Jacobian is transposed",
             "Rows belong to x and y, columns to the joints.",
@@ -93,11 +89,6 @@ EXERCISE = Exercise(
             "an entry of J has the wrong sign",
             "The derivative of the cosine is minus the sine, that of the sine is the cosine.",
             *(_step(lambda J, e, signs=signs: np.linalg.solve(J * signs, e)) for signs in _SIGNS),
-        ),
-        Mistake(
-            "only the change is returned",
-            "Add it to q.",
-            lambda q, xy: np.linalg.solve(jacobian(q), xy - position(q)),
         ),
         Mistake(
             "the position that q leads to is not subtracted from xy",
@@ -121,7 +112,6 @@ EXERCISE = Exercise(
             "The first column belongs to q1.",
             _step(lambda J, e: np.linalg.solve(J[:, ::-1], e)),
         ),
-        Mistake("q is returned as it came", "Add the step.", lambda q, xy: q),
         Mistake(
             "more than one step is made",
             "One step is asked; call the function again for more.",

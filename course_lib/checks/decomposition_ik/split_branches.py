@@ -124,17 +124,18 @@ def _scaled(q):
     return (q - q.mean(axis=0)) / np.maximum(q.std(axis=0), 1e-9)
 
 
-def _nearly_best(labels, q, by, most):
-    """Whether labels are clusters of by(q), and not those asked for; near enough, where there are many as good."""
-    if not several(q) or not labels.any() or labels.all():
+def _settled(labels, q, by):
+    """Whether k-means of by(q) may end with these labels, each point nearest to its own mean, and they are wrong."""
+    if not several(q) or not labels.any() or labels.all() or _least(labels, q):
         return False
     points = by(q)
-    return within(points, labels) <= most * within(points, best_split(points)) and not _least(labels, q)
+    distances = [np.linalg.norm(points - points[labels == k].mean(axis=0), axis=1) for k in (0, 1)]
+    return np.array_equal(labels == 1, distances[1] < distances[0])
 
 
-def _clustered(name, hint, by, most=1.03):
-    """The mistake of those who cluster by(q): exactly so in all cases, or nearly so where it shows."""
-    return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _nearly_best(labels, q, by, most))
+def _clustered(name, hint, by):
+    """The mistake of those who cluster by(q): with the best two clusters, or others at which k-means may end."""
+    return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _settled(labels, q, by))
 
 
 def _as_k_means_numbers_them(q):
@@ -183,16 +184,10 @@ _MISTAKES = (
         lambda q: q[:, 1] <= 0,
         lambda q: q[:, 1] > 0,
     ),
-    Mistake(
-        "the samples are split at the mean or the median of q2",
-        "The clusters need not be of the same size, and KMeans looks at both angles.",
-        *_by_limit(1, np.mean, np.median),
-    ),
     _clustered(
         "the positions are clustered, not the joint angles",
         "Both elbows reach the same positions: only q tells them apart.",
         position,
-        1.1,
     ),
     _clustered(
         "only q1 is looked at",
@@ -208,6 +203,11 @@ _MISTAKES = (
         "the angles are scaled before they are clustered",
         "Both are radians: give q to KMeans as it is.",
         _scaled,
+    ),
+    Mistake(
+        "the samples are split at the mean or the median of q2",
+        "The clusters need not be of the same size, and KMeans looks at both angles.",
+        *_by_limit(1, np.mean, np.median),
     ),
     Mistake(
         "the samples are split at the mean or the median of q1",
@@ -302,10 +302,10 @@ EXERCISE = with_a_list(
         errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
         library=split_branches,
         hints=(
-            "Fewer than two different samples, len(np.unique(q, axis=0)) < 2: return np.zeros(len(q), int).",
-            "labels = KMeans(n_clusters=2, random_state=0).fit_predict(q).",
-            "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean().",
-            "If the first is the smaller one, return 1 - labels.",
+            "KMeans(n_clusters=2, random_state=0) has the method fit_predict, which returns a label for each sample.",
+            "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean(): if the "
+            "first is the smaller one, 1 - labels exchanges the two.",
+            "Before that: with fewer than two different samples, len(np.unique(q, axis=0)) < 2, return zeros.",
         ),
     ),
     position=0,

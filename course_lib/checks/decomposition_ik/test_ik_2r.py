@@ -43,10 +43,6 @@ def _right(kind, ik):
     return Version(kind, ik, right=True)
 
 
-def _wrong(kind, ik):
-    return Version(kind, ik, right=False)
-
-
 _ELBOWS = "that gives one elbow twice"
 _SIGN = "with a wrong sign"
 
@@ -62,8 +58,8 @@ EXERCISE = WriteTest(
         "You need no right version to compare with: fk_2r says where a solution leads.",
         "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
         "four quadrants.",
-        "Three special positions are left: beyond 2 m all is nan, at 2 m exactly nothing is, and close to 2 m both "
-        "rows still lead to xy.",
+        "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m exactly, where nothing is "
+        "nan; and slightly nearer than 2 m, where both rows lead to xy.",
     ),
     shapes=((2,),),
     versions=(
@@ -71,25 +67,25 @@ EXERCISE = WriteTest(
         _right("that intersects two circles", _by_circles),
         _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
         _right("that returns a list", _changed(lambda q, xy: q.tolist())),
-        _wrong("with its rows in the other order", _changed(lambda q, xy: q[::-1])),
-        _wrong(_ELBOWS, _changed(lambda q, xy: q[[0, 0]])),
-        _wrong(_ELBOWS, _changed(lambda q, xy: q[[1, 1]])),
-        _wrong(_SIGN, _changed(lambda q, xy: q * [1, -1])),
-        _wrong(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
-        _wrong("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
-        _wrong("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
-        _wrong("that is wrong only for x < 0", _with_q1(_left_half)),
-        _wrong("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
-        _wrong("that answers out of reach", solutions),
-        _wrong(
+        Version("with its rows in the other order", _changed(lambda q, xy: q[::-1])),
+        Version(_ELBOWS, _changed(lambda q, xy: q[[0, 0]])),
+        Version(_ELBOWS, _changed(lambda q, xy: q[[1, 1]])),
+        Version(_SIGN, _changed(lambda q, xy: q * [1, -1])),
+        Version(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
+        Version("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
+        Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
+        Version("that is wrong only for x < 0", _with_q1(_left_half)),
+        Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
+        Version("that answers out of reach", solutions),
+        Version(
             "that answers out of reach",
             lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else solutions(xy) * [np.nan, 1],
         ),
-        _wrong(
+        Version(
             "that has no answer on the edge",
             _changed(lambda q, xy: q if np.linalg.norm(xy) < 2 - 1e-12 else q * np.nan),
         ),
-        _wrong(
+        Version(
             "that is wrong only near the edge",
             _changed(lambda q, xy: q if np.linalg.norm(xy) < 1.98 else q * [1, 0]),
         ),

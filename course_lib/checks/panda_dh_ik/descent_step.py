@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.pose_error_mistakes import pose_error
 from course_lib.checks.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian
-from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near
+from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, wrong_steps
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, log_so3
 
@@ -63,7 +63,6 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         few_digits(right),
-        Mistake("the step leads away from the target", "e is target minus current.", _step(lambda *c: -pose_error(*c))),
         Mistake(
             "only one half of the error is mended",
             _PAIR,
@@ -97,7 +96,7 @@ EXERCISE = Exercise(
             "The rows of J are (v, omega).",
             _step(lambda *c: np.roll(pose_error(*c), 3)),
         ),
-        Mistake("only the step is returned", "Add it to q.", lambda *case: right(*case) - case[0]),
+        *wrong_steps(right),
         Mistake("step is not used", "J^T e is multiplied by step.", lambda *case: right(*case[:4], 1.0)),
         Mistake(
             "the pseudoinverse stands for the transpose",

@@ -114,7 +114,7 @@ EXERCISE = Exercise(
         "The last frame is the flange's; all others belong to joints, one each.",
         "A joint's axis z is the third column of its frame's rotation, a point o on it is the frame's origin.",
         "Column i is z x (p - o), and below it z: np.concatenate([np.cross(z, p - o), z]). "
-        "At last np.column_stack, so that the shape is (6, n).",
+        "Finally np.column_stack, so that the shape is (6, n).",
     ),
     forbidden=("course_lib.arms.SerialArm",),
     library=jacobian,

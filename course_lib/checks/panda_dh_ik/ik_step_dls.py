@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.shared import PANDA, panda_jacobian
-from course_lib.checks.vocabulary import angle_gap, few_digits, whole_numbers
+from course_lib.checks.vocabulary import angle_gap, few_digits, whole_numbers, wrong_steps
 
 _FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])
 _SQUARE = np.array([[1.0, 2], [0, 1]])
@@ -130,16 +130,7 @@ _WHOLE_NUMBERS = Mistake("q is changed in place", "q += ... writes into q itself
 
 _MISTAKES = (
     few_digits(step_of),
-    Mistake(
-        "the step has the wrong sign", "e is target minus current, so the step is added.", _by(lambda *c: -_step(*c))
-    ),
-    Mistake(
-        "only the step is returned",
-        "The answer is the joint angles after the step.",
-        lambda q, *rest: _step(*rest),
-        lambda q, *rest: -_step(*rest),
-    ),
-    Mistake("q itself is returned: nothing moves", "Add the step to it.", lambda q, *rest: q),
+    *wrong_steps(step_of),
     Mistake(
         "eps is not used: this is the step of the pseudoinverse",
         _DIAGONAL,

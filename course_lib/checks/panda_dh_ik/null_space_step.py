@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.shared import HIGH, LOW, panda_jacobian, truncated
-from course_lib.checks.vocabulary import away_from_zero, few_digits, near
+from course_lib.checks.vocabulary import away_from_zero, few_digits, near, wrong_steps
 
 _OTHER_SIZE = Mistake(
     "J J^+ stands for J^+ J, or I has another size", "The projector acts on joint motions: it is (n, n)."
@@ -83,17 +83,7 @@ EXERCISE = Exercise(
             _PROJECTOR,
             lambda q, J, q_middle, gain: q + gain * np.linalg.pinv(J) @ J @ (q_middle - q),
         ),
-        Mistake(
-            "the step leads away from the middle",
-            "The direction is q_middle - q.",
-            lambda q, J, q_middle, gain: right(q, J, q_middle, -gain),
-        ),
-        Mistake(
-            "only the step is returned",
-            "The answer is the joint angles after the step.",
-            lambda *case: right(*case) - case[0],
-        ),
-        Mistake("q itself is returned: nothing moves", "Add the step to it.", lambda q, *rest: q),
+        *wrong_steps(right),
         Mistake(
             "gain is not used",
             "The step is multiplied by gain.",

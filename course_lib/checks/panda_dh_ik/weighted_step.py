@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.panda_dh_ik.ik_step_dls import panda_step, step_of
-from course_lib.checks.vocabulary import away_from_zero, few_digits
+from course_lib.checks.vocabulary import away_from_zero, few_digits, wrong_steps
 
 _ROOT = "A row r e_i adds (r e_i)^2 to the sum of squares. Which r makes that w_i e_i^2?"
 _BOTH = "The residual is e - J delta: each of its rows has one factor, which multiplies the row of J and that of e."
@@ -80,9 +80,7 @@ EXERCISE = Exercise(
             "Only the ratio of the weights to eps counts: take them as they are given.",
             _with(lambda w: w / w.sum()),
         ),
-        Mistake("only the step is returned", "Add it to q.", lambda *case: right(*case) - case[0]),
-        Mistake("the step has the wrong sign", "It is added to q.", lambda *case: 2 * case[0] - right(*case)),
-        Mistake("q itself is returned: nothing moves", "Add the step to it.", lambda q, *rest: q),
+        *wrong_steps(right),
     ),
     hints=(
         "A sum of weighted squares is a plain sum of squares of other numbers: multiply each row by a factor.",

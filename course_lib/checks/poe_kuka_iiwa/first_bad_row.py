@@ -89,21 +89,8 @@ def _right(t, q, limits):
 
 
 def _without(**rules):
-    """The answer of somebody who leaves a rule out; None where it makes no difference."""
-
-    def answer(t, q, limits):
-        row = _first(_rules(t, q, limits, **rules))
-        return None if row == _right(t, q, limits) else row
-
-    return answer
-
-
-def _other(answer):
-    def changed(*case):
-        row = answer(*case)
-        return None if row == _right(*case) else row
-
-    return changed
+    """The answer of somebody who leaves a rule out."""
+    return lambda t, q, limits: _first(_rules(t, q, limits, **rules))
 
 
 def _last(t, q, limits):
@@ -165,8 +152,8 @@ EXERCISE = Exercise(
         Mistake(
             "0 or the number of rows is returned for a file without a fault",
             "0 is the first row. A file without a fault is -1.",
-            _other(lambda t, q, limits: max(_right(t, q, limits), 0)),
-            _other(lambda t, q, limits: len(t) if _right(t, q, limits) < 0 else _right(t, q, limits)),
+            lambda t, q, limits: max(_right(t, q, limits), 0),
+            lambda t, q, limits: len(t) if _right(t, q, limits) < 0 else _right(t, q, limits),
         ),
         Mistake(
             "numbers that are not finite go unnoticed",
@@ -195,27 +182,25 @@ EXERCISE = Exercise(
         Mistake(
             "an angle exactly at its limit is refused",
             "A joint may stand at its limit.",
-            _other(
-                lambda t, q, limits: _first(_rules(t, q, limits) | ((q <= limits[:, 0]) | (q >= limits[:, 1])).any(1))
-            ),
+            lambda t, q, limits: _first(_rules(t, q, limits) | ((q <= limits[:, 0]) | (q >= limits[:, 1])).any(1)),
         ),
         Mistake(
             "the limits of one joint are used for all",
             "Each joint has limits of its own: limits[j].",
-            _other(lambda t, q, limits: _right(t, q, np.tile(limits[0], (len(limits), 1)))),
-            _other(lambda t, q, limits: _right(t, q, np.tile([limits.min(), limits.max()], (len(limits), 1)))),
+            lambda t, q, limits: _right(t, q, np.tile(limits[0], (len(limits), 1))),
+            lambda t, q, limits: _right(t, q, np.tile([limits.min(), limits.max()], (len(limits), 1))),
         ),
         Mistake(
             "the row before the fault is named, where time runs backwards",
             "np.diff(t)[i] is t[i + 1] - t[i].",
-            _other(lambda t, q, limits: _first(_rules(t, q, limits, time=False) | np.append(np.diff(t) <= 0, False))),
+            lambda t, q, limits: _first(_rules(t, q, limits, time=False) | np.append(np.diff(t) <= 0, False)),
         ),
         Mistake(
             "the fault that is looked for first is named, not the first row",
             "A row is bad for any of the reasons. Collect them all, then take the first row.",
-            _other(_rule_by_rule),
+            _rule_by_rule,
         ),
-        Mistake("the last bad row is returned", "Asked for is the first one.", _other(_last)),
+        Mistake("the last bad row is returned", "Asked for is the first one.", _last),
         Mistake("the answer is always -1", "Some of the files are bad.", lambda *case: -1),
     ),
     hints=(

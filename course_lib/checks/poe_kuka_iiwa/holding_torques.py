@@ -44,19 +44,9 @@ def _by_wrench(wrench):
 
     def answer(screws, M, q, mass, center):
         T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-        value = -jacobian(screws, q).T @ wrench(T[:3, :3] @ center + T[:3, 3], T, f, center)
-        right = _right(screws, M, q, mass, center)
-        return None if near(value, right) else value
+        return -jacobian(screws, q).T @ wrench(T[:3, :3] @ center + T[:3, 3], T, f, center)
 
     return answer
-
-
-def _other(answer):
-    def changed(*case):
-        value = answer(*case)
-        return None if near(value, _right(*case)) else value
-
-    return changed
 
 
 def _seen(tau, *case):
@@ -91,7 +81,7 @@ EXERCISE = Exercise(
         Mistake(
             "the weight acts at the end-effector's origin, not at the center of mass",
             "The center of mass is given in the end-effector's frame: where is it, seen from the base?",
-            _other(lambda S, M, q, mass, center: _right(S, M, q, mass, 0 * center)),
+            lambda S, M, q, mass, center: _right(S, M, q, mass, 0 * center),
         ),
         Mistake(
             "the center of mass is taken for a position in the base frame",
@@ -101,7 +91,7 @@ EXERCISE = Exercise(
         Mistake(
             "the torques are multiplied by the angles",
             "The angles only say where the axes are.",
-            _other(lambda *case: _right(*case) * case[2]),
+            lambda *case: _right(*case) * case[2],
         ),
         Mistake(
             "the center of mass is added without rotating it",
@@ -140,26 +130,24 @@ EXERCISE = Exercise(
         Mistake(
             "mass is left out",
             "The weight is mass times 9.81 m/s^2.",
-            _other(lambda S, M, q, mass, center: _right(S, M, q, 1.0, center)),
+            lambda S, M, q, mass, center: _right(S, M, q, 1.0, center),
         ),
         Mistake(
             "the wrench of the base frame is used with the body Jacobian, or the body wrench with the space Jacobian",
             "A Jacobian's transpose takes the wrench seen from the same frame as its columns.",
-            _other(
-                lambda S, M, q, mass, center: (
-                    (adjoint(inverse(tool_pose(S, M, q))) @ jacobian(S, q)).T @ -_wrench(S, M, q, mass, center)
-                )
+            lambda S, M, q, mass, center: (
+                (adjoint(inverse(tool_pose(S, M, q))) @ jacobian(S, q)).T @ -_wrench(S, M, q, mass, center)
             ),
         ),
         Mistake(
             "the load is placed as if the arm were at home",
             "Where is the end-effector at these angles?",
-            _other(lambda S, M, q, mass, center: -jacobian(S, q).T @ _wrench(S, M, 0 * q, mass, center)),
+            lambda S, M, q, mass, center: -jacobian(S, q).T @ _wrench(S, M, 0 * q, mass, center),
         ),
         Mistake(
             "the screw axes are left as they are at home",
             "The joints before have moved them: that is what the Jacobian says.",
-            _other(lambda S, M, q, mass, center: -S @ _wrench(S, M, q, mass, center)),
+            lambda S, M, q, mass, center: -S @ _wrench(S, M, q, mass, center),
         ),
         Mistake(
             "gravity pulls along y",

@@ -42,7 +42,7 @@ def _with_rotation(rotation):
 
     def answer(omega, point, theta):
         R = rotation(omega, theta)
-        return None if near(R, _rotation(omega, theta)) else _both(R, point - R @ point)
+        return _both(R, point - R @ point)
 
     return answer
 

@@ -59,16 +59,6 @@ def _other_direction(S, omega, points):
     return f"In row {i} it is {format_tuple(S[i, :3])}; omega[{i}] is {format_tuple(omega[i])}."
 
 
-def _several(change):
-    """An answer that needs more than one joint to show: change(omega, points)."""
-
-    def answer(omega, points):
-        value = change(omega, points)
-        return None if near(value, axes(omega, points)) else value
-
-    return answer
-
-
 def _scaled(omega, points):
     v = np.cross(points, omega)
     size = np.linalg.norm(v, axis=1, keepdims=True)
@@ -134,12 +124,12 @@ EXERCISE = Exercise(
         Mistake(
             "every row has the direction of one joint",
             "Each joint has its own direction: row i needs omega[i].",
-            *(_several(lambda omega, points, i=i: axes(0 * omega + omega[i], points)) for i in (0, -1)),
+            *(lambda omega, points, i=i: axes(0 * omega + omega[i], points) for i in (0, -1)),
         ),
         Mistake(
             "every row is the same joint's",
             "Fill row i in the loop, with omega[i] and points[i].",
-            *(_several(lambda omega, points, i=i: axes(omega, points)[[i] * len(omega)]) for i in (0, -1)),
+            *(lambda omega, points, i=i: axes(omega, points)[[i] * len(omega)] for i in (0, -1)),
         ),
         _in_v(
             "v is made with the point of another joint, or points are added up or subtracted",

@@ -189,7 +189,11 @@ def worst_column(part, right):
         found, wanted = part(answer), right(*case)
         k = np.abs(found - wanted).max(axis=0).argmax()
         which = ("first", "second", "third")[k]
-        return f"Its {which} column should be {format_tuple(wanted[:, k])}. Yours is {format_tuple(found[:, k])}."
+        off = np.abs(found - wanted).max()
+        return (
+            f"Its {which} column should be {format_tuple(wanted[:, k])}. Yours is {format_tuple(found[:, k])}, off by "
+            f"{off:.2g}."
+        )
 
     return seen
 

@@ -24,14 +24,6 @@ def _wrong_far_away(T):
     return adjoint(T) if np.abs(T[COLUMN]).max() < 1 else _blocks(lambda R, P, zero: [[R, zero], [0 * P, R]])(T)
 
 
-def _wrong(kind, function):
-    return Version(kind, function, False)
-
-
-def _right(kind, function):
-    return Version(kind, function, True)
-
-
 EXERCISE = WriteTest(
     name="test_adjoint",
     points=3,
@@ -47,26 +39,28 @@ EXERCISE = WriteTest(
         "Compare with a tolerance, for right versions differ by rounding.",
     ),
     versions=(
-        _right("made of four blocks", adjoint),
-        _right("that fills in column by column", _column_by_column),
-        _right("whose last digits differ", lambda T: adjoint(T) * (1 + 3e-14)),
-        _right(
-            "with the coupling written as R [R^T p]", _blocks(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]])
+        Version("made of four blocks", adjoint, right=True),
+        Version("that fills in column by column", _column_by_column, right=True),
+        Version("whose last digits differ", lambda T: adjoint(T) * (1 + 3e-14), right=True),
+        Version(
+            "with the coupling written as R [R^T p]",
+            _blocks(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]]),
+            right=True,
         ),
-        _wrong("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R.T, zero], [P @ R, R]])),
-        _wrong("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R, zero], [P @ R, R.T]])),
-        _wrong("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [R @ P, R]])),
-        _wrong("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [-P @ R, R]])),
-        _wrong("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [P, R]])),
-        _wrong("without any coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [zero, R]])),
-        _wrong("for twists in the order (v, omega)", _blocks(lambda R, P, zero: [[R, P @ R], [zero, R]])),
-        _wrong("that goes in the other direction", lambda T: adjoint(inverse(T))),
-        _wrong("that is transposed", lambda T: adjoint(T).T),
-        _wrong("that is wrong only for rotations by more than 90 degrees", _wrong_beyond_a_right_angle),
-        _wrong("that is right only near the origin", _wrong_far_away),
-        _wrong("in other units of length", _blocks(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
-        _wrong("that is right for the identity only", lambda T: np.eye(6)),
-        _wrong("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
+        Version("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R.T, zero], [P @ R, R]])),
+        Version("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R, zero], [P @ R, R.T]])),
+        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [R @ P, R]])),
+        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [-P @ R, R]])),
+        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [P, R]])),
+        Version("without any coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [zero, R]])),
+        Version("for twists in the order (v, omega)", _blocks(lambda R, P, zero: [[R, P @ R], [zero, R]])),
+        Version("that goes in the other direction", lambda T: adjoint(inverse(T))),
+        Version("that is transposed", lambda T: adjoint(T).T),
+        Version("that is wrong only for rotations by more than 90 degrees", _wrong_beyond_a_right_angle),
+        Version("that is right only near the origin", _wrong_far_away),
+        Version("in other units of length", _blocks(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
+        Version("that is right for the identity only", lambda T: np.eye(6)),
+        Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
     ),
     shapes=((4, 4),),
 )

@@ -53,16 +53,6 @@ def _running(screws, M, angles):
     return np.array([(T @ M)[:3, 3] for T in products([_product(screws, q) for q in angles])[1:]])
 
 
-def _other(answer):
-    """The same answer, but None where it makes no difference."""
-
-    def changed(*case):
-        value = answer(*case)
-        return None if near(value, _right(*case)) else value
-
-    return changed
-
-
 def _seen(path, screws, M, angles):
     right = _right(screws, M, angles)
     i = int(np.argmax(np.abs(path - right).max(1)))
@@ -88,7 +78,7 @@ EXERCISE = Exercise(
             "M stands on the left of the exponentials, or on both sides",
             "On which side of M does a motion seen from the base act?",
             *(
-                _other(_each(position))
+                _each(position)
                 for position in (
                     lambda screws, M, q: (M @ _product(screws, q))[:3, 3],
                     lambda screws, M, q: (M @ tool_pose(screws, M, q))[:3, 3],
@@ -96,45 +86,51 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            "the exponentials are multiplied in the reverse order",
+            "Joint 1 moves all the others: which exponential is applied last?",
+            _each(lambda screws, M, q: tool_pose(screws[::-1], M, q[::-1])[:3, 3]),
+            _each(lambda screws, M, q: _product(screws[::-1], q[::-1])[:3, 3]),
+        ),
+        Mistake(
             "M comes in once for each joint",
             "M comes in once, after the last exponential.",
-            _other(_each(lambda S, M, q: products([E @ M for E in exponentials(S, q)])[-1][:3, 3])),
+            _each(lambda S, M, q: products([E @ M for E in exponentials(S, q)])[-1][:3, 3]),
         ),
         Mistake(
             "the product goes on from row to row",
             "Each row of angles is a configuration of its own: the product begins anew.",
-            _other(_running),
+            _running,
         ),
         Mistake(
             "only the position of M is added, without rotating it",
             "The arm rotates what it carries: adding vectors of two frames gives no position.",
-            _other(_each(lambda screws, M, q: _product(screws, q)[:3, 3] + M[:3, 3])),
+            _each(lambda screws, M, q: _product(screws, q)[:3, 3] + M[:3, 3]),
         ),
         Mistake(
             "the rotation alone is applied to the position of M",
             "The product of the exponentials moves points as well as rotating them.",
-            _other(_each(lambda screws, M, q: _product(screws, q)[:3, :3] @ M[:3, 3])),
+            _each(lambda screws, M, q: _product(screws, q)[:3, :3] @ M[:3, 3]),
         ),
         Mistake(
             "every row is at home",
             "The exponentials must move the end-effector.",
-            _other(_each(lambda screws, M, q: M[:3, 3])),
+            _each(lambda screws, M, q: M[:3, 3]),
         ),
         Mistake(
             "every row is that of the same angles",
             "Row i belongs to angles[i].",
-            *(_other(lambda s, M, angles, i=i: _right(s, M, angles)[[i] * len(angles)]) for i in (0, -1)),
+            *(lambda s, M, angles, i=i: _right(s, M, angles)[[i] * len(angles)] for i in (0, -1)),
         ),
         Mistake(
             "a row of T is returned, not its last column",
             "The position is in the last column of T.",
-            _other(_each(lambda screws, M, q: tool_pose(screws, M, q)[3, :3])),
-            _other(_each(lambda screws, M, q: tool_pose(screws, M, q)[2, :3])),
+            _each(lambda screws, M, q: tool_pose(screws, M, q)[3, :3]),
+            _each(lambda screws, M, q: tool_pose(screws, M, q)[2, :3]),
         ),
         Mistake(
             "one exponential is taken of the sum of the twists",
             "For matrices exp(A) exp(B) is not exp(A + B).",
-            _other(_each(lambda screws, M, q: (exp_se3(q @ screws) @ M)[:3, 3])),
+            _each(lambda screws, M, q: (exp_se3(q @ screws) @ M)[:3, 3]),
         ),
     ),
     hints=(

@@ -37,15 +37,9 @@ def _right(F_b, T):
     return adjoint(inverse(T)).T @ F_b
 
 
-def _other(answer):
-    """The answer(m, f, R, p, T) of a mistake; None where it makes no difference."""
-
-    def changed(F_b, T):
-        value = answer(F_b[:3], F_b[3:], T[:3, :3], T[:3, 3], T)
-        value = np.concatenate(value) if isinstance(value, tuple) else value
-        return None if near(value, _right(F_b, T)) else value
-
-    return changed
+def _of_halves(moment_and_force):
+    """The answer made of moment_and_force(m, f, R, p)."""
+    return lambda F_b, T: np.concatenate(moment_and_force(F_b[:3], F_b[3:], T[:3, :3], T[:3, 3]))
 
 
 EXERCISE = Exercise(
@@ -77,44 +71,44 @@ EXERCISE = Exercise(
         Mistake(
             "the wrench is carried as if it were a twist",
             "Power is F^T V, the same in both frames. If V is multiplied by Ad, what happens to F?",
-            _other(lambda m, f, R, p, T: adjoint(T) @ np.append(m, f)),
-            _other(lambda m, f, R, p, T: adjoint(inverse(T)) @ np.append(m, f)),
+            lambda F_b, T: adjoint(T) @ F_b,
+            lambda F_b, T: adjoint(inverse(T)) @ F_b,
         ),
         Mistake(
             "the transpose is taken of Ad(T), which takes wrenches from s to b",
             "Ad(T) takes V_b to V_s. Its transpose takes F_s to F_b; here you need the opposite direction.",
-            _other(lambda m, f, R, p, T: adjoint(T).T @ np.append(m, f)),
+            lambda F_b, T: adjoint(T).T @ F_b,
         ),
         Mistake(
             "the moment of the force about the base's origin is left out",
             "A force that acts at p has the moment p x f about the origin.",
-            _other(lambda m, f, R, p, T: (R @ m, R @ f)),
+            _of_halves(lambda m, f, R, p: (R @ m, R @ f)),
         ),
         Mistake(
             "the moment of the force has its sign changed, or p and f are of two frames",
             "The moment is p x f, in this order, with p and f both along the base's axes.",
-            _other(lambda m, f, R, p, T: (R @ m - np.cross(p, R @ f), R @ f)),
-            _other(lambda m, f, R, p, T: (R @ m + np.cross(p, f), R @ f)),
-            _other(lambda m, f, R, p, T: (R @ (m + np.cross(p, f)), R @ f)),
-            _other(lambda m, f, R, p, T: (m + np.cross(p, R @ f), R @ f)),
-            _other(lambda m, f, R, p, T: (R @ m + p * (R @ f), R @ f)),
+            _of_halves(lambda m, f, R, p: (R @ m - np.cross(p, R @ f), R @ f)),
+            _of_halves(lambda m, f, R, p: (R @ m + np.cross(p, f), R @ f)),
+            _of_halves(lambda m, f, R, p: (R @ (m + np.cross(p, f)), R @ f)),
+            _of_halves(lambda m, f, R, p: (m + np.cross(p, R @ f), R @ f)),
+            _of_halves(lambda m, f, R, p: (R @ m + p * (R @ f), R @ f)),
         ),
         Mistake(
             "the wrench is not rotated, or with R^T",
             "R takes vectors from the end-effector's axes to the base's.",
-            _other(lambda m, f, R, p, T: (m + np.cross(p, f), f)),
-            _other(lambda m, f, R, p, T: (R.T @ m + np.cross(p, R.T @ f), R.T @ f)),
+            _of_halves(lambda m, f, R, p: (m + np.cross(p, f), f)),
+            _of_halves(lambda m, f, R, p: (R.T @ m + np.cross(p, R.T @ f), R.T @ f)),
         ),
         Mistake(
             "the moment that F_b has already is left out",
             "The end-effector may bear a moment of its own: F_b[:3].",
-            _other(lambda m, f, R, p, T: (np.cross(p, R @ f), R @ f)),
+            _of_halves(lambda m, f, R, p: (np.cross(p, R @ f), R @ f)),
         ),
         halves_swapped(_right, "the force stands before the moment", "Wrenches are (m, f): the moment comes first."),
         Mistake(
             "F_b is taken for (f, m)",
             "Wrenches are (m, f): the moment comes first.",
-            _other(lambda m, f, R, p, T: adjoint(inverse(T)).T @ np.append(f, m)),
+            lambda F_b, T: _right(np.roll(F_b, 3), T),
         ),
     ),
     hints=(

@@ -154,6 +154,19 @@ def _product(step):
     return answer
 
 
+def _from_the_pair_s_beginning(move):
+    """Each pose of a pair by one move from the pose at its beginning, for the time since then."""
+
+    def answer(start, plan, dt):
+        poses = [np.array(start, float)]
+        for velocity, duration in plan:
+            begin = poses[-1]
+            poses += [move(begin, np.array(velocity, float), time) for time in np.cumsum(lengths(duration, dt))]
+        return np.array(poses)
+
+    return answer
+
+
 def _theta_read_by(inverse_function):
     def answer(*case):
         rows = propagate_body_exact(*case)
@@ -221,7 +234,10 @@ EXERCISE = Exercise(
             "the twist is in the order (vx, vy, omega)",
             "rigid.exp_se2 takes the angular velocity first: (omega, vx, vy).",
             follow(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h)),
-            follow(_only_theta(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h))),
+            *(
+                moved(_only_theta(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h)))
+                for moved in (follow, _from_the_pair_s_beginning)
+            ),
             _product(lambda T, vx, vy, omega, h: T @ exp_se2(np.array([vx, vy, omega]) * h)),
         ),
         Mistake(

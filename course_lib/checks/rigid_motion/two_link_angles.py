@@ -7,6 +7,10 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import angle_gap
 
+_ABOVE_ONE = Mistake(
+    "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
+    "np.clip(cosine, -1, 1) before arccos. A root of 1 - cosine^2 needs the same.",
+)
 _ONE = Mistake("only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below.")
 
 
@@ -47,17 +51,18 @@ def _same(value, predicted, *case):
     return min(angle_gap(value, predicted), angle_gap(value[::-1], predicted)) < 1e-6
 
 
-def _changed(answer):
-    return lambda tip: None if _same(found := answer(tip), _right(tip)) else found
-
-
 def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
 
 def _with_bend(inverse, cosine):
     """Both solutions with theta2 = inverse(cosine(squared distance)), and theta1 as it belongs to that."""
-    return _changed(lambda tip: _right(tip, lambda tip: inverse(np.clip(cosine(tip[0] ** 2 + tip[1] ** 2), -1, 1))))
+    return lambda tip: _right(tip, lambda tip: inverse(np.clip(cosine(tip[0] ** 2 + tip[1] ** 2), -1, 1)))
+
+
+def _with_first(first):
+    """Both solutions with another theta1: first(tip, theta2)."""
+    return lambda tip: _right(tip, first=first)
 
 
 _LINK = "Draw the triangle of base, elbow and tip: where in it does theta2 stand?"
@@ -67,7 +72,7 @@ EXERCISE = Exercise(
     points=3,
     arguments=("tip",),
     cases=_cases,
-    returns=numbers(lambda tip: (2, 2), {(2,): _ONE}),
+    returns=numbers(lambda tip: (2, 2), {(2,): _ONE}, nan=lambda tip: _ABOVE_ONE if _straight(tip) else None),
     properties=(
         Property(
             "with the angles of either row the arm's tip is at `tip`",
@@ -92,50 +97,34 @@ EXERCISE = Exercise(
         Mistake(
             "theta1 is the same for both elbows",
             "If the elbow bends to the other side, the first link points somewhere else too.",
-            _changed(lambda tip: _right(tip) * [[1, 1], [0, 1]] + [[0, 0], [_right(tip)[0, 0], 0]]),
-            _changed(lambda tip: _right(tip) * [[0, 1], [1, 1]] + [[_right(tip)[1, 0], 0], [0, 0]]),
+            lambda tip: _right(tip) * [[1, 1], [0, 1]] + [[0, 0], [_right(tip)[0, 0], 0]],
+            lambda tip: _right(tip) * [[0, 1], [1, 1]] + [[_right(tip)[1, 0], 0], [0, 0]],
         ),
         Mistake(
             "theta1 is the direction of the tip",
             "The first link points beside the tip, unless the arm is stretched out: by which angle?",
-            _changed(lambda tip: _right(tip, first=lambda tip, two: np.arctan2(tip[1], tip[0]))),
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0])),
         ),
         Mistake(
             "the correction of theta1 has its sign changed",
             "If the elbow bends to the left, the first link points to the right of the tip.",
-            _changed(
-                lambda tip: _right(
-                    tip, first=lambda tip, two: np.arctan2(tip[1], tip[0]) + np.arctan2(np.sin(two), 1 + np.cos(two))
-                )
-            ),
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) + np.arctan2(np.sin(two), 1 + np.cos(two))),
         ),
         Mistake(
             "arctan is used, which does not tell a direction from its opposite",
             "arctan(y / x) is the same for (x, y) and (-x, -y).",
-            _changed(
-                lambda tip: _right(
-                    tip, first=lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2))
-                )
-            ),
+            _with_first(lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2))),
         ),
         Mistake(
             "x and y are swapped in arctan2",
             "np.arctan2 takes y first.",
-            _changed(
-                lambda tip: _right(
-                    tip, first=lambda tip, two: np.arctan2(tip[0], tip[1]) - np.arctan2(np.sin(two), 1 + np.cos(two))
-                )
-            ),
+            _with_first(lambda tip, two: np.arctan2(tip[0], tip[1]) - np.arctan2(np.sin(two), 1 + np.cos(two))),
         ),
         Mistake(
             "theta2 is the angle inside the triangle",
             _LINK,
-            _changed(lambda tip: _right(tip, lambda tip: np.pi - _bend(tip))),
-            _changed(
-                lambda tip: np.array(
-                    [[_right(tip)[k, 0], sign * (np.pi - _bend(tip))] for k, sign in ((0, 1), (1, -1))]
-                )
-            ),
+            lambda tip: _right(tip, lambda tip: np.pi - _bend(tip)),
+            lambda tip: np.array([[_right(tip)[k, 0], sign * (np.pi - _bend(tip))] for k, sign in ((0, 1), (1, -1))]),
         ),
         Mistake(
             "the law of cosines has a wrong number, or the distance where its square belongs",
@@ -154,16 +143,16 @@ EXERCISE = Exercise(
         Mistake(
             "theta1 is corrected by the whole of theta2",
             "In the triangle with two equal sides, the angle at the base is half of the bend.",
-            _changed(lambda tip: _right(tip, first=lambda tip, two: np.arctan2(tip[1], tip[0]) - two)),
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) - two),
         ),
         Mistake(
             "theta2 is measured from the x axis of the world",
             "It is measured from the first link.",
-            _changed(lambda tip: np.cumsum(_right(tip), -1)),
+            lambda tip: np.cumsum(_right(tip), -1),
         ),
-        Mistake("the two angles are swapped", "A row is (theta1, theta2).", _changed(lambda tip: _right(tip)[:, ::-1])),
-        Mistake("rows and columns are swapped", "One solution a row.", _changed(lambda tip: _right(tip).T)),
-        Mistake("the angles are in degrees", "Angles are in radians.", _changed(lambda tip: np.rad2deg(_right(tip)))),
+        Mistake("the two angles are swapped", "A row is (theta1, theta2).", lambda tip: _right(tip)[:, ::-1]),
+        Mistake("rows and columns are swapped", "One solution a row.", lambda tip: _right(tip).T),
+        Mistake("the angles are in degrees", "Angles are in radians.", lambda tip: np.rad2deg(_right(tip))),
     ),
     library=_right,
     hints=(

@@ -119,6 +119,7 @@ _MISTAKES = (
         "half revolutions are subtracted",
         _WHOLE,
         lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2,
+        lambda a: a - np.pi * np.round(a / np.pi),
         lambda a: np.mod(a, np.pi),
         lambda a: np.fmod(a, np.pi),
         lambda a: np.mod(a + np.pi, np.pi) - np.pi,

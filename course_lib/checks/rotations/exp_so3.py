@@ -4,7 +4,14 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import argument_degrees, entry_by_entry, orthogonality_error, transposed, unit
+from course_lib.checks.vocabulary import (
+    argument_degrees,
+    entry_by_entry,
+    orthogonality_error,
+    series_cut,
+    transposed,
+    unit,
+)
 from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
 
 
@@ -187,13 +194,7 @@ EXERCISE = Exercise(
             "The exponential of a matrix is another thing: its series has matrix products.",
             lambda w: np.exp(hat(w)),
         ),
-        Mistake(
-            "the series is cut after a few terms",
-            "A few terms are enough for small angles only.",
-            lambda w: np.eye(3) + hat(w),
-            lambda w: np.eye(3) + hat(w) + hat(w) @ hat(w) / 2,
-            lambda w: np.eye(3) + hat(w) + hat(w) @ hat(w) / 2 + hat(w) @ hat(w) @ hat(w) / 6,
-        ),
+        series_cut(exp_so3, hat),
         Mistake(
             "the matrix [w] is returned, or its unit form",
             "That is the exponent. The rotation is its exponential.",

@@ -62,6 +62,12 @@ EXERCISE = Exercise(
             seen=of_many(lambda R: R[:, 2, 2].std() < 1e-6),
         ),
         Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES))),
+        Mistake(
+            "one entry of the matrices never changes its sign: these are numpy's QR factors as they are",
+            "LAPACK chooses the signs of the columns of Q. Q with the signs of R's diagonal, Q * np.sign(diagonal), is "
+            "uniform up to a reflection.",
+            seen=of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()),
+        ),
         Mistake(*GAPS, seen=of_many(lambda R: any(has_gaps(angle, *CIRCLE) for angle in arvo(R)[1:]))),
         Mistake(
             "rotation vectors are drawn uniformly from the ball of radius pi",

@@ -43,10 +43,6 @@ def _longer(w):
     return w * (angle - 2 * np.pi) / angle if angle > 0 else w
 
 
-def _wrong(kind, version):
-    return Version(kind, version, False)
-
-
 EXERCISE = WriteTest(
     name="test_log_so3",
     points=3,
@@ -57,26 +53,26 @@ EXERCISE = WriteTest(
     mistakes=(),
     shapes=((3, 3),),
     versions=(
-        Version("that is the library's", log_so3, True),
-        Version("that goes by the quaternion", _by_quaternion, True),
-        Version("that takes the other axis at 180 degrees", _other_sign, True),
-        Version("that differs by rounding", _rounded, True),
-        Version("that returns lists", lambda R: log_so3(R).tolist(), True),
-        _wrong("whose sign is wrong", lambda R: -log_so3(R)),
-        _wrong("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
-        _wrong("that lacks a factor 1/2", lambda R: 2 * log_so3(R)),
-        _wrong("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
-        _wrong("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
-        _wrong("that always returns zero", lambda R: np.zeros(3)),
-        _wrong("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
-        _wrong(
+        Version("that is the library's", log_so3, right=True),
+        Version("that goes by the quaternion", _by_quaternion, right=True),
+        Version("that takes the other axis at 180 degrees", _other_sign, right=True),
+        Version("that differs by rounding", _rounded, right=True),
+        Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
+        Version("whose sign is wrong", lambda R: -log_so3(R)),
+        Version("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
+        Version("that lacks a factor 1/2", lambda R: 2 * log_so3(R)),
+        Version("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
+        Version("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
+        Version("that always returns zero", lambda R: np.zeros(3)),
+        Version("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
+        Version(
             "that is wrong only beyond 90 degrees",
             _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),
         ),
-        _wrong("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
-        _wrong("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
-        _wrong("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
-        _wrong("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
+        Version("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
+        Version("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
+        Version("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
+        Version("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
     ),
     hints=(
         "You need no right logarithm to compare with: the exponential of the answer has to be R again.",

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
+from course_lib.checks.vocabulary import wrong_steps
 
 
 def step(q, target, alpha, eps):
@@ -128,11 +129,7 @@ _EVERY_ENTRY = Mistake(
 )
 
 WRONG_STEPS = (
-    Mistake(
-        "the step leads away from the target",
-        "With e = p(q) - target the step is subtracted: q - ..., with target - p(q) it is added. One sign, not two.",
-        _by(lambda J, e, alpha, eps: -alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)),
-    ),
+    *wrong_steps(step),
     _NO_EPS,
     Mistake(
         "eps is squared, or its root is taken",
@@ -169,12 +166,6 @@ WRONG_STEPS = (
         _by(lambda J, e, alpha, eps: alpha * (1 / (J.T @ J + eps * _I)) @ J.T @ e),
     ),
     Mistake(
-        "only the step is removed",
-        "The angles after the step: q minus it.",
-        lambda *case: step(*case) - case[0],
-        lambda *case: case[0] - step(*case),
-    ),
-    Mistake(
         "alpha multiplies q as well",
         "Only the step is multiplied by alpha.",
         lambda q, target, alpha, eps: alpha * step(q, target, 1.0, eps),
@@ -199,6 +190,7 @@ WRONG_STEPS = (
         "eps belongs to the diagonal of J^T J: J^T J + eps I.",
         _by(lambda J, e, alpha, eps: alpha * (np.linalg.pinv(J) @ e + eps)),
         _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e + eps),
+        _by(lambda J, e, alpha, eps: alpha * np.linalg.pinv(J) @ e - eps),
     ),
     Mistake(
         "the distance is taken for both coordinates of the error",

@@ -8,6 +8,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.subproblem1 import some_angle
+from course_lib.checks.vocabulary import argument_degrees
 from course_lib.rotations import rot_x, rot_y, vee
 
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -164,11 +165,7 @@ WRONG_MATRICES = (
     Mistake(
         "b1 and b2 are swapped", "b = (b1, b2, b3): b[0] rotates about y, b[1] about x.", lambda b: rates(b[[1, 0, 2]])
     ),
-    Mistake(
-        "the angles are taken for degrees",
-        "Angles are radians everywhere; np.deg2rad is not needed.",
-        lambda b: rates(np.deg2rad(b)),
-    ),
+    argument_degrees(rates, name="the angles are taken for degrees"),
     Mistake(
         "a factor sin b2 is missing in column 3",
         "Ry(b1) (0, cos b2, sin b2): rows 1 and 3 both have sin b2.",

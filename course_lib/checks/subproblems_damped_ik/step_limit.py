@@ -61,7 +61,13 @@ EXERCISE = Exercise(
             "s is not squared, or eps is",
             "Compare with the factor of a step: s^2 / (s^2 + eps).",
             _by(lambda s, eps: 2 * (1 + eps / s[0])),
+            _by(lambda s, eps: 2 * (1 + eps / s[-1])),
             _by(lambda s, eps: 2 * (1 + (eps / s[0]) ** 2)),
+        ),
+        Mistake(
+            "s is squared twice",
+            "The eigenvalues of J J^T are the s^2 already.",
+            _by(lambda s, eps: 2 * (1 + eps / s[0] ** 4)),
         ),
         Mistake(
             "eps and s are swapped",

@@ -15,6 +15,11 @@ _ON_AXIS = Mistake(
     "the length of the part perpendicular to the axis is divided by: it is 0 for a point on the axis",
     "arctan2(sine, cosine) needs no division, and gives 0 for arctan2(0, 0).",
 )
+_ABOVE_ONE = Mistake(
+    "arccos is asked for a number above 1, or the root for a negative one",
+    "The cosine of an angle is at most 1, and rounding makes it larger if p and g point the same way. "
+    "arctan2(sine, cosine) takes any numbers.",
+)
 _NO_ANSWER = Mistake(
     "nothing is returned where no angle brings p to g",
     "Return the angle that brings p nearest to g: the formula gives it without a further case.",
@@ -72,9 +77,11 @@ def _angle(theta, k, p, g):
     try:
         found = rows(1, "one angle, a number")(theta)
     except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and not _reached(k, p, g):
+        if wrong.mistake is not NOT_A_NUMBER:
+            raise
+        if not _reached(k, p, g):
             return np.nan  # a wrong formula in the ordinary cases says more
-        raise
+        raise Unreadable(str(wrong), _ABOVE_ONE) from None
     if len(found) != 1:
         raise Unreadable(f"the answer is one angle, a number. Yours has {len(found)} numbers.", OTHER_FORM)
     return found[0]

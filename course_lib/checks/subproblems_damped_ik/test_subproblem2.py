@@ -11,14 +11,6 @@ def _pairs(change):
     return lambda *case: change(np.reshape(solutions(*case), (-1, 2)))
 
 
-def _right(kind, function):
-    return Version(kind, function, right=True)
-
-
-def _wrong(kind, function):
-    return Version(kind, function, right=False)
-
-
 def _unit(p):
     return p / np.linalg.norm(p)
 
@@ -78,25 +70,25 @@ EXERCISE = WriteTest(
     ),
     shapes=((3,),) * 4,
     versions=(
-        _right("that is as in the text", lambda *case: solutions(*case)),
-        _right("that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1])),
-        _right("whose angles differ by 2 pi", _pairs(lambda pairs: pairs + np.array([2, -2]) * np.pi)),
-        _right("whose last digits differ", _pairs(lambda pairs: pairs * (1 + 1e-13))),
-        _right("that returns a list of lists", _pairs(lambda pairs: pairs.tolist())),
-        _wrong(_COUNT, _pairs(lambda pairs: pairs[:1])),
-        _wrong(_COUNT, _pairs(lambda pairs: pairs[:1].repeat(2, 0))),
-        _wrong(_COUNT, lambda *case: []),
-        _wrong(_SIGN, _pairs(lambda pairs: pairs * [1, -1])),
-        _wrong(_SIGN, _pairs(lambda pairs: pairs * [-1, 1])),
-        _wrong(_SIGN, _pairs(np.abs)),
-        _wrong("whose angles are exchanged", _pairs(lambda pairs: pairs[:, ::-1])),
-        _wrong("whose angles belong to different solutions", _pairs(_crossed)),
-        _wrong("that is right only for angles up to 90 degrees", _pairs(_quarter)),
-        _wrong("in degrees", _pairs(np.rad2deg)),
-        _wrong(_NONE, _nearest),
-        _wrong(_NONE, _lengths_not_compared),
-        _wrong("that is right only for some angles between the axes", _perpendicular),
-        _wrong("that is right only for some angles between the axes", _acute),
-        _wrong("that is right only for points of length one", _unit_points),
+        Version("that is as in the text", lambda *case: solutions(*case), right=True),
+        Version("that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1]), right=True),
+        Version("whose angles differ by 2 pi", _pairs(lambda pairs: pairs + np.array([2, -2]) * np.pi), right=True),
+        Version("whose last digits differ", _pairs(lambda pairs: pairs * (1 + 1e-13)), right=True),
+        Version("that returns a list of lists", _pairs(lambda pairs: pairs.tolist()), right=True),
+        Version(_COUNT, _pairs(lambda pairs: pairs[:1])),
+        Version(_COUNT, _pairs(lambda pairs: pairs[:1].repeat(2, 0))),
+        Version(_COUNT, lambda *case: []),
+        Version(_SIGN, _pairs(lambda pairs: pairs * [1, -1])),
+        Version(_SIGN, _pairs(lambda pairs: pairs * [-1, 1])),
+        Version(_SIGN, _pairs(np.abs)),
+        Version("whose angles are exchanged", _pairs(lambda pairs: pairs[:, ::-1])),
+        Version("whose angles belong to different solutions", _pairs(_crossed)),
+        Version("that is right only for angles up to 90 degrees", _pairs(_quarter)),
+        Version("in degrees", _pairs(np.rad2deg)),
+        Version(_NONE, _nearest),
+        Version(_NONE, _lengths_not_compared),
+        Version("that is right only for some angles between the axes", _perpendicular),
+        Version("that is right only for some angles between the axes", _acute),
+        Version("that is right only for points of length one", _unit_points),
     ),
 )

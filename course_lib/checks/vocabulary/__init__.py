@@ -35,8 +35,10 @@ from course_lib.checks.vocabulary.mistakes import (
     in_degrees,
     inverted,
     negated,
+    series_cut,
     transposed,
     whole_numbers,
+    wrong_steps,
 )
 
 __all__ = [
@@ -69,7 +71,9 @@ __all__ = [
     "same_angles",
     "same_up_to_sign",
     "same_with_gaps",
+    "series_cut",
     "transposed",
     "unit",
     "whole_numbers",
+    "wrong_steps",
 ]

@@ -80,11 +80,48 @@ def halves_swapped(
     return Mistake(name, hint, _changed(right, lambda x: np.roll(x, x.shape[axis] // 2, axis)))
 
 
+def wrong_steps(right):
+    """Mistakes in the last line of a function that returns its first argument, joint angles, after one step."""
+    return (
+        Mistake(
+            "the step leads away from the target",
+            "Is the error the target minus what is reached, or the other way round? The step has one sign, not two.",
+            lambda q, *rest: 2 * q - right(q, *rest),
+        ),
+        Mistake(
+            "only the step is returned",
+            "The answer is the joint angles after the step.",
+            lambda q, *rest: right(q, *rest) - q,
+            lambda q, *rest: q - right(q, *rest),
+        ),
+        Mistake("q is returned as it came: nothing moves", "Add the step to it.", lambda q, *rest: q),
+    )
+
+
 def entry_by_entry(
     wrong, name="* or ** works entry by entry", hint="In numpy the product of matrices is @; M ** 2 squares each entry."
 ):
     """wrong(*arguments): the answer with entrywise products in place of matrix products."""
     return Mistake(name, hint, wrong)
+
+
+def series_cut(right, matrix):
+    """The exponential series of matrix(*arguments) with too few terms, if that shows."""
+
+    def answer(terms):
+        def partial_sum(*case):
+            M = matrix(*case)
+            steps = range(1, terms)
+            total = sum(itertools.accumulate(steps, lambda term, k: term @ M / k, initial=np.eye(len(M))))
+            return None if np.allclose(total, right(*case), rtol=1e-11, atol=1e-11) else total
+
+        return partial_sum
+
+    return Mistake(
+        "the series of the exponential is cut after some terms",
+        "A few terms are enough for small angles only. The closed formula is the sum of all of them.",
+        *(answer(terms) for terms in range(2, 21)),
+    )
 
 
 def few_digits(right):

@@ -84,7 +84,7 @@
       view.end();
       numbers.textContent = found
         ? found.planes.map(([a, b, c], k) => `q${k + 1} = ${P.number(a, 3)} ${b < 0 ? "-" : "+"} ${P.number(Math.abs(b), 3)} (x - ${P.number(found.centre[0], 2)}) ${c < 0 ? "-" : "+"} ${P.number(Math.abs(c), 3)} (y - ${P.number(found.centre[1], 2)})   rad`).join("\n") +
-          `\nthe arm stands ${P.number(1000 * K.norm(K.add(shown[2], state.at, -1)), 2)} mm from the query; on average in this cell ${P.number(1000 * found.mean, 2)} mm, at worst ${P.number(1000 * found.worst, 2)} mm`
+          `\nthe arm stands ${P.number(1000 * K.norm(K.add(shown[2], state.at, -1)), 1)} mm from the query; on average in this cell ${P.number(1000 * found.mean, 1)} mm, at worst ${P.number(1000 * found.worst, 1)} mm`
         : "this cell holds too few points that the arm reaches";
       words.textContent = `${count} cells of ${P.number(h)} m, 6 numbers each, branch q2 >= 0; ${bad} of them are 5 cm off or more on average.`;
     }

@@ -10,7 +10,7 @@ from course_lib.figures.solids.shells import shell
 
 
 def link_poses(arm, q):
-    """Return the poses of an arm's bodies, relative to where they are at q = 0.
+    """Return the poses of an arm's bodies relative to their poses at q = 0.
 
     Parameters
     ----------
@@ -21,7 +21,14 @@ def link_poses(arm, q):
     Returns
     -------
     ndarray, shape (..., n + 1, 4, 4)
-        Of the base, which stands, and of the body that each joint carries: the products of exponentials up to it.
+        Of the base, which does not move, and of the body that each joint moves: the products of exponentials up to it.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> poses = link_poses(planar_arm([1, 1]), [0, np.pi / 2])
+    >>> print((poses[2] @ [2, 0, 0, 1]).round(9))  # the tip, when the elbow bends by 90 degrees
+    [1. 1. 0. 1.]
     """
     moved = arm.frames(q)[..., :-1, :, :] @ rigid.inverse(arm.home[:-1])
     base = np.broadcast_to(np.eye(4), (*moved.shape[:-3], 1, 4, 4))
@@ -29,7 +36,14 @@ def link_poses(arm, q):
 
 
 def arm_model(arm, extra=()):
-    """Return the Model of an arm's bodies, 0 to n, and of extra Parts."""
+    """Return the Model of an arm's bodies, 0 to n, and of extra Parts.
+
+    Examples
+    --------
+    >>> from course_lib.arms import panda
+    >>> len(arm_model(panda()).counts)  # the base and seven links
+    8
+    """
     return Model.of([*shell(arm), *extra])
 
 
@@ -94,7 +108,13 @@ def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=
 
 
 def beside(centre, radius, view):
-    """Return the place (2,) on the floor, in front and to the left, where the base frame's directions are drawn."""
+    """Return the position (2,) on the floor, in front and to the left, at which the base frame's axes are drawn.
+
+    Examples
+    --------
+    >>> print(beside(np.zeros(2), 1.0, view=(1, 0, 0)))
+    [ 0.25 -0.7 ]
+    """
     right, _, eye = around.camera_axes(view)
     front = eye[:2] / np.linalg.norm(eye[:2])
     return centre - 0.7 * radius * right[:2] + 0.25 * radius * front

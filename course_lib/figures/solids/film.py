@@ -38,6 +38,15 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     -------
     plotly.graph_objects.Figure
         Lengths in millimetres. scripts/motion.js describes `layout.meta.course`.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> from course_lib.figures.solids.draw import arm_model, link_poses
+    >>> arm, times = planar_arm([1, 1]), np.linspace(0, 2, 60)
+    >>> fig = film("elbow", arm_model(arm), link_poses(arm, np.outer(times, [0, 1])), times)
+    >>> len(fig.frames), len(fig.layout.meta["course"]["times"])  # JupyterLab plays the frames, a page all poses
+    (20, 60)
     """
     poses, times = np.asarray(poses, float), np.asarray(times, float)
     shown = np.unique(np.linspace(0, len(times) - 1, min(_LAB_FRAMES, len(times))).astype(int))

@@ -34,7 +34,15 @@ _OFF_TIES = 3.1e-7  # lengths of models are round numbers, which two machines wo
 
 @dataclass(frozen=True)
 class Part:
-    """A mesh of one colour (an index into PALETTE) on the body of that number."""
+    """A mesh of one colour (an index into PALETTE) on the body of that number.
+
+    Examples
+    --------
+    >>> from course_lib.figures.solids.meshes import ball
+    >>> part = Part(body=2, colour=X_RED, mesh=ball([0, 0, 0], 0.1))
+    >>> PALETTE[part.colour] == RED
+    True
+    """
 
     body: int
     colour: int
@@ -51,6 +59,19 @@ class Model:
 
     vertices: (m, 3), each in the frame of its body. faces: (k, 3). colours, bodies: (m,), of each vertex; the
     vertices of a body stand together, in the order of the bodies.
+
+    Examples
+    --------
+    >>> from course_lib.figures.solids.meshes import ball
+    >>> model = Model.of([Part(1, WHITE, ball([0, 0, 0], 0.1)), Part(0, DARK, ball([0, 0, 0], 0.2))])
+    >>> model.counts, len(model.vertices)
+    ([62, 62], 124)
+    >>> lifted = np.eye(4)
+    >>> lifted[2, 3] = 1.0
+    >>> print(model.placed([np.eye(4), lifted])[:, 2].max().round(9))
+    1.08660254
+    >>> model.trace([np.eye(4), lifted]).type
+    'mesh3d'
     """
 
     vertices: np.ndarray
@@ -86,7 +107,13 @@ class Model:
 
 
 def coloured(colours):
-    """Return the arguments of a Mesh3d whose vertices have these colours of the palette, in the one light."""
+    """Return the arguments of a Mesh3d whose vertices have these colours of the palette, in the one light.
+
+    Examples
+    --------
+    >>> coloured([WHITE, DARK])["intensity"]
+    [3, 2]
+    """
     n = len(PALETTE)
     scale = [[edge, colour] for i, colour in enumerate(PALETTE) for edge in (i / n, (i + 1) / n)]
     return {
@@ -103,5 +130,11 @@ def coloured(colours):
 
 
 def coordinates(points):
-    """Return points (n, 3) as plotly's x, y and z, to a tenth of a millimetre, the same on every machine."""
+    """Return points (n, 3) as plotly's x, y and z, to a tenth of a millimetre, the same on every machine.
+
+    Examples
+    --------
+    >>> coordinates([[0, 0.12345678, 1]])
+    {'x': array([0.]), 'y': array([0.1235]), 'z': array([1.])}
+    """
     return dict(zip("xyz", np.round(np.asarray(points, float) + _OFF_TIES, _DECIMALS).T, strict=True))

@@ -1,4 +1,4 @@
-"""What stands around a robot: floor with grid and soft shadow, table, joint axes, frames with names, and the camera."""
+"""The surroundings of a robot: floor with grid and soft shadow, table, joint axes, named frames, and the camera."""
 
 import numpy as np
 import plotly.graph_objects as go
@@ -10,7 +10,7 @@ from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 
 _FIELD_OF_VIEW = np.tan(np.pi / 8)  # plotly's: 45 degrees from top to bottom
 _FLOOR, _SHADOW, _GRID = "#eceef1", "#6b727b", "#c3c8ce"
-VIEW = (1.05, -1.3, 0.55)  # from where one looks, unless a picture says otherwise
+VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
 
 
 def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
@@ -19,7 +19,7 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
     Parameters
     ----------
     points : array_like, shape (n, 3)
-        Everything that is to be seen, in every frame of a film. Nothing of it is clipped.
+        Everything that must be visible, in every frame of a film.
     view : array_like, shape (3,)
         The direction from the scene to the eye.
     aspect : float
@@ -32,6 +32,13 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
     Returns
     -------
     dict
+
+    Examples
+    --------
+    >>> corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 3)])
+    >>> seen = projected(corners, fitted_scene(corners))
+    >>> print(np.abs(seen).max().round(2))  # fills 94 percent of the picture
+    0.94
     """
     points = np.asarray(points, float).reshape(-1, 3)
     low, high = points.min(0), points.max(0)
@@ -61,7 +68,15 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
 
 
 def projected(points, scene, aspect=1.0):
-    """Return where points (n, 3) are drawn: (n, 2), from -1 to 1 to the right and up, by a scene's settings."""
+    """Return where points (n, 3) are drawn: (n, 2), from -1 to 1 to the right and up, by a scene's settings.
+
+    Examples
+    --------
+    >>> settings = fitted_scene(np.eye(3), view=(1, 0, 0))
+    >>> origin, y, z = projected([[0, 0, 0], [0, 1, 0], [0, 0, 1]], settings)
+    >>> print(y - origin > 0.1, z - origin > 0.1)  # y to the right, z up
+    [ True False] [False  True]
+    """
     ranges = np.array([scene[f"{c}axis"]["range"] for c in "xyz"])
     ratio = np.array([scene["aspectratio"][c] for c in "xyz"])
     eye, centre = (np.array([scene["camera"][name][c] for c in "xyz"]) for name in ("eye", "center"))
@@ -71,7 +86,15 @@ def projected(points, scene, aspect=1.0):
 
 
 def camera_axes(view):
-    """Return the unit vectors to the right, up, and to the eye, as rows (3, 3)."""
+    """Return the unit vectors to the right, up, and to the eye, as rows (3, 3).
+
+    Examples
+    --------
+    >>> print(camera_axes([1, 0, 0]))
+    [[0. 1. 0.]
+     [0. 0. 1.]
+     [1. 0. 0.]]
+    """
     z = np.asarray(view, float) / np.linalg.norm(view)
     x = np.cross([0, 0, 1], z)
     x = x / np.linalg.norm(x)
@@ -79,7 +102,13 @@ def camera_axes(view):
 
 
 def layout(scenes, *, height=480, titles=()):
-    """Return the layout of a figure with these scenes side by side, each under its title."""
+    """Return the layout of a figure with these scenes side by side, each under its title.
+
+    Examples
+    --------
+    >>> layout([fitted_scene(np.eye(3))], titles=["a scene"])["annotations"][0]["text"]
+    'a scene'
+    """
     names = ["scene" if i == 0 else f"scene{i + 1}" for i in range(len(scenes))]
     notes = []
     for i, title in enumerate(titles):
@@ -94,6 +123,12 @@ def floor(vertices, *, height=0.0, centre=None, radius=None, scene="scene", ring
     """Return a round floor with the soft shadow of what stands above it, and its grid: two traces.
 
     vertices: (n, 3), of the bodies that cast the shadow; of a film, those of several frames.
+
+    Examples
+    --------
+    >>> disc, grid = floor(np.array([[0.0, 0, 0], [0.3, 0, 1]]))
+    >>> disc.type, grid.mode
+    ('mesh3d', 'lines')
     """
     centre, radius = floor_size(vertices, centre, radius)
     t = 2 * np.pi * np.arange(around) / around
@@ -116,7 +151,14 @@ def floor(vertices, *, height=0.0, centre=None, radius=None, scene="scene", ring
 
 
 def floor_size(vertices, centre=None, radius=None):
-    """Return centre (2,) and radius of the floor below vertices (n, 3)."""
+    """Return centre (2,) and radius of the floor below vertices (n, 3).
+
+    Examples
+    --------
+    >>> centre, radius = floor_size(np.array([[0.0, 0, 0], [2, 0, 1]]))
+    >>> print(centre, radius)
+    [1. 0.] 1.12
+    """
     low, high = vertices[:, :2].min(0), vertices[:, :2].max(0)
     centre = (low + high) / 2 if centre is None else np.asarray(centre, float)
     reach = np.linalg.norm(vertices[:, :2] - centre, axis=1).max()
@@ -125,14 +167,20 @@ def floor_size(vertices, centre=None, radius=None):
 
 
 def rim(vertices, height=0.0):
-    """Return points (24, 3) on the edge of the floor below vertices, for the camera."""
+    """Return points (24, 3) on the edge of the floor below vertices, for the camera.
+
+    Examples
+    --------
+    >>> print(rim(np.array([[0.0, 0, 0], [2, 0, 1]])).max(0).round(2))
+    [2.12 1.12 0.  ]
+    """
     centre, radius = floor_size(vertices)
     t = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     return np.stack([centre[0] + radius * np.cos(t), centre[1] + radius * np.sin(t), np.full(24, height)], -1)
 
 
 def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
-    """Return what shows the joint axes outside the bodies that they pass through: dashes, arrowheads and numbers.
+    """Return the joint axes outside the bodies that they pass through: dashes, arrowheads and numbers.
 
     Parameters
     ----------
@@ -142,7 +190,7 @@ def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
     vertices, bodies : ndarray, shapes (m, 3) and (m,)
         Of the model at these poses.
     beyond : float
-        How far an axis reaches beyond the bodies, metres.
+        How far an axis extends beyond the bodies, metres.
 
     Returns
     -------
@@ -152,6 +200,16 @@ def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
         At the end to which the axis points.
     words : dict
         Where each number stands; axes on one line share one name, such as "1, 3, 5, 7".
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> from course_lib.figures.solids.draw import arm_model, link_poses
+    >>> arm = iiwa14()
+    >>> model, poses = arm_model(arm), link_poses(arm, np.zeros(7))
+    >>> dashes, heads, words = joint_axes(arm, poses, model.placed(poses), model.bodies)
+    >>> list(words), len(heads)
+    (['1, 3, 5, 7', '2', '4', '6'], 4)
     """
     moved = poses[1:]
     p = (moved[:, :3, :3] @ joint_points(arm)[..., None])[..., 0] + moved[:, :3, 3]
@@ -189,19 +247,38 @@ def _on_one_line(point, axis, other, direction, near):
 
 
 def dashed(points, scene="scene"):
-    """Return the trace of the dashes of joint_axes."""
+    """Return the trace of the dashes of joint_axes.
+
+    Examples
+    --------
+    >>> dashed([[0, 0, 0], [0, 0, 1]]).mode
+    'lines'
+    """
     look = {"color": AXIS, "width": 5}
     return go.Scatter3d(**coordinates(points), mode="lines", line=look, hoverinfo="skip", scene=scene)
 
 
 def triad(body, pose, size, radius=None):
-    """Return the arrows along the x, y and z axis of a frame (4, 4), as Parts of a body: red, green, blue."""
+    """Return the arrows along the x, y and z axis of a frame (4, 4), as Parts of a body: red, green, blue.
+
+    Examples
+    --------
+    >>> [part.colour - X_RED for part in triad(0, np.eye(4), 0.5)]  # red, green, blue
+    [0, 1, 2]
+    """
     radius = 0.055 * size if radius is None else radius
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]
 
 
 def table(body, centre, radius, height=0.0, thickness=0.03):
-    """Return the edge of a round table under the floor of that size: a Part of a body that stands."""
+    """Return the edge of a round table under the floor of that size: a Part of a body that stands.
+
+    Examples
+    --------
+    >>> (part,) = table(1, [0.5, 0], radius=0.8)
+    >>> print(part.body, part.mesh.vertices.max(0)[:2].round(2))
+    1 [1.3 0.8]
+    """
     low, high, r = -thickness, -0.006 * radius, radius
     edge = [(0.97 * r, low), (r, low + 0.2 * thickness), (r, high), (0.99 * r, high)]
     return [Part(body, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))]
@@ -210,7 +287,14 @@ def table(body, centre, radius, height=0.0, thickness=0.03):
 def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.05):
     """Return words beside their points, moved in the picture so that they cover neither each other nor other points.
 
-    words: {word: (3,)}. settings: the scene's, as fitted_scene returns them. taken: (n, 3), what is not to be covered.
+    words: {word: (3,)}. settings: the scene's, as fitted_scene returns them. taken: (n, 3), points to keep free.
+
+    Examples
+    --------
+    >>> settings = fitted_scene(np.eye(3))
+    >>> (words,) = labels({"x": np.array([1.0, 0, 0]), "y": np.array([0, 1.0, 0])}, settings)
+    >>> words.text
+    ('x', 'y')
     """
     if not words:
         return []

@@ -1,6 +1,6 @@
-"""Shells of arms: the iiwa, the Panda and the UR5e as one knows them, every other arm from its screw axes.
+"""Shells of arms: the iiwa, the Panda and the UR5e in their own shapes, every other arm from its screw axes.
 
-A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floor, body i is carried by joint i. All
+A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floor, joint i moves body i. All
 lengths are shares of the arm's own, so that a shell fits its kinematic model.
 """
 
@@ -14,7 +14,14 @@ _X, _Y, _Z = np.eye(3)
 
 
 def shell(arm):
-    """Return the Parts of an arm's bodies; whose arm it is, its screw axes tell."""
+    """Return the Parts of an arm's bodies; the arm is recognized by its screw axes.
+
+    Examples
+    --------
+    >>> from course_lib.arms import ur5e
+    >>> sorted({part.body for part in shell(ur5e())})
+    [0, 1, 2, 3, 4, 5, 6]
+    """
     for known, parts in ((iiwa14, _iiwa), (panda, _panda), (ur5e, _ur5e)):
         if np.array_equal(known().screw_axes, arm.screw_axes):
             return parts(arm)
@@ -22,7 +29,13 @@ def shell(arm):
 
 
 def joint_points(arm):
-    """Return the points (n, 3) on the joint axes that are nearest to the joints' own frames, at q = 0."""
+    """Return the points (n, 3) on the joint axes that are nearest to the joints' own frames, at q = 0.
+
+    Examples
+    --------
+    >>> print(joint_points(iiwa14())[:, 2])  # heights of the joints' frames
+    [0.   0.36 0.36 0.78 0.78 1.18 1.18]
+    """
     w, v = arm.screw_axes[:, :3], arm.screw_axes[:, 3:]
     return np.cross(w, v) + (w * arm.home[:-1, :3, 3]).sum(-1, keepdims=True) * w
 
@@ -32,6 +45,11 @@ def gripper(body, tip, length=0.1034):
 
     tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along y. length: metres
     from the flange to there.
+
+    Examples
+    --------
+    >>> [part.body for part in gripper(7, np.eye(4))]
+    [7, 7]
     """
     s = length / 1.06
     plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(tip)
@@ -40,7 +58,13 @@ def gripper(body, tip, length=0.1034):
 
 
 def finger(body, side, length=0.1034):
-    """Return a finger whose pad lies at the origin of its frame, with the gripped thing at its `side`: 1 for y > 0."""
+    """Return a finger whose pad lies at the origin of its frame, with the gripped object at its `side`: 1 for y > 0.
+
+    Examples
+    --------
+    >>> [part.body for part in finger(8, side=1)]
+    [8, 8]
+    """
     s = length / 1.06
     block = _between([-0.11 * s, 0, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s])
     pad = _between([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s])

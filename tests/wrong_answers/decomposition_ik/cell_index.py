@@ -293,3 +293,18 @@ def wrong_upper_edge_by_hand_only(xy, low, high, n):
         j = max(0, min(n - 1, math.floor((y - low[1]) / (high[1] - low[1]) * n)))
         index.append([i, j])
     return index
+
+
+def wrong_outside_in_cell_0(xy, low, high, n):
+    """get the number 0"""
+    index = np.minimum(np.floor((xy - low) / (high - low) * n), n - 1)
+    index[((xy < low) | (xy > high)).any(axis=1)] = 0
+    return index.astype(int)
+
+
+def wrong_cell_0_outside(xy, low, high, n):
+    """cell 0 is taken for outside"""
+    index = np.minimum(np.floor((xy - low) / (high - low) * n), n - 1)
+    good = ((index > 0) & (xy <= high)).all(axis=1)
+    index[~good] = -1
+    return index.astype(int)

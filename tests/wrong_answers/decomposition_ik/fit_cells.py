@@ -272,7 +272,7 @@ def wrong_ridge(xy, q, cell, count):
 
 
 def wrong_places_clustered(xy, q, cell, count):
-    """unnamed"""
+    """the positions are clustered"""
 
     def split(q):
         places = planar_arm([1, 1]).fk(q)[:, :2, 3]

@@ -294,3 +294,24 @@ def wrong_the_librarys(xy):
     target = transform(np.eye(3), [*xy, 0.0])
     found = ik.solve(planar_arm([1.0, 1.0]), target, np.random.default_rng(0))
     return found.q if found.success else OUT
+
+
+def wrong_sign_and_atan(xy):
+    """has the wrong sign, and atan of y / x"""
+    x, y = xy
+    cosine = (x**2 + y**2 - 2) / 2
+    if cosine > 1 + 1e-12:
+        return np.full((2, 2), np.nan)
+    q2 = np.arccos(np.clip(cosine, -1, 1))
+    direction = np.arctan(np.divide(y, x))
+    return np.array([[direction + q2 / 2, q2], [direction - q2 / 2, -q2]])
+
+
+def wrong_atan2_and_sign(xy):
+    """q2 is right, and q1 is not"""
+    x, y = xy
+    cosine = (x**2 + y**2 - 2) / 2
+    if cosine > 1 + 1e-12:
+        return np.full((2, 2), np.nan)
+    q2 = np.arccos(np.clip(cosine, -1, 1))
+    return np.array([[np.arctan2(x, y) + q2 / 2, q2], [np.arctan2(x, y) - q2 / 2, -q2]])

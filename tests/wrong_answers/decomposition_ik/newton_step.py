@@ -29,7 +29,7 @@ def right_as_a_list(q, xy):
 
 
 def wrong_residual_reversed(q, xy):
-    """the step leads away from xy"""
+    """the step leads away"""
     return q + np.linalg.solve(_J(q), _fk(q) - xy)
 
 
@@ -53,7 +53,7 @@ def wrong_second_link_by_itself(q, xy):
 
 
 def wrong_change_alone(q, xy):
-    """only the change is returned"""
+    """only the step is returned"""
     return np.linalg.pinv(_J(q)) @ (xy - _fk(q))
 
 

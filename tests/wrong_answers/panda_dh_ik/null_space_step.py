@@ -55,5 +55,5 @@ def wrong_last_singular_vector(q, J, q_middle, gain):
 
 
 def wrong_direction(q, J, q_middle, gain):
-    """away from the middle"""
+    """the step leads away"""
     return q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q - q_middle)

@@ -50,7 +50,7 @@ def wrong_weights_unused(q, J, e, eps, weights):
 
 
 def wrong_divided(q, J, e, eps, weights):
-    """divided by zero"""
+    """the rows are divided by the weights"""
     roots = np.sqrt(weights)
     return q + step(J / roots[:, None], e / roots, eps)
 
@@ -79,7 +79,7 @@ def wrong_step_only(q, J, e, eps, weights):
 
 
 def wrong_away(q, J, e, eps, weights):
-    """the wrong sign"""
+    """the step leads away"""
     return 2 * q - right_by_scaled_rows(q, J, e, eps, weights)
 
 

@@ -271,3 +271,13 @@ def wrong_half_missing_in_the_series(twist):
         return _matrix(np.eye(3) + W + W @ W / 2, v + W @ v)
     a, N = _unit(omega)
     return _matrix(_rotation(a, N), _way(a, N) @ v / a)
+
+
+def wrong_ten_terms_of_the_series(twist):
+    """the series of the exponential is cut"""
+    W = rigid.hat_se3(np.array(twist, float))
+    T = term = np.eye(4)
+    for k in range(1, 10):
+        term = term @ W / k
+        T = T + term
+    return T

@@ -76,7 +76,7 @@ def wrong_last_axis_only(omega, points):
 
 
 def wrong_v_divided_by_zero(omega, points):
-    """divided by zero"""
+    """v is scaled to length one"""
     v = np.cross(points, omega)
     return np.hstack([omega, v / np.linalg.norm(v, axis=1, keepdims=True)])
 

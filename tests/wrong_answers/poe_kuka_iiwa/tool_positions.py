@@ -122,3 +122,25 @@ def wrong_M_changed(screws, M, angles):
         M[:] = _pose(screws, M, q)
         path.append(M[:3, 3].copy())
     return path
+
+
+def wrong_joint_1_first(screws, M, angles):
+    """the exponentials are multiplied in the reverse order"""
+    positions = []
+    for q in angles:
+        x = M[:, 3]
+        for i in range(len(q)):
+            x = exp_se3(screws[i] * q[i]) @ x
+        positions.append(x[:3])
+    return np.array(positions)
+
+
+def wrong_joint_1_first_without_M(screws, M, angles):
+    """the exponentials are multiplied in the reverse order"""
+    positions = []
+    for q in angles:
+        x = np.array([0, 0, 0, 1.0])
+        for S, angle in zip(screws, q, strict=True):
+            x = exp_se3(S * angle) @ x
+        positions.append(x[:3])
+    return positions

@@ -106,7 +106,7 @@ def wrong_signs_exchanged(twist):
 
 
 def wrong_short_series(twist):
-    """ends after a few terms"""
+    """the series of the exponential is cut"""
     omega, vx, vy = twist
     W = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
     return np.eye(3) + W + W @ W / 2
@@ -160,3 +160,14 @@ def wrong_corner_of_zero(twist):
     a, b = np.sinc(omega / np.pi), omega / 2 * np.sinc(omega / 2 / np.pi) ** 2
     c, s = np.cos(omega), np.sin(omega)
     return [[c, -s, a * vx - b * vy], [s, c, b * vx + a * vy], [0, 0, 0]]
+
+
+def wrong_fifteen_terms_of_the_series(twist):
+    """the series of the exponential is cut"""
+    omega, vx, vy = twist
+    W = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
+    T = term = np.eye(3)
+    for k in range(1, 15):
+        term = term @ W / k
+        T = T + term
+    return T

@@ -357,3 +357,15 @@ def wrong_arcsin(start, plan, dt):
     poses = np.array(right_closed_form(start, plan, dt))
     poses[:, 2] = np.arcsin(np.sin(poses[:, 2]))
     return poses
+
+
+def wrong_order_of_the_twist_from_the_pair_s_beginning(start, plan, dt):
+    """the twist is in the order (vx, vy, omega)"""
+    poses = [np.array(start, float)]
+    for (vx, vy, omega), duration in plan:
+        begin = poses[-1]
+        for k in range(1, int(np.ceil(duration / dt - 1e-9)) + 1):
+            time = min(k * dt, duration)
+            T = planar.pose_matrix(begin) @ rigid.exp_se2(np.array([vx, vy, omega]) * time)
+            poses.append(np.array([T[0, 2], T[1, 2], begin[2] + omega * time]))
+    return np.array(poses)

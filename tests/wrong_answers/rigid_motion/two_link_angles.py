@@ -60,7 +60,7 @@ def wrong_direction_of_the_tip(tip):
 
 
 def wrong_without_clip(tip):
-    """outside its domain"""
+    """rounding makes the cosine of theta2 larger than 1"""
     x, y = tip
     two = np.arccos((x**2 + y**2 - 2) / 2)
     return np.array([[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (two, -two)])
@@ -136,3 +136,11 @@ def wrong_cosine_not_halved(tip):
     bend = np.arccos(np.clip(tip[0] ** 2 + tip[1] ** 2 - 2, -1, 1))
     direction = np.arctan2(tip[1], tip[0])
     return [[direction - bend / 2, bend], [direction + bend / 2, -bend]]
+
+
+def wrong_sine_without_clip(tip):
+    """at the edge of the reach"""
+    x, y = tip
+    cosine = (x**2 + y**2 - 2) / 2
+    sine = np.sqrt(1 - cosine**2)
+    return np.array([[np.arctan2(y, x) - np.arctan2(s, 1 + cosine), np.arctan2(s, cosine)] for s in (sine, -sine)])

@@ -222,3 +222,8 @@ def wrong_printed(angle):
 def wrong_the_librarys(angle):
     """course_lib.planar.wrap_angle is called"""
     return planar.wrap_angle(angle)
+
+
+def wrong_rounded_half_turns(angle):
+    """half revolutions"""
+    return angle - np.pi * np.round(angle / np.pi)

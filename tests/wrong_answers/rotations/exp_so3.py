@@ -178,3 +178,21 @@ def wrong_allclose_to_zero(w):
         return np.eye(3)
     a = np.linalg.norm(w)
     return _R(a, w / a)
+
+
+def wrong_seven_terms_of_the_series(w):
+    """the series of the exponential is cut"""
+    R = term = np.eye(3)
+    for k in range(1, 7):
+        term = term @ hat(w) / k
+        R = R + term
+    return R
+
+
+def wrong_square_entry_by_entry(w):
+    """entry by entry"""
+    a = np.linalg.norm(w)
+    if a == 0:
+        return np.eye(3)
+    N = hat(w / a)
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N**2

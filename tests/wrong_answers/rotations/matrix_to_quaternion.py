@@ -65,7 +65,7 @@ def wrong_scalar_last(R):
 
 
 def wrong_single_branch(R):
-    """something is divided by zero, or a function is asked outside its domain"""
+    """the divisor"""
     w = np.sqrt(1 + np.trace(R)) / 2
     return np.array([w, *(np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / (4 * w))])
 
@@ -211,7 +211,7 @@ def wrong_half_missing_in_one_branch(R):
 
 
 def wrong_smallest_instead_of_largest(R):
-    """something is divided by zero, or a function is asked outside its domain"""
+    """the divisor"""
     return _branch(R, int(np.argmin([np.trace(R), *np.diag(R)])))
 
 
@@ -227,3 +227,16 @@ def wrong_sign_in_the_x_branch(R):
     k = int(np.argmax([np.trace(R), *np.diag(R)]))
     q = _branch(R, k)
     return q * [-1, 1, 1, 1] if k == 1 else q
+
+
+def wrong_divided_by_w(R):
+    """the divisor"""
+    w = np.sqrt(max(1 + np.trace(R), 0)) / 2
+    return np.array([w, (R[2, 1] - R[1, 2]) / (4 * w), (R[0, 2] - R[2, 0]) / (4 * w), (R[1, 0] - R[0, 1]) / (4 * w)])
+
+
+def wrong_axis_by_the_sine(R):
+    """the divisor"""
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / (2 * np.sin(angle))
+    return np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])

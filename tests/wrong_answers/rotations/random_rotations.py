@@ -226,7 +226,7 @@ def wrong_the_librarys(n, rng):
 
 
 def wrong_qr_without_signs(n, rng):
-    """an angle does not cover the full circle"""
+    """QR factors"""
     Q, _ = np.linalg.qr(rng.normal(size=(n, 3, 3)))
     Q[:, :, 0] *= np.linalg.det(Q)[:, None]
     return Q

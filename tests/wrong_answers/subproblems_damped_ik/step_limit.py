@@ -54,3 +54,15 @@ def wrong_half(J, eps):
 def wrong_frobenius(J, eps):
     """another singular value than the largest"""
     return 2 * (1 + eps / np.linalg.norm(J) ** 2)
+
+
+def wrong_smallest_not_squared(J, eps):
+    """s is not squared"""
+    singular_values = np.linalg.svd(J, compute_uv=False)
+    return 2 * (1 + eps / singular_values[-1])
+
+
+def wrong_eigenvalue_squared(J, eps):
+    """s is squared twice"""
+    largest = np.linalg.eigvalsh(J @ J.T).max()
+    return 2 * (1 + eps / largest**2)

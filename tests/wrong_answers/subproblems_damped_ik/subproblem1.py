@@ -83,7 +83,7 @@ def wrong_not_projected_and_arccos(k, p, g):
 
 
 def wrong_arccos_not_clipped(k, p, g):
-    """asked outside its domain"""
+    """arccos is asked for a number above 1"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     lengths = np.linalg.norm(a) * np.linalg.norm(b)
     if lengths == 0:
@@ -221,3 +221,16 @@ def wrong_zero_if_out_of_reach(k, p, g):
     if abs(np.linalg.norm(p) - np.linalg.norm(g)) > 1e-9 or abs(k @ (p - g)) > 1e-9:
         return 0.0
     return np.arctan2(k @ np.cross(p, g), (p - (k @ p) * k) @ g)
+
+
+def wrong_bare_arccos(k, p, g):
+    """the sign is lost"""
+    p_across, g_across = p - (k @ p) * k, g - (k @ g) * k
+    return np.arccos(p_across @ g_across / np.linalg.norm(p_across) / np.linalg.norm(g_across))
+
+
+def wrong_arccos_with_its_sign(k, p, g):
+    """arccos is asked for a number above 1"""
+    p_across, g_across = p - (k @ p) * k, g - (k @ g) * k
+    angle = np.arccos(p_across @ g_across / np.linalg.norm(p_across) / np.linalg.norm(g_across))
+    return angle if k @ np.cross(p, g) >= 0 else -angle
