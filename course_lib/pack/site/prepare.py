@@ -140,6 +140,9 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     moves = bool(figure.get("frames")) or kind == "film"
     if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
         figure = {**figure, "frames": []}
+    if course.get("plotly") is False:  # its script draws it, from its model and at most one trace, named by number
+        traces = [trace if number == course.get("trace") else {} for number, trace in enumerate(figure["data"])]
+        figure = {"data": traces, "layout": {"meta": figure["layout"]["meta"]}}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
