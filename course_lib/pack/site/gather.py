@@ -148,8 +148,8 @@ def _cover(book, name: str, pages: Path) -> str:
             kind = next((kind for kind in IMAGES if kind in output.get("data", {})), None)
             if kind:
                 # It stands still here, also where the notebook's own moves.
-                alt = re.sub(r"^Moving picture[^.]*\. ", "", alternative(output, name))
-                return picture(output, kind, "picture cover", alt, pages)
+                alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
+                return picture(output, kind, "picture cover", alt, pages, trim=True)
     return ""
 
 

@@ -140,6 +140,9 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     moves = bool(figure.get("frames")) or kind == "film"
     if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
         figure = {**figure, "frames": []}
+    if course.get("plotly") is False:  # its script draws it, from its model and at most one trace, named by number
+        traces = [trace if number == course.get("trace") else {} for number, trace in enumerate(figure["data"])]
+        figure = {"data": traces, "layout": {"meta": figure["layout"]["meta"]}}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
@@ -153,16 +156,29 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     )
 
 
-def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0) -> str:
+def _trimmed(image: Image.Image) -> Image.Image:
+    """Return a picture without the white around it, but for a little."""
+    ink = image.convert("L").point(lambda dot: 255 * (dot < 250)).getbbox()
+    if not ink:
+        return image
+    left, top, right, bottom = ink
+    edge = image.width // 50
+    box = (max(0, left - edge), max(0, top - edge), min(image.width, right + edge), min(image.height, bottom + edge))
+    return image.crop(box)
+
+
+def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0, trim: bool = False) -> str:
     """Store an image beside the pages and return the element that shows it.
 
-    `cut` is the share of its height to leave out at the bottom.
+    `cut` is the share of its height to leave out at the bottom; with `trim` its white margins go too.
     """
     text, ending, size, wide = output.data[kind], IMAGES[kind], "", False
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind == "image/png":
         image = Image.open(io.BytesIO(content))
         image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
+        if trim:
+            image = _trimmed(image)
         # Known beforehand, so that the text below does not jump when the picture arrives.
         shown = output.metadata.get(kind, {}).get("width", image.width)
         size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'
