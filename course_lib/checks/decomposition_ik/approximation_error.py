@@ -115,10 +115,6 @@ def _tell_number(errors, xy, angles):
     )
 
 
-def _exact(xy, angles):
-    return bool((distances(xy, angles) < 1e-12).all())
-
-
 EXERCISE = Exercise(
     name="approximation_error",
     points=1,
@@ -129,7 +125,7 @@ EXERCISE = Exercise(
         Property(
             "where both predictions are exact, both distances are 0",
             lambda errors, *case: (np.abs(errors) < _FINE).all(),
-            where=_exact,
+            where=lambda xy, angles: bool((distances(xy, angles) < 1e-12).all()),
         ),
         Property(
             "the answer is the distance in metres from each position to the arm's tip at each of its two predictions",

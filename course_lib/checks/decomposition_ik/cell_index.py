@@ -108,10 +108,6 @@ def _asked(these, text, *, mistake=None):
     return Property(text, _right_where(these), _seen_where(these), mistake=mistake)
 
 
-def _away_from_edge(xy, low, high):
-    return ~outside(xy, low, high)[:, 0] & (xy < high).all(axis=1)
-
-
 def cell_index(xy, low, high, n):
     """Return columns and rows (m, 2) of positions in a grid; (-1, -1) outside."""
     return cells(xy, low, high, n).astype(int)
@@ -139,7 +135,7 @@ EXERCISE = Exercise(
             mistake=Mistake("the last step is missing, or it rounds to no whole number", "np.floor(...).astype(int)."),
         ),
         _asked(
-            _away_from_edge,
+            lambda xy, low, high: ~outside(xy, low, high)[:, 0] & (xy < high).all(axis=1),
             "each position in the box has the column and row of its cell, counted from 0 at low, with n cells each way",
         ),
         _asked(_on_upper_edge, "a position on the upper edge of the box belongs to the last cell, n - 1"),

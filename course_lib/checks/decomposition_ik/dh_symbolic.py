@@ -100,10 +100,6 @@ def _swapped(a, alpha, d, theta):
     return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
 
-def _rounded(T, *case):
-    return 1e-9 < np.abs(T - _right(*case)).max() < 0.006
-
-
 def dh_symbolic(a, alpha, d, theta):
     """Return the standard DH matrix of one row, a SymPy Matrix."""
     import sympy
@@ -228,7 +224,7 @@ EXERCISE = Exercise(
         Mistake(
             "entries are rounded, or a rounded number stands for pi",
             "Leave the formula exact: no round, no evalf, no numbers where symbols can stay.",
-            seen=_rounded,
+            seen=lambda T, *case: 1e-9 < np.abs(T - _right(*case)).max() < 0.006,
         ),
     ),
     library=dh_symbolic,

@@ -57,10 +57,6 @@ def _errors(value, xy, q, cell, count):
     return errors
 
 
-def _fits(value, *case):
-    return all(errors.max() < _FINE for errors in _errors(value, *case).values())
-
-
 def _tell_fit(value, *case):
     errors = _errors(value, *case)
     (c, k), j = next((position, j) for position, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
@@ -132,7 +128,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "q_j = A[j, 0] x + A[j, 1] y + A[j, 2] fits the samples of its cluster with the least squares",
-            _fits,
+            lambda value, *case: all(errors.max() < _FINE for errors in _errors(value, *case).values()),
             _tell_fit,
         ),
     ),

@@ -34,14 +34,6 @@ def _fitted(fit):
     return lambda *case: models(*case, fit=fit)
 
 
-def _through_zero(xy, q):
-    return np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]])
-
-
-def _about_the_mean(xy, q):
-    return np.column_stack([least_squares(xy, q)[:, :2], q.mean(axis=0)])
-
-
 def _transposed(fit):
     return np.column_stack([fit[..., :2].T, fit[..., 2]])
 
@@ -125,13 +117,13 @@ MISTAKES = (
     Mistake(
         "the models have no intercept: they are forced through zero",
         "LinearRegression fits one unless fit_intercept=False; lstsq needs a column of ones.",
-        _fitted(_through_zero),
+        _fitted(lambda xy, q: np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]])),
         _changed(lambda right: right * [1, 1, 0]),
     ),
     Mistake(
         "the intercept is the mean of the angles",
         "The intercept is the angle at x = y = 0: intercept_.",
-        _fitted(_about_the_mean),
+        _fitted(lambda xy, q: np.column_stack([least_squares(xy, q)[:, :2], q.mean(axis=0)])),
     ),
     Mistake(
         "the coefficients are transposed",

@@ -22,10 +22,6 @@ def fit_square(terms, q, target=np.square, extra=lambda q2: q2):
     return np.array([first, [*_least_squares(terms, target(q[:, 1])), 0]])
 
 
-def _without_q2(terms, q):
-    return np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]])
-
-
 def _q2_in_both(terms, q):
     both = np.column_stack([terms, q[:, 1]])
     return np.array([fit_square(terms, q)[0], _least_squares(both, q[:, 1] ** 2)])
@@ -34,10 +30,6 @@ def _q2_in_both(terms, q):
 def _of_equal_links(terms, q):
     """The answer of those who subtract -q2 / 2, which the closed form knows, before they fit q1."""
     return np.array([[*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5], fit_square(terms, q)[1]])
-
-
-def _squared_afterwards(terms, q):
-    return np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]])
 
 
 def _without_constant(terms, q):
@@ -101,7 +93,7 @@ EXERCISE = Exercise(
         Mistake(
             "q1 has no term in q2",
             "q1 is smooth only together with a multiple of q2: append q[:, 1] to the terms as a last column.",
-            _without_q2,
+            lambda terms, q: np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]]),
         ),
         Mistake(
             "q1 has a term in the square of q2, or in |q2|",
@@ -117,7 +109,7 @@ EXERCISE = Exercise(
         Mistake(
             "the coefficients are squared, not the samples",
             "Square q[:, 1] first, then fit: the square of a fit is not the fit of the square.",
-            _squared_afterwards,
+            lambda terms, q: np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]]),
         ),
         Mistake(
             "the constant term is lost: LinearRegression fits one of its own and keeps it in intercept_",

@@ -80,10 +80,6 @@ def _by(affine):
     return answer
 
 
-def _without_intercept(models, xy):
-    return _affine(models * [1, 1, 0], xy)
-
-
 def _transposed(models, xy):
     return _affine(np.concatenate([models[..., :2].swapaxes(-1, -2), models[..., 2:]], -1), xy)
 
@@ -172,7 +168,7 @@ EXERCISE = Exercise(
         Mistake(
             "the intercept is forgotten",
             "A model has three numbers in each row: add A[j, 2].",
-            _by(_without_intercept),
+            _by(lambda models, xy: _affine(models * [1, 1, 0], xy)),
         ),
         Mistake(
             "x and y are swapped",

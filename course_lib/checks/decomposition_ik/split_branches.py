@@ -120,10 +120,6 @@ def _by_limit(joint, *limits):
     return [named(limit, compare) for limit in limits for compare in (np.greater, np.less_equal, np.less)]
 
 
-def _scaled(q):
-    return (q - q.mean(axis=0)) / np.maximum(q.std(axis=0), 1e-9)
-
-
 def _settled(labels, q, by):
     """Whether k-means of by(q) may end with these labels, each point nearest to its own mean, and they are wrong."""
     if not several(q) or not labels.any() or labels.all() or _least(labels, q):
@@ -202,7 +198,7 @@ _MISTAKES = (
     _clustered(
         "the angles are scaled before they are clustered",
         "Both are radians: give q to KMeans as it is.",
-        _scaled,
+        lambda q: (q - q.mean(axis=0)) / np.maximum(q.std(axis=0), 1e-9),
     ),
     Mistake(
         "the samples are split at the mean or the median of q2",

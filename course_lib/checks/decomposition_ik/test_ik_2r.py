@@ -35,10 +35,6 @@ def _with_q1(q1):
     return _changed(lambda q, xy: np.column_stack([q1(q, xy), q[:, 1]]))
 
 
-def _left_half(q, xy):
-    return q[:, 0] - (np.pi if xy[0] < 0 else 0)
-
-
 def _right(kind, ik):
     return Version(kind, ik, right=True)
 
@@ -74,7 +70,7 @@ EXERCISE = WriteTest(
         Version(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
         Version("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
         Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
-        Version("that is wrong only for x < 0", _with_q1(_left_half)),
+        Version("that is wrong only for x < 0", _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0))),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
         Version("that answers out of reach", solutions),
         Version(

@@ -61,20 +61,12 @@ def _right(template, scene, T_grasp):
     return mug(template, scene) @ T_grasp
 
 
-def _unmoved(template, scene, T_grasp):
-    return np.array_equal(template, scene)
-
-
 def _rigid(template, scene, T_grasp):
     return np.abs(moved(mug(template, scene), template) - scene).max() < 1e-10 * (1 + np.abs(scene).max())
 
 
 def _distances(T, points):
     return np.linalg.norm(points - T[:3, 3], axis=1)
-
-
-def _keeps_distances(T, template, scene, T_grasp):
-    return near(_distances(T, scene), _distances(T_grasp, template))
 
 
 def _distance(T, template, scene, T_grasp):
@@ -136,11 +128,11 @@ EXERCISE = Exercise(
             "if the mug lies as on the template, the gripper's pose is T_grasp",
             lambda T, template, scene, T_grasp: near(T, T_grasp),
             seen=_off,
-            where=_unmoved,
+            where=lambda template, scene, T_grasp: np.array_equal(template, scene),
         ),
         Property(
             "the gripper is as far from each point of the mug in the scene as it is on the template",
-            _keeps_distances,
+            lambda T, template, scene, T_grasp: near(_distances(T, scene), _distances(T_grasp, template)),
             seen=_distance,
             where=_rigid,
         ),

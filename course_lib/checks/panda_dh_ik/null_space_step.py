@@ -43,10 +43,6 @@ def _cases(rng):
     ]
 
 
-def _still(answer, q, J, q_middle, gain):
-    return near(J @ (answer - q), np.zeros(len(J)))
-
-
 EXERCISE = Exercise(
     name="null_space_step",
     points=2,
@@ -63,7 +59,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "to first order the end-effector stays: J times the change of q is 0",
-            _still,
+            lambda answer, q, J, q_middle, gain: near(J @ (answer - q), np.zeros(len(J))),
             seen=lambda answer, q, J, *rest: f"Yours moves it at {np.abs(J @ (answer - q)).max():.3g}.",
         ),
         Property(

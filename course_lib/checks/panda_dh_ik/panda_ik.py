@@ -147,10 +147,6 @@ def _position_off(q, T, q0):
     return f"It should be at {format_tuple(T[:3, 3])}; yours is at {format_tuple(p)}, {metres:.3g} m away."
 
 
-def _orientation_off(q, T, q0):
-    return f"With your angles its orientation is {_distances(q, T)[1]:.3g} rad away from that."
-
-
 def _moved(q, T, q0):
     j = int(np.argmax(np.abs(q - q0)))
     return f"Your answer reaches T_target as well, but joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}."
@@ -228,7 +224,7 @@ EXERCISE = Exercise(
         Property(
             "the flange has the orientation of T_target, to 1e-6 rad",
             _or_none(lambda q, T, q0: _distances(q, T)[1] <= REACHED),
-            _orientation_off,
+            lambda q, T, q0: f"With your angles its orientation is {_distances(q, T)[1]:.3g} rad away from that.",
             where=_reachable,
             mistake=_ORIENTATION_LEFT,
         ),

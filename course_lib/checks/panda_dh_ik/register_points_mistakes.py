@@ -252,7 +252,7 @@ MISTAKES = (
     ),
     Mistake(
         "the weighted sum is not divided by the sum of the weights",
-        "n points of weight 1 are divided by n, other weights are not.",
+        "A weighted mean is divided by the sum of the weights, not by the number of points.",
         fit(_undivided),
         fit(_by_count),
         fit(column=_undivided),

@@ -30,10 +30,6 @@ def _by_columns(*shifts):
     return lambda table: np.column_stack([np.roll(table[:, k], shift) for k, shift in enumerate(shifts)])
 
 
-def _with_the_last_row_kept(table):
-    return np.column_stack([np.vstack([table[1:, :2], table[-1:, :2]]), table[:, 2]])
-
-
 def _seen(answer, table):
     i = int(np.argmax(np.abs(answer - converted(table)).max(1)))
     return f"Row {i + 1} differs: the steps of the two tables do not multiply to the same pose."
@@ -77,7 +73,7 @@ EXERCISE = Exercise(
         Mistake(
             "the last row keeps its a and alpha",
             "After the last joint there is no step along x: a and alpha of the last row are zero.",
-            _with_the_last_row_kept,
+            lambda table: np.column_stack([np.vstack([table[1:, :2], table[-1:, :2]]), table[:, 2]]),
         ),
         Mistake("the rows are reversed", _BRACKETS, lambda table: table[::-1]),
         Mistake("d is left out", _ROWS, lambda table: converted(table) * [1, 1, 0]),

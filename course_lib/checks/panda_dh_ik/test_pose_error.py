@@ -42,10 +42,6 @@ def _stretched(factor):
     return _with_phi(phi)
 
 
-def _cut(angle):
-    return np.where(angle < 1e-3, 0, angle)
-
-
 def _right(kind, error):
     return Version(kind, _checked(error), right=True)
 
@@ -93,7 +89,7 @@ EXERCISE = WriteTest(
         _wrong(_ANGLE, _stretched(np.sin)),
         _wrong(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
         _wrong("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
-        _wrong("that loses small rotations", _stretched(_cut)),
+        _wrong("that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))),
         _wrong("in degrees", lambda *pair: np.concatenate([pose_error(*pair)[:3], np.rad2deg(pose_error(*pair)[3:])])),
     ),
 )

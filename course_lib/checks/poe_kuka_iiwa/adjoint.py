@@ -32,16 +32,8 @@ def _of_blocks(blocks):
     return lambda T: np.block(blocks(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
 
 
-def _broken(T):
-    return np.block([[T[BLOCK].T, np.zeros((3, 3))], [hat(T[COLUMN]) @ T[BLOCK], T[BLOCK]]])
-
-
 def _carried(T, twist):
     return vee_se3(T @ hat_se3(twist) @ inverse(T))
-
-
-def _carries(A, T):
-    return all(near(A @ twist, _carried(T, twist)) for twist in np.eye(6))
 
 
 def _seen_carried(A, T):
@@ -82,7 +74,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "Ad V is the same motion seen from frame a: [Ad V] = T [V] T^-1",
-            _carries,
+            lambda A, T: all(near(A @ twist, _carried(T, twist)) for twist in np.eye(6)),
             seen=_seen_carried,
         ),
     ),
@@ -153,5 +145,5 @@ EXERCISE = Exercise(
     ),
     library=adjoint,
     forbidden=("course_lib.rigid.adjoint",),
-    broken=_broken,
+    broken=lambda T: np.block([[T[BLOCK].T, np.zeros((3, 3))], [hat(T[COLUMN]) @ T[BLOCK], T[BLOCK]]]),
 )

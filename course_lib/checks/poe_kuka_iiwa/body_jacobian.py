@@ -19,6 +19,7 @@ from course_lib.checks.poe_kuka_iiwa.shared import (
 )
 from course_lib.checks.vocabulary import (
     SAME_TWICE,
+    degrees_mixed_up,
     few_digits,
     halves_swapped,
     near,
@@ -177,12 +178,7 @@ EXERCISE = Exercise(
             _from_the_tool(lambda each, i: each[i + 1 :], 1),
             _from_the_tool(lambda each, i: each[i + 2 :][::-1]),
         ),
-        Mistake(
-            "degrees and radians are mixed up",
-            "Angles are in radians throughout.",
-            lambda screws, M, q: _right(screws, M, np.deg2rad(q)),
-            lambda screws, M, q: _right(screws, M, np.rad2deg(q)),
-        ),
+        degrees_mixed_up(_right, 2),
         Mistake(
             "the columns are multiplied by the angles",
             "The Jacobian is multiplied by joint velocities later; the angles only say where the axes are.",

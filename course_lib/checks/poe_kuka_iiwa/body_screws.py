@@ -50,10 +50,6 @@ def _by(matrix):
     return lambda screws, M: screws @ matrix(M).T
 
 
-def _with_adjoint(wrong):
-    return _by(lambda M: wrong(M[:3, :3].T, -M[:3, :3].T @ M[:3, 3]))
-
-
 def _seen(B, screws, M):
     right = _right(screws, M)
     i = int(np.argmax(np.abs(B - right).max(1)))
@@ -98,7 +94,7 @@ EXERCISE = Exercise(
             shadowed_by="Ad(M) is transposed where it is to be inverted",
         ),
         *adjoint_mistakes(
-            _with_adjoint,
+            lambda wrong: _by(lambda M: wrong(M[:3, :3].T, -M[:3, :3].T @ M[:3, 3])),
             without=("the adjoint is transposed", "the blocks of the adjoint are in the order (v, omega)"),
         ),
         halves_swapped(_right, "v stands before omega", "Each row is (omega, v).", axis=1),

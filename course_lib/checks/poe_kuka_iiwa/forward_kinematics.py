@@ -16,6 +16,7 @@ from course_lib.checks.poe_kuka_iiwa.shared import (
 from course_lib.checks.vocabulary import (
     FINE,
     SAME_TWICE,
+    degrees_mixed_up,
     few_digits,
     inverted,
     near,
@@ -154,12 +155,7 @@ EXERCISE = Exercise(
             "For matrices exp(A) exp(B) is not exp(A + B).",
             lambda screws, M, q: exp_se3(q @ screws) @ M,
         ),
-        Mistake(
-            "degrees and radians are mixed up",
-            "Angles are in radians throughout.",
-            lambda screws, M, q: tool_pose(screws, M, np.deg2rad(q)),
-            lambda screws, M, q: tool_pose(screws, M, np.rad2deg(q)),
-        ),
+        degrees_mixed_up(tool_pose, 2),
         Mistake(
             "the joints rotate in the opposite direction",
             "A positive angle is counter-clockwise about omega: no minus.",

@@ -39,17 +39,9 @@ def _leads_out(k, row):
     return _smallest(moved).max() > _REGULAR
 
 
-def _within(rows):
-    return ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all()
-
-
 def _outside(rows):
     i, j = np.argwhere((rows < _ARM.limits[:, 0]) | (rows > _ARM.limits[:, 1]))[0]
     return f"In row {i} joint {j + 1} is at {rows[i, j]:.4g} rad; its limit is {_ARM.limits[j, 1]:.4f}."
-
-
-def _ranks(rows):
-    return f"The ranks of your three are {', '.join(str(6 - _rank_loss(row)) for row in rows)}."
 
 
 def _families(rows):
@@ -96,14 +88,14 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "all angles are within the joint limits",
-            _within,
+            lambda rows: ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all(),
             seen=_outside,
             mistake=Mistake("an angle is beyond its limit", "The limits are in arm.limits, one row a joint."),
         ),
         Property(
             "the Jacobian has rank 5 in each of the three configurations",
             lambda rows: all(_rank_loss(row) == 1 for row in rows),
-            seen=_ranks,
+            seen=lambda rows: f"The ranks of your three are {', '.join(str(6 - _rank_loss(row)) for row in rows)}.",
             mistake=Mistake(
                 "a configuration is not singular",
                 "np.linalg.svd of the Jacobian shows it: the last singular value must be 0.",

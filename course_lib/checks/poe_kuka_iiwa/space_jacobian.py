@@ -15,7 +15,15 @@ from course_lib.checks.poe_kuka_iiwa.shared import (
     read_jacobian,
     reshaped,
 )
-from course_lib.checks.vocabulary import SAME_TWICE, few_digits, halves_swapped, near, products, whole_numbers
+from course_lib.checks.vocabulary import (
+    SAME_TWICE,
+    degrees_mixed_up,
+    few_digits,
+    halves_swapped,
+    near,
+    products,
+    whole_numbers,
+)
 from course_lib.rigid import adjoint, exp_se3, inverse
 from course_lib.rotations import hat
 
@@ -137,12 +145,7 @@ EXERCISE = Exercise(
             "The Jacobian is multiplied by joint velocities later; the angles only say where the axes are.",
             lambda screws, q: jacobian(screws, q) * q,
         ),
-        Mistake(
-            "degrees and radians are mixed up",
-            "Angles are in radians throughout.",
-            lambda screws, q: jacobian(screws, np.deg2rad(q)),
-            lambda screws, q: jacobian(screws, np.rad2deg(q)),
-        ),
+        degrees_mixed_up(jacobian, 1),
         Mistake(
             "the joints rotate in the opposite direction",
             "A positive angle is counter-clockwise about omega: no minus.",

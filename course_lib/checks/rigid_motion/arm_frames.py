@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.rigid_motion.shared import FINE
+from course_lib.checks.vocabulary import degrees_mixed_up
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(
@@ -232,12 +233,7 @@ EXERCISE = Exercise(
             _with_rotations(lambda angle: _rot(-angle)),
             lambda theta: np.concatenate([_right(-np.asarray(theta))[..., :2], _right(theta)[..., 2:]], -1),
         ),
-        Mistake(
-            "degrees and radians are mixed up",
-            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
-            lambda theta: _right(np.deg2rad(theta)),
-            lambda theta: _right(np.rad2deg(theta)),
-        ),
+        degrees_mixed_up(_right, 0),
         Mistake(
             "sine and cosine are swapped",
             "At theta = 0 a link lies along x: x is the cosine.",

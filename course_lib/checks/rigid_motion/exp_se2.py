@@ -61,10 +61,6 @@ def _of_arc(along, across):
     )
 
 
-def _eps_added(T, twist):
-    return abs(twist[0]) < 1e-3 or np.abs(_apart(T, twist)).max() < 1e-5 * np.abs(twist).max()
-
-
 def _rotation_transposed(twist):
     T = exp_se2(twist)
     T[:2, :2] = T[:2, :2].T
@@ -171,7 +167,7 @@ EXERCISE = Exercise(
         Mistake(
             "a small number is added to omega, which changes every answer a little",
             "Treat small omega by a formula that is exact, and leave the others alone.",
-            seen=_eps_added,
+            seen=lambda T, twist: abs(twist[0]) < 1e-3 or np.abs(_apart(T, twist)).max() < 1e-5 * np.abs(twist).max(),
         ),
         Mistake(
             "the exponential is taken entry by entry",

@@ -13,10 +13,6 @@ from course_lib.planar import propagate_arm
 ARM = (True, True)  # both columns are angles
 
 
-def _read(value, *case):
-    return rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case)
-
-
 def _cases(rng):
     origin, quarter = np.zeros(2), np.pi / 4
     first, second = (1.0, 0.0), (0.0, 1.0)
@@ -55,10 +51,6 @@ def _wrong_step(angles, *case):
     )
 
 
-def _add(angles, velocity, h):
-    return angles + velocity * h
-
-
 def _with(change):
     """The step with another velocity."""
     return follow(lambda angles, velocity, h: angles + change(velocity) * h)
@@ -87,7 +79,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("start", "plan", "dt"),
     cases=_cases,
-    returns=_read,
+    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case),
     properties=(
         *form(ARM),
         Property(
@@ -97,7 +89,7 @@ EXERCISE = Exercise(
         ),
     ),
     mistakes=(
-        *step_mistakes(ARM, propagate_arm, _add),
+        *step_mistakes(ARM, propagate_arm, lambda angles, velocity, h: angles + velocity * h),
         Mistake(
             "the angles are assigned where they should be added",
             "The joints had angles before the step. Where do they enter?",

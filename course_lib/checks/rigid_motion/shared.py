@@ -205,10 +205,6 @@ def _ends(plan, dt):
     return ", ".join(ends if len(ends) < 8 else [*ends[:3], "...", *ends[-2:]])
 
 
-def _counted(rows, start, plan, dt):
-    return len(rows) == 1 + len(steps(plan, dt)[1])
-
-
 def form(angles):
     """Return the properties that come first: the start stands in the first row, and each step has a row."""
     return (
@@ -219,7 +215,7 @@ def form(angles):
         ),
         Property(
             "after start there is one row for each step",
-            _counted,
+            lambda rows, start, plan, dt: len(rows) == 1 + len(steps(plan, dt)[1]),
             seen=lambda rows, start, plan, dt: (
                 f"The steps end at {_ends(plan, dt)} s, so with start there are {1 + len(steps(plan, dt)[1])} rows. "
                 f"Yours has {len(rows)}."

@@ -41,10 +41,6 @@ def _count(duration, dt):
     return len(lengths(duration, dt))
 
 
-def _spoiled(h, duration, dt):
-    return np.min(h, initial=1.0) < 1e-6 * dt and abs(np.sum(h) - duration) < FINE
-
-
 def _rounded_and_remainder(duration, dt):
     remainder = duration % dt
     return np.append(np.full(round(duration / dt), dt), [remainder] * (remainder > 1e-9))
@@ -81,7 +77,7 @@ EXERCISE = Exercise(
         Mistake(
             "a step of no length is taken, or nearly none",
             "For a computer 2.1 / 0.3 is a little above 7. Stop when less than a billionth of a second remains.",
-            seen=_spoiled,
+            seen=lambda h, duration, dt: np.min(h, initial=1.0) < 1e-6 * dt and abs(np.sum(h) - duration) < FINE,
         ),
         Mistake(
             "the last step is not shortened, so the steps take too long",

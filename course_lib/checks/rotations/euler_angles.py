@@ -46,10 +46,6 @@ def _gap(angles, R):
     return np.abs(_matrix(*angles) - R).max()
 
 
-def _alike(value, predicted, R):
-    return same_angles(value, predicted, tolerance=1e-5)
-
-
 def _away(answer):
     """The answer away from gimbal lock; there it is right."""
     return lambda R: _right(R) if _lock(R) else np.asarray(answer(R), float)
@@ -68,7 +64,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda R: (3,), gaps=True),
     library=_right,
-    alike=_alike,
+    alike=lambda value, predicted, R: same_angles(value, predicted, tolerance=1e-5),
     properties=(
         Property(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",

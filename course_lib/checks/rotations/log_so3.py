@@ -73,10 +73,6 @@ def _at_half_turns(answer):
     return lambda R: answer(R) if _half_turn(R) else None
 
 
-def _root_of_diagonal(R):
-    return np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0))
-
-
 _NO_ANSWER = Mistake(
     "something is divided by zero, or arccos is asked outside [-1, 1]",
     "Rounding may take the trace just above 3 or below -1. And at the identity and at 180 degrees the sine is 0.",
@@ -166,7 +162,7 @@ EXERCISE = Exercise(
         Mistake(
             "at 180 degrees the signs of the axis's entries do not fit together",
             "The diagonal of n n^T contains squares only. Where do the products of two entries stand?",
-            _at_half_turns(_root_of_diagonal),
+            _at_half_turns(lambda R: np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0))),
             seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6),
         ),
         Mistake(

@@ -51,18 +51,6 @@ def _signs(R, i, j):
 _BOTH, _NEVER_POSITIVE, _NEVER_NEGATIVE = (True, True), (True, False), (False, True)
 
 
-def _other_order(R):
-    return _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE
-
-
-def _transposed(R):
-    return _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE
-
-
-def _other_range(R):
-    return nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)
-
-
 def _one_axis_twice(R):
     """R = Rz Ry Rz has cos(beta) in one corner, R = Rx Ry Rx in the other."""
     return any(uniform(np.arccos(np.clip(R[:, i, i], -1, 1)), 0, np.pi) for i in (0, 2))
@@ -116,12 +104,12 @@ EXERCISE = Exercise(
         Mistake(
             "the factors stand in the other order, Rx Ry Rz",
             "The rotation about x is the first to act: on which side does it stand?",
-            seen=of_many(_other_order),
+            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE),
         ),
         Mistake(
             "the rotations are transposed: their signs are those of R^T",
             "Check the signs of the sines in your Rx, Ry, Rz.",
-            seen=of_many(_transposed),
+            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE),
         ),
         Mistake(
             "the sine in Ry has the other sign",
@@ -136,7 +124,7 @@ EXERCISE = Exercise(
         Mistake(
             "beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees",
             "The task takes beta from [0, pi), in radians.",
-            seen=of_many(_other_range),
+            seen=of_many(lambda R: nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)),
         ),
     ),
     hints=(

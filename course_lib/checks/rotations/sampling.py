@@ -28,18 +28,10 @@ def of_many(seen):
     return lambda value, n, rng: n == MANY and bool(seen(value))
 
 
-def _unrepeatable(values, cases):
-    return None if np.array_equal(values[0], values[1]) else 1
-
-
-def _unmoved(values, cases):
-    return 2 if np.allclose(values[0], values[2]) else None
-
-
 DRAWS = (
     Property(
         "the same seed draws the same again",
-        _unrepeatable,
+        lambda values, cases: None if np.array_equal(values[0], values[1]) else 1,
         across=True,
         mistake=Mistake(
             "the numbers do not come from rng",
@@ -48,7 +40,7 @@ DRAWS = (
     ),
     Property(
         "another seed draws something else",
-        _unmoved,
+        lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
         across=True,
         mistake=Mistake(
             "a generator is made inside the function", "Use the rng that is passed in; it is made by whoever calls."

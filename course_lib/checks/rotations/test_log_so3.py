@@ -24,10 +24,6 @@ def _by_quaternion(R):
     return 2 * np.arctan2(sine, q[0]) / sine * q[1:] if sine > 0 else np.zeros(3)
 
 
-def _rounded(R):
-    return log_so3(R) * (1 + 1e-12)
-
-
 def _if(where, otherwise):
     """Right but where where(R): there otherwise(w, R) is returned."""
 
@@ -56,7 +52,7 @@ EXERCISE = WriteTest(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
         Version("that takes the other axis at 180 degrees", _other_sign, right=True),
-        Version("that differs by rounding", _rounded, right=True),
+        Version("that differs by rounding", lambda R: log_so3(R) * (1 + 1e-12), right=True),
         Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
         Version("whose sign is wrong", lambda R: -log_so3(R)),
         Version("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),

@@ -50,10 +50,6 @@ def _end(R):
     return _sine(R) < 1e-9
 
 
-def _close(R):
-    return 1e-9 < _sine(R) < 1e-2
-
-
 def _plain(R):
     return _sine(R) > 1e-2
 
@@ -143,7 +139,7 @@ EXERCISE = Exercise(
             "each triple rebuilds R also where b2 is near 0 or near pi",
             _rebuilt(1e-7),
             _off,
-            where=_close,
+            where=lambda R: 1e-9 < _sine(R) < 1e-2,
             mistake=Mistake(
                 "b2 near 0 or pi is treated as if it were 0 or pi",
                 "A sine of 0.001 still determines b1 and b3: the branch for sin(b2) = 0 needs a far smaller bound.",

@@ -78,10 +78,6 @@ def _first_row(path, q0, *rest):
     return f"Yours is {format_array(path[0], 5)}." if len(path) else "Your answer is empty."
 
 
-def _goes_on(path, q0, target, alpha, eps, steps):
-    return all(_steps_that_fit(path, target, alpha, eps))
-
-
 def _wrong_row(path, q0, target, alpha, eps, steps):
     k = _steps_that_fit(path, target, alpha, eps).index(False)
     wanted = step(path[k], target, alpha, eps)
@@ -169,7 +165,7 @@ EXERCISE = Exercise(
         Property("the first row is q0", _begins, _first_row),
         Property(
             "each row follows from the row before it by one damped step",
-            _goes_on,
+            lambda path, q0, target, alpha, eps, steps: all(_steps_that_fit(path, target, alpha, eps)),
             _wrong_row,
         ),
         Property(

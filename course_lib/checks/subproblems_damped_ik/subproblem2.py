@@ -123,14 +123,6 @@ def _crossed(pairs, *case):
     return any(listed) and all(known)
 
 
-def _every_combination(pairs, *case):
-    return different(pairs) > 2 and _crossed(pairs, *case)
-
-
-def _columns(pairs, *case):
-    return pairs.shape == (2, 2) and all(_misses(pair, *case) < 1e-6 for pair in pairs.T)
-
-
 def _through(meeting):
     """The pairs of somebody who takes z = a k1 + b k2 +- sqrt(square) n for the points where the circles meet.
 
@@ -230,7 +222,7 @@ EXERCISE = Exercise(
         Mistake(
             "every theta1 stands beside every theta2",
             "Each meeting point gives one theta1 and one theta2: two pairs, not four.",
-            seen=_every_combination,
+            seen=lambda pairs, *case: different(pairs) > 2 and _crossed(pairs, *case),
         ),
         Mistake(
             "theta1 of one solution stands beside theta2 of the other",
@@ -240,7 +232,7 @@ EXERCISE = Exercise(
         Mistake(
             "the two theta1 stand in one row, and the two theta2 in the other",
             "Each row, or tuple, is one pair (theta1, theta2).",
-            seen=_columns,
+            seen=lambda pairs, *case: pairs.shape == (2, 2) and all(_misses(pair, *case) < 1e-6 for pair in pairs.T),
         ),
         Mistake(
             "theta2 has the other sign: it rotates the meeting point to p2",

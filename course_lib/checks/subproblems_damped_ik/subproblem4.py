@@ -72,10 +72,6 @@ def _misses(theta, k, h, p, d):
     return abs(h @ rotated(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
 
 
-def _tell(theta, k, h, p, d):
-    return f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}."
-
-
 def _nothing_there(found, k, h, p, d):
     low, high = _range(k, h, p)
     return f"h . R(k, theta) p goes from {low:.4g} to {high:.4g}; d is {d:.4g}."
@@ -127,7 +123,7 @@ EXERCISE = Exercise(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
         _misses,
-        _tell,
+        lambda theta, k, h, p, d: f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}.",
         _solutions,
         none=(
             Property(

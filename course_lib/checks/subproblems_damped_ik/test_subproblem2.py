@@ -23,10 +23,6 @@ def _nearest(k1, k2, p1, p2):
     return found
 
 
-def _lengths_not_compared(k1, k2, p1, p2):
-    return solutions(k1, k2, p1, _unit(p2) * np.linalg.norm(p1))
-
-
 def _perpendicular(k1, k2, p1, p2):
     return solutions(k1, _unit(k2 - (k1 @ k2) * k1), p1, p2)
 
@@ -86,7 +82,7 @@ EXERCISE = WriteTest(
         Version("that is right only for angles up to 90 degrees", _pairs(_quarter)),
         Version("in degrees", _pairs(np.rad2deg)),
         Version(_NONE, _nearest),
-        Version(_NONE, _lengths_not_compared),
+        Version(_NONE, lambda k1, k2, p1, p2: solutions(k1, k2, p1, _unit(p2) * np.linalg.norm(p1))),
         Version("that is right only for some angles between the axes", _perpendicular),
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),

@@ -23,6 +23,11 @@ def _changed(right, change):
     return answer
 
 
+def _with_argument(right, position, change):
+    """Return the right answer for other arguments: change(argument) at this position."""
+    return lambda *case: right(*(change(a) if i == position else a for i, a in enumerate(case)))
+
+
 def transposed(right, name="the transpose is returned", hint="Rows and columns have changed places."):
     return Mistake(name, hint, _changed(right, np.transpose))
 
@@ -51,11 +56,16 @@ def argument_degrees(
     right, position=0, name="the angle is taken for degrees", hint="Angles are in radians throughout."
 ):
     """An argument is converted as if it were in degrees."""
+    return Mistake(name, hint, _with_argument(right, position, np.deg2rad))
 
-    def answer(*case):
-        return right(*(np.deg2rad(a) if i == position else a for i, a in enumerate(case)))
 
-    return Mistake(name, hint, answer)
+def degrees_mixed_up(right, position):
+    """An argument is converted from degrees or to degrees."""
+    return Mistake(
+        "degrees and radians are mixed up",
+        "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
+        *(_with_argument(right, position, convert) for convert in (np.deg2rad, np.rad2deg)),
+    )
 
 
 def argument_returned(position=0, name="the argument is returned as it came", hint="Return the result."):

@@ -256,3 +256,20 @@ def wrong_parentheses(t, T, s0, s1, v0, v1):
     """unnamed"""
     t = np.asarray(t)
     return s0 + v0 * t - 2 * T * v0 + T * v1 + 3 * s0 - 3 * s1 / T**2 * t**2
+
+
+def wrong_loop_over_one_time(t, T, s0, s1, v0, v1):
+    """'float' object is not iterable"""
+    values = []
+    for time in t:
+        u, change = time / T, s1 - s0
+        second, third = 3 * change - (2 * v0 + v1) * T, -2 * change + (v0 + v1) * T
+        values.append(s0 + v0 * T * u + second * u**2 + third * u**3)
+    return values
+
+
+def wrong_float_of_the_times(t, T, s0, s1, v0, v1):
+    """TypeError"""
+    u, change = float(t) / T, s1 - s0
+    second, third = 3 * change - (2 * v0 + v1) * T, -2 * change + (v0 + v1) * T
+    return s0 + v0 * T * u + second * u**2 + third * u**3
