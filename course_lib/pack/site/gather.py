@@ -120,7 +120,7 @@ def _card(notebook: Notebook) -> str:
     words = " ".join(filter(None, [notebook.question, hours]))
     # No heading in Markdown: that would begin a section, which ends outside of the card.
     title = f'<h2><a href="{notebook.name}.html">{html.escape(notebook.title)}</a></h2>'
-    parts = ['<div class="card">', notebook.picture + title, words, "</div>"]
+    parts = ['<div class="card">', notebook.picture, title, words, "</div>"]
     return "\n\n".join(filter(None, parts))
 
 
