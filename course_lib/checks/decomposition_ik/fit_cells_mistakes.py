@@ -60,12 +60,13 @@ def _of_clustered_positions(value, xy, q, cell, count):
 
 @functools.lru_cache(maxsize=1000)
 def _ends_of_k_means(data):
-    """Return the labels with which k-means of these points ends, each once, for twenty starts."""
+    """Return the labels with which k-means of these points ends, each once, for many starts."""
     points = np.frombuffer(data).reshape(-1, 2)
     if not several(points):
         return [np.zeros(len(points))]
     with threadpool_limits(1):
-        ends = [KMeans(2, n_init=1, random_state=start).fit_predict(points) for start in range(20)]
+        starts = [(10, 0), *((1, start) for start in range(20))]  # scikit-learn's older default, and single starts
+        ends = [KMeans(2, n_init=n, random_state=start).fit_predict(points) for n, start in starts]
     return list(np.unique([best_split(points), *ends], axis=0))
 
 
