@@ -3,8 +3,10 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.space import fixed_frame, line, name_at, scene_name, space_layout
-from course_lib.figures.style import BLUE, FRAME_COLOURS, PURPLE, RED
+from course_lib.figures.solids import Model, Part, scene
+from course_lib.figures.solids.meshes import Mesh, arrow, basis, box, revolve
+from course_lib.figures.solids.model import DARK, LIGHT_BLUE, MUG_RED, ORANGE, SILVER, STEEL, VIOLET, Y_GREEN
+from course_lib.figures.space import scene_name
 from course_lib.figures.toys.toy import Toy
 from course_lib.rotations import exp_so3, rot_x, rot_y, rot_z
 
@@ -63,57 +65,94 @@ def orientation_toy(mode=None):
 def _axis():
     azimuth, height = np.deg2rad([30, 40])
     n = np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
-    drawn = [*_aircraft(exp_so3(np.deg2rad(60) * n)), line([-1.2 * n, 1.2 * n], PURPLE, 5, "scene", "dash")]
-    return _figure([*drawn, name_at(1.3 * n, "n", PURPLE, "scene")])
+    axis = Part(1, VIOLET, arrow(-1.25 * n, n, 2.5, 0.02))
+    return _figure(
+        [_orientation(exp_so3(np.deg2rad(60) * n))], [*_aircraft(0.95), *scene.triad(0, np.eye(4), 1.05, 0.03), axis]
+    )
 
 
 def _gimbals():
-    return _figure(_aircraft(rot_z(np.deg2rad(30)) @ rot_y(np.deg2rad(20)) @ rot_x(np.deg2rad(10))))
+    """The aircraft in its three rings: yaw carries the outer one, pitch the middle one, roll the inner one."""
+    yaw = rot_z(np.deg2rad(30))
+    pitch = yaw @ rot_y(np.deg2rad(20))
+    rings = [
+        Part(2, Y_GREEN, _hoop([1, 0, 0], 1.36)),
+        Part(3, ORANGE, _hoop([0, 0, 1], 1.18)),
+        Part(0, MUG_RED, _hoop([0, 1, 0], 1.0)),
+    ]
+    poses = [*_orientation(pitch @ rot_x(np.deg2rad(10))), _pose(yaw), _pose(pitch)]
+    return _figure([poses], [*_aircraft(0.8), *rings])
 
 
 def _order():
     """Both orders at their ends, side by side."""
-    quarter = np.pi / 2
-    ends = {"Rz Rx": rot_z(quarter) @ rot_x(quarter), "Rx Rz": rot_x(quarter) @ rot_z(quarter)}
-    drawn = [trace for i, R in enumerate(ends.values()) for trace in _aircraft(R, scene_name(i))]
-    return go.Figure(drawn, layout=space_layout(list(ends), (1.0, -1.2, 0.6), half=1.2, distance=1.6))
+    first, then = rot_x(np.pi / 2), rot_z(np.pi / 2)
+    ends = {"first x, then z": then @ first, "first z, then x": first @ then}
+    parts = [*_aircraft(0.95), *scene.triad(0, np.eye(4), 1.05, 0.03)]
+    return _figure([_orientation(R) for R in ends.values()], parts, list(ends))
 
 
 def _belt():
     """The belt after one rotation of the box, with its full twist."""
-    along, across = np.linspace(0, 1, 60), np.array([-0.22, 0.22])
-    twist = 2 * np.pi * along
-    x = np.tile(-1.1 + 1.7 * along, (2, 1))
-    y, z = np.multiply.outer(across, np.cos(twist)), np.multiply.outer(across, np.sin(twist))
-    colours = [[0, RED], [0.5, "#f4d9d2"], [0.5, "#d6e4ee"], [1, BLUE]]
-    belt = go.Surface(
-        x=x, y=y, z=z, surfacecolor=np.tile(along, (2, 1)), colorscale=colours, showscale=False, hoverinfo="skip"
-    )
-    wall = _block([-1.16, -0.6, -0.6], [-1.1, 0.6, 0.6], "#c9ced3")
-    return _figure([wall, belt, _block([0.6, -0.3, -0.3], [1.0, 0.3, 0.3], "#8d959e")])
+    along = np.linspace(0, 1, 60)
+    across = np.stack([0 * along, np.cos(2 * np.pi * along), np.sin(2 * np.pi * along)], -1)
+    middle = np.stack([-1.1 + 1.7 * along, 0 * along, 0 * along], -1)
+    edges = np.stack([middle - 0.22 * across, middle + 0.22 * across], 1).reshape(-1, 3)
+    i = 2 * np.arange(59)
+    belt = Mesh(edges, np.concatenate([np.stack([i, i + 1, i + 2], -1), np.stack([i + 1, i + 3, i + 2], -1)]))
+    wall = box([-1.16, -0.6, -0.6], [-1.1, 0.6, 0.6], 0.1, 12, 24)
+    parts = [
+        Part(0, ORANGE, belt),
+        Part(0, DARK, wall),
+        Part(0, SILVER, box([0.6, -0.3, -0.3], [1.0, 0.3, 0.3], 0.1, 12, 24)),
+    ]
+    return _figure([[np.eye(4)]], parts, fixed=False)
 
 
 STILLS = {"axis": _axis, "gimbals": _gimbals, "order": _order, "belt": _belt}
 
 
-def _figure(drawn):
-    layout = space_layout([""], (1.0, -1.2, 0.6), half=1.2, distance=1.5)
-    return go.Figure(drawn, layout={**layout, "annotations": []})
+def _figure(placings, parts, titles=(), fixed=True):
+    """The parts with the poses of each placing, side by side; fixed: with the grey axes of body 1."""
+    if fixed:
+        parts = [*parts, *(Part(1, STEEL, arrow(np.zeros(3), e, 1.25, 0.013)) for e in np.eye(3))]
+    model, view, height, n = Model.of(parts), (1.0, -1.2, 0.6), 420, len(placings)
+    seen = np.concatenate([model.placed(poses) for poses in placings])
+    scenes = [scene.fitted_scene(seen, view, aspect=700 / n / height, domain=(i / n, (i + 1) / n)) for i in range(n)]
+    drawn = [model.trace(poses, scene_name(i)) for i, poses in enumerate(placings)]
+    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=titles))
 
 
-def _block(low, high, colour):
-    """A box between two corners."""
-    corners = np.array(np.meshgrid(*zip(low, high, strict=True), indexing="ij")).reshape(3, -1)
-    x, y, z = np.round(corners, 3)
-    return go.Mesh3d(x=x, y=y, z=z, alphahull=0, color=colour, flatshading=True, hoverinfo="skip")
+def _orientation(R):
+    """The poses of the aircraft and of the fixed axes."""
+    return [_pose(R), np.eye(4)]
 
 
-def _aircraft(R, scene="scene"):
-    """A flat aircraft with its axes, in the fixed axes."""
-    drawn = [*fixed_frame(scene, 1.1)]
-    for e, colour in zip(R.T, FRAME_COLOURS, strict=True):
-        drawn.append(line([np.zeros(3), e], colour, 6, scene))
-    outline = np.array([[0.85, 0, 0], [0, 0.85, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0, -0.85, 0]]) @ R.T
-    x, y, z = np.round(outline, 3).T
-    look = {"color": "#8d959e", "hoverinfo": "skip", "scene": scene}
-    return [*drawn, go.Mesh3d(x=x, y=y, z=z, i=[0, 0, 0], j=[1, 2, 3], k=[2, 3, 4], **look)]
+def _pose(R):
+    pose = np.eye(4)
+    pose[:3, :3] = R
+    return pose
+
+
+def _hoop(axis, radius, n=40):
+    """A ring of square section about an axis through the origin."""
+    x, y, z = basis(axis)
+    t = np.linspace(0, 2 * np.pi, n, endpoint=False)[:, None, None]
+    r, h = 0.05 * np.array([[-2, 0, 0, -2], [-1, -1, 1, 1]])[:, None, :, None]
+    vertices = ((radius + r) * (np.cos(t) * x + np.sin(t) * y) + h * z).reshape(-1, 3)
+    i, k = np.indices((n, 4)).reshape(2, -1)
+    corners = [4 * ((i + di) % n) + (k + dk) % 4 for di, dk in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return Mesh(vertices, np.concatenate([np.stack([corners[c] for c in side], -1) for side in ((0, 1, 2), (0, 2, 3))]))
+
+
+def _aircraft(k):
+    """The parts of a small aircraft of half length k: nose along x, wings along y, fin along z."""
+    body = [(0, -0.8), (0.07, -0.75), (0.16, -0.2), (0.17, 0.3), (0.1, 0.7), (0.01, 0.85)]
+    profile = [(k * radius, k * x) for radius, x in body]
+    blocks = [
+        (LIGHT_BLUE, [-0.2, -0.85, -0.03], [0.2, 0.85, 0.03]),
+        (LIGHT_BLUE, [-0.78, -0.3, -0.02], [-0.55, 0.3, 0.02]),
+        (DARK, [-0.78, -0.02, 0.04], [-0.55, 0.02, 0.38]),
+    ]
+    wings = [Part(0, colour, box(*(k * np.array([low, high])), n=16)) for colour, low, high in blocks]
+    return [Part(0, SILVER, revolve([0, 0, 0], [1, 0, 0], profile, 16)), *wings]
