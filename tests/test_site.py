@@ -209,7 +209,7 @@ def test_paper_holds_every_word_and_nothing_beyond_its_edge(site, browser, tmp_p
 
 def test_home_lists_assignments_and_search_finds_words(site, browser):
     with Visit(browser, site / "index.html") as visit:
-        links = visit.page.locator(".card h2 a:not(.headerlink), #beside-them li a")
+        links = visit.page.locator(".card h2 a:not(.headerlink), #reference li a")
         assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation"]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
