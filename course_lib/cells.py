@@ -116,7 +116,7 @@ def kinds(q, number, count, split):
     Examples
     --------
     >>> q = np.tile([[0.1, 1.0], [1.1, -1.0]], (3, 1))
-    >>> kind_of, examples = kinds(q, np.zeros(6, int), 2, split=lambda q: (q[:, 1] < 0).astype(int))
+    >>> kind_of, examples = kinds(q, np.zeros(6, int), 2, split=lambda q: np.array([0, 1, 0, 1, 0, 1]))
     >>> print(kind_of)
     ['both elbows, separated' 'fewer than 6 samples']
     """
@@ -162,7 +162,7 @@ class BranchTable:
     The mean angles of each cell and branch:
 
     >>> table = BranchTable(lambda xy: xy, lambda terms, q: q.mean(0), lambda mean, terms, sign: mean,
-    ...                     branch=lambda q: (q[:, 1] < 0).astype(int), least=2)
+    ...                     branch=lambda q: np.array([0, 0, 1]), least=2)
     >>> xy, q = np.zeros((3, 2)), np.array([[0.0, 1.0], [0.2, 1.0], [0.3, -1.0]])
     >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
     array([[[0.1, 1. ],
