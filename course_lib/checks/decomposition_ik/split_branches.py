@@ -201,12 +201,12 @@ _MISTAKES = (
         lambda q: (q - q.mean(axis=0)) / np.maximum(q.std(axis=0), 1e-9),
     ),
     Mistake(
-        "the samples are split at the mean or the median of q2",
+        "only q2 is looked at, and the samples are split at its mean or median",
         "The clusters need not be of the same size, and KMeans looks at both angles.",
         *_by_limit(1, np.mean, np.median),
     ),
     Mistake(
-        "the samples are split at the mean or the median of q1",
+        "only q1 is looked at, and the samples are split at its mean or median",
         "KMeans looks at both angles, and sizes may differ.",
         *_by_limit(0, np.mean, np.median),
     ),

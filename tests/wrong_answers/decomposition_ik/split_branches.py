@@ -96,13 +96,13 @@ def wrong_sign_of_q2_where_samples_differ(q):
 
 
 def wrong_median_of_q1(q):
-    """the mean or the median of q1"""
+    """only q1 is looked at"""
     q = np.asarray(q, float)
     return np.zeros(len(q)) if _alike(q) else q[:, 0] > np.median(q[:, 0])
 
 
 def wrong_median_of_q2(q):
-    """the mean or the median of q2"""
+    """only q2 is looked at"""
     q = np.asarray(q, float)
     return np.zeros(len(q)) if _alike(q) else q[:, 1] < np.median(q[:, 1])
 
@@ -269,7 +269,7 @@ def wrong_no_random_state(q):
 
 
 def wrong_split_at_the_mean(q):
-    """at the mean or the median of q2"""
+    """only q2 is looked at"""
     q = np.asarray(q, float)
     return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)
 
