@@ -52,5 +52,5 @@ def test_each_of_the_thirty_mugs_can_be_picked():
     random = np.random.default_rng(11)
     for _ in range(30):
         mug, _points = challenge.mug_scene(random)
-        turned = (mug @ rigid.transform(rotations.rot_z(np.pi * k / 12), np.zeros(3)) for k in range(24))
-        assert any(challenge.picked(mug, approach(mug=each), T_FG) for each in turned), mug[:3, 3]
+        rotated = (mug @ rigid.transform(rotations.rot_z(np.pi * k / 12), np.zeros(3)) for k in range(24))
+        assert any(challenge.picked(mug, approach(mug=each), T_FG) for each in rotated), mug[:3, 3]

@@ -8,7 +8,10 @@ from course_lib.figures.solids.meshes import Mesh, arrow, basis, box, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, MUG_RED, ORANGE, SILVER, STEEL, VIOLET, Y_GREEN
 from course_lib.figures.space import scene_name
 from course_lib.figures.toys.toy import Toy
+from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, rot_x, rot_y, rot_z
+
+_ORIGIN = np.zeros(3)
 
 MODES = {
     "axis": "An aircraft rotated about an axis. Sliders set the axis and the angle from -360 to 360 degrees; rotation "
@@ -80,7 +83,7 @@ def _gimbals():
         Part(3, ORANGE, _hoop([0, 0, 1], 1.18)),
         Part(0, MUG_RED, _hoop([0, 1, 0], 1.0)),
     ]
-    poses = [*_orientation(pitch @ rot_x(np.deg2rad(10))), _pose(yaw), _pose(pitch)]
+    poses = [*_orientation(pitch @ rot_x(np.deg2rad(10))), transform(yaw, _ORIGIN), transform(pitch, _ORIGIN)]
     return _figure([poses], [*_aircraft(0.8), *rings])
 
 
@@ -115,7 +118,7 @@ STILLS = {"axis": _axis, "gimbals": _gimbals, "order": _order, "belt": _belt}
 def _figure(placings, parts, titles=(), fixed=True):
     """The parts with the poses of each placing, side by side; fixed: with the grey axes of body 1."""
     if fixed:
-        parts = [*parts, *(Part(1, STEEL, arrow(np.zeros(3), e, 1.25, 0.013)) for e in np.eye(3))]
+        parts = [*parts, *(Part(1, STEEL, arrow(_ORIGIN, e, 1.25, 0.013)) for e in np.eye(3))]
     model, view, height, n = Model.of(parts), (1.0, -1.2, 0.6), 420, len(placings)
     seen = np.concatenate([model.placed(poses) for poses in placings])
     scenes = [scene.fitted_scene(seen, view, aspect=700 / n / height, domain=(i / n, (i + 1) / n)) for i in range(n)]
@@ -125,13 +128,7 @@ def _figure(placings, parts, titles=(), fixed=True):
 
 def _orientation(R):
     """The poses of the aircraft and of the fixed axes."""
-    return [_pose(R), np.eye(4)]
-
-
-def _pose(R):
-    pose = np.eye(4)
-    pose[:3, :3] = R
-    return pose
+    return [transform(R, _ORIGIN), np.eye(4)]
 
 
 def _hoop(axis, radius, n=40):
@@ -155,4 +152,4 @@ def _aircraft(k):
         (DARK, [-0.78, -0.02, 0.04], [-0.55, 0.02, 0.38]),
     ]
     wings = [Part(0, colour, box(*(k * np.array([low, high])), n=16)) for colour, low, high in blocks]
-    return [Part(0, SILVER, revolve([0, 0, 0], [1, 0, 0], profile, 16)), *wings]
+    return [Part(0, SILVER, revolve(_ORIGIN, [1, 0, 0], profile, 16)), *wings]
