@@ -13,7 +13,6 @@ from course_lib.arms import panda
 from course_lib.figures.solids import arm_model, link_poses, shells
 from course_lib.figures.solids.model import PALETTE
 
-SCRIPTS = ("motion", "kinematics", "toys", "panda")  # of course_lib/figures/scripts, in this order
 ALT = "A Franka Panda, a white robot arm with seven joints and a gripper, on a floor with a grid."
 START = np.deg2rad([-20, -15, 0, -125, 0, 110, 45])
 # How the still and panda.js look at it: width and height of the picture, what is in its middle, and how far around
@@ -38,7 +37,7 @@ def living_panda(pages: Path) -> str:
     model = arm_model(arm, [*shells.gripper(7, tip), *fingers])
     path = Path("_static", "pictures", "panda.webp")
     (pages / path).parent.mkdir(parents=True, exist_ok=True)
-    _still(model, link_poses(arm, START)).save(pages / path, "WEBP", quality=90, method=6)
+    _still(model, link_poses(arm, START)).save(pages / path, "WEBP", quality=90, method=5)
     look = {
         **VIEW,
         "arm": {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()},

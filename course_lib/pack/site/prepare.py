@@ -27,11 +27,6 @@ class Counts:
     pictures: int = 0
 
 
-def heading_anchor(text: str) -> str:
-    """Return the name by which JupyterLab lets other cells link to a heading."""
-    return text.strip().replace(" ", "-")
-
-
 def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
     """Write to `folder` a copy of `notebook` with HTML for its figures and pictures, and count them.
 
