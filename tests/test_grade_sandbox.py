@@ -1,5 +1,7 @@
 """What stands around a submission: the ways to keep it apart, its copy of the course, and what of it is run."""
 
+import importlib.util
+import marshal
 import os
 import subprocess
 import sys
@@ -42,7 +44,12 @@ def test_the_copy_of_the_course_holds_no_judge_and_nothing_that_is_asked_for(nam
     course = courses()[name]
     forbidden = {dotted for exercise in course.exercises for dotted in exercise.forbidden}
     files = contents({course.package: course.exercises}, frozenset(forbidden))
-    checks = {path for path in files if path.startswith("course_lib/checks/")}
+    sources = {path: source for path, source in files.items() if path.endswith(".py") and path != "runner.py"}
+    compiled = {path: content for path, content in files.items() if "__pycache__" in path}
+    assert list(compiled) == [importlib.util.cache_from_source(path) for path in sources]
+    codes = [compile(source, "", "exec", dont_inherit=True) for source in sources.values()]
+    assert [marshal.loads(content[16:]) for content in compiled.values()] == codes, "and so of what the sources hold"
+    checks = {path for path in set(files) - set(compiled) if path.startswith("course_lib/checks/")}
     asking = ("__init__.py", "call_student.py", "wire.py", "adapters.py", f"{course.package}/__init__.py")
     assert checks == {f"course_lib/checks/{file}" for file in asking}
     assert not any(path.startswith("course_lib/pack") or path.endswith(".ipynb") for path in files)

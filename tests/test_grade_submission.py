@@ -11,7 +11,8 @@ from hostile.build import FULL, NAME, OTHERS, SEED, SHORT, book, cell, points
 
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
 from course_lib.pack.grade.submission import grade
-from course_lib.pack.release.stubs import PROMPT, students_copy
+from course_lib.pack.release import PROMPT
+from course_lib.pack.release.stubs import students_copy
 
 
 def states(result):

@@ -23,7 +23,7 @@ from course_lib.pack.grade.marks import (
 )
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals, totals_text
-from course_lib.pack.release.stubs import PROMPT
+from course_lib.pack.release import PROMPT
 
 
 def submission(student, notebook="01_rotations", place=None):

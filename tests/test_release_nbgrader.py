@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from course_lib.pack.release.stubs import PROMPT, students_copy
+from course_lib.pack.release import PROMPT
+from course_lib.pack.release.stubs import students_copy
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))

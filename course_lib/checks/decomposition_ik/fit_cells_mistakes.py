@@ -4,13 +4,13 @@ import functools
 
 import numpy as np
 from sklearn.cluster import KMeans
-from threadpoolctl import threadpool_limits
 
 from course_lib.checks.decomposition_ik.shared import (
     best_split,
     clusters,
     least_squares,
     models,
+    one_thread,
     position,
     several,
     split,
@@ -64,7 +64,7 @@ def _ends_of_k_means(data):
     points = np.frombuffer(data).reshape(-1, 2)
     if not several(points):
         return [np.zeros(len(points))]
-    with threadpool_limits(1):
+    with one_thread():
         starts = [(10, 0), *((1, start) for start in range(20))]  # scikit-learn's older default, and single starts
         ends = [KMeans(2, n_init=n, random_state=start).fit_predict(points) for n, start in starts]
     return list(np.unique([best_split(points), *ends], axis=0))

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 from sklearn.cluster import KMeans
-from threadpoolctl import threadpool_limits
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.shared import (
     best_split,
     lump,
+    one_thread,
     position,
     rewired,
     several,
@@ -135,7 +135,7 @@ def _clustered(name, hint, by):
 
 
 def _as_k_means_numbers_them(q):
-    with threadpool_limits(1):
+    with one_thread():
         return KMeans(2, random_state=0).fit(q).labels_
 
 
@@ -153,7 +153,7 @@ def split_branches(q):
     q = np.asarray(q, float)
     if not several(q):
         return np.zeros(len(q), int)
-    with threadpool_limits(1):  # so few samples take far longer with threads
+    with one_thread():
         labels = KMeans(2, random_state=0).fit(q).labels_
     means = [q[labels == k, 1].mean() for k in (0, 1)]
     return labels if means[0] > means[1] else 1 - labels

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import answer_text, cell, cell_text, table_text
-from course_lib.pack.release.stubs import PROMPT
+from course_lib.pack.release import PROMPT
 
 COLUMNS = ("student", "notebook", "question", "of", "mark", "comment", "state", "answer", "key")
 TO_BE_READ, READ, OLDER = "to be read", "read", "of an older answer, or not in this run"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course_lib.pack.grade.student_view import PACKAGE
-from course_lib.pack.release.stubs import PROMPT
+from course_lib.pack.release import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"

@@ -8,6 +8,7 @@ child process, so that a crash in one answer affects no other.
 import ast
 import contextlib
 import functools
+import importlib
 import json
 import linecache
 import os
@@ -32,6 +33,8 @@ def main():
 
     def say(**message):
         write(replies, json.dumps(message).encode() + b"\n")
+
+    importlib.import_module("numpy.random")  # numpy does so when it is first used: in each child process, again
 
     from course_lib.checks import call_student
 
@@ -194,7 +197,7 @@ def speak(pipe, told, asked, answer):
         most = int(used.ru_utime + used.ru_stime + asked["cpu"])
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
         random.seed(0)
-        sys.modules["numpy"].random.seed(0)  # the same grade for the same file, even if it draws random numbers
+        sys.modules["numpy.random"].seed(0)  # the same grade for the same file, even if it draws random numbers
         hear = os.fdopen(told, "rb")
 
         def consult(text):

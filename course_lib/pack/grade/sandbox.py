@@ -5,7 +5,7 @@ import functools
 import json
 import os
 import platform
-import selectors
+import select
 import shutil
 import signal
 import subprocess
@@ -107,18 +107,21 @@ class Sandbox:
         remove_tree(self._folder)
 
     def send(self, message, seconds=30):
-        """Send a message, anything that JSON can hold."""
-        data = memoryview(json.dumps(message).encode() + b"\n")
-        deadline, self._kills = time.monotonic() + seconds, self._group.memory_kills()
+        """Send a message, anything that JSON can hold, with which the sandbox begins something."""
+        self._kills = self._group.memory_kills()
+        self.tell(message, seconds)
+
+    def tell(self, message, seconds=30):
+        """Send what the sandbox asked for while it does what it began. There may be thousands of these messages."""
+        data, deadline = memoryview(json.dumps(message).encode() + b"\n"), time.monotonic() + seconds
         if self._over:
             raise Ended(self._over)
         while data:
-            with selectors.DefaultSelector() as ready:
-                ready.register(self._process.stdin, selectors.EVENT_WRITE)
-                if not ready.select(max(deadline - time.monotonic(), 0)):
-                    raise Ended("it no longer listens")
             try:
                 data = data[os.write(self._process.stdin.fileno(), data[:65536]) :]
+            except BlockingIOError:
+                if not _wait_for(self._process.stdin, select.POLLOUT, max(deadline - time.monotonic(), 0)):
+                    raise Ended("it no longer listens") from None
             except OSError:
                 raise Ended(self._why()) from None
 
@@ -146,7 +149,7 @@ class Sandbox:
         return ticks / os.sysconf("SC_CLK_TCK")
 
     def out_of_memory(self):
-        """Return whether the kernel killed a process of the sandbox for its memory since the last message was sent."""
+        """Return whether the kernel killed a process of the sandbox for its memory since it began the last thing."""
         return self._group.memory_kills() > self._kills
 
     def _next(self, watch):
@@ -168,10 +171,8 @@ class Sandbox:
             self._left += self._more(watch)
 
     def _more(self, watch):
-        with selectors.DefaultSelector() as ready:
-            ready.register(self._process.stdout, selectors.EVENT_READ)
-            while not ready.select(0.25):
-                watch.look(idle=True)
+        while not _wait_for(self._process.stdout, select.POLLIN, 0.25):
+            watch.look(idle=True)
         data = os.read(self._process.stdout.fileno(), 1 << 20)
         if not data:
             raise Ended(self._why())
@@ -213,6 +214,13 @@ class Watch:
             raise TooSlow(f"it took more than {self._cpu} seconds of computing")
         if now - self._since > self._idle:
             raise TooSlow(f"it computed nothing for {self._idle} seconds")
+
+
+def _wait_for(pipe, event, seconds):
+    """Return whether the event, or the end of the pipe, comes within so many seconds."""
+    waiting = select.poll()
+    waiting.register(pipe, event)
+    return bool(waiting.poll(1000 * seconds))
 
 
 def notice():

@@ -7,6 +7,8 @@ nothing, and the source of a forbidden function is replaced by one that raises, 
 import ast
 import functools
 import importlib.resources
+import importlib.util
+import marshal
 from pathlib import Path
 
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
@@ -105,7 +107,19 @@ def contents(checks, forbidden):
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
         files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(library=library).encode()
-    return files
+    modules = {path: source for path, source in files.items() if path.endswith(".py") and path != SCRIPTS[0]}
+    return files | {importlib.util.cache_from_source(path): compiled(source) for path, source in modules.items()}
+
+
+@functools.cache
+def compiled(source):
+    """Return the content of a module's .pyc file that is used without a look at the time of the source.
+
+    Nothing can be written beside the sources in a sandbox, so each one would compile all of them again.
+    """
+    unchecked, code = 1, compile(source, "", "exec", dont_inherit=True)
+    head = importlib.util.MAGIC_NUMBER + unchecked.to_bytes(4, "little") + importlib.util.source_hash(source)
+    return head + marshal.dumps(code)
 
 
 @functools.cache

@@ -5,6 +5,7 @@ forbids. An exercise that remains open is asked again in a process of its own, w
 exercise forbids. The whole notebook is run last.
 """
 
+import functools
 import json
 import re
 import resource
@@ -117,11 +118,22 @@ class Grader:
 
     def prepare(self):
         """Load the course and try the isolation once, for all processes that are forked from this one."""
-        courses()
-        notice()  # tries what this system offers
+        _prepared()
 
     def __call__(self, content, notebook, seed):
         return grade(content, notebook, seed, hidden=self.hidden)
+
+
+@functools.cache
+def _prepared():
+    for course in courses().values():
+        _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
+    notice()  # tries what this system offers
+
+
+def _files(forbidden):
+    """Return the content of a sandbox without these functions of the library."""
+    return contents({course.package: course.exercises for course in courses().values()}, forbidden)
 
 
 def ask_all(run):
@@ -151,8 +163,7 @@ def _blame_helpers(outcomes):
 
 def attempt(run, exercises, forbidden, whole):
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
-    checks = {course.package: course.exercises for course in courses().values()}
-    files, without, how = contents(checks, forbidden), list(run.too_slow), "it took too long" if run.too_slow else ""
+    files, without, how = _files(forbidden), list(run.too_slow), "it took too long" if run.too_slow else ""
     for _ in range(MOST_RESTARTS):
         if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
@@ -252,7 +263,7 @@ class Student:
             calls = 0
             while consult and isinstance(message.get("call"), str):
                 calls += 1
-                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
+                self._sandbox.tell({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."

@@ -6,10 +6,9 @@ import nbformat
 
 from course_lib.checks.exercise import UNWRITTEN
 from course_lib.pack.notebooks import tidy
-from course_lib.pack.release import ReleaseError
+from course_lib.pack.release import PROMPT, ReleaseError
 
 BEGIN, END = "BEGIN SOLUTION", "END SOLUTION"  # anywhere in a line, as nbgrader has it
-PROMPT = "*Type your answer here.*"
 FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 
 
