@@ -3,19 +3,17 @@
 import functools
 
 import numpy as np
-from sklearn.cluster import KMeans
 
 from course_lib.checks.decomposition_ik.shared import (
     best_split,
     clusters,
     least_squares,
     models,
-    one_thread,
     position,
     several,
     split,
 )
-from course_lib.checks.decomposition_ik.split_branches import split_branches
+from course_lib.checks.decomposition_ik.split_branches import k_means, split_branches
 from course_lib.checks.exercise import Mistake
 from course_lib.checks.vocabulary import same_with_gaps
 
@@ -64,9 +62,8 @@ def _ends_of_k_means(data):
     points = np.frombuffer(data).reshape(-1, 2)
     if not several(points):
         return [np.zeros(len(points))]
-    with one_thread():
-        starts = [(10, 0), *((1, start) for start in range(20))]  # scikit-learn's older default, and single starts
-        ends = [KMeans(2, n_init=n, random_state=start).fit_predict(points) for n, start in starts]
+    starts = [(10, 0), *((1, start) for start in range(20))]  # scikit-learn's older default, and single starts
+    ends = [k_means(points, n_init=n, random_state=start) for n, start in starts]
     return list(np.unique([best_split(points), *ends], axis=0))
 
 

@@ -4,7 +4,6 @@ import functools
 from dataclasses import replace
 
 import numpy as np
-from threadpoolctl import ThreadpoolController
 
 from course_lib.checks.exercise import Mistake
 
@@ -12,17 +11,6 @@ _A_LIST = Mistake(
     "the argument is taken for an array, and it may be a list",
     "Begin with q = np.asarray(q, float): that takes arrays and lists.",
 )
-
-
-def one_thread():
-    """Return a context in which k-means uses one thread: with more, so few samples take far longer."""
-    return _libraries().limit(limits=1)
-
-
-@functools.cache
-def _libraries():
-    """Return the libraries with threads that are loaded: to look for them takes longer than k-means."""
-    return ThreadpoolController()
 
 
 def position(q):

@@ -1,15 +1,16 @@
 """split_branches: the samples of one cell in two clusters, one for each elbow."""
 
+import functools
 from dataclasses import replace
 
 import numpy as np
 from sklearn.cluster import KMeans
+from threadpoolctl import ThreadpoolController
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.decomposition_ik.shared import (
     best_split,
     lump,
-    one_thread,
     position,
     rewired,
     several,
@@ -30,6 +31,18 @@ _ONE_SAMPLE = Mistake(
     "Count the different samples with len(np.unique(q, axis=0)); for 0 or 1 return zeros.",
 )
 _CENTRES = Mistake("the centres of the clusters are returned", "One label for each sample: labels_ of the KMeans.")
+
+
+def k_means(points, **settings):
+    """Return the labels of two clusters by scikit-learn, in one thread: so few points take far longer in several."""
+    with _thread_pools().limit(limits=1):
+        return KMeans(2, **settings).fit_predict(points)
+
+
+@functools.cache
+def _thread_pools():
+    """The thread pools of the libraries, scikit-learn's among them; finding them takes as long as k-means."""
+    return ThreadpoolController()
 
 
 def both_elbows(rng, middle, up, down, width=0.1):
@@ -134,11 +147,6 @@ def _clustered(name, hint, by):
     return Mistake(name, hint, lambda q: split(q, by), seen=lambda labels, q: _settled(labels, q, by))
 
 
-def _as_k_means_numbers_them(q):
-    with one_thread():
-        return KMeans(2, random_state=0).fit(q).labels_
-
-
 def _least(labels, q):
     return within(q, labels) <= 1.0001 * within(q, best_split(q)) + 1e-12
 
@@ -153,8 +161,7 @@ def split_branches(q):
     q = np.asarray(q, float)
     if not several(q):
         return np.zeros(len(q), int)
-    with one_thread():
-        labels = KMeans(2, random_state=0).fit(q).labels_
+    labels = k_means(q, random_state=0)
     means = [q[labels == k, 1].mean() for k in (0, 1)]
     return labels if means[0] > means[1] else 1 - labels
 
@@ -170,7 +177,7 @@ _MISTAKES = (
         "the labels are swapped: KMeans calls its clusters 0 and 1 in any order",
         "Compare q[labels == 0, 1].mean() with that of labels == 1; return 1 - labels where it is smaller.",
         lambda q: 1 - split(q) if several(q) else None,
-        lambda q: _as_k_means_numbers_them(q) if several(q) else None,
+        lambda q: k_means(q, random_state=0) if several(q) else None,
     ),
     Mistake(
         "the samples are split by the sign of q2",

@@ -10,7 +10,7 @@ from course_lib.arms import planar_arm
 def _split(q):
     if len(np.unique(q, axis=0)) < 2:
         return np.zeros(len(q), int)
-    labels = KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q)
+    labels = KMeans(n_clusters=2, random_state=0).fit_predict(q)
     return labels if q[labels == 0, 1].mean() > q[labels == 1, 1].mean() else 1 - labels
 
 

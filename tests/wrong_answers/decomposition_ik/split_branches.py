@@ -51,7 +51,7 @@ def right_scipys_as_a_column(q):
 
 
 def _kmeans(q):
-    return KMeans(n_clusters=2, n_init=10, random_state=0).fit_predict(q)
+    return KMeans(n_clusters=2, random_state=0).fit_predict(q)
 
 
 def _alike(q):
