@@ -71,6 +71,29 @@ TRUSTING = [
     "figures.toys.plane",
     "figures.toys.toy",
 ]
+# Some of their functions need files, a sandbox or a browser, and have no example.
+WORKING = [
+    "pack.bench.measure",
+    "pack.data",
+    "pack.files",
+    "pack.grade.cells",
+    "pack.grade.collect",
+    "pack.grade.deadline",
+    "pack.grade.feedback",
+    "pack.grade.gradebook",
+    "pack.grade.marks",
+    "pack.grade.notebook_file",
+    "pack.grade.platforms",
+    "pack.grade.seccomp",
+    "pack.grade.tables",
+    "pack.grade.visible",
+    "pack.notebooks",
+    "pack.release.bundle",
+    "pack.release.stubs",
+    "pack.site.formulas",
+    "pack.site.prepare",
+    "pack.site.sections",
+]
 # Other modules of the library call these with arrays that are looked at already.
 WITHIN = {"checked_pose", "checked_arm", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
 
@@ -101,7 +124,7 @@ def sections(thing):
     return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
 
 
-@pytest.mark.parametrize("name", MODULES + TRUSTING)
+@pytest.mark.parametrize("name", MODULES + TRUSTING + WORKING)
 def test_the_examples_run(name):
     module = importlib.import_module(f"course_lib.{name}")
     outcome = doctest.testmod(module)
@@ -129,8 +152,13 @@ def test_a_functions_docstring_has_all_sections(name, key, function):
 
 
 @pytest.mark.parametrize(("name", "key", "thing"), [case for case in SHOWN if case[0] in TRUSTING])
-def test_a_docstring_has_an_example_and_names_existing_parameters(name, key, thing):
-    said = sections(thing)
-    assert "Examples" in said or "." in key, "a method may have its example with the class"
-    named = re.findall(r"^(\w[\w, ]*?) :", said.get("Parameters", ""), flags=re.MULTILINE)
-    assert set(", ".join(named).split(", ")) - {""} <= set(inspect.signature(thing).parameters)
+def test_a_docstring_has_an_example(name, key, thing):
+    assert "Examples" in sections(thing) or "." in key, "a method may have its example with the class"
+
+
+@pytest.mark.parametrize("name", TRUSTING + WORKING)
+def test_docstrings_name_existing_parameters(name):
+    for key, thing in public(name).items():
+        listed = sections(thing).get("Parameters", "") if thing.__doc__ else ""
+        named = set(", ".join(re.findall(r"^(\w[\w, ]*?) :", listed, re.MULTILINE)).split(", ")) - {""}
+        assert not named or named <= set(inspect.signature(thing).parameters), key

@@ -21,17 +21,59 @@ NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the configuration at tim
 
 
 def end_effector(t):
-    """Return the positions of the end-effector at the times t (...), (..., 3), in metres."""
+    """Return the positions of the end-effector at some times.
+
+    Parameters
+    ----------
+    t : array_like, shape (...)
+        Seconds.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Metres.
+
+    Examples
+    --------
+    >>> end_effector(0.0)
+    array([-0.5,  0.5,  0.5])
+    """
     return np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
 
 
 def end_effector_velocity(t):
-    """Return the derivative of end_effector(t), (..., 3), in metres per second."""
+    """Return the velocities of the end-effector at some times: the derivative of `end_effector`.
+
+    Parameters
+    ----------
+    t : array_like, shape (...)
+        Seconds.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Metres per second.
+
+    Examples
+    --------
+    >>> end_effector_velocity(0.0)
+    array([ 0.2,  0.1, -0. ])
+    """
     return np.stack([0.2 * np.cos(2 * t), 0.1 * np.cos(t), -0.2 * np.sin(t)], -1)
 
 
 def iiwa_trajectory():
-    """Return the Trajectory; raises RuntimeError if it leaves the arm's limits or the curve."""
+    """Return the joint trajectory of the iiwa that follows the curve twice.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    RuntimeError
+        If the end-effector leaves the curve, or a joint its limits.
+    """
     arm = iiwa14()
 
     def velocity(t, q):

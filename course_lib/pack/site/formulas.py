@@ -92,7 +92,18 @@ def typeset(text: str, display: bool = False) -> str:
 
 
 def letters_of(page: str) -> str:
-    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas."""
+    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas.
+
+    Parameters
+    ----------
+    page : str
+        HTML with formulas that `typeset` made in this process.
+
+    Examples
+    --------
+    >>> letters_of("<p>no formula</p>")
+    ''
+    """
     used = dict.fromkeys(LETTER.findall(page))
     if not used:
         return ""

@@ -28,7 +28,13 @@ class Counts:
 
 
 def heading_anchor(text: str) -> str:
-    """Return the name by which JupyterLab lets other cells link to a heading."""
+    """Return the name by which JupyterLab lets other cells link to a heading.
+
+    Examples
+    --------
+    >>> heading_anchor("Run it yourself")
+    'Run-it-yourself'
+    """
     return text.strip().replace(" ", "-")
 
 
@@ -102,9 +108,14 @@ def _captioned(shown: str, output) -> str:
 
 
 def mark_dollars(page: str) -> str:
-    """Return HTML in which formulas, which JupyterLab sets where it finds dollars, are marked for Sphinx to set.
+    """Return HTML in which formulas between dollars, as JupyterLab typesets them, are marked for Sphinx.
 
-    What stands in code, and in attributes, is left as it is.
+    The contents of code and of attributes are left as they are.
+
+    Examples
+    --------
+    >>> mark_dollars("<p>$q_1$</p><code>$HOME$</code>")
+    '<p><span class="math" data-tex="q_1"></span></p><code>$HOME$</code>'
     """
     parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
     parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]
