@@ -1,4 +1,4 @@
-"""Make the data that the notebooks come with: `make data`. What notebook 6 draws of costs is measured by costs.py.
+"""Make the data that the notebooks come with: `make data`. costs.py measures the costs that notebook 6 plots.
 
 The joint trajectory of the iiwa: the end-effector follows a given curve twice. The curve determines three of the seven
 degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
@@ -87,7 +87,7 @@ def iiwa_trajectory():
     off = np.abs(arm.fk(q)[:, :3, 3] - end_effector(TIMES)).max()
     inside = ((q > arm.limits[:, 0]) & (q < arm.limits[:, 1])).all()
     if off > 1e-9 or not inside:
-        raise RuntimeError(f"the trajectory is no good: {off:.1e} m off the curve, inside the limits: {inside}")
+        raise RuntimeError(f"the trajectory is not valid: {off:.1e} m off the curve, inside the limits: {inside}")
     return Trajectory(TIMES, q, np.array([velocity(t, at) for t, at in zip(TIMES, q, strict=True)]))
 
 

@@ -138,7 +138,7 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
 
 
 def leave_number_out(cell: nbformat.NotebookNode) -> None:
-    """Say that a cell was run, but not as which: a cell more would change the numbers of all that follow."""
+    """Record that a cell was run, but not its number: a new cell would change the numbers of all that follow."""
     if cell.execution_count is not None:
         cell.execution_count = 1
     for output in cell.outputs:
@@ -163,7 +163,7 @@ def reason(error: Exception) -> str:
 
 
 def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
-    """Every output that holds a plotly figure."""
+    """Yield every output that holds a plotly figure."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             if PLOTLY in output.get("data", {}):

@@ -1,4 +1,4 @@
-"""A toy: a figure to take by the hand, the same in a live notebook, in a stored one and on an exported page.
+"""A toy: an interactive figure, the same in a live notebook, in a stored one and on an exported page.
 
 What a toy computes and draws stands once, in the JavaScript of course_lib/figures/scripts. Its model (link lengths,
 screw axes, a start) travels in the plotly figure's `layout.meta.course`. An exported page loads the scripts and draws
