@@ -6,12 +6,37 @@ _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more a
 
 
 def real_array(value, name, *shapes, copy=True, infinite=False):
-    """Return `value` as a float64 array whose last axes have one of the given shapes.
+    """Return an argument as a float64 array whose last axes have one of the given shapes.
 
-    shapes: tuples such as (3,) or (3, 3); any axes before them are the batch. () takes any shape.
-    copy: False if the caller only reads the array, which may then be `value` itself.
-    infinite: True if entries may be infinite, as limits may.
-    Raises ValueError for anything that is not real numbers, has another shape, or is not finite.
+    Parameters
+    ----------
+    value : array_like
+    name : str
+        The argument's name, for messages.
+    *shapes : tuple of int
+        Such as (3,) or (3, 3); any axes before them are the batch. () allows every shape.
+    copy : bool, optional
+        False if the caller only reads the array, which may then be `value` itself.
+    infinite : bool, optional
+        True if entries may be infinite, as joint limits may.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    ValueError
+        For anything that is not real numbers, has another shape, or is not finite.
+
+    Examples
+    --------
+    >>> real_array([1, 2, 3], "p", (3,))
+    array([1., 2., 3.])
+    >>> real_array([1, 2, np.nan], "p", (3,))
+    Traceback (most recent call last):
+        ...
+    ValueError: p must be finite; p[2] is nan
     """
     if isinstance(value, np.ma.MaskedArray):
         raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
@@ -38,7 +63,28 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
 
 
 def tolerance(value, name="tol"):
-    """Return `value` as a float that is a usable tolerance: finite and not negative."""
+    """Return an argument as a float that is a usable tolerance: finite and not negative.
+
+    Parameters
+    ----------
+    value : float
+    name : str, optional
+        The argument's name, for messages.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        For any other value.
+
+    Examples
+    --------
+    >>> tolerance(0)
+    0.0
+    """
     array = real_array(value, name, (), copy=False)
     if array.shape != () or (number := float(array)) < 0:
         raise ValueError(f"{name} must be one number, zero or more; it is {value!r}")
@@ -46,21 +92,90 @@ def tolerance(value, name="tol"):
 
 
 def positive(value, name):
-    """Return `value` as an array (...) of finite numbers above zero."""
+    """Return an argument as an array of finite numbers above zero.
+
+    Parameters
+    ----------
+    value : array_like
+    name : str
+        The argument's name, for messages.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    ValueError
+        For any other value; the message names the first entry that is not above zero.
+
+    Examples
+    --------
+    >>> positive([2, 0], "lengths")
+    Traceback (most recent call last):
+        ...
+    ValueError: lengths[1] must be greater than zero; it is 0
+    """
     array = real_array(value, name, ())
     refuse_first(array <= 0, name, lambda i: f"must be greater than zero; it is {array[i]:g}")
     return array
 
 
 def count(value, name="n", least=0):
-    """Return `value` as an int from `least` to 10^9, beyond which no memory holds the answer."""
+    """Return an argument as a whole number, of at most 10^9: no memory holds an answer with more entries.
+
+    Parameters
+    ----------
+    value : int
+    name : str, optional
+        The argument's name, for messages.
+    least : int, optional
+        The smallest number allowed.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    ValueError
+        For any other value, True and False included.
+
+    Examples
+    --------
+    >>> count(True)
+    Traceback (most recent call last):
+        ...
+    ValueError: n must be a whole number from 0 to 1,000,000,000; it is True
+    """
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
         raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
     return int(value)
 
 
 def generator(value, name="rng"):
-    """Return `value` if it is a numpy random Generator."""
+    """Return an argument if it is a numpy random Generator.
+
+    Parameters
+    ----------
+    value : numpy.random.Generator
+    name : str, optional
+        The argument's name, for messages.
+
+    Returns
+    -------
+    numpy.random.Generator
+
+    Raises
+    ------
+    ValueError
+        For any other value, a seed included.
+
+    Examples
+    --------
+    >>> generator(np.random.default_rng(0)).integers(10)
+    np.int64(8)
+    """
     if not isinstance(value, np.random.Generator):
         raise ValueError(
             f"{name} must be a numpy random Generator, such as numpy.random.default_rng(seed); "
@@ -70,7 +185,27 @@ def generator(value, name="rng"):
 
 
 def broadcast(**batches):
-    """Return the common shape of the batches, {argument: shape}; ValueError names the first that does not fit."""
+    """Return the common shape of several batches.
+
+    Parameters
+    ----------
+    **batches : tuple of int
+        The shape of each argument's batch, by the argument's name.
+
+    Returns
+    -------
+    tuple of int
+
+    Raises
+    ------
+    ValueError
+        If they do not broadcast; the message names the first that does not fit.
+
+    Examples
+    --------
+    >>> broadcast(T=(4, 1), p=(3,))
+    (4, 3)
+    """
     common = ()
     for name, batch in batches.items():
         try:
@@ -83,16 +218,59 @@ def broadcast(**batches):
 
 
 def refuse_first(bad, name, reason):
-    """Raise ValueError for the first True in the batch of flags `bad`; reason(index) gives the words."""
+    """Raise ValueError for the first True in a batch of flags.
+
+    Parameters
+    ----------
+    bad : ndarray of bool
+    name : str
+        The argument's name, for messages.
+    reason : callable
+        reason(index) returns the rest of the message.
+
+    Raises
+    ------
+    ValueError
+        If a flag is True.
+
+    Examples
+    --------
+    >>> refuse_first(np.array([False, True]), "R", lambda index: "must be a rotation")
+    Traceback (most recent call last):
+        ...
+    ValueError: R[1] must be a rotation
+    """
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")
 
 
 def finite_result(result, name, item_axes=-1):
-    """Return `result` if all of it is finite; else ValueError says that the argument `name` is too large.
+    """Return a result if all of it is finite.
 
-    item_axes: the axes of one item; None if the result's batch is not the argument's: then no index is named.
+    Parameters
+    ----------
+    result : ndarray
+    name : str
+        The name of the argument to which the error is due.
+    item_axes : int or tuple of int or None, optional
+        The axes of one item; None if the result's batch is not the argument's: then the message names no index.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    ValueError
+        If an entry is not finite, because the argument is too large.
+
+    Examples
+    --------
+    >>> finite_result(np.array([[1.0], [np.inf]]), "w")
+    Traceback (most recent call last):
+        ...
+    ValueError: w[1] is too large: the result exceeds the largest number
     """
     finite = np.isfinite(result)
     if np.count_nonzero(finite) < finite.size:
@@ -102,7 +280,24 @@ def finite_result(result, name, item_axes=-1):
 
 
 def entry(name, index):
-    """Return how the entry of an array is written: entry("R", (2, 0)) is "R[2, 0]", and "R" if there is no index."""
+    """Return how the entry of an array is written in a message.
+
+    Parameters
+    ----------
+    name : str
+        The array's name.
+    index : sequence of int
+        Empty for the array itself.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> entry("R", (2, 0))
+    'R[2, 0]'
+    """
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
 
 

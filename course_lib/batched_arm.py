@@ -23,6 +23,16 @@ class BatchedArm:
     frames, from each to the next, and from the last to the end-effector; frame_offsets from each to the frame that
     SerialArm.frames shows. They are kept as lists of nonzero factors: of three columns for a translation, three such
     lists for a rotation.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> arm = planar_arm([1, 1])
+    >>> batched = BatchedArm.of(arm.screw_axes, arm.home)
+    >>> _, position = batched.end_effector(np.array([[0, np.pi / 2], [0, 0]]))  # two configurations, one a column
+    >>> position.round(12).T
+    array([[2., 0., 0.],
+           [0., 2., 0.]])
     """
 
     signs: np.ndarray

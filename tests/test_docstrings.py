@@ -8,6 +8,7 @@ import re
 import pytest
 
 MODULES = [
+    "arguments",
     "rotations",
     "rigid",
     "planar",
@@ -21,17 +22,37 @@ MODULES = [
 ]
 # Their functions look at no argument, so they have nothing to say of errors.
 TRUSTING = [
+    "batched_arm",
+    "batching",
     "cells",
+    "checks.adapters",
+    "checks.answer_types",
+    "checks.call_student",
+    "checks.exercise",
+    "checks.format_numbers",
+    "checks.notebook",
+    "checks.prediction",
+    "checks.vocabulary.cases",
+    "checks.vocabulary.comparisons",
+    "checks.vocabulary.mistakes",
+    "checks.wire",
+    "checks.write_test",
     "figures.damped_steps",
     "figures.decomposition_ik",
+    "figures.decomposition_pictures",
+    "figures.display",
+    "figures.mobile_robots",
     "figures.moving",
     "figures.panda_dh_ik",
     "figures.panda_pictures",
     "figures.planar_arm",
     "figures.plots",
+    "figures.poe_drawing",
     "figures.poe_kuka_iiwa",
+    "figures.poe_pictures",
     "figures.rigid_motion",
     "figures.rotations",
+    "figures.rotations_pictures",
     "figures.solids.draw",
     "figures.solids.film",
     "figures.solids.meshes",
@@ -39,12 +60,39 @@ TRUSTING = [
     "figures.solids.scene",
     "figures.solids.shells",
     "figures.space",
+    "figures.style",
     "figures.subproblems_damped_ik",
+    "figures.toys.arms",
+    "figures.toys.bent_arm",
     "figures.toys.cells",
     "figures.toys.circles",
     "figures.toys.orientation",
     "figures.toys.planar_arm",
     "figures.toys.plane",
+    "figures.toys.toy",
+]
+# Some of their functions need files, a sandbox or a browser, and have no example.
+WORKING = [
+    "pack.bench.measure",
+    "pack.data",
+    "pack.files",
+    "pack.grade.cells",
+    "pack.grade.collect",
+    "pack.grade.deadline",
+    "pack.grade.feedback",
+    "pack.grade.gradebook",
+    "pack.grade.marks",
+    "pack.grade.notebook_file",
+    "pack.grade.platforms",
+    "pack.grade.seccomp",
+    "pack.grade.tables",
+    "pack.grade.visible",
+    "pack.notebooks",
+    "pack.release.bundle",
+    "pack.release.stubs",
+    "pack.site.for_sphinx",
+    "pack.site.formulas",
+    "pack.site.sections",
 ]
 # Other modules of the library call these with arrays that are looked at already.
 WITHIN = {"checked_pose", "checked_arm", "unchecked_length", "SerialArm.pose_and_geometric_jacobian"}
@@ -64,6 +112,8 @@ def public(name):
 
 
 ALL = [(name, key, thing) for name in MODULES + TRUSTING for key, thing in public(name).items()]
+# An exception has its example with a function that raises it.
+SHOWN = [case for case in ALL if not (inspect.isclass(case[2]) and issubclass(case[2], BaseException))]
 FUNCTIONS = [case for case in ALL if case[0] in MODULES and not inspect.isclass(case[2])]
 
 
@@ -74,7 +124,7 @@ def sections(thing):
     return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
 
 
-@pytest.mark.parametrize("name", MODULES + TRUSTING)
+@pytest.mark.parametrize("name", MODULES + TRUSTING + WORKING)
 def test_the_examples_run(name):
     module = importlib.import_module(f"course_lib.{name}")
     outcome = doctest.testmod(module)
@@ -93,17 +143,22 @@ def test_a_docstring_begins_with_one_sentence(name, key, thing):
 def test_a_functions_docstring_has_all_sections(name, key, function):
     said = sections(function)
     taken = [name for name in inspect.signature(function).parameters if name != "self"]
-    named = re.findall(r"^(\w[\w, ]*?)(?: :|$)", said.get("Parameters", ""), flags=re.MULTILINE)
+    named = re.findall(r"^\*{0,2}(\w[\w, ]*?)(?: :|$)", said.get("Parameters", ""), flags=re.MULTILINE)
     assert [one for line in named for one in line.split(", ")] == taken
-    assert "Returns" in said or said[""].startswith(("Write", "Learn"))
-    assert "Raises" in said or not taken or key == "planar_forward"  # which looks at nothing
+    assert "Returns" in said or said[""].startswith(("Write", "Learn", "Raise"))
+    assert "Raises" in said or not taken or key in ("planar_forward", "entry")  # which look at nothing
     # A method of an estimator has its example with the class.
     assert "Examples" in said or key.startswith("GridIK.")
 
 
-@pytest.mark.parametrize(("name", "key", "thing"), [case for case in ALL if case[0] in TRUSTING])
-def test_a_docstring_has_an_example_and_names_existing_parameters(name, key, thing):
-    said = sections(thing)
-    assert "Examples" in said or "." in key, "a method may have its example with the class"
-    named = re.findall(r"^(\w[\w, ]*?) :", said.get("Parameters", ""), flags=re.MULTILINE)
-    assert set(", ".join(named).split(", ")) - {""} <= set(inspect.signature(thing).parameters)
+@pytest.mark.parametrize(("name", "key", "thing"), [case for case in SHOWN if case[0] in TRUSTING])
+def test_a_docstring_has_an_example(name, key, thing):
+    assert "Examples" in sections(thing) or "." in key, "a method may have its example with the class"
+
+
+@pytest.mark.parametrize("name", TRUSTING + WORKING)
+def test_docstrings_name_existing_parameters(name):
+    for key, thing in public(name).items():
+        listed = sections(thing).get("Parameters", "") if thing.__doc__ else ""
+        named = set(", ".join(re.findall(r"^(\w[\w, ]*?) :", listed, re.MULTILINE)).split(", ")) - {""}
+        assert not named or named <= set(inspect.signature(thing).parameters), key

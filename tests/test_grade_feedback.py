@@ -194,7 +194,8 @@ def test_the_class_page_counts_what_could_not_be_graded_apart():
     refused = of("s5")[0]
     outcomes += [broken, (refused, ungraded_result(refused, "It is a link to another file.", "refused"))]
     read = Read(class_page(graded_files(outcomes), marks_of))
-    assert "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (in no mean below)" in read.text
+    said = "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (not in the means below)"
+    assert said in read.text
     assert "01_rotations6 4 4.0 4 4".replace(" ", "") in "".join(read.text.split())
 
 

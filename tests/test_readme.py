@@ -35,5 +35,12 @@ def test_every_command_and_file_it_names_is_there():
 
 
 def test_it_asks_of_each_notebook_what_its_card_on_the_home_page_asks():
-    asked = re.findall(r"^\| (\d) \|[^|]*\| (.+) \|$", README, re.MULTILINE)
-    assert asked == [(name[1], question) for name, question in QUESTIONS.items()]
+    asked = re.findall(r"^(\d)\. \*\*.+?\*\* (.+?)\n(?=\d\.|\n)", README, re.MULTILINE | re.DOTALL)
+    assert [(number, " ".join(question.split())) for number, question in asked] == [
+        (name[1], question) for name, question in QUESTIONS.items()
+    ]
+
+
+def test_it_is_short():
+    assert len(README.split()) <= 1000
+    assert max(map(len, README.splitlines())) <= 100

@@ -45,12 +45,12 @@ def test_answers_in_code_and_words_are_taken_over_and_the_old_is_only_read(folde
     before = (old / "notebooks" / NAME).read_bytes()
     done = carry_over(old, new)
     assert (done.returncode, done.stderr) == (0, "")
-    assert f"{NAME}: answers taken over: 2\n" in done.stdout
+    assert f"{NAME}: answers carried over: 2\n" in done.stdout
     assert (source(new, "wrap_angle"), source(new, "explain_wrap")) == (CODE, "Because.\n\nπ.")
     assert (old / "notebooks" / NAME).read_bytes() == before
     nbformat.validate(nbformat.read(new / "notebooks" / NAME, 4))
 
-    assert f"{NAME}: answers taken over: 0\n" in carry_over(old, new).stdout
+    assert f"{NAME}: answers carried over: 0\n" in carry_over(old, new).stdout
     names = [path.name for path in (new / "notebooks").iterdir()]
     assert sorted(names) == sorted(path.name for path in (old / "notebooks").iterdir())
 
@@ -78,7 +78,7 @@ def test_nothing_written_in_the_new_release_is_lost_and_a_newer_stub_stays(folde
     newer = 'def arm_frames(theta, links):\n    """Newer."""\n    raise NotImplementedError("Write arm_frames here.")'
     write(old, wrap_angle=CODE)
     write(new, wrap_angle=CODE.replace("7", "8"), arm_frames=newer)
-    assert "answers taken over: 0; answered here already: wrap_angle\n" in carry_over(old, new).stdout
+    assert "answers carried over: 0; answered here already: wrap_angle\n" in carry_over(old, new).stdout
     assert source(new, "wrap_angle") == CODE.replace("7", "8")
     assert source(new, "arm_frames") == newer
 
@@ -92,7 +92,7 @@ def test_a_split_cell_is_put_together_and_an_exercise_that_is_gone_is_named(fold
     cell_of(notebook, "arm_frames").source = "pass"
     cell_of(notebook, "arm_frames").metadata.nbgrader.grade_id = "frames"
     nbformat.write(notebook, old / "notebooks" / NAME)
-    assert "answers taken over: 1; no longer asked: frames\n" in carry_over(old, new).stdout
+    assert "answers carried over: 1; no longer asked: frames\n" in carry_over(old, new).stdout
     assert source(new, "wrap_angle") == f"turn = 7\n\n{CODE}"
 
 

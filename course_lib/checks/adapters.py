@@ -10,21 +10,59 @@ _DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
 
 
 class NoNumber(ValueError):
-    """An entry of an answer is not a number although each argument is one; the message shows the entry."""
+    """An entry of an answer is not a number although each argument is one; the message shows the entry.
+
+    Examples
+    --------
+    >>> import sympy
+    >>> with_symbols(lambda x: x + sympy.Symbol("y"), ["x"], [1.0])
+    Traceback (most recent call last):
+        ...
+    course_lib.checks.adapters.NoNumber: y + 1.0
+    """
 
 
 def directly(function, names, arguments):
-    """Call the function with its arguments."""
+    """Return what the function answers, called with the arguments as they are.
+
+    Parameters
+    ----------
+    function : callable
+    names : list of str
+        Of the arguments; not used.
+    arguments : list
+
+    Examples
+    --------
+    >>> directly(max, ["a", "b"], [1, 2])
+    2
+    """
     return function(*arguments)
 
 
 def with_symbols(function, names, arguments):
-    """Call the function with SymPy symbols for its floats; return its answer at these floats.
+    """Return what the function answers, called with SymPy symbols for its floats, as numbers for these floats.
 
     Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and differ from all
     symbols made elsewhere. Expressions are evaluated in SymPy's matrices and arrays, and in numpy's arrays, lists and
-    tuples; any other answer is passed on unchanged. No text is ever parsed as an expression. Raises NoNumber if an
-    expression contains other symbols.
+    tuples; any other answer is passed on unchanged. No text is ever parsed as an expression.
+
+    Parameters
+    ----------
+    function : callable
+    names : list of str
+        Of the arguments.
+    arguments : list
+
+    Raises
+    ------
+    NoNumber
+        If an expression contains other symbols.
+
+    Examples
+    --------
+    >>> with_symbols(lambda x: [2 * x, "x"], ["x"], [1.5])
+    [3.0, 'x']
     """
     import sympy
 

@@ -12,7 +12,29 @@ NOT_A_NUMBER = Mistake(
 
 
 def boolean(value, *case):
-    """Return True or False for a bool, a numpy bool or a single 0 or 1."""
+    """Return an answer as True or False.
+
+    Parameters
+    ----------
+    value : object
+        A bool, a numpy bool, or a single 0 or 1, also in an array.
+    *case
+        The arguments of the case; not used.
+
+    Returns
+    -------
+    bool
+
+    Raises
+    ------
+    Unreadable
+        For anything else.
+
+    Examples
+    --------
+    >>> boolean(np.array([1]))
+    True
+    """
     array = _array(value, "True or False")
     if array.size != 1 or array.item() not in (0, 1):
         raise Unreadable(f"the answer is True or False. Yours is {_form(array)}.", OTHER_FORM)
@@ -20,11 +42,34 @@ def boolean(value, *case):
 
 
 def numbers(shape_of, known=None, gaps=False, nan=None):
-    """Return a reader of arrays: shape_of(*arguments) is the shape wanted; (4, 1) and (1, 4) pass for (4,).
+    """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,).
 
-    known: the mistakes that an array of another shape reveals: {shape: Mistake}, or known(array, *arguments), which
-    returns a Mistake or None. gaps: True to allow nan and inf. nan: nan(*arguments), the Mistake that nan or inf
-    reveals, or None if nothing particular is known.
+    Parameters
+    ----------
+    shape_of : callable
+        shape_of(*arguments) is the shape that the answer should have.
+    known : dict or callable, optional
+        The mistakes that an array of another shape reveals: {shape: Mistake}, or known(array, *arguments), which
+        returns a Mistake or None.
+    gaps : bool, optional
+        True to allow nan and inf.
+    nan : callable, optional
+        nan(*arguments) is the Mistake that nan or inf reveals, or None if nothing particular is known.
+
+    Returns
+    -------
+    callable
+        reader(value, *arguments) returns an array of floats, or raises Unreadable.
+
+    Examples
+    --------
+    >>> read_vector = numbers(lambda p: (3,))
+    >>> read_vector([[1], [2], [3]], None)
+    array([1., 2., 3.])
+    >>> read_vector([1, 2], None)
+    Traceback (most recent call last):
+        ...
+    course_lib.checks.exercise.Unreadable: the answer is an array of shape (3,). Yours has shape (2,).
     """
 
     def reader(value, *case):
@@ -40,10 +85,29 @@ def numbers(shape_of, known=None, gaps=False, nan=None):
 
 
 def rows(width, expected, most=16, known=None):
-    """Return a reader of lists of any length, none included, of items of `width` numbers each: an array (n, width).
+    """Return a reader of lists of any length, none included, of items of `width` numbers each.
 
-    With a width of 1 it is an array (n,). A single item needs no list around it. expected: the list in words.
-    known: as for numbers.
+    Parameters
+    ----------
+    width : int
+    expected : str
+        The list in words, to follow "the answer is".
+    most : int, optional
+        The largest number of items.
+    known : dict or callable, optional
+        As for `numbers`.
+
+    Returns
+    -------
+    callable
+        reader(value, *arguments) returns an array (n, width), or (n,) with a width of 1, or raises Unreadable. A single
+        item needs no list around it.
+
+    Examples
+    --------
+    >>> read_pairs = rows(2, "a list of pairs of angles")
+    >>> read_pairs([1, 2]), read_pairs([])
+    (array([[1., 2.]]), array([], shape=(0, 2), dtype=float64))
     """
 
     def reader(value, *case):

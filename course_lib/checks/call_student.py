@@ -49,6 +49,13 @@ def reply(function, questions, consult=None):
         (positions of the arguments changed in place), "warning" (the text of the first one), and "error"
         ({"type", "message", "line", "source", "cell"}; the line is one of the student's own code, "cell" names the
         function in whose cell it stands, if not in this function's).
+
+    Examples
+    --------
+    >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1, "through": "", "names": ["x"]}
+    >>> answers = json.loads(reply(np.sqrt, write(questions)))["answers"]
+    >>> [from_json(answer["value"]) for answer in answers]
+    [np.float64(1.0), np.float64(2.0)]
     """
     asked = read(questions)
     cases = asked["cases"]
@@ -148,7 +155,24 @@ class _StandIn:
 
 
 def functions_used(function):
-    """Return the names of the functions of its own notebook that a function calls, and those that they call."""
+    """Return the names of the functions of its own notebook that a function calls, and those that they call.
+
+    Parameters
+    ----------
+    function : callable
+
+    Returns
+    -------
+    list of str
+        A hundred at most.
+
+    Examples
+    --------
+    >>> space = {}
+    >>> exec("def square(x): return x * x" + chr(10) + "def cube(x): return x * square(x)", space)
+    >>> functions_used(space["cube"])
+    ['square']
+    """
     own, found, waiting = getattr(function, "__globals__", None), [], [getattr(function, "__code__", None)]
     while waiting:
         code = waiting.pop()

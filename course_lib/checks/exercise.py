@@ -20,7 +20,26 @@ UNCHANGED = "the bug is still there"
 
 
 def same(value, predicted, *arguments, tolerance=1e-6):
-    """Return whether two answers are equal within a tolerance for rounding."""
+    """Return whether two answers are equal within a tolerance for rounding.
+
+    Parameters
+    ----------
+    value, predicted : array_like
+        Complex numbers, and anything that is not numbers, are equal to nothing.
+    *arguments
+        Of the case; not used. See `alike` of an Exercise.
+    tolerance : float, optional
+        Absolute, and relative to the size of `predicted`.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> same([1, 2], [1, 2 + 1e-9]), same([1, 2], [[1, 2]])
+    (True, False)
+    """
     try:
         if np.iscomplexobj(value):
             return False
@@ -48,6 +67,15 @@ class Mistake:
         alike(value, predicted, *arguments): whether a value is what was predicted; otherwise that of the exercise.
     shadowed_by : str
         The name of the mistake that explains these answers first, because both predict the same.
+
+    Examples
+    --------
+    >>> wrong = lambda angle: np.sin(np.deg2rad(angle))  # what somebody making this mistake would return
+    >>> slip = Mistake("the angle is taken for degrees", "Angles are in radians.", wrong)
+    >>> slip
+    Mistake('the angle is taken for degrees')
+    >>> float(slip.answers[0](90.0))
+    1.0
     """
 
     def __init__(self, name, hint, *answers, seen=None, alike=None, shadowed_by=""):
@@ -104,6 +132,12 @@ class Property:
         The mistake that is named if no mistake of the exercise explains the answers.
     points : int
         Partial credit: the points earned if this property holds and another does not.
+
+    Examples
+    --------
+    >>> positive = Property("the answer is positive", lambda value, x: value > 0, where=lambda x: x != 0)
+    >>> positive.failing([(0,), (1,), (2,)], [-1, -1, 5])
+    [1]
     """
 
     text: str
@@ -157,6 +191,15 @@ class Exercise:
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
     broken : callable, optional
         If the task is to find a bug: a function that answers as the broken code does, None included.
+
+    Examples
+    --------
+    >>> twice = Property("the answer is 2 x", lambda value, x: value == 2 * x)
+    >>> squared = Mistake("x is squared", "What is twice x?", lambda x: x**2)
+    >>> cases, read = lambda rng: [(2.0,), (3.0,)], lambda value, x: value
+    >>> double = Exercise("double", 1, ("x",), cases, read, (twice,), (squared,), hints=())
+    >>> judge(double, Here(lambda x: x * x)).mistake
+    Mistake('x is squared')
     """
 
     name: str
@@ -218,7 +261,13 @@ class Exercise:
 
 
 class Unreadable(ValueError):
-    """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake."""
+    """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake.
+
+    Examples
+    --------
+    >>> str(Unreadable("the answer is a number. Yours is a list.", FORGOTTEN_RETURN))
+    'the answer is a number. Yours is a list.'
+    """
 
     def __init__(self, reason, mistake):
         super().__init__(reason)
@@ -247,6 +296,12 @@ class Verdict:
         The names of the notebook's functions that the answer uses, as the student's process reports them.
     blames : str
         The name of another exercise that the answer calls and that is not right yet.
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> Verdict(EXERCISE, RIGHT).points == EXERCISE.points, Verdict(EXERCISE, WRONG, credit=1).points
+    (True, 1)
     """
 
     exercise: Exercise
@@ -262,16 +317,25 @@ class Verdict:
 
     @property
     def points(self):
+        """All points of the exercise if the answer is right, else the partial credit."""
         return self.exercise.points if self.state == RIGHT else self.credit
 
 
 class Here:
-    """A student's function in this process, for the checks in the notebook."""
+    """A student's function in this process, for the checks in the notebook.
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> judge(EXERCISE, Here(None)).state
+    'not attempted yet'
+    """
 
     def __init__(self, function):
         self.function = function
 
     def reply(self, questions, consult=None):
+        """Return the answers to some questions; see call_student.reply."""
         return call_student.reply(self.function, questions, consult)
 
 
@@ -288,6 +352,16 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
         Of the cases.
     seconds : float
         Processor time for all cases.
+
+    Returns
+    -------
+    Verdict
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> judge(EXERCISE, Here(lambda *arguments: None)).mistake
+    Mistake('the function returns None: a return is missing, or returns nothing for this input')
     """
     cases, consult = exercise.questions(np.random.default_rng(seed))
     asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
@@ -305,7 +379,25 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
 
 
 def with_blame(verdict, others):
-    """Return the verdict with the first function that it blames. others: the Verdicts on the functions it calls."""
+    """Return a verdict with the name of the first function that it blames.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    others : iterable of Verdict
+        On the functions that the answer calls.
+
+    Returns
+    -------
+    Verdict
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations import compose, rotate_point
+    >>> wrong, helper = Verdict(rotate_point.exercise, WRONG), Verdict(compose.exercise, WRONG)
+    >>> with_blame(wrong, [helper]).blames
+    'compose'
+    """
     first = next((other.exercise.name for other in others if other.state != RIGHT), "")
     return replace(verdict, blames=first)
 
@@ -349,7 +441,29 @@ def _named(exercise, wanted, cases, values, failing):
 
 
 def no_answer(exercise, case, type, message, line="", source="", cell=""):
-    """Return the Verdict on a call that ended in an error of this type."""
+    """Return the Verdict on a call that ended in an error.
+
+    Parameters
+    ----------
+    exercise : Exercise
+    case : tuple
+        The arguments of the call.
+    type, message : str
+        Of the exception.
+    line, source, cell : str, optional
+        The number and the text of the student's last line that ran, and the function whose cell holds it if that is
+        another one.
+
+    Returns
+    -------
+    Verdict
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> print(no_answer(EXERCISE, None, "NameError", "name 'B' is not defined", "2", "return B").reason)
+    Line 2 of its cell, `return B`, raises NameError: name 'B' is not defined
+    """
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if type == "NotImplementedError":
         return Verdict(exercise, NOT_ATTEMPTED, _waits(exercise.name, message))
@@ -382,7 +496,22 @@ def _waits(name, message):
 
 
 def attempt(formula, *arguments):
-    """Return the formula's value, or None if it raises: answers may be numbers of any size."""
+    """Return the value of a formula, or None if it raises, because answers may be numbers of any size.
+
+    Parameters
+    ----------
+    formula : callable
+    *arguments
+
+    Returns
+    -------
+    object or None
+
+    Examples
+    --------
+    >>> attempt(lambda x: 1 / x, 0) is None
+    True
+    """
     try:
         return formula(*arguments)
     except (ValueError, IndexError, ArithmeticError):

@@ -4,11 +4,41 @@ import numpy as np
 
 
 def format_tuple(numbers):
-    """Return numbers in the form of a tuple, such as "(0.1, -2)"; rounding errors are written as 0."""
+    """Return numbers in the form of a tuple; rounding errors are written as 0.
+
+    Parameters
+    ----------
+    numbers : array_like
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> format_tuple([0.1, -2, 1e-17])
+    '(0.1, -2, 0)'
+    """
     return "(" + ", ".join(f"{0 if abs(number) <= 1e-12 else number:.4g}" for number in np.ravel(numbers)) + ")"
 
 
 def format_array(numbers, digits=4):
-    """Return an array in numpy's form on one line, such as "[0.1 -2. ]", with at most `digits` decimals."""
+    """Return an array in numpy's form on one line.
+
+    Parameters
+    ----------
+    numbers : array_like
+    digits : int, optional
+        The largest number of decimals.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> format_array([0.1, -2, 1 / 3], digits=2)
+    '[ 0.1  -2.    0.33]'
+    """
     array = np.asarray(numbers) + 0.0  # no -0
     return np.array2string(array, precision=digits, suppress_small=True).replace("\n", "")

@@ -36,6 +36,16 @@ def namespace(package, exercises):
         EXERCISE; its module `questions`, if there is one, holds the predictions as PREDICTIONS.
     exercises : tuple of str
         The names of the exercises, in the order of the notebook.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> names = namespace("course_lib.checks.rotations", ("compose", "exp_so3"))
+    >>> names["exp_so3"]
+    the check of exp_so3: call it as check.exp_so3(exp_so3), or check.exp_so3.hint()
     """
     checks = [Check(importlib.import_module(f"{package}.{name}").EXERCISE) for name in exercises]
     asked = f"{package}.questions"
@@ -48,7 +58,26 @@ def namespace(package, exercises):
 
 
 class Check:
-    """One exercise's check: check.nearest_so(nearest_so) judges, check.nearest_so.hint() helps."""
+    """One exercise's check: check.nearest_so(nearest_so) judges, check.nearest_so.hint() helps.
+
+    Parameters
+    ----------
+    exercise : Exercise
+
+    Attributes
+    ----------
+    verdict : Verdict
+        The last one.
+    siblings : list of Check
+        The checks of the same notebook, of whose functions an answer may call some.
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> check = Check(EXERCISE)
+    >>> callable(check.library), check.verdict.state
+    (True, 'not attempted yet')
+    """
 
     def __init__(self, exercise):
         self.exercise = exercise
@@ -129,7 +158,18 @@ def _giving_arrays(function):
 
 
 class Predict:
-    """One prediction: check.order.predict("b") answers a choice that is made before the next cell runs."""
+    """One prediction: check.order.predict("b") answers a choice that is made before the next cell runs.
+
+    Parameters
+    ----------
+    prediction : Prediction
+
+    Examples
+    --------
+    >>> from course_lib.checks.rotations.questions import PREDICTIONS
+    >>> Predict(PREDICTIONS[0])
+    a prediction: choose by check.drift.predict("a"), and so on
+    """
 
     def __init__(self, prediction):
         self.prediction = prediction
@@ -155,7 +195,19 @@ class Predict:
 
 
 class Progress:
-    """check.progress() shows what is done, how many points that is, and what is next."""
+    """What a notebook's check.progress() shows: what is done, how many points that is, and what is next.
+
+    Parameters
+    ----------
+    checks : list of Check
+    predictions : list of Predict, optional
+
+    Examples
+    --------
+    >>> from course_lib.checks import rotations as check
+    >>> [each.exercise.name for each in check.progress.checks][:2]
+    ['rotate_point', 'compose']
+    """
 
     def __init__(self, checks, predictions=()):
         self.checks, self.predictions = checks, predictions
@@ -177,7 +229,22 @@ class Progress:
 
 
 def describe(verdict):
-    """Return the message for a verdict, as plain text."""
+    """Return the message for a verdict, as plain text.
+
+    Parameters
+    ----------
+    verdict : Verdict
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> from course_lib.checks import rotations as check
+    >>> print(describe(judge(check.compose.exercise, Here(None))))
+    ○ compose: not attempted yet
+    """
     exercise, mark = verdict.exercise, _MARKS[verdict.state][0]
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""

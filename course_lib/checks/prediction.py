@@ -17,6 +17,12 @@ class Prediction:
         The letter of the right choice.
     replies : dict of str to str
         The reply to each letter; for a wrong choice, what it overlooks.
+
+    Examples
+    --------
+    >>> fall = Prediction("fall", "b", {"a": "Mass cancels.", "b": "Yes: without air both fall alike."})
+    >>> fall.replies["a"]
+    'Mass cancels.'
     """
 
     name: str

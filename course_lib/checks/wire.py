@@ -19,19 +19,39 @@ _WRITTEN_AS_THEY_ARE = frozenset({"<f8", "<i8", "|b1", "<c16"})  # the types of 
 
 
 class NotPlain(ValueError):
-    """The value is not plain data; the message names its type."""
+    """The value is not plain data; the message names its type.
+
+    Examples
+    --------
+    >>> write(print)
+    Traceback (most recent call last):
+        ...
+    course_lib.checks.wire.NotPlain: a builtin_function_or_method
+    """
 
 
 @dataclass(frozen=True)
 class Seed:
-    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator."""
+    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator.
+
+    Examples
+    --------
+    >>> write(Seed(3))
+    '{"seed": 3}'
+    """
 
     number: int
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Stands for a function that a student's test is given: its answers come from the process that judges."""
+    """Stands for a function that a student's test is given: its answers come from the process that judges.
+
+    Examples
+    --------
+    >>> read('{"candidate": 2}')
+    Candidate(number=2)
+    """
 
     number: int
 
@@ -43,6 +63,11 @@ def write(value):
     ------
     NotPlain
         If the value is, or holds, anything else.
+
+    Examples
+    --------
+    >>> write([1.5, (True, None)])
+    '{"list": [1.5, {"tuple": [true, null]}]}'
     """
     return json.dumps(to_json(value))
 
@@ -54,6 +79,12 @@ def read(text):
     ------
     NotPlain
         If it is any other text.
+
+    Examples
+    --------
+    >>> read(write({"R": np.eye(2)}))
+    {'R': array([[1., 0.],
+           [0., 1.]])}
     """
     try:
         return from_json(json.loads(text))
@@ -62,7 +93,18 @@ def read(text):
 
 
 def to_json(value, depth=0):
-    """Return plain data in a form that JSON can write: dicts with text keys, lists, numbers, texts."""
+    """Return plain data in a form that JSON can write: dicts with text keys, lists, numbers, texts.
+
+    Raises
+    ------
+    NotPlain
+        If the value is, or holds, anything else.
+
+    Examples
+    --------
+    >>> to_json((1, "a"))
+    {'tuple': [1, 'a']}
+    """
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
     if isinstance(value, np.ndarray | np.generic):
@@ -110,7 +152,18 @@ def _array_to_json(value):
 
 
 def from_json(node, depth=0):
-    """Return the plain data that `to_json` wrote; raises ValueError, TypeError or LookupError for anything else."""
+    """Return the plain data that `to_json` wrote.
+
+    Raises
+    ------
+    ValueError, TypeError or LookupError
+        For anything else.
+
+    Examples
+    --------
+    >>> from_json({"tuple": [1, "a"]})
+    (1, 'a')
+    """
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
     if node is None or isinstance(node, bool | int | float | str):

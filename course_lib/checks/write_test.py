@@ -39,6 +39,11 @@ class Version:
     function : callable
         Called with arrays; it may raise ValueError.
     right : bool
+
+    Examples
+    --------
+    >>> Version("that raises where it should answer", lambda x: 1 / x).right
+    False
     """
 
     kind: str
@@ -56,6 +61,13 @@ class WriteTest(Exercise):
         At least three right and six wrong ones.
     shapes : tuple of tuple of int
         The shape of each argument that a candidate takes, which is an array of real numbers.
+
+    Examples
+    --------
+    >>> from course_lib.checks.exercise import Here, judge
+    >>> from course_lib.checks.rotations.test_log_so3 import EXERCISE
+    >>> print(judge(EXERCISE, Here(lambda log: True)).mistake.name)
+    your test accepts everything
     """
 
     versions: tuple[Version, ...] = ()

@@ -1,6 +1,6 @@
 """Every picture of the course. Each function returns a figure; show puts it into the notebook.
 
-The toys, figures to take by the hand, show themselves as the last line of a cell. They load plotly, so they are
+The toys, which are interactive figures, show themselves as the last line of a cell. They load plotly, so they are
 imported when first used.
 """
 

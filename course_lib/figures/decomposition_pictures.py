@@ -101,7 +101,30 @@ def two_elbows(solutions, xy):
 
 
 def samples(xy, cell, low, high, n):
-    """Return the samples (m, 2) in the workspace, plain and by cell (m, 2); low, high: corners of n x n cells."""
+    """Return the samples in the workspace, plain and by cell.
+
+    Parameters
+    ----------
+    xy : ndarray, shape (m, 2)
+        Positions of the tip, in metres.
+    cell : ndarray, shape (m, 2)
+        Column and row of each position's cell.
+    low, high : ndarray, shape (2,)
+        Corners of the grid, in metres.
+    n : int
+        The grid has n x n cells.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> xy = np.array([[1.0, 0.0], [0.0, 1.5]])
+    >>> samples(xy, np.array([[30, 20], [20, 35]]), *np.array([[-2, -2], [2, 2]]), 40)["alt"].split(": ")[0]
+    'Two pictures of the same 2 positions'
+    """
     radius = np.hypot(*xy.T)
     alt = (
         f"Two pictures of the same {len(xy):,} positions: a band between the radii {radius.min():.2f} and "
@@ -115,7 +138,24 @@ def samples(xy, cell, low, high, n):
 
 
 def clusters(contents):
-    """Return samples of cells in joint space, {title: (angles (m, 2), labels (m,))}."""
+    """Return the samples of some cells in joint space, coloured by cluster.
+
+    Parameters
+    ----------
+    contents : dict
+        {title: (joint angles (m, 2) in radians, labels (m,), 0 or 1)}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> q = np.array([[0, 1], [0.1, 1.1], [1, -1], [1.1, -1.1]])
+    >>> clusters({"one cell": (q, np.array([0, 0, 1, 1]))})["alt"].split(". ")[1]
+    'one cell: q2 from 57 to 63 and -63 to -57 degrees in the two clusters.'
+    """
     said = []
     for title, (q, labels) in contents.items():
         spans = [np.rad2deg(q[labels == k, 1]) for k in (0, 1)]
@@ -127,7 +167,23 @@ def clusters(contents):
 
 
 def percentiles(contents):
-    """Return percentiles of errors, {label: errors in cm, NaN for none}, over their share."""
+    """Return the percentiles of errors over their share.
+
+    Parameters
+    ----------
+    contents : dict
+        {label: errors in cm, NaN where there is no answer}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> percentiles({"one method": np.array([0.1, 0.2, 0.4, np.nan])})["alt"].split(". ")[1]
+    'one method: half below 0.2, all below 0.4.'
+    """
     share = np.linspace(5, 100, 96)
     curves = {name: np.nanpercentile(e, share) for name, e in contents.items()}
     said = "; ".join(
@@ -170,13 +226,50 @@ def _mean_and_worst(error, digits):
 
 
 def errors_in_the_report(xy, error):
-    """Return the error (m,) in cm of the report's better answer at its queries xy (m, 2)."""
+    """Return the error of the report's better answer at each of its queries.
+
+    Parameters
+    ----------
+    xy : ndarray, shape (m, 2)
+        The queries: positions in metres.
+    error : ndarray, shape (m,)
+        In cm.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> errors_in_the_report(np.array([[1.0, 0], [0, 1.5]]), np.array([0.5, 2]))["alt"].split(": ")[1]
+    'half below 1.2, the largest 2.0 at (0.0, 1.5) m.'
+    """
     caption = "The largest errors lie at the inner edge and at both ends of the band."
     return _errors(xy, {"the better, in the report": error}, caption)
 
 
 def errors_of_both(xy, error):
-    """Return the errors (m, 2) in cm of the better and the worse answer at the queries xy (m, 2) that have both."""
+    """Return the errors of the better and of the worse answer at the queries that have both.
+
+    Parameters
+    ----------
+    xy : ndarray, shape (m, 2)
+        The queries: positions in metres.
+    error : ndarray, shape (m, 2)
+        Of both answers, in cm; NaN where there is none.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> xy = np.array([[1.0, 0], [0, 1.5]])
+    >>> errors_of_both(xy, np.array([[0.5, 2], [1, np.nan]]))["alt"].split("; ")[1]
+    'the worse: half below 2, the largest 2.0 at (1.0, 0.0) m.'
+    """
     known = ~np.isnan(error).any(axis=1)
     contents = {"the better answer": error[known].min(axis=1), "the worse": error[known].max(axis=1)}
     return _errors(xy[known], contents, "The worse answer fails in two stretches, where one elbow's range ends.")
@@ -194,7 +287,28 @@ def _errors(xy, contents, caption):
 
 
 def convergence(sizes, curves, slopes):
-    """Return the largest error of the position {name: (n,) in m} over cell sizes (n,) in m; slopes: {name: slope}."""
+    """Return the largest error of the position over the size of the cell.
+
+    Parameters
+    ----------
+    sizes : ndarray, shape (n,)
+        Widths of the cell, in metres.
+    curves : dict
+        {name: largest errors (n,) in metres}.
+    slopes : dict
+        {name: slope of the curve on logarithmic axes}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> sizes = np.array([0.2, 0.1])
+    >>> convergence(sizes, {"affine": sizes**2}, {"affine": 2})["alt"].split(": ")[1]
+    'affine falls with slope 2.0 to 1.'
+    """
     said = "; ".join(f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}" for name, e in curves.items())
     fig = lines(
         100 * sizes,
@@ -222,7 +336,25 @@ def slopes(contents):
 
 
 def by_bend(edges, mean):
-    """Return the mean error (n,) in cm over |q2|, between edges (n + 1,) in degrees."""
+    """Return the mean error over the bend |q2| of the elbow.
+
+    Parameters
+    ----------
+    edges : ndarray, shape (n + 1,)
+        Of the intervals of |q2|, in degrees.
+    mean : ndarray, shape (n,)
+        Mean error in each, in cm.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> by_bend(np.array([0, 90, 180]), np.array([0.5, 0.1]))["alt"].split(", ")[0]
+    'Mean error over |q2|: 0.50 cm for a stretched arm'
+    """
     top = int(np.argmax(mean))
     fig = lines(
         (edges[:-1] + edges[1:]) / 2,
@@ -242,7 +374,23 @@ def by_bend(edges, mean):
 
 
 def costs(measured):
-    """Return error against memory of methods, {name: {"bytes", "mean_error" in m, "seconds" a query}}."""
+    """Return the mean error of methods over the memory that they need.
+
+    Parameters
+    ----------
+    measured : dict
+        {name: {"bytes": memory, "mean_error": in metres, "seconds": for a query}}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> costs({"a table": {"bytes": 1000, "mean_error": 0.01, "seconds": 1e-6}})["alt"].split(". ")[1]
+    'a table: 1,000 bytes, 1e-02 m, 1 µs a query.'
+    """
     said = "; ".join(
         f"{name}: {cost['bytes']:,} bytes, {cost['mean_error']:.0e} m, {1e6 * cost['seconds']:.2g} µs a query"
         for name, cost in measured.items()

@@ -28,6 +28,14 @@ def show(fig, *, alt, caption=""):
     ------
     ValueError
         If `alt` says nothing, if `caption` is no text, or if `fig` is no figure.
+
+    Examples
+    --------
+    >>> from course_lib.figures.style import plane_figure
+    >>> show(plane_figure(3, 2)[0], alt="A plot")
+    Traceback (most recent call last):
+        ...
+    ValueError: alt must say in words what the figure shows; it is 'A plot'
     """
     from IPython.display import display
 
@@ -49,7 +57,18 @@ def show(fig, *, alt, caption=""):
 
 
 def show_caption(caption):
-    """Display a caption, if there is one, as an output of its own: pages take it into the figure before it."""
+    """Display a caption, if there is one, as an output of its own, which pages join to the figure before it.
+
+    Parameters
+    ----------
+    caption : str
+        One sentence in Markdown; "" for none.
+
+    Examples
+    --------
+    >>> show_caption("Both meet.")  # in a notebook: the Markdown
+    {'text/markdown': 'Both meet.', 'text/plain': 'Both meet.'}
+    """
     from IPython.display import display
 
     if caption:
@@ -64,7 +83,25 @@ def _png(fig):
 
 
 def smaller_png(content):
-    """Return a PNG file (bytes) with at most 256 colours: a third of the bytes, and no difference that one sees."""
+    """Return a PNG file with at most 256 colours: a third of the bytes, with no visible difference.
+
+    Parameters
+    ----------
+    content : bytes
+        A PNG file.
+
+    Returns
+    -------
+    bytes
+        The smaller one of the two files.
+
+    Examples
+    --------
+    >>> from course_lib.figures.style import plane_figure
+    >>> plane_figure(3, 2)[0].savefig(file := io.BytesIO())
+    >>> len(smaller_png(file.getvalue())) < len(file.getvalue())
+    True
+    """
     from PIL import Image
 
     picture = Image.open(io.BytesIO(content)).convert("RGB")

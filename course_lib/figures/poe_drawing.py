@@ -58,6 +58,12 @@ def three_views(name, arm):
     -------
     dict
         "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> len(three_views("iiwa", iiwa14())["fig"].axes)
+    3
     """
     from matplotlib.figure import Figure
 
@@ -189,6 +195,20 @@ def _told(name, arm, data):
 
 
 def direction(vector):
-    """Return the axis along which a vector points, in words: "-y"."""
+    """Return the coordinate axis along which a vector points, in words.
+
+    Parameters
+    ----------
+    vector : array_like, shape (3,)
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> direction([0, -1, 0])
+    '-y'
+    """
     axis = int(np.abs(vector).argmax())
     return f"{'-' if vector[axis] < 0 else '+'}{'xyz'[axis]}"

@@ -95,7 +95,29 @@ def _plain(words):
 
 
 def screw_motion(poses, through, axis):
-    """Return a frame moving along a screw. poses: (n, 4, 4). The axis: a point (3,) and a direction (3,)."""
+    """Return a frame moving along a screw.
+
+    Parameters
+    ----------
+    poses : ndarray, shape (n, 4, 4)
+        Of the frame.
+    through : ndarray, shape (3,)
+        A point on the axis, in metres.
+    axis : ndarray, shape (3,)
+        Its direction, a unit vector.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> poses = np.tile(np.eye(4), (2, 1, 1))
+    >>> poses[1, 2, 3] = 0.5
+    >>> screw_motion(poses, np.zeros(3), np.array([0, 0, 1.0]))["alt"].split(" and ")[1]
+    'rises by 0.50 m.'
+    """
     rise = (poses[-1, :3, 3] - poses[0, :3, 3]) @ axis
     alt = f"A frame moves along a helix about a screw axis, which it does not touch, and rises by {rise:.2f} m."
     caption = "The frame rotates about the axis and slides along it; its origin keeps its distance from the axis."
@@ -103,7 +125,23 @@ def screw_motion(poses, through, axis):
 
 
 def arm_with_axes(arm):
-    """Return the arm at joint angles zero, with the axis of each joint."""
+    """Return the arm at joint angles zero, with the axis of each joint.
+
+    Parameters
+    ----------
+    arm : SerialArm
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> arm_with_axes(planar_arm([1, 1]))["alt"].split(" along ")[1]
+    '1 +z, 2 +z.'
+    """
     arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
     alt = f"The arm with all joint angles zero and the axes of its {arm.n} joints, which point along {arrows}."
     caption = "Axes 1, 3, 5 and 7 lie on one line; axes 2, 4 and 6 cross it."
@@ -111,7 +149,29 @@ def arm_with_axes(arm):
 
 
 def arm_movie(arm, motion, most=40):
-    """Return the arm moving along a trajectory, in at most so many poses, seen along the y axis."""
+    """Return the arm moving along a trajectory, seen along the y axis.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    motion : Trajectory
+        Its times and joint angles are used.
+    most : int, optional
+        At most so many poses are shown.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> from course_lib.trajectory import Trajectory
+    >>> motion = Trajectory(np.array([0, 1.0]), np.zeros((2, 7)), np.zeros((2, 7)))
+    >>> len(arm_movie(iiwa14(), motion)["fig"].frames)
+    2
+    """
     shown = np.unique(np.linspace(0, len(motion.t) - 1, most).astype(int))
     path = arm.fk(motion.q)[..., :3, 3]
     size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
@@ -125,7 +185,25 @@ def arm_movie(arm, motion, most=40):
 
 
 def plane_projections(path):
-    """Return a path (n, 3) seen along z, along y and along x."""
+    """Return a path in space, projected along z, along y and along x.
+
+    Parameters
+    ----------
+    path : ndarray, shape (n, 3)
+        Positions in metres.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> t = np.linspace(0, 2 * np.pi, 101)
+    >>> eight = np.stack([np.sin(2 * t), np.sin(t), np.cos(t)], axis=-1)
+    >>> plane_projections(eight)["alt"].split(": ")[1]
+    'x-y 1 times, x-z 1 times, y-z 0 times.'
+    """
     first = _first_round(path)
     crossings = [_crossings(first[:, pair]) for pair in ((0, 1), (0, 2), (1, 2))]
     told = ", ".join(f"{name} {n} times" for name, n in zip(("x-y", "x-z", "y-z"), crossings, strict=True))
@@ -158,7 +236,26 @@ def _side(a, b, c):
 
 
 def velocities_over_time(t, v):
-    """Return the components of linear velocities {frame: (n, 3)} over time, one panel for each frame, stacked."""
+    """Return the components of linear velocities over time, one panel for each frame.
+
+    Parameters
+    ----------
+    t : ndarray, shape (n,)
+        Times in seconds.
+    v : dict
+        {frame: velocities (n, 3) in metres per second}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> v = {"space": np.zeros((2, 3)), "body": np.eye(2, 3)}
+    >>> velocities_over_time([0, 1], v)["alt"].split(": ")[2]
+    'space up to 0.00 m/s, body up to 1.00 m/s.'
+    """
     from matplotlib.figure import Figure
 
     speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
@@ -178,7 +275,24 @@ def velocities_over_time(t, v):
 
 
 def velocities_against_each_other(v):
-    """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
+    """Return the components of linear velocities plotted against one another, a row for each frame.
+
+    Parameters
+    ----------
+    v : dict
+        {frame: velocities (n, 3) in metres per second}.
+
+    Returns
+    -------
+    dict
+        "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> drawn = velocities_against_each_other({"space": np.eye(3), "body": np.eye(3)})
+    >>> len(drawn["fig"].axes)
+    6
+    """
     alt = f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}."
     fig = poe_kuka_iiwa.against_each_other(v)
     fig.set_size_inches(7.2, 7.2)
@@ -265,6 +379,13 @@ def singular_values(arm, generic, straight):
     -------
     dict
         "fig", "alt" and "caption", for show.
+
+    Examples
+    --------
+    >>> from course_lib.arms import iiwa14
+    >>> generic = np.array([0.3, 0.5, 0, -1.2, 0, 0.8, 0])
+    >>> singular_values(iiwa14(), generic, generic * [1, 1, 1, 1, 1, 0, 1])["alt"].split("; ")[1]
+    'q6 varies (wrist): least 0.11 at -0.08 rad'
     """
     varied = {
         "$q_4$ varies (elbow)": (4, generic),

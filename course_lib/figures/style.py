@@ -27,7 +27,28 @@ PLOTLY_LAYOUT = {
 
 
 def plane_figure(width, height, columns=1, **options):
-    """Return a matplotlib figure and its axes in one row, of the given size in inches, in the course's look."""
+    """Return a matplotlib figure in the course's style, and its axes, which stand in one row.
+
+    Parameters
+    ----------
+    width, height : float
+        Of the figure, in inches.
+    columns : int, optional
+        The number of axes.
+    **options
+        Passed to `matplotlib.figure.Figure.subplots`, such as sharey=True.
+
+    Returns
+    -------
+    fig : matplotlib.figure.Figure
+    axes : ndarray of matplotlib.axes.Axes, shape (columns,)
+
+    Examples
+    --------
+    >>> fig, (left, right) = plane_figure(6, 3, columns=2)
+    >>> fig.get_size_inches().tolist()
+    [6.0, 3.0]
+    """
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
     axes = fig.subplots(1, columns, squeeze=False, **options)[0]
     for ax in axes:

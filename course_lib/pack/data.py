@@ -1,4 +1,4 @@
-"""Make the data that the notebooks come with: `make data`. What notebook 6 draws of costs is measured by costs.py.
+"""Make the data that the notebooks come with: `make data`. costs.py measures the costs that notebook 6 plots.
 
 The joint trajectory of the iiwa: the end-effector follows a given curve twice. The curve determines three of the seven
 degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
@@ -21,17 +21,59 @@ NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the configuration at tim
 
 
 def end_effector(t):
-    """Return the positions of the end-effector at the times t (...), (..., 3), in metres."""
+    """Return the positions of the end-effector at some times.
+
+    Parameters
+    ----------
+    t : array_like, shape (...)
+        Seconds.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Metres.
+
+    Examples
+    --------
+    >>> end_effector(0.0)
+    array([-0.5,  0.5,  0.5])
+    """
     return np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
 
 
 def end_effector_velocity(t):
-    """Return the derivative of end_effector(t), (..., 3), in metres per second."""
+    """Return the velocities of the end-effector at some times: the derivative of `end_effector`.
+
+    Parameters
+    ----------
+    t : array_like, shape (...)
+        Seconds.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Metres per second.
+
+    Examples
+    --------
+    >>> end_effector_velocity(0.0)
+    array([ 0.2,  0.1, -0. ])
+    """
     return np.stack([0.2 * np.cos(2 * t), 0.1 * np.cos(t), -0.2 * np.sin(t)], -1)
 
 
 def iiwa_trajectory():
-    """Return the Trajectory; raises RuntimeError if it leaves the arm's limits or the curve."""
+    """Return the joint trajectory of the iiwa that follows the curve twice.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    RuntimeError
+        If the end-effector leaves the curve, or a joint its limits.
+    """
     arm = iiwa14()
 
     def velocity(t, q):
@@ -45,7 +87,7 @@ def iiwa_trajectory():
     off = np.abs(arm.fk(q)[:, :3, 3] - end_effector(TIMES)).max()
     inside = ((q > arm.limits[:, 0]) & (q < arm.limits[:, 1])).all()
     if off > 1e-9 or not inside:
-        raise RuntimeError(f"the trajectory is no good: {off:.1e} m off the curve, inside the limits: {inside}")
+        raise RuntimeError(f"the trajectory is not valid: {off:.1e} m off the curve, inside the limits: {inside}")
     return Trajectory(TIMES, q, np.array([velocity(t, at) for t, at in zip(TIMES, q, strict=True)]))
 
 

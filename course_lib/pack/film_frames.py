@@ -14,7 +14,7 @@ from course_lib.figures.solids.scene import projected
 from course_lib.rotations import exp_so3
 
 SIZE = 560  # pixels, of a square picture
-_FINER = 2  # drawn so many times as fine, and averaged
+_FINER = 2  # drawn this many times larger, and averaged
 _MOST = 48  # frames of a film
 _BOXES = (
     4,

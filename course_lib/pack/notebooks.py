@@ -138,7 +138,7 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
 
 
 def leave_number_out(cell: nbformat.NotebookNode) -> None:
-    """Say that a cell was run, but not as which: a cell more would change the numbers of all that follow."""
+    """Record that a cell was run, but not its number: a new cell would change the numbers of all that follow."""
     if cell.execution_count is not None:
         cell.execution_count = 1
     for output in cell.outputs:
@@ -163,7 +163,7 @@ def reason(error: Exception) -> str:
 
 
 def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
-    """Every output that holds a plotly figure."""
+    """Yield every output that holds a plotly figure."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             if PLOTLY in output.get("data", {}):
@@ -201,6 +201,13 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
 
 
 def size(figure: Figure) -> tuple[int, int]:
+    """Return the width and the height of a plotly figure, in pixels.
+
+    Examples
+    --------
+    >>> size({"layout": {"height": 300}})
+    (700, 300)
+    """
     layout = figure.get("layout", {})
     return layout.get("width") or 700, layout.get("height") or 500  # plotly's own defaults
 
@@ -238,7 +245,16 @@ async def _draw_still(browser, figure: Figure) -> bytes:
 
 
 def tidy(notebook: nbformat.NotebookNode) -> None:
-    """Remove everything that differs between authors."""
+    """Remove everything from a notebook that differs between authors.
+
+    Examples
+    --------
+    >>> cell = nbformat.v4.new_code_cell("x = 1", metadata={"collapsed": True, "tags": ["cover"]})
+    >>> notebook = nbformat.v4.new_notebook(cells=[cell])
+    >>> tidy(notebook)
+    >>> notebook.cells[0].metadata
+    {'tags': ['cover']}
+    """
     notebook.metadata = nbformat.from_dict(PYTHON | keep(notebook.metadata, NOTEBOOK_KEYS))
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for number, cell in enumerate(notebook.cells):

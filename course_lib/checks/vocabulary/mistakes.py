@@ -29,38 +29,95 @@ def _with_argument(right, position, change):
 
 
 def transposed(right, name="the transpose is returned", hint="Rows and columns have changed places."):
+    """Return the mistake of an answer that is the transpose of the right one.
+
+    Examples
+    --------
+    >>> transposed(lambda R: R).answers[0](np.array([[0, -1], [1, 0]]))
+    array([[ 0.,  1.],
+           [-1.,  0.]])
+    """
     return Mistake(name, hint, _changed(right, np.transpose))
 
 
 def inverted(right, name="the inverse is returned", hint="Which frame do you start from, and in which do you end?"):
+    """Return the mistake of an answer that is the inverse of the right one.
+
+    Examples
+    --------
+    >>> inverted(lambda T: T).answers[0](np.diag([2.0, 4.0]))
+    array([[0.5 , 0.  ],
+           [0.  , 0.25]])
+    """
     return Mistake(name, hint, _changed(right, np.linalg.inv))
 
 
 def negated(right, name="the sign is changed", hint="Compare the sign with an example that you can do by hand."):
+    """Return the mistake of an answer with the opposite sign.
+
+    Examples
+    --------
+    >>> mistake = negated(lambda x: x)
+    >>> float(mistake.answers[0](2.0)), mistake.answers[0](0.0)  # at zero the sign changes nothing
+    (-2.0, None)
+    """
     return Mistake(name, hint, _changed(right, np.negative))
 
 
 def doubled(right, name="the answer is twice what it should be", hint="Look for a factor 2."):
+    """Return the mistake of an answer that is twice the right one.
+
+    Examples
+    --------
+    >>> float(doubled(lambda x: x).answers[0](3.0))
+    6.0
+    """
     return Mistake(name, hint, _changed(right, lambda x: 2 * x))
 
 
 def halved(right, name="the answer is half of what it should be", hint="Look for a factor 1/2."):
+    """Return the mistake of an answer that is half the right one.
+
+    Examples
+    --------
+    >>> float(halved(lambda x: x).answers[0](3.0))
+    1.5
+    """
     return Mistake(name, hint, _changed(right, lambda x: x / 2))
 
 
 def in_degrees(right, name="the answer is in degrees", hint="Angles are in radians throughout."):
+    """Return the mistake of an answer in degrees.
+
+    Examples
+    --------
+    >>> float(in_degrees(lambda x: x).answers[0](np.pi))
+    180.0
+    """
     return Mistake(name, hint, _changed(right, np.rad2deg))
 
 
 def argument_degrees(
     right, position=0, name="the angle is taken for degrees", hint="Angles are in radians throughout."
 ):
-    """An argument is converted as if it were in degrees."""
+    """Return the mistake of converting an argument as if it were in degrees.
+
+    Examples
+    --------
+    >>> float(argument_degrees(np.sin).answers[0](90.0))
+    1.0
+    """
     return Mistake(name, hint, _with_argument(right, position, np.deg2rad))
 
 
 def degrees_mixed_up(right, position):
-    """An argument is converted from degrees or to degrees."""
+    """Return the mistake of converting an argument from degrees or to degrees.
+
+    Examples
+    --------
+    >>> [round(float(answer(1.0)), 4) for answer in degrees_mixed_up(lambda angle: angle, 0).answers]
+    [0.0175, 57.2958]
+    """
     return Mistake(
         "degrees and radians are mixed up",
         "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
@@ -69,12 +126,27 @@ def degrees_mixed_up(right, position):
 
 
 def argument_returned(position=0, name="the argument is returned as it came", hint="Return the result."):
+    """Return the mistake of returning an argument unchanged.
+
+    Examples
+    --------
+    >>> argument_returned(position=1).answers[0]("a", "b")
+    'b'
+    """
     return Mistake(name, hint, lambda *case: case[position])
 
 
 def arguments_swapped(
     right, i=0, j=1, name="two arguments have changed places", hint="Compare the order with the task."
 ):
+    """Return the mistake of exchanging the arguments at positions i and j.
+
+    Examples
+    --------
+    >>> arguments_swapped(lambda a, b: a - b).answers[0](5, 3)
+    -2
+    """
+
     def answer(*case):
         swapped = list(case)
         swapped[i], swapped[j] = case[j], case[i]
@@ -86,12 +158,24 @@ def arguments_swapped(
 def halves_swapped(
     right, name="the two halves have changed places", hint="Twists are (omega, v): the rotation comes first.", axis=0
 ):
-    """The first and the second half of a twist, or of a matrix of twists along `axis`, are swapped."""
+    """Return the mistake of exchanging the halves of a twist, or of a matrix of twists along `axis`.
+
+    Examples
+    --------
+    >>> halves_swapped(lambda twist: twist).answers[0]([0, 0, 1, 5, 6, 7])
+    array([5., 6., 7., 0., 0., 1.])
+    """
     return Mistake(name, hint, _changed(right, lambda x: np.roll(x, x.shape[axis] // 2, axis)))
 
 
 def wrong_steps(right):
-    """Mistakes in the last line of a function that returns its first argument, joint angles, after one step."""
+    """Return the mistakes in the last line of a function that returns joint angles, its first argument, after one step.
+
+    Examples
+    --------
+    >>> [mistake.answers[0](1.0, 0.5) for mistake in wrong_steps(lambda q, step: q + step)]
+    [0.5, 0.5, 1.0]
+    """
     return (
         Mistake(
             "the step leads away from the target",
@@ -111,12 +195,26 @@ def wrong_steps(right):
 def entry_by_entry(
     wrong, name="* or ** works entry by entry", hint="In numpy the product of matrices is @; M ** 2 squares each entry."
 ):
-    """wrong(*arguments): the answer with entrywise products in place of matrix products."""
+    """Return the mistake of entrywise products in place of matrix products; wrong(*arguments) has them.
+
+    Examples
+    --------
+    >>> entry_by_entry(lambda A, B: A * B).answers[0](np.eye(2), np.full((2, 2), 3))
+    array([[3., 0.],
+           [0., 3.]])
+    """
     return Mistake(name, hint, wrong)
 
 
 def series_cut(right, matrix):
-    """The exponential series of matrix(*arguments) with too few terms, if that shows."""
+    """Return the mistake of summing too few terms of the exponential series of matrix(*arguments), if that shows.
+
+    Examples
+    --------
+    >>> mistake = series_cut(lambda x: np.exp([[x]]), lambda x: np.array([[x]]))
+    >>> [float(answer(1.0)[0, 0]) for answer in mistake.answers[:3]]  # 2, 3 and 4 terms
+    [2.0, 2.5, 2.6666666666666665]
+    """
 
     def answer(terms):
         def partial_sum(*case):
@@ -135,7 +233,13 @@ def series_cut(right, matrix):
 
 
 def few_digits(right):
-    """The mistake of an answer that is nearly right; to be tried first."""
+    """Return the mistake of an answer that is nearly right; to be tried first.
+
+    Examples
+    --------
+    >>> bool(few_digits(lambda: np.pi).seen(3.14)), bool(few_digits(lambda: np.pi).seen(3.0))
+    (True, False)
+    """
 
     def seen(value, *case):
         exact = right(*case)
@@ -149,7 +253,13 @@ def few_digits(right):
 
 
 def whole_numbers(right):
-    """The mistake of filling an array that holds whole numbers only."""
+    """Return the mistake of filling an array that holds whole numbers only.
+
+    Examples
+    --------
+    >>> whole_numbers(lambda p: p / 2).answers[0](np.array([1, 4]))
+    array([0., 2.])
+    """
 
     def whole(*case):
         return any(np.asarray(argument).dtype.kind == "i" for argument in case)

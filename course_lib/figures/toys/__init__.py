@@ -1,4 +1,4 @@
-"""Toys: figures to take by the hand, in a live notebook and on an exported page."""
+"""Toys: interactive figures, in a live notebook and on an exported page."""
 
 from course_lib.figures.toys.arms import iiwa_toy, jog, panda_toy
 from course_lib.figures.toys.bent_arm import bent_arm_toy

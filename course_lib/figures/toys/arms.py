@@ -129,7 +129,23 @@ def jog(arm, fk=None, *, q=None, base=None):
 
 
 class Answers:
-    """What the student's function says of a configuration, for the script: a callable from question to answer."""
+    """The student's function as the script sees it: a callable that takes a question and returns an answer.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    fk : callable
+        fk(screws, M, q) or fk(q); see `jog`.
+    base : array_like, shape (4, 4)
+        Pose of the arm's base in the frame in which fk answers.
+
+    Examples
+    --------
+    >>> from course_lib.arms import planar_arm
+    >>> answers = Answers(planar_arm([1, 1]), lambda q: np.eye(3), np.eye(4))
+    >>> answers({"q": [0.0, 0.0]})["problem"]
+    'ValueError: the pose should be a finite array of shape (4, 4); its shape is (3, 3).'
+    """
 
     def __init__(self, arm, fk, base):
         self.arm, self.fk, self.to_base = arm, fk, inverse(base)

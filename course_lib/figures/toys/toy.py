@@ -1,4 +1,4 @@
-"""A toy: a figure to take by the hand, the same in a live notebook, in a stored one and on an exported page.
+"""A toy: an interactive figure, the same in a live notebook, in a stored one and on an exported page.
 
 What a toy computes and draws stands once, in the JavaScript of course_lib/figures/scripts. Its model (link lengths,
 screw axes, a start) travels in the plotly figure's `layout.meta.course`. An exported page loads the scripts and draws
@@ -49,6 +49,13 @@ class Toy:
         In a live notebook the script's questions (dicts) go to this function, its answers (dicts) to the script.
     caption : str, optional
         What to try, one sentence, shown below the toy.
+
+    Examples
+    --------
+    >>> from plotly.graph_objects import Figure
+    >>> toy = Toy("plane", {"width": 2}, Figure(), "A robot on a floor, to be dragged.")
+    >>> toy.meta["kind"], toy.figure.layout.meta["course"]["width"]
+    ('toy:plane', 2)
     """
 
     def __init__(self, name, model, figure, alt, answer=None, caption=""):
@@ -90,13 +97,34 @@ def is_live():
 
     Jupyter names the session in an environment variable of the kernel. What runs notebooks for files (nbclient, nbval,
     nbgrader) sets none, so that stored outputs hold plain figures and no state of widgets.
+
+    Examples
+    --------
+    >>> is_live()  # not for doctest, which needs no Jupyter server
+    False
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
 
 @cache
 def module(scripts):
-    """Return the JavaScript module of a toy for a widget: its scripts (names without .js), and how it starts."""
+    """Return the JavaScript module of a toy's widget.
+
+    Parameters
+    ----------
+    scripts : tuple of str
+        Names of files in course_lib/figures/scripts, without ".js", in the order in which they are loaded.
+
+    Returns
+    -------
+    str
+        The scripts, and after them the function `render` that anywidget calls.
+
+    Examples
+    --------
+    >>> "export default" in module(("motion",))
+    True
+    """
     return "\n".join((SCRIPTS / f"{name}.js").read_text(encoding="utf-8") for name in scripts) + _RENDER
 
 

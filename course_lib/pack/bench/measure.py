@@ -114,7 +114,13 @@ def verdict(share, at_most):
 
 
 def duration(seconds):
-    """Return seconds as text with a suitable unit, to three digits."""
+    """Return seconds as text with a suitable unit, to three digits.
+
+    Examples
+    --------
+    >>> duration(0.00012)
+    '120 us'
+    """
     for size, unit in ((1, "s"), (1e-3, "ms"), (1e-6, "us")):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"

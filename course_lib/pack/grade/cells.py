@@ -19,7 +19,21 @@ SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # they always bind their names, wha
 
 @dataclass
 class Statement:
-    """One statement at the top of a cell, and the names it binds, reads and changes."""
+    """One statement at the top of a cell, and the names it binds, reads and changes.
+
+    Parameters
+    ----------
+    cell : int
+        The number of its cell, from 0.
+    tree : ast.stmt
+    binds, reads, changes : set of str
+
+    Examples
+    --------
+    >>> (found,) = statements(["a = b + 1"])
+    >>> found.binds, found.reads
+    ({'a'}, {'b'})
+    """
 
     cell: int
     tree: ast.stmt
@@ -29,14 +43,34 @@ class Statement:
 
 
 def statements(sources):
-    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
+    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define.
+
+    Parameters
+    ----------
+    sources : list of str
+
+    Returns
+    -------
+    list of Statement
+
+    Examples
+    --------
+    >>> [each.cell for each in statements(["def f(): raise NotImplementedError", "def f(): return 1"])]
+    [1]
+    """
     found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
     written = {name for each in found if not is_stub(each.tree) for name in each.binds}
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
 
 
 def without_stubs(sources):
-    """Return the sources, with blank lines for the stubs of functions that other cells define."""
+    """Return the sources, with blank lines for the stubs of functions that other cells define.
+
+    Examples
+    --------
+    >>> without_stubs(["def f(): raise NotImplementedError", "def f(): return 1"])
+    ['', 'def f(): return 1']
+    """
     kept = {(each.cell, each.tree.lineno) for each in statements(sources)}
     blanked = []
     for number, source in enumerate(sources):
@@ -49,9 +83,24 @@ def without_stubs(sources):
 
 
 def needed(found, names):
-    """Return the Statements that functions of these names need: all imports, and whatever affects what they read.
+    """Return the statements that functions of these names need: all imports, and whatever affects what they read.
 
     A function reads names when it is called, so the search begins before the statement that mentions the function.
+
+    Parameters
+    ----------
+    found : list of Statement
+    names : list of str
+
+    Returns
+    -------
+    list of Statement
+
+    Examples
+    --------
+    >>> found = statements(["a = 1", "slow()", "def f(): return a"])
+    >>> [each.cell for each in needed(found, ["f"])]
+    [0, 2]
     """
     imported = {name for each in found for name in each.binds if isinstance(each.tree, IMPORTS)}
     kept = [isinstance(each.tree, IMPORTS) for each in found]
@@ -77,6 +126,16 @@ def alike_alone(found, names):
     """Return the names whose functions behave the same if only the statements that they need are run.
 
     This holds if the other statements only define functions and set variables.
+
+    Parameters
+    ----------
+    found : list of Statement
+    names : list of str
+
+    Examples
+    --------
+    >>> alike_alone(statements(["def f(): return 1", "def g(): return 2"]), ["f", "g"])
+    ['f', 'g']
     """
     modules = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
     kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree, modules)}
@@ -103,7 +162,13 @@ def _changes(target):
 
 
 def parsed(source):
-    """Return the statements of a cell; if the cell is not valid Python, those of its statements that are."""
+    r"""Return the statements of a cell; if the cell is not valid Python, those of its statements that are.
+
+    Examples
+    --------
+    >>> [type(tree).__name__ for tree in parsed("a = 1\nb = = 2\nc = 3")]
+    ['Assign', 'Assign']
+    """
     plain = without_magics(source)
     try:
         return ast.parse(plain).body
@@ -112,7 +177,13 @@ def parsed(source):
 
 
 def without_magics(source):
-    """Return the source with blank lines for IPython's magics and shell commands."""
+    r"""Return the source with blank lines for IPython's magics and shell commands.
+
+    Examples
+    --------
+    >>> without_magics("%matplotlib inline\nx = 1")
+    '\nx = 1'
+    """
     lines = source.splitlines()
     first = next((line for line in lines if line.strip()), "")
     if first.startswith("%%") and re.match(r"%%(\w*)", first)[1] not in RUNS_ITS_CELL:
@@ -121,7 +192,18 @@ def without_magics(source):
 
 
 def no_python(sources, name):
-    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell."""
+    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell.
+
+    Parameters
+    ----------
+    sources : list of str
+    name : str
+
+    Examples
+    --------
+    >>> no_python(["def f(:"], "f")
+    'Code cell 1 is not Python: invalid syntax, in line 1, `def f(:`.'
+    """
     for number, source in enumerate(sources, 1):
         if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
             continue
@@ -136,7 +218,13 @@ def no_python(sources, name):
 
 
 def is_stub(tree):
-    """Return whether this is a function that only raises NotImplementedError."""
+    """Return whether a statement is a function that only raises NotImplementedError.
+
+    Examples
+    --------
+    >>> is_stub(ast.parse("def f(): raise NotImplementedError").body[0])
+    True
+    """
     if not isinstance(tree, ast.FunctionDef):
         return False
     body = [line for line in tree.body if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]

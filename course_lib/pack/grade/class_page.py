@@ -24,7 +24,7 @@ def class_page(everything, marks_of):
     graded = [each for each in counting if each.graded and not each.unreadable]
     said = f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
     if missed := len(counting) - len(graded):
-        said += f", {missed} more handed in but refused or unreadable (in no mean below)"
+        said += f", {missed} more handed in but refused or unreadable (not in the means below)"
     left = sum(found.waiting.values())
     said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
     parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(found.of, counting, graded, found.students)]
@@ -99,7 +99,7 @@ def _hardest(graded):
     alt = f"Bars: the states of the exercises, hardest first. {hardest} is right for {states[hardest][RIGHT]} "
     alt += f"of {states[hardest].total()}."
     rows = [(name, *(states[name][state] for state in COLOURS)) for name in order]
-    caption = f"The exercises that fewest solved, at most {MOST} of them."
+    caption = f"The exercises that the fewest students solved, at most {MOST} of them."
     return _section("Hardest exercises", figure, alt, caption, _table(("exercise", *STATES.values()), rows))
 
 

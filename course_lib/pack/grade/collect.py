@@ -230,9 +230,25 @@ def _newest_copies(found):
 
 
 def split(stem, notebooks):
-    """Return (student, notebook) from a file's name without its ending; notebook is "" if it names none.
+    """Return the student and the notebook that a file's name without its ending contains.
 
     The notebook's name comes last, with or without its number; a suffix such as " (1)" for a second copy may follow.
+
+    Parameters
+    ----------
+    stem : str
+    notebooks : list of str
+        The names of the course's notebooks.
+
+    Returns
+    -------
+    student, notebook : str
+        Both "" if the name contains no notebook's.
+
+    Examples
+    --------
+    >>> split("ada_rotations (1)", ["01_rotations", "02_rigid_motion"])
+    ('ada', '01_rotations')
     """
     for name in sorted(notebooks, key=lambda name: (-len(name), name)):
         for words in name, name.partition("_")[2]:
@@ -267,13 +283,25 @@ def read(path):
 
 
 def printable(name):
-    """Return a name from the file system as printable text, normalized and on one line."""
+    r"""Return a name from the file system as printable text, normalized and on one line.
+
+    Examples
+    --------
+    >>> printable("two" + chr(10) + "lines")
+    'two\\x0alines'
+    """
     text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 
 def file_names(names):
-    """Return {name: file name}, all different, also on file systems that ignore case."""
+    """Return {name: file name}, all different, also on file systems that ignore case.
+
+    Examples
+    --------
+    >>> file_names(["ada"]), len(set(file_names(["Ada", "ada"]).values()))
+    ({'ada': 'ada'}, 2)
+    """
     plain = {name: _plain(name) for name in names}
     taken = collections.Counter(text.casefold() for text in plain.values())
     return {

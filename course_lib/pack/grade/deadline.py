@@ -13,7 +13,21 @@ class DeadlineUnclear(Exception):
 
 @dataclass(frozen=True)
 class Deadline:
-    """The deadline in seconds since 1970, and the percentage of its points that a late file loses for each day."""
+    """The deadline, and what a late file loses.
+
+    Parameters
+    ----------
+    when : float
+        Seconds since 1970.
+    percent : float
+        The percentage of its points that a late file loses for each day.
+
+    Examples
+    --------
+    >>> deadline = Deadline(0, percent=10)
+    >>> deadline.days_late(1.5 * DAY), deadline.share_left(2)
+    (2, 0.8)
+    """
 
     when: float
     percent: float = 0

@@ -47,18 +47,53 @@ svg {{ max-width: 100%; height: auto; }}
 
 
 def page(title, body):
-    """Return a page that needs no network and runs no script. body: HTML."""
+    """Return an HTML page that needs no network and runs no script.
+
+    Parameters
+    ----------
+    title : str
+    body : str
+        HTML.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> "<title>a &amp; b</title>" in page("a & b", "<p>fine</p>")
+    True
+    """
     return PAGE.format(title=escaped(title), body=body)
 
 
 def escaped(text):
-    """Return text as HTML that shows it, cut to LONGEST characters."""
+    """Return text as HTML that shows it, cut to LONGEST characters.
+
+    Examples
+    --------
+    >>> escaped("<script>")
+    '&lt;script&gt;'
+    """
     text = clean(text)
     return html.escape(text if len(text) <= LONGEST else text[:LONGEST] + "\n... (cut here)")
 
 
 def wide_table(head, rows):
-    """Return a table that scrolls separately if the page is narrower. head, rows: the HTML of its rows."""
+    """Return a table that scrolls by itself if the page is narrower.
+
+    Parameters
+    ----------
+    head : str
+        The HTML of its first row.
+    rows : list of str
+        The HTML of the others.
+
+    Examples
+    --------
+    >>> wide_table("<tr><th>points</th></tr>", ["<tr><td>1</td></tr>"]).count("<tr>")
+    2
+    """
     body = "\n".join(rows)
     return f'<div class="wide"><table>\n<thead>{head}</thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
 

@@ -52,7 +52,19 @@ def read_roster(path):
 
 
 class Roster:
-    """Finds a student's row by Canvas's number, a login name, number or address, the column `student`, or the name."""
+    """Finds a student's row by Canvas's number, a login name, number or address, the column `student`, or the name.
+
+    Parameters
+    ----------
+    rows : list of dict
+        As `read_roster` returns them.
+
+    Examples
+    --------
+    >>> roster = Roster([{"Student": "Doe, Jane", "SIS Login ID": "jdoe"}])
+    >>> roster.find("jane doe")["SIS Login ID"], roster.find("jdoe")["Student"]
+    ('jdoe', 'Doe, Jane')
+    """
 
     def __init__(self, rows):
         self._ids, self._keys, self._names = {}, {}, {}
@@ -102,6 +114,13 @@ def gradebook_text(platform, totals, roster=None):
     missing : list of str
     shared : list of list of str
         Those whose names lead to the same line of the roster; of each notebook the better points are in the file.
+
+    Examples
+    --------
+    >>> from course_lib.pack.grade.tables import Totals
+    >>> print(gradebook_text("moodle", Totals({"01": 10}, {"ada": {"01": 9}}))[0], end="")
+    Username,ID number,Email address,First name,Last name,01
+    ada,,,,,9
     """
     look = Roster(roster) if roster else None
     lines, missing = {}, []  # lines: {what identifies a student: their names}

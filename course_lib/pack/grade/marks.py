@@ -21,9 +21,32 @@ class MarksUnreadable(Exception):
 
 @dataclass(frozen=True)
 class MarkedAnswer:
-    """A written answer and its mark; points is None until the answer is marked.
+    """A written answer and its mark.
 
-    wrong: why a typed mark is invalid; only the reader sees this. task: the question itself.
+    Parameters
+    ----------
+    question : str
+        Its name.
+    of : int
+        The points there are.
+    text : str
+        The answer.
+    key : str
+        As `key` makes it.
+    state : str
+    points : float, optional
+        None until the answer is marked.
+    comment : str
+        The reader's.
+    wrong : str
+        Why a typed mark is invalid; only the reader sees this.
+    task : str
+        The question itself.
+
+    Examples
+    --------
+    >>> MarkedAnswer("explain", 2, "s is fixed", "0f", TO_BE_READ, wrong="the mark x is not a number").reported_state
+    'to be read: the mark x is not a number'
     """
 
     question: str
@@ -43,13 +66,43 @@ class MarkedAnswer:
 
 
 def key(student, notebook, question, text):
-    """Return the key of a mark. A changed answer to the same question has another key, so it must be marked again."""
+    """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again.
+
+    Parameters
+    ----------
+    student, notebook, question, text : str
+
+    Returns
+    -------
+    str
+        16 hexadecimal digits.
+
+    Examples
+    --------
+    >>> key("ada", "01", "explain", "yes") == key("ada", "01", "explain", "no")
+    False
+    """
     whole = "\n".join([student, notebook, question, text]).encode("utf-8", "backslashreplace")
     return hashlib.sha256(whole).hexdigest()[:16]
 
 
 def read_marks(path):
-    """Return {key: row} of the reader's table, as any spreadsheet program saves it; {} if there is no table yet."""
+    """Return the rows of the reader's table, as any spreadsheet program saves it.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    dict
+        {key: {column: text}}; empty if there is no table yet.
+
+    Raises
+    ------
+    MarksUnreadable
+        If the file cannot be read, or has lost a column that is needed.
+    """
     try:
         content = path.read_bytes()
     except FileNotFoundError:
@@ -77,7 +130,27 @@ def read_marks(path):
 
 
 def mark_answer(question, student, notebook, rows):
-    """Return the MarkedAnswer for one of a result's questions. rows: the result of read_marks."""
+    """Return the MarkedAnswer for one of a result's questions.
+
+    Parameters
+    ----------
+    question : dict
+        "question", "text" and "of"; "state" and "task" if they are known.
+    student, notebook : str
+    rows : dict
+        As `read_marks` returns them.
+
+    Returns
+    -------
+    MarkedAnswer
+
+    Examples
+    --------
+    >>> question = {"question": "explain", "text": "yes", "of": 2}
+    >>> rows = {key("ada", "01", "explain", "yes"): {"mark": "1,5", "comment": "Why?"}}
+    >>> mark_answer(question, "ada", "01", rows).points
+    1.5
+    """
     return replace(_marked(question, student, notebook, rows), task=str(question.get("task", "")))
 
 
@@ -110,7 +183,23 @@ def _number(typed):
 def marks_text(listed, rows):
     """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
 
-    listed: [(student, notebook, MarkedAnswer)]. The reader's entries are kept as typed.
+    Parameters
+    ----------
+    listed : list of (str, str, MarkedAnswer)
+        Student, notebook and answer.
+    rows : dict
+        As `read_marks` returns them. The reader's entries are kept as typed.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> answer = MarkedAnswer("explain", 2, "yes", "0f", TO_BE_READ)
+    >>> print(marks_text([("ada", "01", answer)], {}), end="")
+    student,notebook,question,of,mark,comment,state,answer,key
+    ada,01,explain,2,,,to be read,yes,0f
     """
     written, table = set(), []
     for student, notebook, each in listed:

@@ -28,7 +28,22 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell. name: its grade_id in nbgrader's metadata, or ""; used only to find written answers."""
+    """One cell of a submitted notebook.
+
+    Parameters
+    ----------
+    kind : str
+        "code", "markdown" or whatever else the file says.
+    source : str
+    name : str
+        Its grade_id in nbgrader's metadata, or ""; used only to find written answers.
+    id : str
+
+    Examples
+    --------
+    >>> code([Cell("code", "x = 1"), Cell("markdown", "Why?")])
+    ['x = 1']
+    """
 
     kind: str
     source: str
@@ -38,7 +53,23 @@ class Cell:
 
 @dataclass(frozen=True)
 class Question:
-    """A question that is answered in writing. after: the source of the cell with its task."""
+    """A question that is answered in writing.
+
+    Parameters
+    ----------
+    name : str
+    points : int
+    id : str
+        Of its answer cell.
+    after : str
+        The source of the cell with its task.
+
+    Examples
+    --------
+    >>> why = Question("explain", 2, "a1", "Why?")
+    >>> answer(why, [Cell("markdown", "Why?"), Cell("markdown", "Because.")])
+    'Because.'
+    """
 
     name: str
     points: int
@@ -48,7 +79,21 @@ class Question:
 
 @dataclass(frozen=True)
 class Course:
-    """One notebook of the course: its name, its package of checks, its exercises and its written questions."""
+    """One notebook of the course.
+
+    Parameters
+    ----------
+    name : str
+    package : str
+        The name of its package of checks.
+    exercises : tuple of Exercise
+    questions : tuple of Question
+
+    Examples
+    --------
+    >>> courses()["01_rotations"].package
+    'rotations'
+    """
 
     name: str
     package: str
@@ -60,7 +105,28 @@ class Course:
 
 
 def read(content):
-    """Return (cells, release) from a file's bytes. Raises Unreadable."""
+    """Return the cells of a submitted file, and the release that it names.
+
+    Parameters
+    ----------
+    content : bytes
+
+    Returns
+    -------
+    cells : list of Cell
+    release : str
+        "" if the file names none.
+
+    Raises
+    ------
+    Unreadable
+        If it is not a notebook, or too large.
+
+    Examples
+    --------
+    >>> read(b'{"cells": [{"cell_type": "code", "source": ["x = ", "1"]}]}')
+    ([Cell(kind='code', source='x = 1', name='', id='')], '')
+    """
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     if content.count(b"{") + content.count(b"[") > MOST_BRACKETS or content.count(b",") > MOST_COMMAS:
@@ -126,11 +192,29 @@ def _within(value, *keys):
 
 
 def code(cells):
+    """Return the sources of the code cells.
+
+    Examples
+    --------
+    >>> code([Cell("markdown", "Why?"), Cell("code", "x = 1")])
+    ['x = 1']
+    """
     return [cell.source for cell in cells if cell.kind == "code"]
 
 
 def defines(sources, name):
-    """Return whether a cell seems to define a function of this name: a quick guess from its text."""
+    """Return whether a cell seems to define a function of this name: a quick guess from its text.
+
+    Parameters
+    ----------
+    sources : list of str
+    name : str
+
+    Examples
+    --------
+    >>> defines(["def hat(w):"], "hat"), defines(["print(hat)"], "hat")
+    (True, False)
+    """
     return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
 
 
@@ -143,6 +227,16 @@ def may_bind(sources, name):
     """Return whether the cells may bind this name when all of them are run: a quick guess from their text.
 
     Each line is read once, so the time is linear in the length of the text.
+
+    Parameters
+    ----------
+    sources : list of str
+    name : str
+
+    Examples
+    --------
+    >>> may_bind(["if late: hat = 1"], "hat"), may_bind(["print(hat)"], "hat")
+    (True, False)
     """
     if not name:
         return False
@@ -166,7 +260,19 @@ def _lines_with(sources, name):
 
 
 def course_of(name, cells):
-    """Return the Course of a file by its name, or else by the exercises in its cells; None if neither fits."""
+    """Return the Course of a file by its name, or else by the exercises in its cells; None if neither fits.
+
+    Parameters
+    ----------
+    name : str
+        The notebook's name, as far as the file's own name tells it.
+    cells : list of Cell
+
+    Examples
+    --------
+    >>> course_of("homework", [Cell("code", "def exp_so3(w):")]).name
+    '01_rotations'
+    """
     known = courses()
     if name in known:
         return known[name]
@@ -178,7 +284,13 @@ def course_of(name, cells):
 
 @functools.cache
 def courses():
-    """Return {name: Course} of all notebooks of the course."""
+    """Return {name: Course} of all notebooks of the course.
+
+    Examples
+    --------
+    >>> sorted(courses())[0]
+    '01_rotations'
+    """
     found = {}
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
         package = path.stem.partition("_")[2]
@@ -198,7 +310,20 @@ def _questions(path):
 
 
 def answer(question, cells):
-    """Return the written answer: the cell with the question's name, or its id, or the one after its task; or ""."""
+    """Return the written answer to a question, or "".
+
+    It is the cell with the question's name, or else with its id, or else the one after its task.
+
+    Parameters
+    ----------
+    question : Question
+    cells : list of Cell
+
+    Examples
+    --------
+    >>> answer(Question("explain", 2, "a1", "Why?"), [Cell("markdown", "Because.", name="explain")])
+    'Because.'
+    """
     for wanted in (lambda cell: cell.name == question.name, lambda cell: cell.id == question.id):
         found = [cell.source for cell in cells if cell.kind != "code" and wanted(cell)]
         if found:

@@ -19,9 +19,23 @@ CANVAS = re.compile(
 class Exported(NamedTuple):
     """What a name says that Canvas or Moodle exported.
 
-    student: whose the file is. rest: the student's own name for the file. number: the platform's number, which tells
-    students of one name apart. late: True if the platform marked the file as late. user_id: the number by which the
-    gradebook knows the student, which only Canvas gives.
+    Parameters
+    ----------
+    student : str
+        Whose the file is.
+    rest : str
+        The student's own name for the file.
+    number : str
+        The platform's number, which tells students of one name apart.
+    late : bool
+        True if the platform marked the file as late.
+    user_id : str
+        The number by which the gradebook knows the student, which only Canvas gives.
+
+    Examples
+    --------
+    >>> exported_name("Jane Doe_42_assignsubmission_file_").number
+    '42'
     """
 
     student: str = ""

@@ -29,7 +29,7 @@ NOTICES = {
     BUBBLEWRAP: "",
     ANOTHER_USER: "namespaces are not allowed here: submissions run as another user with limits, and can read files "
     "that all users can, and use the network",
-    LIMITS: "neither namespaces nor another user are possible here: only limits of memory and time hold submissions",
+    LIMITS: "neither namespaces nor another user are possible here: only limits of memory and time bound submissions",
 }
 
 WATCHERS = {NAMESPACES: 2, BUBBLEWRAP: 3, ANOTHER_USER: 1, LIMITS: 1}  # processes of ours around the student's

@@ -22,8 +22,17 @@ MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 class GradedFile:
     """A submission with its result.
 
-    superseded_by: the place of the file that counts instead of it, or "". days_late: days after the deadline. share:
-    the share of its points that it keeps, 0 to 1.
+    Parameters
+    ----------
+    submission : Submission
+    result : dict
+        As `submission.grade` returns it.
+    superseded_by : str
+        The place of the file that counts instead of it, or "".
+    days_late : int
+        Days after the deadline.
+    share : float
+        The share of its points that it keeps, 0 to 1.
     """
 
     submission: Submission
@@ -59,12 +68,30 @@ class GradedFile:
 
 
 def final_state(state):
-    """Return the wording of a state after the hand-in, when "yet" no longer fits."""
+    """Return the wording of a state after the hand-in, when "yet" no longer fits.
+
+    Examples
+    --------
+    >>> final_state("not attempted yet")
+    'not attempted'
+    """
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
 def graded_files(outcomes, deadline=None):
-    """Return the GradedFiles by student and notebook; of several for one notebook the best counts."""
+    """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
+
+    Parameters
+    ----------
+    outcomes : list of (Submission, dict)
+        Each submission with its result.
+    deadline : Deadline, optional
+        None if nothing is late.
+
+    Returns
+    -------
+    list of GradedFile
+    """
     all_of_them = sorted((_graded_file(*outcome, deadline) for outcome in outcomes), key=_order)
     best = {}
     for each in all_of_them:
@@ -99,7 +126,18 @@ def _order(each):
 
 
 def grades_text(everything, marks_of):
-    """Return grades.csv. marks_of(each): the MarkedAnswers of one file."""
+    """Return the text of grades.csv: a line for each exercise.
+
+    Parameters
+    ----------
+    everything : list of GradedFile
+    marks_of : callable
+        marks_of(each) returns the MarkedAnswers of one file.
+
+    Returns
+    -------
+    str
+    """
     rows = []
     for each in everything:
         rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each, marks_of)]
@@ -130,8 +168,18 @@ def _lines(each, marks_of):
 class Totals:
     """The points of a class.
 
-    of: {notebook: points there are}. students: {student: {notebook: points}}. waiting: {student: answers to be read}.
-    late: {(student, notebook): days}. user_ids: {student: the number by which the platform's gradebook knows them}.
+    Parameters
+    ----------
+    of : dict
+        {notebook: points there are}.
+    students : dict
+        {student: {notebook: points}}.
+    waiting : dict
+        {student: number of answers still to be read}.
+    late : dict
+        {(student, notebook): days}.
+    user_ids : dict
+        {student: the number by which the platform's gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
@@ -142,7 +190,18 @@ class Totals:
 
 
 def totals(everything, marks_of):
-    """Return the Totals, after the deductions for late files."""
+    """Return the points of a class, after the deductions for late files.
+
+    Parameters
+    ----------
+    everything : list of GradedFile
+    marks_of : callable
+        marks_of(each) returns the MarkedAnswers of one file.
+
+    Returns
+    -------
+    Totals
+    """
     of, found = {}, Totals()
     for each in sorted(everything, key=lambda each: each.student):
         if each.superseded_by or not each.student:
@@ -166,7 +225,23 @@ def _rounded(points):
 
 
 def totals_text(found):
-    """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not handed in."""
+    """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not handed in.
+
+    Parameters
+    ----------
+    found : Totals
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> found = Totals({"01": 10, "02": 5}, {"ada": {"01": 9.5}}, {"ada": 2})
+    >>> print(totals_text(found), end="")
+    student,01,02,total,of,to be read
+    ada,9.5,,9.5,15,2
+    """
     rows = []
     for student, points in found.students.items():
         each = [points.get(notebook, "") for notebook in found.of]
@@ -179,25 +254,69 @@ def totals_text(found):
 
 
 def table_text(columns, rows):
-    """Return CSV text. Columns and rows hold texts made by cell()."""
+    r"""Return a table as CSV text.
+
+    Parameters
+    ----------
+    columns : list of str
+    rows : list of list of str
+        Columns and rows hold texts made by `cell`.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> table_text(["student", "points"], [[cell("=ada"), cell(2.0)]])
+    "student,points\n'=ada,2\n"
+    """
     file = io.StringIO(newline="")
     csv.writer(file, lineterminator="\n").writerows([columns, *rows])
     return file.getvalue()
 
 
 def count_noun(number, name):
-    """Return "1 mark", "2 marks"."""
+    """Return a number with a noun that agrees with it.
+
+    Examples
+    --------
+    >>> count_noun(1, "mark"), count_noun(2, "mark")
+    ('1 mark', '2 marks')
+    """
     return f"{number} {name}" if number == 1 else f"{number} {name}s"
 
 
 def clean(text):
-    """Return the text without lone surrogates and control characters, which cannot be stored or shown."""
+    """Return a text without lone surrogates and control characters, which cannot be stored or shown.
+
+    Examples
+    --------
+    >>> clean("a" + chr(7) + "b" + chr(0xD800))
+    'ab?'
+    """
     text = str(text).encode("utf-8", "replace").decode()
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", "", text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
 def cell(value, lines=False):
-    """Return a value as text that no spreadsheet reads as a formula. lines: True to keep its line breaks."""
+    """Return a value as text that no spreadsheet reads as a formula.
+
+    Parameters
+    ----------
+    value : object
+    lines : bool, optional
+        True to keep its line breaks and all of its length.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> cell("=1+1"), cell(2.50)
+    ("'=1+1", '2.5')
+    """
     if isinstance(value, int | float):
         return f"{value:g}" if value < 1e5 else str(value)
     text = clean(value)
@@ -209,12 +328,24 @@ def cell(value, lines=False):
 
 
 def cell_text(text):
-    """Return the text of a cell without the apostrophes that cell() may have added."""
+    """Return the text of a cell without the apostrophes that `cell` may have added.
+
+    Examples
+    --------
+    >>> cell_text("'=1+1"), cell_text("'tis")
+    ('=1+1', "'tis")
+    """
     text = MARKED_INSIDE.sub(r"\1", text)
     return text[1:] if text[:1] == "'" and text[1:].lstrip()[:1] in tuple(FORMULA) else text
 
 
 def answer_text(text):
-    """Return a written answer, cut to the length that a cell can hold."""
+    """Return a written answer, cut to the length that a cell can hold.
+
+    Examples
+    --------
+    >>> answer_text(" right ")
+    'right'
+    """
     text = clean(text).strip()
     return text if len(text) <= LONGEST_ANSWER else text[:LONGEST_ANSWER] + "\n... (the feedback has all of it)"

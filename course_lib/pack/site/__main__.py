@@ -20,11 +20,11 @@ NEEDED = [
 
 
 def main() -> int:
-    """Build the site; return 1 with a plain sentence where that fails."""
+    """Build the site; return an exit code, after a plain sentence if the build fails."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
     parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
-    parser.add_argument("--solutions", default="yes", help="yes: fold them shut; no: leave them out")
+    parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
     parser.add_argument("--single", default="no", help="yes: make each page one file")
     chosen = parser.parse_args()
 
@@ -42,7 +42,7 @@ def main() -> int:
         print(f"The site needs {names}, which this Python lacks. `make html` installs them.", file=sys.stderr)
         return 1
 
-    # Imported late: without the packages above this line could not run.
+    # Imported only now, because it needs the packages above.
     from course_lib.pack.site.build import build
     from course_lib.pack.site.errors import SiteError
 

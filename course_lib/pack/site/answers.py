@@ -1,4 +1,4 @@
-"""What is folded shut on the pages: the authors' answers, or left out; imports, and lines that only draw."""
+"""Fold the authors' answers on the pages, or leave them out; fold imports and lines that only draw."""
 
 import ast
 import re
@@ -7,7 +7,7 @@ from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
 from course_lib.pack.site.errors import SiteError
 
-# A printed line that speaks to whoever wrote the answers.
+# A printed line that addresses the person who wrote the answers.
 OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)
 
 # Written as MyST-NB writes a folded code cell, so that both look the same.
@@ -20,18 +20,18 @@ FOLDED = """<div class="cell docutils container"><details class="admonition hide
 
 
 def fold(cell) -> None:
-    """Let the page show an answer cell as one line, which opens to show the rest."""
+    """Let the page show an answer cell as one line that opens."""
     if not _is_answer(cell):
         return
     if cell.cell_type == "markdown":
-        # The line that opens it says so already.
+        # The line that opens it already says "Model answer".
         cell.source = FOLDED.format(words=cell.source.removeprefix("**Model answer.** "))
     else:
         hide(cell, "hide-cell", "Solution")
 
 
 def hide(cell, tag: str, name: str) -> None:
-    """Let MyST-NB fold a code cell, or a part of it, under a line with that name."""
+    """Let MyST-NB fold a code cell, or a part of it, under a line with this name."""
     cell.metadata["tags"] = [*cell.metadata.get("tags", []), tag]
     cell.metadata["mystnb"] = {"code_prompt_show": name, "code_prompt_hide": name}
 
@@ -42,7 +42,7 @@ def fold_what_serves(cell) -> None:
         return
     try:
         statements = ast.parse(cell.source).body
-    except SyntaxError:  # a line for the notebook alone, such as %matplotlib
+    except SyntaxError:  # one of IPython's magics, such as %matplotlib
         return
     if not statements:
         return
@@ -60,16 +60,16 @@ def _is_figure(output) -> bool:
 
 
 def _only_draws(statement) -> bool:
-    """Return whether a statement is a call, as show(...) is, or names a picture's words."""
+    """Return whether a statement is a call, such as show(...), or assigns a text, such as a caption."""
     called = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call)
     return called or (isinstance(statement, ast.Assign) and isinstance(statement.value, ast.Constant | ast.JoinedStr))
 
 
 def leave_out(cell, place: str) -> None:
-    """Show what students find in their notebooks: no answer, and no check's word on it.
+    """Leave out what students do not find in their notebooks: the answer, and the check's verdict on it.
 
-    All other outputs stay as they are stored, except printed lines on what the answers do. Raises SiteError
-    where an answer cannot be told from the rest.
+    Other outputs stay as they are stored, except printed lines that address the author of the answers. Raises
+    SiteError if an answer cannot be separated from the rest.
     """
     try:
         take_answer(cell, place)

@@ -1,4 +1,4 @@
-"""Build the site: prepare copies of the notebooks, let Sphinx make pages of them, put these in place."""
+"""Build the site: prepare copies of the notebooks, let Sphinx turn them into pages, and move these into place."""
 
 import base64
 import gzip
@@ -28,17 +28,31 @@ PLOTLY = "plotly.packed.js"
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
-    Answers are folded shut, or left out where `solutions` is False. `single` makes each page one file that
-    needs no other. Nothing is executed, no notebook is changed, and where all is as it was at the last build
-    nothing is done. `say` gets a line for each notebook and stage. Raises SiteError where a notebook cannot be
-    published; `output` then stays as it was.
+    No cell is executed and no notebook is changed. If nothing has changed since the last build, nothing is done.
+
+    Parameters
+    ----------
+    notebooks : Path
+    output : Path
+        A folder that is empty, absent, or holds a site.
+    say : callable, optional
+        Called with a line of text for each notebook and stage.
+    solutions : bool, optional
+        True to fold the answers, False to leave them out.
+    single : bool, optional
+        True to make each page one file that needs no other.
+
+    Raises
+    ------
+    SiteError
+        If a notebook cannot be published; `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
         raise SiteError(f"There are no notebooks in {notebooks}.")
     if notebooks.resolve() in output.resolve().parents:
         raise SiteError(f"{output} lies inside {notebooks}, which is read. Name a folder elsewhere.")
-    # Sphinx leaves .buildinfo in every site, so a folder without it is somebody's own.
+    # Sphinx leaves .buildinfo in every site, so a folder without it was not written by us.
     if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
         raise SiteError(f"{output} holds other files than a site. Name an empty folder.")
     source = made_from(notebooks, solutions, single)
@@ -74,9 +88,9 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
 def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None, say) -> int:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
-    `release` is the students' zip, where there is one. Returns how many live figures there are.
+    `release` is the students' zip, or None. Returns the number of live figures.
     """
-    # Pictures and data that a notebook's text links to lie beside it.
+    # The notebooks' texts link to pictures and data beside them.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
     figures = 0
@@ -121,14 +135,14 @@ def _copy_libraries(static: Path, with_plotly: bool) -> None:
 def _packed(script: bytes) -> str:
     """Return a script that holds another one, compressed; figures.js unpacks it.
 
-    No server does that for pages that lie in a folder, and a page there may load scripts but no other files.
+    Pages opened from a folder have no server that compresses, and they may load scripts but no other files.
     """
     content = base64.b64encode(gzip.compress(script, mtime=0)).decode()
     return f'(window.course = window.course || {{ kinds: {{}} }}).plotly = "{content}";\n'
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:
-    """Run Sphinx on `pages`; every warning is an error, since each is something a reader would meet."""
+    """Run Sphinx on `pages`; every warning is an error, because readers would see its effect."""
     command = [
         sys.executable,
         "-m",

@@ -39,14 +39,14 @@ html_context = {"default_mode": "auto"}
 html_theme_options = {
     "use_download_button": False,
     "home_page_in_toc": True,
-    # Search stands in the side bar already.
+    # The side bar already has the search.
     "navbar_persistent": [],
     # The footer would name an author and a date.
     "footer_content_items": [],
-    # Pages that stand alone lead to no others.
+    # A page that is one file has no links to others.
     "show_prev_next": not tags.has("single"),  # noqa: F821 (Sphinx puts it here)
 }
-# The title stands there as the first entry already; the theme's own lies in no landmark.
+# The title is already the first entry there, and the theme's own title is outside every landmark.
 html_sidebars = {"**": [] if tags.has("single") else ["search-button-field.html", "sbt-sidebar-nav.html"]}  # noqa: F821
 
 
@@ -63,9 +63,9 @@ def find_dollars(app, document):
 
 
 def leave_unnumbered(app, document):
-    """Take off the numbers that MyST gives to align and its like: JupyterLab gives none.
+    """Remove the numbers that MyST gives to align and similar environments, because JupyterLab gives none.
 
-    With them go their names, which are random and would change every page at every build.
+    Their names are removed too: they are random, so every build would change every page.
     """
     for node in document.findall(nodes.math_block):
         if "amsmath" in node["classes"]:
@@ -76,7 +76,7 @@ def leave_unnumbered(app, document):
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     """Add the scripts of the figures, after the text, to the pages that hold a figure.
 
-    plotly.js is loaded by figures.js when a figure comes near, except by a page that must hold all it needs.
+    figures.js loads plotly.js when a figure comes near the window, but a page that is one file must contain it.
     """
     figures = re.findall(r'<div class="plotly-figure"([^>]*)>', context.get("body", ""))
     if app.tags.has("single") and any("data-without-plotly" not in figure for figure in figures):
@@ -98,7 +98,7 @@ def set_formula(translator, node):
     """Write a formula as HTML, or warn of one that cannot be set."""
     display = isinstance(node, nodes.math_block)
     text = node.astext()
-    # Lines outside of any environment need one; amsmath's own come with theirs.
+    # Several lines outside any environment need one; amsmath's blocks are environments already.
     if display and r"\\" in text and not node.get("no-wrap", node.get("nowrap")):
         text = rf"\begin{{split}}{text}\end{{split}}"
     try:
@@ -115,25 +115,25 @@ def _in_output(found):
 
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
-    """Typeset what JupyterLab would in HTML outputs, and put the letters of all formulas on the page once."""
+    """Typeset the formulas in HTML outputs, as JupyterLab does, and define the letters of all formulas once a page."""
     body = re.sub(r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", ""))
     if letters := formulas.letters_of(body + (context.get("toc") or "")):
         context["body"] = letters + body
 
 
 def name_what_is_folded(app, pagename, templatename, context, doctree):
-    """Let a screen reader say "Solution", as the page does, and not MyST-NB's one name for all that is folded."""
+    """Let a screen reader read the line that the page shows, "Solution", not MyST-NB's name for all folded cells."""
     if "body" in context:
         context["body"] = context["body"].replace(' aria-label="Toggle hidden content"', "")
 
 
 def use_own_search(app):
-    """Leave out Sphinx's search, which finds pages only: to show more it would fetch them, refused from a folder."""
+    """Leave out Sphinx's search: it fetches pages for its excerpts, which browsers refuse to pages in a folder."""
     app.builder.search = False
 
 
 def search_page(app):
-    """Yield the page of the search, unless pages stand alone."""
+    """Yield the search page, unless each page is one file."""
     if not app.tags.has("single"):
         yield "search", {"title": "Search", "body": search.PAGE}, "page.html"
 

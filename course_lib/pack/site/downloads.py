@@ -1,4 +1,4 @@
-"""What it takes to run the notebooks, to download from the pages: the students' zip, or else the one notebook."""
+"""Offer downloads on the pages: the students' zip, or, on a page that is one file, its notebook."""
 
 import base64
 import hashlib
@@ -17,7 +17,7 @@ RUN = """
 
 **Run it.** {link}, unpack it and type `make lab` in its folder, or follow its README where there is no make. Then open
 `notebooks/{name}`."""
-# A page that stands alone holds its notebook in the link.
+# The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"
 WORDS = """
 
@@ -37,14 +37,14 @@ def students_zip(root: Path, path: Path) -> Path | None:
 
 
 def offered(release: Path | None) -> str:
-    """Return the link to the students' zip, or "" where there is none."""
+    """Return the link to the students' zip, or "" if there is none."""
     return LINK.format(name=ZIP, size=release.stat().st_size / 1e6) if release else ""
 
 
 def offer(source: Path, folder: Path, release: Path | None = None) -> None:
     """Put a link to the zip, or to a notebook without solutions, after the first text of its copy in `folder`.
 
-    Raises SiteError where a solution cannot be told from the rest.
+    Raises SiteError if a solution cannot be separated from the rest.
     """
     text = source.read_text(encoding="utf-8")
     version = hashlib.sha256(text.encode()).hexdigest()[:8]

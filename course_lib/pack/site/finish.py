@@ -1,4 +1,4 @@
-"""The last hand on Sphinx's pages: what the theme repeats or loads for nothing goes, what it leaves out is put in."""
+"""Correct Sphinx's pages: remove what the theme repeats or loads without need, and add what it leaves out."""
 
 import html
 import re
@@ -23,7 +23,7 @@ ICON = (
     "stroke-linecap='round'><path d='M4 28h12M10 28V18L18 8l9 6'/><circle cx='10' cy='18' r='2'/>"
     "<circle cx='18' cy='8' r='2'/></svg>"
 )
-# The words on the theme's buttons, as they can be read on them: a voice that names a button says what it sees.
+# The theme's buttons get the names that they show, for screen readers and for control by voice.
 NAMES = {
     ' title="Search" aria-label="Search"': "",
     'class="btn btn-sm pst-navbar-icon search-button search-button__button pst-js-only"': (
@@ -31,7 +31,7 @@ NAMES = {
     ),
     # The theme's script chooses light or dark; without it there would be no colours at all.
     'data-theme="auto"': 'data-theme="light"',
-    # What does nothing without JavaScript is not there without it.
+    # Buttons that need JavaScript are hidden without it.
     "btn-fullscreen-button ": "btn-fullscreen-button pst-js-only ",
     'class="sidebar-toggle ': 'class="pst-js-only sidebar-toggle ',
     'aria-label="Main"': 'aria-label="Pages of the course"',
@@ -54,7 +54,7 @@ def finish(site: Path) -> None:
     used = _words([*site.glob("*.html"), *static.rglob("*.js")])
     for style in static.rglob("*.css"):
         style.write_text(_pruned(style.read_text(encoding="utf-8"), used), encoding="utf-8")
-    # Source maps serve the theme's own authors; its translations, pages in other languages than ours.
+    # Source maps are for the theme's authors, and its translations for pages in other languages.
     for source_map in site.rglob("*.map"):
         source_map.unlink()
     shutil.rmtree(static / "locales", ignore_errors=True)
@@ -74,10 +74,10 @@ def _pruned(style: str, used: set[str]) -> str:
     style = re.sub(r"/\*.*?\*/|@font-face\s*\{[^}]*\}", "", style, flags=re.DOTALL)
 
     def kept(rule: re.Match) -> str:
-        if set(rule[1]) & set("@;(\\"):  # no plain list of selectors
+        if set(rule[1]) & set("@;(\\"):  # not a plain list of selectors
             return rule[0]
         names = {one: re.findall(r"\.([A-Za-z_][\w-]*)", one) for one in rule[1].split(",")}
-        # Bootstrap puts names such as bs-tooltip-auto together.
+        # Bootstrap's script composes names such as bs-tooltip-auto.
         selectors = [one for one, all_of in names.items() if all(n in used or n.startswith("bs-") for n in all_of)]
         return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
 

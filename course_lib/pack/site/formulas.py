@@ -1,4 +1,4 @@
-"""Formulas as pictures with words, made when the site is built: MathJax runs here, not in the reader's browser."""
+"""Typeset formulas as pictures and MathML while the site is built: MathJax runs here, not in the reader's browser."""
 
 import html
 import json
@@ -12,7 +12,7 @@ from course_lib.pack.site.packages import folder
 
 PARTS = ("loader", "core", "adaptors/liteDOM", "input/tex-full", "output/svg", "output/svg/fonts/tex")
 
-# An unknown macro or a wrong brace is an error, rather than a name in red: so without two of the packages.
+# Two packages are left out, so that an unknown macro or a wrong brace is an error and not red text.
 SET_UP = r"""
 const _ = MathJax._, adaptor = _.adaptors.liteAdaptor.liteAdaptor();
 _.handlers.html_ts.RegisterHTMLHandler(adaptor);
@@ -33,12 +33,12 @@ LETTER = re.compile(r'href="#(MJX-[^"]+)"')
 
 
 class FormulaError(ValueError):
-    """A formula that MathJax cannot set; the text says why."""
+    """A formula that MathJax cannot typeset; the text says why."""
 
 
 @cache
 def _mathjax() -> MiniRacer:
-    """Return MathJax in an engine of its own; one for a process, since it takes half a second to start."""
+    """Return a JavaScript engine with MathJax; one a process, because it takes half a second to start."""
     files = folder("sphinx-mathjax-offline") / "static" / "mathjax"
     engine = MiniRacer()
     engine.eval("globalThis.MathJax = { loader: { load: [] } }; 0")
@@ -49,7 +49,7 @@ def _mathjax() -> MiniRacer:
 
 
 def close() -> None:
-    """End the engine, if there is one: without it Python would wait for its thread at the end."""
+    """End the engine, if there is one; otherwise Python would wait for its thread when it exits."""
     if _mathjax.cache_info().currsize:
         _mathjax().close()
         _mathjax.cache_clear()
@@ -58,14 +58,14 @@ def close() -> None:
 
 @cache
 def typeset(text: str, display: bool = False) -> str:
-    """Return HTML for a formula: a picture, and the same as MathML for those who do not see it.
+    """Return HTML for a formula: a picture, and MathML for readers who do not see it.
 
     Parameters
     ----------
-    text
+    text : str
         The formula in TeX, without dollars.
-    display
-        Whether it stands on a line of its own.
+    display : bool, optional
+        Whether it is on a line of its own.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def typeset(text: str, display: bool = False) -> str:
     error = re.search(r'<merror data-mjx-error="([^"]*)"', mathml)
     if error:
         raise FormulaError(html.unescape(error[1]))
-    # What serves MathJax's own menu, and a line of no width around each letter.
+    # Attributes for MathJax's own menu, and an outline of width zero around each letter, are not needed.
     picture = re.sub(r' (?:data-[a-z-]+|role|xmlns:xlink|xmlns)="[^"]*"', "", picture).replace("xlink:href", "href")
     picture = picture.replace(' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"')
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
@@ -84,7 +84,7 @@ def typeset(text: str, display: bool = False) -> str:
     made = f'{picture}<span class="assistive">{mathml}</span>'
     if display:
         return f'<div class="math">{made}</div>'
-    # On a phone a wide one is scrolled: then its box stands on the line, and not the letters in it.
+    # On a phone a wide formula scrolls in a box, which then needs the vertical alignment of its letters.
     depth = re.search(r"vertical-align: ([^;]*);", picture)[1]
     width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
     wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
@@ -92,7 +92,18 @@ def typeset(text: str, display: bool = False) -> str:
 
 
 def letters_of(page: str) -> str:
-    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas."""
+    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas.
+
+    Parameters
+    ----------
+    page : str
+        HTML with formulas that `typeset` made in this process.
+
+    Examples
+    --------
+    >>> letters_of("<p>no formula</p>")
+    ''
+    """
     used = dict.fromkeys(LETTER.findall(page))
     if not used:
         return ""

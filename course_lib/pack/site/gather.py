@@ -1,4 +1,4 @@
-"""What pages say of the notebooks, read from the notebooks themselves: titles, goals, times, pictures."""
+"""Write the home page from the notebooks: their titles, questions, hours and pictures."""
 
 import html
 import re
@@ -10,7 +10,7 @@ import nbformat
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
 COVER = "cover"  # the tag of the cell whose picture stands for its notebook
-# What each notebook answers. A notebook may say it itself: in its metadata, as "question".
+# The question that each notebook answers; a notebook's metadata may state another one, as "question".
 QUESTIONS = {
     "01_rotations": "How do you compute with orientations, and keep them valid?",
     "02_rigid_motion": "Why does a robot that counts the revolutions of its wheels miss its dock?",
@@ -23,7 +23,7 @@ NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine
 
 HOME = """# Robot kinematics
 
-Read a little, predict, take a robot by the hand, write a few lines of code: every answer is checked at once. Each
+Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each
 notebook reproduces the numbers of a published homework report, and shows by computation what it got wrong.{time}
 
 {living}
@@ -68,7 +68,7 @@ python -m venv .venv
 
 @dataclass
 class Notebook:
-    """What a notebook's first cell says of it, and the picture that stands for it."""
+    """What the home page shows of a notebook."""
 
     name: str
     title: str
@@ -78,7 +78,7 @@ class Notebook:
 
 
 def read(source: Path, pages: Path) -> Notebook:
-    """Return what the home page says of a notebook; its picture goes where `prepare` puts pictures."""
+    """Return what the home page shows of a notebook; its picture goes where `prepare` puts pictures."""
     book = nbformat.read(source, as_version=4)
     text = next((cell.source for cell in book.cells if cell.cell_type == "markdown"), "")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
@@ -127,7 +127,7 @@ def _card(notebook: Notebook) -> str:
 def _question(text: str) -> str:
     """Return the first question of a notebook's introduction, or else its first sentence."""
     introduction = re.sub(r"^#.*\n", "", text.strip()).strip().split("\n\n")[0]
-    introduction = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", introduction)  # links, which hold in the notebook
+    introduction = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", introduction)  # links are relative to it
     sentences = re.split(r"(?<=[.?!])\s+", " ".join(introduction.split()))
     return next((sentence for sentence in sentences if sentence.endswith("?")), sentences[0])
 
@@ -147,7 +147,7 @@ def _cover(book, name: str, pages: Path) -> str:
         for output in cell.outputs:
             kind = next((kind for kind in IMAGES if kind in output.get("data", {})), None)
             if kind:
-                # It stands still here, also where the notebook's own moves.
+                # The card shows a still, even if the notebook's figure moves.
                 alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
                 return picture(output, kind, "picture cover", alt, pages, trim=True)
     return ""

@@ -1,4 +1,4 @@
-"""The Panda of the home page. It stands still on paper and without JavaScript; panda.js turns and moves it."""
+"""The Panda on the home page: a still picture in print and without JavaScript; panda.js rotates and moves it."""
 
 import base64
 import html
@@ -15,14 +15,14 @@ from course_lib.figures.solids.model import PALETTE
 
 ALT = "A Franka Panda, a white robot arm with seven joints and a gripper, on a floor with a grid."
 START = np.deg2rad([-20, -15, 0, -125, 0, 110, 45])
-# How the still and panda.js look at it: width and height of the picture, what is in its middle, and how far around
-# that the picture reaches (metres), where the eye stands (radians), its distance in radii.
+# The view of the still and of panda.js: the picture's size (pixels), its centre and the radius around it that is shown
+# (metres), the direction to the camera (radians), and the camera's distance in radii.
 WIDTH, HEIGHT = 760, 456
 VIEW = {"centre": [0.17, 0.0, 0.4], "radius": 0.55, "azimuth": -0.95, "elevation": 0.28, "shape": HEIGHT / WIDTH}
 FAR, FILLED = 5, 0.49
 LIGHT = np.array([0.45, -0.55, 0.85]) / np.linalg.norm([0.45, -0.55, 0.85])
 FLOOR = 0.6  # metres, the radius
-FINER = 3  # the still is drawn so many times as fine, and averaged
+FINER = 3  # the still is drawn this many times larger, and averaged
 
 
 def living_panda(pages: Path) -> str:
@@ -63,7 +63,7 @@ def _packed(array, kind: str) -> str:
 
 
 def _still(model, poses) -> Image.Image:
-    """Return the picture that panda.js begins with: faces from far to near, each in one colour, on no ground."""
+    """Return the picture that panda.js begins with: its faces from far to near, on a transparent background."""
     at = model.placed(poses)
     flat, depth = _projected(at)
     corners = at[model.faces]
@@ -77,7 +77,7 @@ def _still(model, poses) -> Image.Image:
     for line in _grid():
         pen.line([tuple(point) for point in FINER * _projected(line)[0]], (138, 146, 155, 130), FINER)
     a, b, c = flat[model.faces].swapaxes(0, 1)
-    front = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0] < 0  # the others are seen from behind
+    front = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0] < 0  # the others face away from the camera
     for k in np.argsort(depth[model.faces].mean(1)):
         if front[k]:
             pen.polygon([tuple(point) for point in FINER * flat[model.faces[k]]], (*colours[k], 255))
@@ -85,7 +85,7 @@ def _still(model, poses) -> Image.Image:
 
 
 def _axes():
-    """Return the directions in space to the right, upwards and to the eye, as rows."""
+    """Return the camera's directions in space as rows: right, up, and towards the camera."""
     a, b = VIEW["azimuth"], VIEW["elevation"]
     eye = np.array([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)])
     right = np.array([-np.sin(a), np.cos(a), 0])
@@ -93,7 +93,7 @@ def _axes():
 
 
 def _projected(points):
-    """Return where points (n, 3) are in the picture (n, 2), in pixels to the right and down, and how near (n,)."""
+    """Return the positions of points (n, 3) in the picture (n, 2), in pixels right and down, and how near they are."""
     x, y, depth = _axes() @ (np.asarray(points, float) - VIEW["centre"]).T
     scale = FILLED * min(WIDTH, HEIGHT) * FAR / (FAR * VIEW["radius"] - depth)
     return np.stack([WIDTH / 2 + scale * x, HEIGHT / 2 - scale * y], -1), depth

@@ -1,4 +1,4 @@
-"""Turn an executed notebook into a copy that MyST-NB can show: live figures, pictures that have words."""
+"""Turn an executed notebook into a copy that MyST-NB can show: live figures, and pictures with alternative text."""
 
 import base64
 import hashlib
@@ -21,7 +21,7 @@ IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "imag
 
 @dataclass
 class Counts:
-    """How many of each a notebook holds."""
+    """How many live figures and pictures a notebook contains."""
 
     figures: int = 0
     pictures: int = 0
@@ -30,9 +30,22 @@ class Counts:
 def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
     """Write to `folder` a copy of `notebook` with HTML for its figures and pictures, and count them.
 
-    Answers are folded shut, or left out where `solutions` is False.
     Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
-    Raises SiteError, naming notebook and cell, for what must not be published.
+
+    Parameters
+    ----------
+    notebook, folder : Path
+    solutions : bool, optional
+        True to fold the answers, False to leave them out.
+
+    Returns
+    -------
+    Counts
+
+    Raises
+    ------
+    SiteError
+        Naming notebook and cell, for what must not be published.
     """
     try:
         book = nbformat.read(notebook, as_version=4)
@@ -63,7 +76,7 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
 
 
 def _show(output, place: str, folder: Path, counts: Counts) -> None:
-    """Give `output` the HTML that the page shows, if MyST-NB would not show it as it should be."""
+    """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if PLOTLY in output.data:
         alt = alternative(output, place)
@@ -90,16 +103,21 @@ def _move_captions(cell) -> None:
 
 
 def _captioned(shown: str, output) -> str:
-    """Return a figure with the sentence below it that says what to notice, if its output keeps one."""
+    """Return a figure with its caption below it, if its output has one."""
     caption = output.metadata.get("caption")
     words = mark_dollars(html.escape(caption, quote=False)) if caption else ""
     return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>' if caption else shown
 
 
 def mark_dollars(page: str) -> str:
-    """Return HTML in which formulas, which JupyterLab sets where it finds dollars, are marked for Sphinx to set.
+    """Return HTML in which formulas between dollars, as JupyterLab typesets them, are marked for Sphinx.
 
-    What stands in code, and in attributes, is left as it is.
+    The contents of code and of attributes are left as they are.
+
+    Examples
+    --------
+    >>> mark_dollars("<p>$q_1$</p><code>$HOME$</code>")
+    '<p><span class="math" data-tex="q_1"></span></p><code>$HOME$</code>'
     """
     parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
     parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]
@@ -107,7 +125,7 @@ def mark_dollars(page: str) -> str:
 
 
 def alternative(output, place: str) -> str:
-    """Return the words that stand for a figure, wherever its output keeps them."""
+    """Return the alternative text of a figure, wherever its output stores it."""
     kept = [output.metadata.get(kind, {}).get("alt") for kind in IMAGES]
     alt = next((words for words in [*kept, output.metadata.get("alt")] if words), None)
     if alt is None:
@@ -119,7 +137,7 @@ def alternative(output, place: str) -> str:
 
 
 def _controls(figure: dict) -> float:
-    """Return the share of a figure's height that plotly's own controls stand in, which the page puts elsewhere."""
+    """Return the share of a figure's height that plotly's own controls take; the page has its own below the figure."""
     layout = figure.get("layout", {})
     meta = layout.get("meta") or {}
     return meta.get("controls", 0) / layout["height"] if layout.get("height") else 0
@@ -128,7 +146,7 @@ def _controls(figure: dict) -> float:
 def _figure(figure: dict, alt: str, still: str) -> str:
     """Return a figure as data that figures.js draws; until then, and in print, its still picture shows.
 
-    Without a still picture its words stand in, except in print.
+    Without a still picture the alternative text takes its place, except in print.
     """
     course = figure.get("layout", {}).get("meta", {}).get("course") or {}
     kind = course.get("kind", "")
@@ -152,7 +170,7 @@ def _figure(figure: dict, alt: str, still: str) -> str:
 
 
 def _trimmed(image: Image.Image) -> Image.Image:
-    """Return a picture without the white around it, but for a little."""
+    """Return a picture with narrow white margins."""
     ink = image.convert("L").point(lambda dot: 255 * (dot < 250)).getbbox()
     if not ink:
         return image
@@ -184,6 +202,6 @@ def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0
     path = Path("_static", "pictures", f"{hashlib.sha256(content).hexdigest()[:16]}.{ending}")
     (folder / path).parent.mkdir(parents=True, exist_ok=True)
     (folder / path).write_bytes(content)
-    # "dark-light" tells the theme to leave the colours alone in the dark.
+    # "dark-light" tells the theme to keep the colours in the dark theme.
     element = f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'
     return f'<div class="panels">{element}</div>' if name == "picture" and wide else element

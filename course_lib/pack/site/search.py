@@ -1,4 +1,4 @@
-"""The search: an index of sections, and the page that looks into it. It works from a folder, with the network off."""
+"""The search: an index of sections, and the page that searches it. It works from a folder, without a network."""
 
 import html
 import json
@@ -15,7 +15,7 @@ PAGE = """<section id="search"><h1>Search</h1>
 
 SECTION = re.compile(r'<section [^>]*?id="([^"]+)">')
 HEADING = re.compile(r"<h([1-6])>(.*?)</h\1>", re.DOTALL)
-# What is not read as text: formulas are pictures and MathML, data of figures, and the sign beside each heading.
+# Not in the index: formulas (pictures and MathML), the data of figures, and the link beside each heading.
 SILENT = re.compile(
     r"<(script|style|svg|summary)\b.*?</\1>|<a class=\"headerlink\".*?</a>|<section class=\"no-search\".*?</section>",
     re.DOTALL,
@@ -48,6 +48,6 @@ def _sections(page: Path) -> list[list[str]]:
 
 
 def _words(page: str) -> str:
-    """Return what is read of a part of a page, on one line."""
+    """Return the text of a part of a page, on one line."""
     text = re.sub(r"<[^>]*>", " ", re.sub(r"</?(?:span|m[a-z]+|em|strong|code|a)\b[^>]*>", "", SILENT.sub(" ", page)))
     return " ".join(html.unescape(text).split())

@@ -14,14 +14,14 @@ LINES = "The lines that compute it"
 BEGIN = {
     ERRATA: """# Errata
 
-What the published report got wrong: what it prints, the evidence against it, computed, and what is right. Each part
-is the end of a notebook, to which its title leads; the functions and exercises that it names are the notebook's.""",
+Errors in the published report: what it prints, the computed evidence against it, and what is right. Each part is
+the end of a notebook, to which its title links; the functions and exercises that it names are in that notebook.""",
     SOURCES: """# Sources
 
-What each notebook rests on.""",
+The books, articles and reports that each notebook uses.""",
 }
 
-# What a notebook says of itself and to who works through it, and what the page of errata says instead.
+# Phrases that make sense only inside a notebook, and what the page of errata says instead.
 THERE = {
     r"\babove\b(?!,? (?:all|\d|[$]))": "in [the notebook]({link})",
     r"\bthis notebook\b": "[the notebook]({link})",
@@ -30,7 +30,7 @@ THERE = {
     r"\bYou met this line as a bug to find": "The notebook sets this line as a bug to find",
 }
 
-# Where the works are, by the words of the sources that become the link.
+# The words of a source that become a link, and where it leads.
 DOI = "https://doi.org/"
 LINKS = {
     "*Modern Robotics*": f"{DOI}10.1017/9781316661239",
@@ -83,7 +83,7 @@ def _linked(text: str) -> str:
 
 
 def _titled(heading: str, source: Path) -> list:
-    """Return the cells of a notebook's section, under its title, which leads to it, for a heading."""
+    """Return the cells of a notebook's section, whose heading becomes the notebook's title with a link to it."""
     book = nbformat.read(source, as_version=4)
     text = "\n".join(cell.source for cell in book.cells if cell.cell_type == "markdown")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
@@ -99,14 +99,31 @@ def _titled(heading: str, source: Path) -> list:
 
 
 def _from_elsewhere(text: str, link: str) -> str:
-    """Return a notebook's text in the words of another page, where it points to itself or speaks of its exercises."""
+    """Return a notebook's text for another page: references to itself and to its exercises are reworded."""
     for words, instead in THERE.items():
         text = re.sub(words, instead.format(link=link), text)
     return text
 
 
 def section(book, heading: str) -> list:
-    """Return copies of what stands between a heading of the second level and the next; code is folded shut."""
+    r"""Return copies of the cells between a heading of the second level and the next one; code is folded.
+
+    Parameters
+    ----------
+    book : NotebookNode
+    heading : str
+
+    Returns
+    -------
+    list of NotebookNode
+
+    Examples
+    --------
+    >>> from nbformat.v4 import new_markdown_cell, new_notebook
+    >>> book = new_notebook(cells=[new_markdown_cell("## Sources\n\n- a book\n\n## Further")])
+    >>> [cell.source for cell in section(book, "Sources")]
+    ['## Sources\n\n- a book\n\n']
+    """
     found, inside = [], False
     for cell in book.cells:
         if cell.cell_type == "markdown":

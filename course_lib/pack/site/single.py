@@ -1,4 +1,4 @@
-"""Pages that are one file each: styles, scripts and pictures inside, and nothing that leads to another page."""
+"""Pages that are one file each: with styles, scripts and pictures inside, and no links to other pages."""
 
 import base64
 import mimetypes
@@ -8,13 +8,13 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup
 
-# What serves to find other pages.
+# Elements that lead to other pages.
 LEFT_OUT = """link[rel=search], link[rel=next], link[rel=prev], link[rel=preload], .search-button, .primary-toggle,
 #pst-search-dialog, #pst-primary-sidebar-modal"""
 
 
 def make_single(site: Path) -> None:
-    """Turn the pages of a site into files that need no other, and delete the rest but for hidden files."""
+    """Turn the pages of a site into files that need no other, and delete all others except hidden files."""
     pages = [page for page in site.glob("*.html") if page.name not in ("search.html", "genindex.html")]
     made = {page.name: _whole(page) for page in pages}
     for old in site.glob("[!.]*"):
@@ -24,7 +24,7 @@ def make_single(site: Path) -> None:
 
 
 def _whole(page: Path) -> str:
-    """Return a page's text with all that it loads inside."""
+    """Return a page with everything that it loads inside."""
     soup = BeautifulSoup(page.read_text(encoding="utf-8"), "html.parser")
     for element in soup.select(LEFT_OUT):
         element.decompose()
@@ -39,7 +39,7 @@ def _whole(page: Path) -> str:
         # "</script" would end the element; in a script's strings and patterns "<\/script" is the same.
         script.string = _beside(page, script["src"]).read_text(encoding="utf-8").replace("</script", r"<\/script")
         del script["src"]
-        if script.has_attr("defer"):  # which holds for files only: the end of the page is as late
+        if script.has_attr("defer"):  # which has no effect inside a page; at its end the script runs as late
             del script["defer"]
             late.append(script.extract())
     for script in late:

@@ -1,4 +1,4 @@
-"""Whether a site is still what a build would make of the same notebooks."""
+"""Find out whether a site is still what a build of the same notebooks would write."""
 
 import hashlib
 from importlib.metadata import version
@@ -29,7 +29,7 @@ def is_unchanged(site: Path, source: str) -> bool:
 
 
 def _contents(folder: Path) -> str:
-    """Return a hash of the names and contents of a folder's files, but for hidden ones and what Python compiled."""
+    """Return a hash of the names and contents of a folder's files, except hidden and compiled ones."""
     total = hashlib.sha256()
     for file in sorted(folder.rglob("*")):
         inside = file.relative_to(folder)

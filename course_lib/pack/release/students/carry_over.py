@@ -1,9 +1,9 @@
-"""Take your answers over from an older release into this one.
+"""Carry your answers over from an older release to this one.
 
     python carry_over.py ../robot-kinematics-of-before
 
 An answer, code or words, goes into the cell of the same exercise, unless something is written there already.
-The older folder is only read. Cells that you added yourself are not taken over.
+The older folder is only read. Cells that you added yourself are not carried over.
 """
 
 import ast
@@ -26,12 +26,12 @@ def main(arguments):
             try:
                 print(f"{path.name}: {carry_over(older / path.name, path)}")
             except (ValueError, LookupError, TypeError) as error:
-                print(f"{path.name}: left as it is, for one of the two is not a notebook ({error})", file=sys.stderr)
+                print(f"{path.name}: left as it is, because one of them is not a notebook ({error})", file=sys.stderr)
     return 0
 
 
 def carry_over(older, path):
-    """Write the answers of one notebook into another, and say in words what was done."""
+    """Write the answers of one notebook into another, and return in words what was done."""
     notebook = json.loads(path.read_text(encoding="utf-8"))
     old, new = answers(json.loads(older.read_text(encoding="utf-8"))), answers(notebook)
     mine = {name: text(cells) for name, cells in old.items() if not untouched(text(cells))}
@@ -43,7 +43,7 @@ def carry_over(older, path):
         beside.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n", encoding="utf-8", newline="\n")
         os.replace(beside, path)
     kept = [name for name in mine if name in new and name not in free and text(new[name]) != mine[name]]
-    words = f"answers taken over: {len(free)}"
+    words = f"answers carried over: {len(free)}"
     words += f"; answered here already: {', '.join(kept)}" if kept else ""
     lost = [name for name in mine if name not in new]
     return words + (f"; no longer asked: {', '.join(lost)}" if lost else "")
