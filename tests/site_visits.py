@@ -6,6 +6,7 @@ from contextlib import contextmanager
 
 import nbformat
 import pytest
+from axe_playwright_python.base import AXE_SCRIPT
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
@@ -149,30 +150,40 @@ def assert_readable(visit, notebook, width, draws=True):
     return facts
 
 
-# Takes off the page what says no more to axe-core than the rest does, since it takes milliseconds for each element and
-# a page has ten thousand: the strokes of formulas, which no rule looks at, and of the words in code and in formulas
-# those that look as an earlier one does (the same tags, classes, colours and sizes from the word up to the page).
-THIN_OUT = """() => {
+# Contrast costs axe-core milliseconds for each text, and a page has ten thousand. So it looks at one text of each look:
+# the same tags, classes, colours and sizes from the text up to the page. Of the words in code and in formulas, which no
+# other rule looks at, the others are taken off the page, and so are the strokes of formulas. On a gradient axe-core
+# decides nothing: where one shows that code goes on beyond the edge, the colour below it stays.
+ONE_OF_EACH_LOOK = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
-  const numbers = new Map(), looks = new Map([[null, 0]]), again = [];
+  document.querySelectorAll("article :is(pre, div)").forEach((e) => {
+    if (getComputedStyle(e).backgroundImage.includes("linear-gradient"))
+      e.style.setProperty("background-image", "none", "important");
+  });
+  const numbers = new Map(), looks = new Map([[null, 0]]), seen = new Set(), first = [], again = [];
   const look = (e) => {
     if (!looks.has(e)) {
-      const s = getComputedStyle(e), attributes = [...e.attributes].filter(({ name }) => name !== "href");
-      const words = [look(e.parentElement), e.tagName, ...attributes.map(({ name, value }) => name + value), s.color,
-        s.backgroundColor, s.backgroundImage, s.fontSize, s.fontWeight, s.opacity, s.filter, s.position].join();
+      const s = getComputedStyle(e), names = [...e.attributes].filter(({ name }) => name !== "href" && name !== "id");
+      const words = [look(e.parentElement), e.tagName, ...names.map(({ name, value }) => name + value), s.color,
+        s.backgroundColor, s.backgroundImage, s.fontSize, s.fontWeight, s.opacity, s.filter, s.position, s.textShadow]
+        .join();
       if (!numbers.has(words)) numbers.set(words, numbers.size + 1);
       looks.set(e, numbers.get(words));
     }
     return looks.get(e);
   };
-  const seen = new Set();
-  for (const e of document.querySelectorAll("article pre span, article math *")) {
-    if (e.childElementCount) continue;
-    if (seen.has(look(e))) again.push(e);
+  const hasText = (e) => e.matches("input, select, textarea")
+    || [...e.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.data.trim());
+  for (const e of document.querySelectorAll("body, body *")) {
+    if (!hasText(e) || !e.checkVisibility({ visibilityProperty: true })) continue;
+    if (!seen.has(look(e))) first.push(e);
+    else if (!e.childElementCount && e.matches("article pre span, article math *")) again.push(e);
     seen.add(look(e));
   }
+  first.forEach((e) => e.setAttribute("data-first-of-its-look", ""));
   again.forEach((e) => e.replaceWith(e.textContent));  // afterwards, for each change costs the next look its styles
 }"""
+LOOKS_AT_THESE = 'axe.configure({ rules: [{ id: "color-contrast", selector: "[data-first-of-its-look]" }] });'
 
 
 def violations(visit, within=None):
@@ -182,8 +193,9 @@ def violations(visit, within=None):
     """
     if within is None:
         visit.page.evaluate(OPEN)
-        visit.page.evaluate(THIN_OUT)
+        visit.page.evaluate(ONE_OF_EACH_LOOK)
     # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
     options = {"preload": False, "resultTypes": ["violations"]}
-    found = Axe().run(visit.page, context=within, options=options).response["violations"]
+    axe = Axe() if within else Axe(f"{AXE_SCRIPT};\n{LOOKS_AT_THESE}")
+    found = axe.run(visit.page, context=within, options=options).response["violations"]
     return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]
