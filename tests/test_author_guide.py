@@ -44,7 +44,7 @@ def course(tmp_path_factory):
         ".gitignore",
     ):
         source = ROOT / name
-        ignored = shutil.ignore_patterns("__pycache__", ".ipynb_checkpoints")
+        ignored = shutil.ignore_patterns(".ipynb_checkpoints")  # what is compiled stays so
         shutil.copytree(source, copy / name, ignore=ignored) if source.is_dir() else shutil.copy(source, copy / name)
     return copy
 
