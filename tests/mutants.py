@@ -3,7 +3,6 @@
 import ast
 import builtins
 import contextlib
-import copy
 import warnings
 from dataclasses import dataclass
 from functools import cache
@@ -248,6 +247,18 @@ def _defined(statement):
     return {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
 
 
+MOST_PASSES = 100_000  # of the loops of one mutant together
+
+
+class _Counted(ast.NodeTransformer):
+    """Takes a number from `passes` at each pass of a while loop, which ends at the latest when there are none left."""
+
+    def visit_While(self, node):
+        self.generic_visit(node)
+        node.body[:0] = ast.parse("next(passes)").body
+        return node
+
+
 GUARDED = """
 def guarded(*arguments):
     value = {name}(*arguments)
@@ -259,8 +270,9 @@ def guarded(*arguments):
 
 def made(source, name, space):
     """Return the function of that name which the source defines, among the names of a notebook."""
-    own = copy.copy(space)
+    own = space | {"passes": iter(range(MOST_PASSES))}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of the compiler, for what no person would write
-        exec(compile(source + GUARDED.format(name=name, most=10**6), "<mutant>", "exec"), own)
+        tree = _Counted().visit(ast.parse(source + GUARDED.format(name=name, most=10**6)))
+        exec(compile(ast.fix_missing_locations(tree), "<mutant>", "exec"), own)
     return own["guarded"]

@@ -13,6 +13,7 @@ from mutants import NOTEBOOKS, made, mutants, solved, spread
 from test_bank import FILES, exercise_of
 
 from course_lib.checks.exercise import RIGHT, Here, judge
+from course_lib.checks.write_test import WriteTest
 
 MOST = 40  # of the mutants of an exercise
 SLOW = {"random_rotations": 16, "panda_ik": 16}
@@ -29,7 +30,6 @@ class Judge:
 
     def bounded_by(self, source):
         """Allow a mutant many times the processor time of this source, since it may never end; say whether it lives."""
-        assert self.lives(source)  # also loads what takes its time when first used
         begin = time.process_time()
         said = self.lives(source)
         self.seconds = 1 + 5 * (time.process_time() - begin)
@@ -40,8 +40,11 @@ class Judge:
         return all(judge(asked, student, seconds=self.seconds).state == RIGHT for asked in self._asked())
 
     def _asked(self):
-        """The exercise with its first cases alone, if each is judged for itself, and then the whole exercise."""
-        if self.exercise.cases and not any(wanted.across for wanted in self.exercise.properties):
+        """A part of the exercise, which is enough to refuse most mutants, and then the whole exercise."""
+        if isinstance(self.exercise, WriteTest):
+            both = [next(v for v in self.exercise.versions if v.right is right) for right in (True, False)]
+            yield replace(self.exercise, versions=tuple(both))
+        elif not any(wanted.across for wanted in self.exercise.properties):
             yield replace(self.exercise, cases=lambda rng: self.exercise.cases(rng)[:FIRST], broken=None)
         yield self.exercise
 
