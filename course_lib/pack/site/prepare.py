@@ -28,13 +28,7 @@ class Counts:
 
 
 def heading_anchor(text: str) -> str:
-    """Return the name by which JupyterLab lets other cells link to a heading.
-
-    Examples
-    --------
-    >>> heading_anchor("Run it yourself")
-    'Run-it-yourself'
-    """
+    """Return the name by which JupyterLab lets other cells link to a heading."""
     return text.strip().replace(" ", "-")
 
 
