@@ -211,7 +211,7 @@ PIP_FAILURES = [
     ("PIP_SAYS", stand_ins.OFFLINE, "could not be downloaded: check the network connection"),
     ("PIP_SAYS", stand_ins.NOT_MADE, "not made for this Python (3.12.2) or this system: name another"),
     ("PIP_SAYS", stand_ins.FULL, "The disk is full: make 2 GB of room"),
-    ("PIP_SAYS", stand_ins.DENIED, "cannot be written: set its rights or delete .venv"),
+    ("PIP_SAYS", stand_ins.DENIED, "cannot be written: change its permissions or delete .venv"),
     ("PIP_SAYS", stand_ins.BUG, "the last lines of build/setup.log say why"),
 ]
 
@@ -255,7 +255,7 @@ def test_a_folder_that_cannot_be_written(machine):
 def test_an_environment_that_cannot_be_removed(machine):
     (machine.programs / "rm").unlink()  # root may remove anything, so rights are no way to test this
     machine.install("rm", "#!/bin/sh\necho \"rm: cannot remove '.venv/bin/x': Permission denied\" >&2\nexit 1\n")
-    assert "cannot be written: set its rights or delete .venv" in sentence(machine.make("environment"))
+    assert "cannot be written: change its permissions or delete .venv" in sentence(machine.make("environment"))
     assert "-m venv" not in machine.called()
 
 

@@ -1,4 +1,4 @@
-"""Ways to call a student's function in its own process, with plain data as arguments and answer.
+"""Adapters, which call a student's function in its own process, with plain data as arguments and answer.
 
 An adapter is called as adapter(function, names, arguments) with the names and values of the function's arguments, and
 returns what the function answers, as plain data if possible.

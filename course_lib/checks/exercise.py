@@ -433,7 +433,7 @@ def _named(exercise, wanted, cases, values, failing):
     for known in exercise.mistakes:
         if known.explains_all(exercise, cases, values, failing):
             return known
-    if not isinstance(values[failing[0]], bool):  # a few True or False fit many a mistake by chance
+    if not isinstance(values[failing[0]], bool):  # a few True or False fit many mistakes by chance
         for known in exercise.mistakes:
             if known.explains(exercise, cases, values, failing):
                 return known
@@ -482,7 +482,7 @@ def no_answer(exercise, case, type, message, line="", source="", cell=""):
     where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
     said = f"{type}: {message}" if message else type
     known = (mistake for kind, words, mistake in (*exercise.errors, *ERRORS) if kind == type and words in message)
-    shown = None if exercise.through else case  # the numbers that are shown are not what the function was given
+    shown = None if exercise.through else case  # the function was not given the numbers of the case
     reason = f"{where if source else f'Calling {call} raises'} {said}"
     return Verdict(exercise, ERROR, reason, next(known, None), shown)
 
@@ -542,7 +542,7 @@ _NOT_FINITE = Mistake(
     "something was divided by zero, and the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
 )
-ERRORS = (  # that occur in any exercise; an exercise's own go before
+ERRORS = (  # that occur in any exercise; an exercise's own are tried first
     (
         "UFuncTypeError",
         "Cannot cast",

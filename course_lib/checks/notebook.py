@@ -135,7 +135,7 @@ class Check:
     def use(self, function):
         """Return the student's function if its check has passed, else the library's, and show which one it is.
 
-        So unfinished work stops nothing that follows. The function returned has an attribute `whose`, "yours" or
+        So unfinished work does not stop what follows. The function returned has an attribute `whose`, "yours" or
         "the library's"; the student's function then returns arrays instead of lists.
         """
         mine = self.verdict.state == RIGHT
@@ -229,7 +229,7 @@ class Progress:
 
 
 def describe(verdict):
-    """Return the message for a verdict, as plain text.
+    """Return the message for a verdict as plain text.
 
     Parameters
     ----------
@@ -294,7 +294,7 @@ def _labelled(before, label, value):
 
 
 def _show_choices(prediction):
-    """Show the choices of a prediction; in HTML each one opens to its answer, for pages without a kernel too."""
+    """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a kernel."""
     letters = list(prediction.replies)
     calls = " or ".join(f'check.{prediction.name}.predict("{letter}")' for letter in letters)
     text = f"○ Choose before you go on: {calls}"

@@ -1,8 +1,8 @@
 """Plain data between processes: arguments and answers, written as JSON and read without trusting the writer.
 
 Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of a random generator,
-and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else (an object
-that claims to equal everything, say) can be read.
+and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else can be
+read, such as an object that claims to equal everything.
 """
 
 import base64

@@ -102,8 +102,8 @@ class WriteTest(Exercise):
         n_wrong = len(judged) - n_right
         if not refused and not missed:
             return Verdict(self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused")
-        # The chance to accept a right version, less the chance to accept a wrong one: 0 for a test that always says
-        # the same, and on average for one that guesses.
+        # The share of right versions accepted minus the share of wrong ones: 0 for a test that always returns the
+        # same, and 0 on average for one that guesses.
         share = max(1 - len(refused) / n_right - len(missed) / n_wrong, 0)
         said = "your test accepts every right version and refuses every wrong one."
         said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"

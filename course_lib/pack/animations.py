@@ -22,6 +22,7 @@ _DASHES = {"dash": "--", "dot": ":", "solid": "-"}
 
 
 def main(arguments=None):
+    """Write the animations of the notebooks named on the command line; return an exit code."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.animations")
     parser.add_argument("notebooks", nargs="+", type=Path, metavar="NOTEBOOK")
     movies = []
@@ -53,7 +54,17 @@ def main(arguments=None):
 
 
 def stored_movies(notebook):
-    """Return the stored figures, as plotly's JSON, that figures.moving.movie or solids.film made."""
+    """Return the animations among a notebook's stored figures, as plotly's JSON.
+
+    Parameters
+    ----------
+    notebook : NotebookNode
+
+    Returns
+    -------
+    list of dict
+        Those that figures.moving.movie or solids.film made.
+    """
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     figures = [output.data[PLOTLY] for output in outputs if PLOTLY in output.get("data", {})]
     movies = [figure for figure in figures if "movie" in (figure["layout"].get("meta") or {})]
@@ -61,7 +72,18 @@ def stored_movies(notebook):
 
 
 def write(movie, path, writer_class, drawn=None):
-    """Write one movie to `path`, frame by frame, with a progress bar."""
+    """Write one animation to a file, frame by frame, with a progress bar.
+
+    Parameters
+    ----------
+    movie : dict
+        A stored figure.
+    path : Path
+    writer_class : type
+        A writer of matplotlib.animation.
+    drawn : tuple, optional
+        The figure, the function that shows frame i in it, and the number of frames; drawn from `movie` if None.
+    """
     fig, show, frames = drawn or _drawn(movie)
     writer = writer_class(fps=(frames - 1) / movie["layout"]["meta"]["seconds"])
     with writer.saving(fig, str(path), dpi=100):

@@ -92,6 +92,7 @@ def iiwa_trajectory():
 
 
 def main():
+    """Write the data that the notebooks use; return an exit code."""
     save(FILE, iiwa_trajectory())
     print(f"{FILE}: {len(TIMES)} samples")
     costs.write()

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Sets up what make needs, and says in one plain sentence what to do when that fails.
+# Sets up what make needs; if that fails, says in one plain sentence what to do.
 #
 #   environment.sh          makes or updates .venv, as environment.txt says
-#   environment.sh lock     writes environment.txt anew from pyproject.toml
+#   environment.sh lock     writes environment.txt from pyproject.toml
 #   environment.sh bench    makes or updates .venv-bench, in which `make bench` measures other libraries too
 #
 # PYTHON=... names the interpreter to use, UPGRADE=yes lets `lock` move to newer versions.
@@ -24,8 +24,8 @@ made_from=$venv/made-from # written last, so a $venv without it was interrupted
 python=
 version=
 
-# What the library is measured against beside scipy, at versions that go together with the numpy of environment.txt,
-# tried on Python 3.11. Wheels only: to compile some of these takes an hour.
+# The libraries of the benchmark besides scipy, at versions that work with the numpy of environment.txt, tried on
+# Python 3.11. Wheels only: compiling some of these takes an hour.
 peers='pin==4.1.0 roboticstoolbox-python==1.5.0 modern-robotics==1.1.1 pytransform3d==3.17.0'
 left_out=$venv/left-out # a line for each peer that could not be installed
 
@@ -41,7 +41,7 @@ logged() {
 
 # ---- what is going on ----
 
-with_progress() { # run an installer: all it says goes to the log, and each package to the terminal
+with_progress() { # run an installer: all its output goes to the log, and the name of each package to the terminal
     echo "\$ $*" >>"$log"
     rm -f build/status
     {
@@ -51,7 +51,7 @@ with_progress() { # run an installer: all it says goes to the log, and each pack
     return "$(cat build/status 2>/dev/null || echo 1)"
 }
 
-progress() { # count the packages in what pip or uv says; the shell's own read, for awk may wait for more input
+progress() { # count the packages in the output of pip or uv; by the shell's read, because awk may wait for more input
     total=$(grep -c '^[a-zA-Z0-9]' environment.txt)
     count=0
     while IFS= read -r line; do
@@ -70,17 +70,17 @@ progress() { # count the packages in what pip or uv says; the shell's own read, 
     [ ! -t 1 ] || printf '\r\033[K'
 }
 
-tell() { # on a terminal in one line that changes, elsewhere a line each
+tell() { # on a terminal one line that changes, elsewhere a line each
     if [ -t 1 ]; then printf '\r\033[K%.78s' "$1"; else echo "$1"; fi
 }
 
 # ---- what went wrong ----
 
-log_ends_with() { # the last lines only: earlier ones may tell of troubles that passed
+log_ends_with() { # the last lines only: earlier ones may report problems that were overcome
     tail -n 25 "$log" 2>/dev/null | grep -q -i -E "$1"
 }
 
-disk_is_full() { # the log itself may be what no longer fitted, so the free room is looked at too
+disk_is_full() { # the log itself may not have fitted, so the free space is checked too
     log_ends_with 'no space left|disk quota|errno 28|os error 28' && return
     free=$(df -Pk . 2>/dev/null | awk 'NR == 2 { print $4 }')
     [ "${free:-100000}" -lt 10000 ]
@@ -90,7 +90,7 @@ explain() { # stop with the reason that the log gives
     if disk_is_full; then
         stop "The disk is full: make 2 GB of room and run make again (log: $log)."
     elif log_ends_with 'permission denied|read-only file system|operation not permitted'; then
-        stop "Something in $venv or in the folder for temporary files cannot be written: set its rights" \
+        stop "Something in $venv or in the folder for temporary files cannot be written: change its permissions" \
             "or delete $venv, and run make again (log: $log)."
     elif log_ends_with 'ensurepip|no module named .?venv'; then
         stop "This Python ($version) cannot make environments: install its venv module (on Debian and" \
@@ -104,14 +104,15 @@ explain() { # stop with the reason that the log gives
         stop "Some packages are not made for this Python ($version) or this system: name another Python," \
             "for instance make PYTHON=python3.13 (log: $log)."
     fi
-    stop "The set-up failed: the last lines of $log say why; mend that and run make again."
+    stop "The set-up failed: the last lines of $log say why. Correct it and run make again."
 }
 
 start_log() {
     # in parentheses, because a redirection that fails for `:` ends the shell
     (mkdir -p build && : >"$log") 2>/dev/null && [ -w . ] && return
     disk_is_full && explain
-    stop "This folder ($here) cannot be written: set its rights or copy it to one of yours, and run make there."
+    stop "This folder ($here) cannot be written: change its permissions, or copy it to a folder of yours" \
+        "and run make there."
 }
 
 # ---- Python ----
@@ -126,7 +127,7 @@ find_python() {
         python=$PYTHON
     else
         for candidate in python3 python3.14 python3.13 python3.12 python3.11 python; do
-            # Run, not only looked for: a version manager leaves names with nothing behind them.
+            # Run it: a version manager may leave a name without an interpreter.
             if new_enough "$candidate"; then
                 python=$candidate
                 break
@@ -147,16 +148,16 @@ need_python() {
 # ---- the environment ----
 
 contents() { # what it is made from; contents, not times, which a checkout changes
-    # The folder too: scripts in it hold absolute paths, so in a copied or moved folder it is useless.
+    # The folder too: its scripts contain absolute paths, so a copied or moved environment does not work.
     echo "$here" && cat environment.txt pyproject.toml
     [ "$venv" = .venv ] || echo "$peers"
 }
 
 install() {
-    # To compile one of these takes a Fortran compiler and an hour: say at once that it is not made for this Python.
+    # Compiling one of these takes a Fortran compiler and an hour: fail at once if there is no wheel for this Python.
     set -- --only-binary numpy --only-binary scipy --only-binary scikit-learn --only-binary matplotlib "$@"
     if [ -n "$uv" ]; then
-        # Compiled now, as pip does: where nothing may be written, as in grading, each process would compile all again.
+        # Compile bytecode now, as pip does: in grading nothing may be written, so each process would compile it again.
         with_progress uv pip install --compile-bytecode --python "$venv/bin/python" "$@"
     else
         with_progress "$venv/bin/python" -m pip install --progress-bar off "$@"
@@ -171,7 +172,7 @@ install_all() {
     else
         install -c environment.txt numpy scipy sympy matplotlib scikit-learn
     fi || return
-    # Matplotlib lists the fonts once, and may say so on stderr: not in a student's first notebook.
+    # Matplotlib lists the fonts once, and may report that on stderr: do it now, not in a student's first notebook.
     logged "$venv/bin/python" -c 'import matplotlib.font_manager'
     contents >"$made_from" 2>>"$log"
 }
@@ -189,7 +190,7 @@ update() {
 
 make_afresh() {
     if [ -n "$uv" ]; then
-        find_python # and where there is none, uv fetches one
+        find_python # without one, uv downloads it
         version=${version:-3.13}
     else
         need_python
@@ -203,7 +204,7 @@ make_afresh() {
         logged "$python" -m venv "$venv"
     fi && install_all && return
     (explain)
-    rm -rf "$venv" # half of it is of no use, and on a full disk it is what fills it
+    rm -rf "$venv" # an incomplete environment is useless, and may be what fills the disk
     exit 1
 }
 
@@ -220,9 +221,9 @@ set_up() {
     echo "Set up in $(($(date +%s) - begin)) s."
 }
 
-# ---- what the library is measured against ----
+# ---- the libraries of the benchmark ----
 
-install_peers() { # one by one: what one cannot do does not keep out the others
+install_peers() { # one by one, so that the failure of one does not affect the others
     [ -f "$left_out" ] || for peer in $peers; do echo "$peer"; done >"$left_out" || explain
     [ -s "$left_out" ] || return 0 # what was left out is tried again
     start_log
@@ -254,10 +255,10 @@ lock() {
                 logged build/uv/bin/python -m pip install uv; } || explain
         fi
     fi
-    # uv keeps the versions that it finds in the file it writes: it gets a copy, so that an error spoils nothing.
+    # uv keeps the versions that it finds in the file it writes: it gets a copy, so that an error changes nothing.
     rm -f build/environment.txt
     [ ! -f environment.txt ] || logged cp environment.txt build/environment.txt || explain
-    # The --no-... keep out what differs between machines, an index's address above all.
+    # The --no-... options leave out what differs between machines, such as the address of a package index.
     logged "$uv" pip compile --universal --fork-strategy fewest --python-version 3.11 \
         pyproject.toml --group test --group site --group grade --group build ${UPGRADE:+--upgrade} \
         --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
@@ -271,8 +272,8 @@ lock() {
         echo "environment.txt stays as it is."
     else
         diff environment.txt build/environment.new 2>/dev/null | grep '^[<>]'
-        mv -f build/environment.new environment.txt || stop "environment.txt cannot be written: set its rights."
-        echo "environment.txt is written anew; the next make brings .venv up to date."
+        mv -f build/environment.new environment.txt || stop "environment.txt cannot be written: change its permissions."
+        echo "environment.txt has been rewritten; the next make updates .venv."
     fi
 }
 

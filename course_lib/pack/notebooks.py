@@ -53,6 +53,7 @@ class NoBrowser(Exception):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the notebooks named on the command line; return an exit code."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.notebooks")
     parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
     paths = parser.parse_args(arguments).notebooks
@@ -72,7 +73,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
-    """Run one notebook in place, and return remarks on it, to follow its time."""
+    """Run one notebook in place, and return remarks on it, to follow its time.
+
+    Parameters
+    ----------
+    path : Path
+    make_stills : callable, optional
+        Takes figures and returns PNG files; `draw_stills` if None.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    NotebookFailed
+        If the file is not a notebook or a cell fails; the file then stays as it was.
+    """
     try:
         before = path.read_text(encoding="utf-8")
         notebook = nbformat.reads(before, as_version=4)
@@ -147,11 +164,13 @@ def leave_number_out(cell: nbformat.NotebookNode) -> None:
 
 
 def describe(number: int, cell: nbformat.NotebookNode) -> str:
+    """Return the number and the first line of a cell, for messages."""
     first = next((line.strip() for line in cell.source.splitlines() if line.strip()), "")
     return f"code cell {number} ({first})"
 
 
 def reason(error: Exception) -> str:
+    """Return why a cell failed, to follow its description."""
     if isinstance(error, CellExecutionError):
         return f"raised {error.ename}: {error.evalue}"
     if isinstance(error, CellTimeoutError):
@@ -171,6 +190,7 @@ def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.Noteboo
 
 
 def as_key(figure: Figure) -> str:
+    """Return a text that is the same for equal figures only."""
     return json.dumps(figure, sort_keys=True)
 
 
@@ -263,6 +283,7 @@ def tidy(notebook: nbformat.NotebookNode) -> None:
 
 
 def keep(metadata: dict, keys: Sequence[str]) -> dict:
+    """Return the metadata with only these keys."""
     return {key: metadata[key] for key in keys if key in metadata}
 
 

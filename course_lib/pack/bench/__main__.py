@@ -13,6 +13,7 @@ FOLDER = Path("build/bench")
 
 
 def main():
+    """Run all comparisons and write them to build/bench/; return an exit code."""
     here, missing = peers.load()
     versions = [f"{peers.PEERS[name]} {metadata.version(peers.PEERS[name])}" for name in here]
     lines = [

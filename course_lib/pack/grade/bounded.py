@@ -37,6 +37,15 @@ def cpu_deadline(seconds):
     """Raise CpuDeadline in the block once it has used so many seconds of processor time.
 
     It has no effect outside the main thread, where Python runs no signal handlers, or on a system without such a clock.
+
+    Examples
+    --------
+    >>> with cpu_deadline(0.01):
+    ...     while True:
+    ...         pass
+    Traceback (most recent call last):
+        ...
+    course_lib.pack.grade.bounded.CpuDeadline: more than 0.01 seconds of computing
     """
 
     def ring(signum, frame):
@@ -57,12 +66,27 @@ def cpu_deadline(seconds):
 def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=CLOCK_SECONDS):
     """Return function(*arguments), plain data, from a process of its own with bounded resources.
 
+    Parameters
+    ----------
+    function : callable
+    *arguments
+    cpu_seconds : float, optional
+        Of processor time.
+    memory : int, optional
+        Bytes of address space, in addition to that at the start.
+    clock_seconds : float, optional
+
     Raises
     ------
     OutOfBounds
         If the function exceeded a bound, or ended its process.
     RuntimeError
         If the function raised: the text holds the exception's type and message.
+
+    Examples
+    --------
+    >>> call_bounded(max, 2, 3)
+    3
     """
     there, here = os.pipe()
     with warnings.catch_warnings():

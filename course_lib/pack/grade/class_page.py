@@ -18,7 +18,19 @@ COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: 
 
 
 def class_page(everything, marks_of):
-    """Return the page for the GradedFiles. marks_of(each): the MarkedAnswers of one of them."""
+    """Return the page about the class.
+
+    Parameters
+    ----------
+    everything : list of GradedFile
+    marks_of : callable
+        marks_of(each) returns the MarkedAnswers of one file.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     found = totals(everything, marks_of)
     counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
     graded = [each for each in counting if each.graded and not each.unreadable]

@@ -29,11 +29,25 @@ CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode
 class Submission:
     """A file that was handed in.
 
-    student: whose it is, or "" if the file's name does not say. notebook: the course's name for it if the file's
-    name contains one, else the file's own. place: the path below the folder of submissions, unique, for messages
-    and hashes. refused: why it is not graded, or "". modified: seconds since 1970 at which the file was written
-    last, or None. platform_id: the learning platform's number in the file's name, or "". late: whether the platform
-    marked the file as late. user_id: the platform_id if the platform's gradebook has it too, or "".
+    Parameters
+    ----------
+    student : str
+        Whose it is, or "" if the file's name does not say.
+    notebook : str
+        The course's name for it if the file's name contains one, else the file's own.
+    place : str
+        The path below the folder of submissions, unique, for messages and hashes.
+    path : Path
+    refused : str
+        Why it is not graded, or "".
+    modified : float or None
+        Seconds since 1970 at which the file was last written.
+    platform_id : str
+        The learning platform's number in the file's name, or "".
+    late : bool
+        Whether the platform marked the file as late.
+    user_id : str
+        The platform_id if the platform's gradebook has it too, or "".
     """
 
     student: str
@@ -63,6 +77,10 @@ def find(folder, notebooks):
         Holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export.
     notebooks : list of str
         The names of the course's notebooks.
+
+    Returns
+    -------
+    list of Submission
     """
     found = []
     for path in sorted(folder.iterdir()):

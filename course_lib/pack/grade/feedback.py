@@ -102,7 +102,19 @@ def wide_table(head, rows):
 
 
 def feedback_page(each, answers):
-    """Return the page of one submission. each: a GradedFile; answers: the MarkedAnswer of its written answers."""
+    """Return the page of one submission.
+
+    Parameters
+    ----------
+    each : GradedFile
+    answers : list of MarkedAnswer
+        Of its written answers.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     read = sum(answer.points or 0 for answer in answers)
     waiting = sum(answer.points is None for answer in answers)
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]

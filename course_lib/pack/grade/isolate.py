@@ -40,6 +40,7 @@ ENDED = 111  # exit code if this script ended the sandbox
 
 
 def main():
+    """Enter the sandbox and run the command; see the top of this file."""
     wanted = json.loads(sys.argv[1])
     die_with_parent()
     try:
@@ -80,16 +81,19 @@ def start(wanted):
 
 
 def call(name, *arguments):
+    """Call a function of the C library; raise OSError if it fails."""
     if getattr(LIBC, name)(*arguments) != 0:
         number = ctypes.get_errno()
         raise OSError(number, f"{name}: {os.strerror(number)}")
 
 
 def control(option, value):
+    """Set a property of this process by prctl."""
     call("prctl", option, ctypes.c_ulong(value), 0, 0, 0)
 
 
 def die_with_parent():
+    """Let the kernel kill this process when its parent ends; only Linux offers that."""
     if sys.platform == "linux":
         control(DIE_WITH_PARENT, signal.SIGKILL)
 
@@ -107,11 +111,13 @@ def unshare(as_user):
 
 
 def write(path, text):
+    """Write a text to a file of the kernel's."""
     with open(path, "w") as file:
         file.write(text)
 
 
 def mount(source, target, kind, flags, options=""):
+    """Mount a file system or a folder; None for what the kernel ignores."""
     call(
         "mount",
         source.encode() if source else None,
@@ -170,6 +176,7 @@ def show(path, target):
 
 
 def touch(path):
+    """Make an empty file, and the folders above it."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w"):
         pass

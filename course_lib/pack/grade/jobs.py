@@ -78,11 +78,31 @@ def ungraded_result(submission, reason, state):
 
 
 def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
-    """Return [(submission, result)] in the order of `submissions`; stored results are not computed again.
+    """Return each submission with its result, in the same order; stored results are not computed again.
 
-    results: the folder of stored results. grade(content, notebook, seed): returns a result; its method `prepare`, if it
-    has one, is called in each worker process. jobs: how many at once, -1 for one for each processor. scheduler: address
-    of a Dask cluster that does the work, or "".
+    Parameters
+    ----------
+    submissions : list of Submission
+    results : Path
+        The folder of stored results.
+    seed : int
+        Of the cases.
+    grade : callable
+        grade(content, notebook, seed) returns a result; its method `prepare`, if it has one, is called in each worker
+        process.
+    jobs : int, optional
+        How many are graded at once; -1 for one for each processor.
+    scheduler : str, optional
+        The address of a Dask cluster that does the work.
+
+    Returns
+    -------
+    list of (Submission, dict)
+
+    Raises
+    ------
+    GradingStopped
+        If the whole run cannot continue.
     """
     done, left = {}, {}
     for submission in submissions:

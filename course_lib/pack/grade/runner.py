@@ -23,6 +23,7 @@ import types
 
 
 def main():
+    """Run the cells, then answer requests until the input ends."""
     course = sys.argv[1]
     sys.path.insert(0, course)
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
@@ -210,6 +211,7 @@ def speak(pipe, told, asked, answer):
 
 
 def write(pipe, data):
+    """Write all of the data to a pipe."""
     while data:
         data = data[os.write(pipe, data) :]
 

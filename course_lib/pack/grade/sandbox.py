@@ -71,8 +71,13 @@ class TooSlow(Ended):
 class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
-    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must not be visible,
-    wherever they are.
+    Parameters
+    ----------
+    contents : dict
+        {path: bytes} of the files at /course, runner.py among them.
+    limits : Limits, optional
+    hidden : tuple of str, optional
+        Folders that must not be visible, wherever they are.
     """
 
     def __init__(self, contents, limits=None, hidden=()):
@@ -126,10 +131,20 @@ class Sandbox:
                 raise Ended(self._why()) from None
 
     def receive(self, clock, cpu=None):
-        """Return the next message, a dict; anything else is ignored. Raises Ended, and after that always.
+        """Return the next message, a dict; anything else that the sandbox writes is ignored.
 
-        clock: the longest wait in seconds. cpu: the processor time in seconds that the processes of the sandbox may use
-        together while we wait. In any case the sandbox ends if it computes nothing for limits.idle_seconds.
+        Parameters
+        ----------
+        clock : float
+            The longest wait in seconds.
+        cpu : float, optional
+            The processor time in seconds that the processes of the sandbox may use together while we wait. In any case
+            the sandbox ends if it computes nothing for limits.idle_seconds.
+
+        Raises
+        ------
+        Ended
+            If the sandbox ended or was ended; from then on always.
         """
         try:
             return self._next(Watch(self.computed, clock, cpu, self._limits.idle_seconds + 2))

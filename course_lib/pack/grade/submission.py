@@ -89,8 +89,22 @@ class Run:
 def grade(text, notebook, seed, limits=None, hidden=()):
     """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
 
-    text: the file's bytes. notebook: the name under which it was handed in. seed: the secret seed of the cases.
-    hidden: folders that the submission must not see, wherever they are.
+    Parameters
+    ----------
+    text : bytes
+        The file.
+    notebook : str
+        The name under which it was handed in.
+    seed : int
+        The secret seed of the cases.
+    limits : Limits, optional
+    hidden : tuple of str, optional
+        Folders that the submission must not see, wherever they are.
+
+    Returns
+    -------
+    dict
+        "notebook", "release", "problems" (sentences), "exercises" and "questions" (a dict for each).
     """
     try:
         cells, release = notebook_file.read(text)
@@ -188,9 +202,24 @@ def attempt(run, exercises, forbidden, whole):
 
 
 def run_cells(sandbox, order, run):
-    """Run the cells. Return the place that ran last, the Ended exception or None, and the runner's last message.
+    """Run the cells of a submission in a sandbox.
 
-    The message is {"defined": names that the cells define, "alike": names that a run of their own would not change}.
+    Parameters
+    ----------
+    sandbox : Sandbox
+    order : dict
+        What the runner is to do: "cells", "names", "whole" and "without"; see runner.py.
+    run : Run
+
+    Returns
+    -------
+    current : list of int or None
+        The place that ran last, [cell, line].
+    end : Ended or None
+        How the sandbox ended, if it did.
+    message : dict
+        The runner's last: {"defined": names that the cells define, "alike": names of functions that would be the same
+        if each were run separately}.
     """
     limits, current = run.limits, None
     begin = looked = time.monotonic()
@@ -253,6 +282,7 @@ class Student:
         self.ended, self.missing, self.too_slow, self.hindered = "", "", False, True
 
     def reply(self, questions, consult=None):
+        """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         limits = self._run.limits
         request = {"ask": self._name, "questions": questions, "seconds": limits.answer_seconds}
         request |= {"cpu": limits.cpu_seconds + 2, "idle": limits.idle_seconds, "reply": limits.reply}

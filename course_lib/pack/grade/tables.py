@@ -43,14 +43,17 @@ class GradedFile:
 
     @property
     def student(self):
+        """The student's name, or ""."""
         return self.submission.student
 
     @property
     def notebook(self):
+        """The name of the notebook, found in the file or else in its name."""
         return self.result["notebook"] or self.submission.notebook
 
     @property
     def graded(self):
+        """False if the file was refused or could not be graded."""
         return "state" not in self.result
 
     @property
@@ -60,10 +63,12 @@ class GradedFile:
 
     @property
     def points(self):
+        """The points of the exercises, before a deduction for lateness and without written answers."""
         return sum(exercise["points"] for exercise in self.result["exercises"])
 
     @property
     def of(self):
+        """The points that the notebook offers, written answers included."""
         return sum(each["of"] for each in [*self.result["exercises"], *self.result["questions"]])
 
 

@@ -9,6 +9,7 @@ from course_lib.pack.release.bundle import collect, named, release_date, write_z
 
 
 def main(arguments=None):
+    """Write the students' zip; return an exit code, after a plain sentence if that fails."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.release", description=__doc__)
     parser.add_argument("--root", type=Path, default=Path("."), help="folder of the project")
     parser.add_argument("--output", type=Path, default=Path("build/student.zip"), help="file to write")

@@ -17,6 +17,7 @@ HERE = Path(__file__).resolve().parent / "notebooks"
 
 
 def main(arguments):
+    """Carry the answers of all notebooks over; return an exit code."""
     older = Path(arguments[0], "notebooks") if len(arguments) == 1 else None
     if older is None or not older.is_dir():
         print("Name the folder of the older release, the one that holds its notebooks/.", file=sys.stderr)
@@ -60,6 +61,7 @@ def answers(notebook):
 
 
 def text(cells):
+    """Return the text of an exercise's cells."""
     return "\n\n".join("".join(cell["source"]) for cell in cells)
 
 
