@@ -3,6 +3,7 @@
 import os
 import shutil
 from contextlib import contextmanager
+from weakref import WeakKeyDictionary
 
 import nbformat
 import pytest
@@ -44,23 +45,35 @@ def open_browser():
         browser.close()
 
 
+# Windows that no visit uses, of each browser. A new one starts a process that reads the first page's styles and scripts
+# afresh, which takes as long as all else; so a visit that ends leaves its window, emptied, to the next one.
+FREE_WINDOWS = WeakKeyDictionary()
+
+
 class Visit:
     """A page that was opened offline, and what happened meanwhile."""
 
     def __init__(self, browser, file, *, theme="light", width=1280, query="", without=None, **context):
         self.requests, self.complaints, self.drawn = [], [], None
-        self.context = browser.new_context(
-            offline=True,
-            color_scheme=theme,
-            reduced_motion="reduce",  # else the theme glides to what is scrolled to
-            viewport={"width": width, "height": 844},
-            **context,
-        )
-        self.context.set_default_timeout(PATIENCE)
-        self.page = self.context.new_page()
-        self.page.on("request", lambda request: self.requests.append(request.url))
-        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
-        self.page.on("console", self._hear)
+        look = {"color_scheme": theme, "reduced_motion": "reduce"}  # else the theme glides to what is scrolled to
+        size = {"width": width, "height": 844}
+        self.free = FREE_WINDOWS.setdefault(browser, [])
+        self.is_plain = not (without or context)
+        if self.is_plain and self.free:
+            self.page = self.free.pop()
+            self.page.emulate_media(media="null", **look)
+            self.page.set_viewport_size(size)
+        else:
+            self.page = browser.new_context(offline=True, viewport=size, **look, **context).new_page()
+            self.page.context.set_default_timeout(PATIENCE)
+        self.context = self.page.context
+        self.listeners = {
+            "request": lambda request: self.requests.append(request.url),
+            "pageerror": lambda error: self.complaints.append(str(error)),
+            "console": self._hear,
+        }
+        for event, listener in self.listeners.items():
+            self.page.on(event, listener)
         if without:
             self.page.route(f"**/{without}*", lambda route: route.abort())
         if file:
@@ -73,8 +86,17 @@ class Visit:
     def __enter__(self):
         return self
 
-    def __exit__(self, *error):
-        self.context.close()
+    def __exit__(self, kind, *error):
+        if not self.is_plain or kind:
+            self.context.close()
+            return
+        for event, listener in self.listeners.items():
+            self.page.remove_listener(event, listener)
+        self.page.unroute_all()
+        if self.page.url.startswith("file:"):
+            self.page.evaluate("() => { localStorage.clear(); sessionStorage.clear(); }")
+        self.page.goto("about:blank")
+        self.free.append(self.page)
 
     @contextmanager
     def at_width(self, width):
