@@ -21,10 +21,12 @@ _ANGLES = "From 179 to -179 degrees it is 2, not -358, and such differences fit 
 
 
 def position_between(T, T_target):
+    """Return the difference of the positions, (3,)."""
     return T_target[:3, 3] - T[:3, 3]
 
 
 def rotation_between(T, T_target):
+    """Return the rotation from one orientation to the other, (3, 3), in coordinates of the base."""
     return T_target[:3, :3] @ T[:3, :3].T
 
 
@@ -35,10 +37,12 @@ def pose_error(T, T_target):
 
 
 def angle_between(T, T_target):
+    """Return the angle between the orientations."""
     return length(pose_error(T, T_target)[3:])
 
 
 def nearly_pi(T, T_target):
+    """Return whether the angle between the orientations is nearly pi."""
     return angle_between(T, T_target) > NEARLY_PI
 
 
