@@ -22,10 +22,10 @@ FIRST = 3  # cases that are asked before all of them
 
 
 class Judge:
-    """Says of a mutant whether it lives. How a mistake is called does not matter here, so none is looked for."""
+    """Says of a mutant whether it lives. Neither the name of its mistake nor what it calls matters here."""
 
     def __init__(self, exercise, space):
-        self.exercise, self.space = replace(exercise, mistakes=()), space
+        self.exercise, self.space = replace(exercise, mistakes=(), forbidden=()), space
         self.seconds = 60
 
     def bounded_by(self, source):

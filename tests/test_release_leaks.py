@@ -112,6 +112,11 @@ def body(source):
     return written.replace(" = ", "  =  ", 1) + "  # by the way"
 
 
+def leaking_of(planted, files, wanted):
+    """What is found in the files that something was planted in; the other files are looked at above."""
+    return leaking({name: content for name, content in planted.items() if files.get(name) != content}, wanted)
+
+
 PLANTS = {
     "a cell": lambda files, source: with_cell(files, nbformat.v4.new_code_cell(source)),
     "a cell of other lines": lambda files, source: with_cell(files, nbformat.v4.new_code_cell(body(source))),
@@ -133,7 +138,7 @@ def test_a_planted_solution_is_found(files, wanted, place):
     if place == "an output":
         assert outputs(planted) != []
     else:
-        assert exercise in {found for found, _ in leaking(planted, wanted)}
+        assert exercise in {found for found, _ in leaking_of(planted, files, wanted)}
 
 
 def test_every_single_part_of_an_answer_is_found(wanted):
@@ -147,4 +152,4 @@ def test_planted_words_are_found(files, wanted):
     broken = longest.replace(" ", "\n", 3)
     for words in (source, longest, broken):
         planted = with_cell(files, nbformat.v4.new_markdown_cell(words))
-        assert (exercise, "notebooks/02_rigid_motion.ipynb") in leaking(planted, wanted)
+        assert (exercise, "notebooks/02_rigid_motion.ipynb") in leaking_of(planted, files, wanted)

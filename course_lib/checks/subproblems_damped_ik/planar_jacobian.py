@@ -8,6 +8,7 @@ from course_lib.arms import planar_arm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.vocabulary import remembered
 
 _ARM = planar_arm([1, 1, 1, 1])
 _H = 1e-5  # radians: the step of the differences that are shown
@@ -25,11 +26,13 @@ _WITH_ANGLE = Mistake(
 )
 
 
+@remembered
 def tip(q):
     """Return where the arm's tip is, (2,)."""
     return _ARM.fk(q)[:2, 3]
 
 
+@remembered
 def jacobian(q):
     """Return the derivative (2, 4) of the tip's position by the joint angles."""
     return _ARM.position_jacobian(q)[:2]

@@ -94,7 +94,7 @@ def remembered(function):
     np.float64(3.0)
     """
 
-    @functools.lru_cache(maxsize=128)
+    @functools.lru_cache(maxsize=1000)
     def again(*packed):
         return function(*(np.frombuffer(data).reshape(shape) for data, shape in packed))
 
