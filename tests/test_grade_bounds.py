@@ -134,7 +134,7 @@ class Claims:
 
 
 def colliding(count):
-    pairs = ",".join(f"[{(2**61 - 1) * k}, 0]" for k in range(1, 15_000))
+    pairs = ",".join(f"[{(2**61 - 1) * k}, 0]" for k in range(1, 8_000))
     return answers(count, '{"dict": [' + pairs + "]}")
 
 

@@ -214,7 +214,7 @@ found += [path for path in ("{root}/notebooks/01_rotations.ipynb", "{root}/in/ot
 
 
 def copy_of_the_project(folder):
-    shutil.copytree(ROOT / "course_lib", folder / "course_lib", ignore=shutil.ignore_patterns("__pycache__", "site"))
+    shutil.copytree(ROOT / "course_lib", folder / "course_lib", ignore=shutil.ignore_patterns("site"))
     shutil.copytree(ROOT / "notebooks", folder / "notebooks", ignore=shutil.ignore_patterns("*.png", ".*"))
     for name in ("in/other", "out"):
         (folder / name).mkdir(parents=True)

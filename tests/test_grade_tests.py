@@ -120,7 +120,8 @@ def test_log(log):
 
 
 @pytest.mark.parametrize("attack", ATTACKS)
-def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(attack):
+def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(attack, monkeypatch):
+    monkeypatch.setattr(submission, "MOST_CALLS", 1000)  # so that calls without an end do not take long
     row = graded(ATTACKS[attack])
     assert row["state"] != "right", row
     assert row["points"] <= 1, row  # a guess may be lucky: on average it earns nothing

@@ -78,7 +78,8 @@ def show_caption(caption):
 def _png(fig):
     """The figure as PNG, half as fine again as it is shown; without the writer's version, which would change it."""
     buffer = io.BytesIO()
-    fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None})
+    uncompressed = {"compress_level": 0}  # smaller_png compresses it
+    fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None}, pil_kwargs=uncompressed)
     return smaller_png(buffer.getvalue())
 
 

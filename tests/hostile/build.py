@@ -17,7 +17,7 @@ from course_lib.pack.grade.sandbox import Limits
 HERE = Path(__file__).parent
 PROJECT = HERE.parent.parent
 SEED = 7741
-SHORT = Limits(cpu_seconds=1, cell_cpu_seconds=2, idle_seconds=4, everything=1_000_000_000)
+SHORT = Limits(cpu_seconds=1, cell_cpu_seconds=1, idle_seconds=4, everything=1_000_000_000)
 
 
 def cell(source, kind="code", **about):
