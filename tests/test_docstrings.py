@@ -4,9 +4,13 @@ import doctest
 import importlib
 import inspect
 import re
+from pathlib import Path
 
 import pytest
 
+import course_lib
+
+PACKAGE = Path(course_lib.__file__).parent
 MODULES = [
     "arguments",
     "rotations",
@@ -73,6 +77,8 @@ TRUSTING = [
 ]
 # Some of their functions need files, a sandbox or a browser, and have no example.
 WORKING = [
+    "checks.panda_dh_ik.challenge",
+    "checks.subproblems_damped_ik.challenge",
     "pack.bench.measure",
     "pack.data",
     "pack.files",
@@ -94,6 +100,7 @@ WORKING = [
     "pack.release.stubs",
     "pack.site.for_sphinx",
     "pack.site.formulas",
+    "pack.site.prepare",
     "pack.site.sections",
 ]
 # Other modules of the library call these with arrays that are looked at already.
@@ -124,6 +131,18 @@ def sections(thing):
     text = inspect.cleandoc(thing.__doc__)
     parts = re.split(r"^(\w[\w ]*)\n-+\n", text, flags=re.MULTILINE)
     return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
+
+
+def test_every_module_is_listed():
+    found = {path: ".".join(path.relative_to(PACKAGE).with_suffix("").parts) for path in PACKAGE.rglob("[!_]*.py")}
+    of_notebooks = tuple(
+        f"checks.{path.stem.partition('_')[2]}." for path in PACKAGE.parent.glob("notebooks/[0-9][0-9]_*.ipynb")
+    )
+    missing = {path: name for path, name in found.items() if name not in MODULES + TRUSTING + WORKING}
+    may_lack_examples = (*of_notebooks, "pack.")
+    for path, name in missing.items():
+        assert name.startswith(may_lack_examples), name
+        assert ">>> " not in path.read_text("utf-8"), f"the examples of {name} are not run"
 
 
 @pytest.mark.parametrize("name", MODULES + TRUSTING + WORKING)

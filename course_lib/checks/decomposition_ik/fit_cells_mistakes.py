@@ -37,6 +37,7 @@ def _transposed(fit):
 
 
 def one_for_both(*case):
+    """Return the answer with one model for both clusters of a cell."""
     return models(*case, labels=_one_cluster)[:, [0, 0]]
 
 

@@ -81,6 +81,7 @@ def least_squares(xy, q):
 
 
 def with_one(xy):
+    """Return the rows (m, 3) of positions with a 1 behind, for an affine model."""
     return np.column_stack([xy, np.ones(len(xy))])
 
 

@@ -25,6 +25,7 @@ def _free(J, v, bound, eps):
 
 @remembered
 def right(J, v, bound, eps):
+    """Return the right answer, by scipy's solver for linear least squares with bounds."""
     return lsq_linear(*_stacked(J, v, eps), bounds=(-bound, bound), method="bvls", tol=1e-14).x
 
 

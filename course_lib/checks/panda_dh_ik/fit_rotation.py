@@ -17,6 +17,7 @@ _FINISHED = (
 
 
 def right(src, dst):
+    """Return the right answer: the rotation of the best pose."""
     return registered(src, dst, np.ones(len(src)))[:3, :3]
 
 

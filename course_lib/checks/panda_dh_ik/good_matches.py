@@ -36,6 +36,7 @@ def _right(src, dst, tol):
 
 
 def right(src, dst, tol):
+    """Return the right answer, computed once for equal arguments."""
     return _right(src, dst, float(tol))
 
 

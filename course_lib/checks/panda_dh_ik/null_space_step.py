@@ -20,6 +20,7 @@ def _projector(J):
 
 
 def right(q, J, q_middle, gain):
+    """Return the right answer."""
     return q + gain * _projector(J) @ (q_middle - q)
 
 

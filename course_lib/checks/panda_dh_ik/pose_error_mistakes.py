@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, same
-from course_lib.checks.vocabulary import near
+from course_lib.checks.vocabulary import near, remembered
 from course_lib.rigid import inverse, log_se3
 from course_lib.rotations import length, log_so3, matrix_to_quaternion
 
@@ -21,23 +21,28 @@ _ANGLES = "From 179 to -179 degrees it is 2, not -358, and such differences fit 
 
 
 def position_between(T, T_target):
+    """Return the difference of the positions, (3,)."""
     return T_target[:3, 3] - T[:3, 3]
 
 
 def rotation_between(T, T_target):
+    """Return the rotation from one orientation to the other, (3, 3), in coordinates of the base."""
     return T_target[:3, :3] @ T[:3, :3].T
 
 
+@remembered
 def pose_error(T, T_target):
     """Return the right answer (6,); at an angle of pi phi and -phi are both right."""
     return np.concatenate([position_between(T, T_target), log_so3(rotation_between(T, T_target))])
 
 
 def angle_between(T, T_target):
+    """Return the angle between the orientations."""
     return length(pose_error(T, T_target)[3:])
 
 
 def nearly_pi(T, T_target):
+    """Return whether the angle between the orientations is nearly pi."""
     return angle_between(T, T_target) > NEARLY_PI
 
 

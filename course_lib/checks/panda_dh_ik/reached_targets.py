@@ -41,6 +41,7 @@ def _small(e, halves=(0, 1)):
 
 @remembered
 def right(targets, q0, eps, steps):
+    """Return the right answer, computed once for equal arguments."""
     return _small(_descended(targets, q0, eps, int(steps))[0][-1])
 
 

@@ -32,20 +32,24 @@ LOW, HIGH = PANDA.limits.T
 
 
 def about_x(alpha, a=0.0):
+    """Return the pose of a rotation about x by `alpha` and a translation along x by `a`."""
     c, s = np.cos(alpha), np.sin(alpha)
     return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
 
 
 def about_z(theta, d=0.0):
+    """Return the pose of a rotation about z by `theta` and a translation along z by `d`."""
     c, s = np.cos(theta), np.sin(theta)
     return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
 
 
 def along_x(a):
+    """Return the pose of a translation along x."""
     return about_x(0.0, a)
 
 
 def along_z(d):
+    """Return the pose of a translation along z."""
     return about_z(0.0, d)
 
 

@@ -14,15 +14,17 @@ _FLAT = 1e-9  # a singular value that is zero but for rounding, as a share of th
 
 @remembered
 def registered(src, dst, weights):
-    """The right pose."""
+    """Return the right pose."""
     return register_points(src, dst, weights)
 
 
 def moved(T, points):
+    """Return points (n, 3) moved by a pose."""
     return points @ T[:3, :3].T + T[:3, 3]
 
 
 def centroid(points, weights):
+    """Return the weighted mean of points, (3,)."""
     return weights @ points / weights.sum()
 
 
@@ -83,6 +85,7 @@ def points(rng, n):
 
 
 def uneven(rng, n):
+    """Return n weights that are not all the same, in random order."""
     return np.resize([0.5, 2.0, 1.0, 4.0, 3.0], n)[rng.permutation(n)]
 
 

@@ -12,6 +12,7 @@ _BOTH = "The residual is e - J delta: each of its rows has one factor, which mul
 
 
 def right(q, J, e, eps, weights):
+    """Return the right answer: the damped step of the weighted rows."""
     roots = np.sqrt(weights)
     return step_of(q, roots[:, None] * J, roots * e, eps)
 

@@ -12,6 +12,7 @@ SMALL = 1e-2  # radians: with an angle below that, the pole is far away, and for
 
 
 def rotation(theta):
+    """Return the rotation matrix (2, 2)."""
     return pose_matrix([0, 0, theta])[:2, :2]
 
 

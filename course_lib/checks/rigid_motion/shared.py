@@ -23,6 +23,7 @@ def cubic(u):
 
 
 def scaling(n):
+    """Return n values of the cubic time scaling, from 0 to 1."""
     return cubic(np.linspace(0, 1, n))
 
 
@@ -32,6 +33,7 @@ def straight(start, change, s):
 
 
 def size(start, goal):
+    """Return the size of the numbers in a case, for tolerances."""
     return 1 + np.abs([start, goal]).max()
 
 
@@ -48,6 +50,7 @@ def same_path(rows, predicted, start, goal, n):
 
 
 def close(rows, wanted, start, goal):
+    """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi in the angle."""
     return deviation(rows, wanted) <= 1e-9 * size(start, goal)
 
 
@@ -58,10 +61,12 @@ def change(start, goal):
 
 
 def one_arc_is_shorter(start, goal, n):
+    """Return whether the angles are less than half a revolution apart, so that one arc is the shorter."""
     return abs(change(start, goal)[2]) < np.pi - 1e-9
 
 
 def half_a_revolution(start, goal, n):
+    """Return whether the angles are half a revolution apart, so that both arcs are equally long."""
     return not one_arc_is_shorter(start, goal, n)
 
 

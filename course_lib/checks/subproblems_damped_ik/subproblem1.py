@@ -27,6 +27,7 @@ _NO_ANSWER = Mistake(
 
 
 def some_angle(rng, sign):
+    """Return a random angle with this sign, neither small nor near pi/2."""
     return sign * rng.uniform(0.3, 1.2)
 
 

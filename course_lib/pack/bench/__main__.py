@@ -19,7 +19,7 @@ def main():
     lines = [
         f"Python {platform.python_version()}, numpy {np.__version__}, {', '.join(versions)}; one thread.",
         *(f"Left out: {peers.PEERS[name]}. {reason}" for name, reason in missing.items()),
-        "Compared answers agree to 1e-9. Times are the processor's, taken in turns; ratios hold elsewhere too.",
+        "Compared answers agree to 1e-9. Times are processor time, measured alternately.",
         "",
     ]
     for task in (kinematics.poses(here), kinematics.poses_and_jacobians(here), kinematics.single_pose(here)):

@@ -18,7 +18,7 @@ def configurations(n, seed=0):
 
 
 def pose_functions(peers):
-    """Return {name: function of configurations (n, 7) that gives the poses (n, 4, 4)} of the peers that are here."""
+    """Return {name: function of configurations (n, 7) that gives the poses (n, 4, 4)} of the installed libraries."""
     functions = {}
     if pin := peers.get("pinocchio"):
         model, data, end = pinocchio_panda(pin)
@@ -51,7 +51,7 @@ def pose_functions(peers):
 
 
 def poses(peers, n=10_000):
-    """Forward kinematics of n configurations."""
+    """Return the task of computing the poses of n configurations."""
     contestants = [Contestant("course_lib", ARM.fk)]
     for name, function in pose_functions(peers).items():
         few = 300 if name.startswith("modern_robotics") else None
@@ -78,7 +78,7 @@ def _not_kept(pin, jacobians):
 
 
 def poses_and_jacobians(peers, n=10_000):
-    """Poses and space Jacobians of n configurations, both."""
+    """Return the task of computing the poses and the space Jacobians of n configurations."""
     library = Contestant("course_lib", lambda qs: (ARM.fk(qs), ARM.space_jacobian(qs)), convert=_flat)
     contestants = [library]
     if pin := peers.get("pinocchio"):
@@ -124,12 +124,12 @@ def poses_and_jacobians(peers, n=10_000):
 
 
 def _flat(answer):
-    """Poses and Jacobians as one array, to be compared."""
+    """Return poses and Jacobians as one array, to be compared."""
     return np.concatenate([part.reshape(len(part), -1) for part in answer], -1)
 
 
 def single_pose(peers):
-    """One pose a call, 100 calls."""
+    """Return the task of computing one pose in each of 100 calls."""
     contestants = [Contestant("course_lib", lambda qs: over(ARM.fk, qs))]
     for name, function in pose_functions(peers).items():
         at_most = 0.25 if name.startswith("modern_robotics") else None
@@ -141,7 +141,7 @@ def single_pose(peers):
 
 
 def inverse(peers, n=1000):
-    """Inverse kinematics of n targets that can be reached, and what each solver reached, as lines."""
+    """Return the task of inverse kinematics for n reachable targets, and lines on the accuracy of each solver."""
     targets = ARM.fk(configurations(n))
     contestants = [Contestant("course_lib", lambda T: ik.solve(ARM, T, _rng()).q)]
     if rtb := peers.get("roboticstoolbox"):
@@ -173,7 +173,7 @@ def inverse(peers, n=1000):
 
 
 def single_target(peers, n=100):
-    """One target a call."""
+    """Return the task of inverse kinematics with one target in each call."""
     contestants = [Contestant("course_lib", lambda T: over(lambda one: ik.solve(ARM, one, _rng()).q, T))]
     if rtb := peers.get("roboticstoolbox"):
         chain = toolbox_panda(rtb)

@@ -14,7 +14,7 @@ LEAST = 0.02  # seconds that one measurement lasts at least: short calls are rep
 
 @dataclass(frozen=True)
 class Contestant:
-    """One function that does a task.
+    """One function that performs a task.
 
     run: called with the first items of the task. items: how many, None for all; slow functions get few.
     convert: converts what run returns to the library's conventions, if they differ; `note` says so.
@@ -33,7 +33,7 @@ class Contestant:
 
 @dataclass(frozen=True)
 class Task:
-    """What is measured: `items`, an array whose first axis counts them, and the contestants, the library's first."""
+    """A task: `items`, an array whose first axis counts them, and the contestants, the library's first."""
 
     title: str
     items: np.ndarray
@@ -109,7 +109,7 @@ def table(outcome):
 
 
 def verdict(share, at_most):
-    """Return words that compare a measured share with its bound."""
+    """Return a text that compares a measured share with its bound."""
     return f"   at most {at_most:g}: {share:.3g} {'yes' if share <= at_most else 'NO'}"
 
 

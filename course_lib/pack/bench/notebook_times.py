@@ -1,6 +1,6 @@
-"""What strict nbval of the notebooks takes, beside notebooks that only start and import what these import.
+"""Compare the time of strict nbval with that of notebooks that only start and import the same modules.
 
-Run as a program of its own, in the environment that the notebooks live in: the other libraries have another one.
+A program of its own, because the notebooks have another environment than the benchmark's libraries.
 """
 
 import ast

@@ -23,11 +23,11 @@ def memory(n=1_000_000):
     return [f"Memory for {n:,} Panda poses", f"  {share:.3g} x the result{verdict(share, 3)}", ""]
 
 
-IMPORTS = "numpy", "course_lib", "course_lib.ik"  # the last with all of the mathematics that imports numpy alone
+IMPORTS = "numpy", "course_lib", "course_lib.ik"  # the last loads all of the mathematics that needs numpy only
 
 
 def import_times(repeats=15):
-    """Return lines: what an import costs a new process, in turns, in processor time."""
+    """Return lines: the processor time of imports in a new process, measured alternately."""
     taken = {name: [] for name in IMPORTS}
     for _ in range(repeats):
         for name, times in taken.items():
@@ -41,7 +41,7 @@ def import_times(repeats=15):
 
 
 def assignment_6():
-    """Return lines: the report's table of local models and GridIK, fitted and queried, beside the closed form."""
+    """Return lines: the report's table of local models and GridIK, fitted and queried, and the closed form."""
     fits, queries = costs.methods(np.random.default_rng(0))
     grid = "GridIK, corrected"
     fitting = [

@@ -1,4 +1,4 @@
-"""The other libraries: which are here, which are not and why, and the Panda in the form that each of them takes."""
+"""The other libraries: which are installed, why others are not, and the Panda in the form that each one needs."""
 
 import importlib
 from pathlib import Path

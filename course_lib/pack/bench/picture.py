@@ -9,12 +9,12 @@ from course_lib.pack.bench.kinematics import configurations, pose_functions
 from course_lib.pack.bench.peers import ARM, over
 
 SIZES = 10 ** np.arange(7)
-PATIENCE = 3.0  # seconds, beyond which a function is not given ten times as many
+PATIENCE = 3.0  # seconds; a slower function is not measured with ten times as many poses
 STYLES = [("#0072B2", "o"), ("#56B4E9", "s"), ("#D55E00", "^"), ("#009E73", "D"), ("#CC79A7", "v"), ("#000000", "x")]
 
 
 def seconds_by_size(peers, repeats=3):
-    """Return {name: (sizes, seconds a pose)}, the least of repeats taken in turns."""
+    """Return {name: (sizes, seconds a pose)}, the least of several repeats, measured alternately."""
     print("Measuring: cost against size ...", file=sys.stderr, flush=True)
     functions = {"course_lib, one batch": ARM.fk, "course_lib, Python loop": lambda qs: over(ARM.fk, qs)}
     functions |= pose_functions(peers)

@@ -1,4 +1,4 @@
-"""Rotations: exp, log, matrix to quaternion and back, beside the peers that keep their digits up to pi."""
+"""Rotations: exp, log, matrix to quaternion and back, compared with the libraries that are exact up to pi."""
 
 import numpy as np
 
@@ -86,9 +86,9 @@ def rotation_maps_of(peers):
 
 
 def hard_cases():
-    """Return rotation vectors, matrices and quaternions of angles near 0 and up to pi, computed with longer numbers.
+    """Return rotation vectors, matrices and quaternions of angles near 0 and up to pi, in extended precision.
 
-    Where the machine has no longer ones (np.longdouble is double), they are right to about 1e-15, which is enough.
+    Without it (where np.longdouble is double) they are right to about 1e-15, which is enough.
     """
     small = 10.0 ** -np.arange(1, 17)
     angles = np.concatenate([small, np.pi - small, [0.5, 1, 2, 3, np.pi]]).astype(np.longdouble)
@@ -106,7 +106,7 @@ def hard_cases():
 
 
 def _gap(theirs, right, sign):
-    """The largest difference; at exactly pi both signs of a vector or quaternion are right."""
+    """Return the largest difference; at exactly pi both signs of a vector or quaternion are right."""
     off = np.abs(theirs - right).reshape(len(right), -1).max(-1)
     if sign:
         half = np.pi - np.linalg.norm(right, axis=-1) < 1e-9 if right.shape[-1] == 3 else np.abs(right[:, 0]) < 1e-9

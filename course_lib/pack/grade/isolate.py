@@ -4,7 +4,7 @@
      "root": path,        an empty folder in which the sandbox's view of the file system is built (if apart)
      "visible": [[path, bool]],  paths that are shown there read-only (True) or hidden; outer folders first
      "course": path,      shown as /course, read-only
-     "scratch": path,     the one writable folder; if not apart, whoever started this empties it
+     "scratch": path,     the one writable folder; if not apart, the caller empties it
      "uid": number,       the user to become, 0 to stay
      "limits": {...},     memory, file, files, processes, scratch, everything: see sandbox.py
      "filter": text,      a filter of system calls, in hexadecimal digits: see seccomp.py

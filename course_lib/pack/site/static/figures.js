@@ -1,5 +1,5 @@
 // Draws the figures whose data stand in the page, each when it comes near the window. A browser holds
-// only some 3D figures at a time (16 on a desktop, 8 on a phone), so those far away are let go again.
+// only some 3D figures at a time (16 on a desktop, 8 on a phone), so those far away are removed.
 //
 // Figures with a script of their own. A plotly figure whose `layout.meta.course` is
 //     {"kind": "film", "scripts": ["motion", "film"], ...}
@@ -16,14 +16,14 @@
 // away, or about to be drawn again. What it keeps in `meta` is there the next time. Controls go into
 // window.course.bar(live), a row below the figure that is emptied at every start; they need names
 // (aria-label) and work from the keyboard. A figure with `meta.plotly: false` is not drawn by plotly, and is no
-// reason to load it. Where no script runs, and in print, the still picture shows.
+// reason to load it. Without scripts, and in print, the still picture is shown.
 (() => {
   "use strict";
   const NEAR = "600px 0px";
   const PLAYER = 52; // the height of a film's button and range, as site.css has it
-  // What plotly gives a figure that names no size of its own.
+  // Plotly's size for a figure that states none.
   const [WIDTH, HEIGHT] = [700, 450];
-  // Its buttons stand at the right edge, clear of titles and legends, when a mouse comes; a phone has no room for them.
+  // Its buttons are at the right edge, clear of titles and legends, while a mouse is over the figure; not on a phone.
   const NARROW = 520;
   const CONFIG = {
     responsive: true,
@@ -32,8 +32,8 @@
     modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "zoomIn2d", "zoomOut2d", "resetCameraLastSave3d"],
   };
 
-  // In the dark theme a live figure is drawn in its colours: what is dark on white becomes light, strong colours a
-  // little lighter. Each has one partner, so that the way back is the same map turned round.
+  // In the dark theme a live figure is drawn in that theme's colours: dark colours become light, strong ones a little
+  // lighter. Each colour has one partner, so that the inverse map restores it.
   const IN_DARK = {
     white: "#1b1f24", "#222222": "#e7eaee", "#dddddd": "#3c444d", "#8a8a8a": "#a3abb3", "#6b7177": "#b3bac1",
     "#0072B2": "#56a8de", "#009E73": "#33c79c", "#D55E00": "#f0863a", "#b2182b": "#f2667a", "#7a1fa2": "#cf9ae6",
@@ -51,7 +51,7 @@
     });
   }
 
-  // On a phone scenes that stand beside each other stand below each other, each with its title.
+  // On a phone, scenes that are side by side are stacked, each with its title.
   function stack(layout, meant) {
     const scenes = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
     const spans = scenes.map((key) => (layout[key].domain && layout[key].domain.x) || [0, 1]);
@@ -70,7 +70,7 @@
     return { width: meant.width / n, height: n * meant.height };
   }
 
-  // Plotly's own play button and slider take no keyboard focus; they give way to HTML ones.
+  // Plotly's own play button and slider take no keyboard focus; HTML ones replace them.
   const does = (method) => (control) => {
     const steps = control.steps || control.buttons || [];
     return steps.length > 0 && steps.every((s) => s.method === method);
@@ -82,7 +82,7 @@
     const sliders = layout.sliders || [];
     layout.updatemenus = menus.filter((menu) => !drivesFrames(menu));
     layout.sliders = sliders.filter((slider) => !drivesFrames(slider));
-    // The room below the picture that they stood in, in pixels.
+    // The space that they took below the picture, in pixels.
     const room = (layout.meta && layout.meta.controls) || 0;
     if (room && layout.sliders.length === 0) {
       layout.margin.b -= room;
@@ -111,7 +111,7 @@
     });
   }
 
-  // plotly.js weighs more than all else. It is fetched, compressed, when the first figure that needs it comes near.
+  // plotly.js is larger than everything else. It is loaded, compressed, when the first figure that needs it comes near.
   const OWN_URL = document.currentScript.src || location.href;
   let plotly = null;
   const loadPlotly = () => (plotly = plotly || unpackPlotly());
@@ -142,7 +142,7 @@
     const last = figure.frames.length - 1;
     const range = element("input", { type: "range", min: 0, max: last, value: 0, "aria-label": "Frame" }, bar);
     const label = element("span", { "aria-hidden": "true" }, bar);
-    let playing = null; // the run under way: a pause ends it, and playing on is another
+    let playing = null; // the current run: a pause ends it, and playing again begins another
 
     function setPlaying(run) {
       playing = run;
@@ -153,7 +153,7 @@
       label.textContent = before + labels[i];
       range.setAttribute("aria-valuetext", label.textContent);
       const atOnce = { mode: "immediate", frame: { duration: 0, redraw: true }, transition: { duration: 0 } };
-      // Rejected when the next frame is asked for first, which is as it should be.
+      // Rejected if the next frame is requested before; that is intended.
       return window.Plotly.animate(live, [figure.frames[i].name], atOnce).catch(() => {});
     }
     async function play() {
@@ -177,8 +177,8 @@
     return { show, stop: () => setPlaying(null) };
   }
 
-  // A scene in 3D is drawn to the scale of its height: in too narrow a page its sides would be cut off. So
-  // the figure gets lower there, until every scene has the shape it was made for, or a square.
+  // A scene in 3D is drawn to the scale of its height: on a narrow page its sides would be cut off. So
+  // the figure is made lower there, until every scene has its original shape, or is a square.
   function fittingHeight(layout, meant, width) {
     const scenes = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
     const heights = scenes.map((key) => {
@@ -186,7 +186,7 @@
       const shape = (x[1] - x[0]) / (y[1] - y[0]);
       return (width * shape) / Math.min(1, (meant.width * shape) / meant.height);
     });
-    // A square of the plane stays one.
+    // A square in the plane stays a square.
     if (layout.yaxis && layout.yaxis.scaleanchor && !layout.xaxis2) {
       const { l = 80, r = 80, t = 100, b = 80 } = layout.margin || {}; // plotly's own
       heights.push(width - l - r + t + b);
@@ -211,7 +211,7 @@
     let stop = null;
 
     let keptAt = null;
-    const keepHeight = (height) => { // else the text would jump
+    const keepHeight = (height) => { // otherwise the text would jump
       box.style.minHeight = `${height}px`;
       keptAt = box.clientWidth;
     };
@@ -222,7 +222,7 @@
       try {
         if (usesPlotly(meta)) await loadPlotly();
       } catch {
-        return; // it stays the still picture that it is
+        return; // it remains a still picture
       }
       box.classList.add("drawn");
       figure.layout.height = fit();
@@ -253,7 +253,7 @@
     };
     window.addEventListener("resize", fitAgain);
 
-    // One after the other: a reader may scroll past faster than a figure is drawn.
+    // One after the other, because a reader may scroll faster than figures are drawn.
     let near = false;
     let inDark = false;
     let work = Promise.resolve();
@@ -264,7 +264,7 @@
     const changeTheme = () => {
       if (isDrawn()) work = work.then(() => isDark() !== inDark && isDrawn() && (letGo(), draw()));
     };
-    // Take as much room as the live figure will, while the reader is elsewhere.
+    // Reserve the space of the live figure while the reader is elsewhere.
     const reserve = () => (work = work.then(async () => {
       if (isDrawn()) return;
       if (usesPlotly(meta)) return keepHeight(fit() + ("moves" in box.dataset ? PLAYER : 0));
@@ -274,7 +274,7 @@
     return { come, changeTheme, reserve };
   }
 
-  // What scripts of figures may use (see the top).
+  // What the scripts of figures may use (see the top of this file).
   window.course = window.course || { kinds: {} };
   window.course.bar = (live) => {
     const box = live.closest(".plotly-figure");
@@ -295,12 +295,12 @@
     attributeFilter: ["data-theme"],
   });
 
-  // Without its own script a figure that plotly does not draw stays the still picture that it is.
+  // Without its own script, a figure that plotly does not draw remains a still picture.
   const canBeDrawn = (box) => box.dataset.kind in window.course.kinds || !("withoutPlotly" in box.dataset);
   const boxes = [...document.querySelectorAll(".plotly-figure")].filter(canBeDrawn);
   boxes.forEach((box) => watch.observe(box));
 
-  // When the page is there and nothing else is to be done: one figure after the other.
+  // When the page is loaded and the browser is idle: one figure after the other.
   const idle = window.requestIdleCallback || ((work) => setTimeout(work, 50));
   async function reserveNext() {
     const box = boxes.shift();

@@ -1,4 +1,4 @@
-// Paper is white: print in the light theme whatever the screen shows. And it cannot be opened: print what is folded shut.
+// Print in the light theme, whatever the screen shows, and unfold everything for print.
 (() => {
   "use strict";
   const page = document.documentElement;
@@ -26,10 +26,10 @@
     });
   window.addEventListener("load", reach);
   window.addEventListener("resize", reach);
-  document.addEventListener("toggle", reach, true); // what was folded shut had no width
+  document.addEventListener("toggle", reach, true); // folded content had no width
 })();
 
-// Who comes from the search finds the words marked, also in what is folded shut.
+// Mark the words of the search on the page that it leads to, in folded content too.
 (() => {
   "use strict";
   const wanted = (new URLSearchParams(location.search).get("mark") || "").split(/\s+/).filter(Boolean);
@@ -62,7 +62,7 @@
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      // Some browsers refuse that to pages from a folder.
+      // Some browsers do not allow that to pages opened from a folder.
       const field = Object.assign(document.createElement("textarea"), { value: text });
       document.body.append(field);
       field.select();

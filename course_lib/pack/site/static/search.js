@@ -1,5 +1,5 @@
-// Finds sections that hold all words, with the sentence around the first; the link opens the page there and
-// lets it mark them. The sections are in sections.js, as [page, title, id, heading, text].
+// Find the sections that contain all words, and show the sentence around the first one. The link opens the page at
+// the section and marks the words. The sections are in sections.js, as [page, title, id, heading, text].
 (() => {
   "use strict";
   const field = document.getElementById("search-words");
