@@ -14,9 +14,19 @@ from course_lib.figures import rotations as figures
 from course_lib.figures.solids.model import X_RED, Y_GREEN, Z_BLUE
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def draws():
     return rotations.random_rotations(200, np.random.default_rng(0))
+
+
+@pytest.fixture(scope="module")
+def plain_outputs(draws):
+    return [shown(fig) for fig in plain_figures(draws)]
+
+
+@pytest.fixture(scope="module")
+def space_outputs(draws):
+    return [shown(fig) for fig in space_figures(draws)]
 
 
 def plain_figures(R):
@@ -60,21 +70,20 @@ def test_something_that_is_no_figure_is_refused():
         show([1, 2], alt=ALT)
 
 
-def test_every_picture_carries_its_words(draws):
-    for fig in plain_figures(draws) + space_figures(draws):
-        output = shown(fig)
+def test_every_picture_carries_its_words(plain_outputs, space_outputs):
+    for output in plain_outputs + space_outputs:
         assert output.data["text/plain"] == ALT
         assert output.metadata["image/png"]["alt"] == ALT
 
 
-def test_students_get_plotly_alone_and_matplotlib_as_png(draws):
-    assert all(set(shown(fig).data) == {"image/png", "text/plain"} for fig in plain_figures(draws))
-    assert all(set(shown(fig).data) == {FIGURE, "text/plain"} for fig in space_figures(draws))
+def test_students_get_plotly_alone_and_matplotlib_as_png(plain_outputs, space_outputs):
+    assert all(set(output.data) == {"image/png", "text/plain"} for output in plain_outputs)
+    assert all(set(output.data) == {FIGURE, "text/plain"} for output in space_outputs)
 
 
-def test_plain_pictures_have_the_same_bytes_again(draws):
-    for one, two in zip(plain_figures(draws), plain_figures(draws), strict=True):
-        assert shown(one).data["image/png"] == shown(two).data["image/png"]
+def test_plain_pictures_have_the_same_bytes_again(draws, plain_outputs):
+    for fig, output in zip(plain_figures(draws), plain_outputs, strict=True):
+        assert shown(fig).data["image/png"] == output.data["image/png"]
 
 
 def test_plain_pictures_do_not_name_the_version_that_drew_them():

@@ -54,21 +54,26 @@ def plain_figures():
     ]
 
 
+@pytest.fixture(scope="module")
+def plain_outputs():
+    return [shown(fig) for fig in plain_figures()]
+
+
 def drawn_lines(ax):
     return [np.transpose(line.get_data()) for line in ax.lines]
 
 
-def test_every_picture_is_shown_with_words_in_its_form():
-    for fig in plain_figures():
-        assert set(shown(fig).data) == {"image/png", "text/plain"}
-    for fig in movies():
-        assert set(shown(fig).data) == {FIGURE, "text/plain"}
-        assert shown(fig).metadata["image/png"]["alt"] == shown(fig).data["text/plain"] == ALT
+def test_every_picture_is_shown_with_words_in_its_form(plain_outputs):
+    for output in plain_outputs:
+        assert set(output.data) == {"image/png", "text/plain"}
+    for output in map(shown, movies()):
+        assert set(output.data) == {FIGURE, "text/plain"}
+        assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == ALT
 
 
-def test_plain_pictures_have_the_same_bytes_again():
-    for one, two in zip(plain_figures(), plain_figures(), strict=True):
-        assert shown(one).data["image/png"] == shown(two).data["image/png"]
+def test_plain_pictures_have_the_same_bytes_again(plain_outputs):
+    for fig, output in zip(plain_figures(), plain_outputs, strict=True):
+        assert shown(fig).data["image/png"] == output.data["image/png"]
 
 
 def test_the_last_bits_of_a_machine_do_not_reach_the_file():

@@ -56,46 +56,60 @@ def page(site):
     return site[True] / "01.html"
 
 
-@pytest.mark.parametrize(("width", "theme"), [(390, "dark"), (1000, "light")])
-@pytest.mark.parametrize("name", ANSWERS)
-def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(page, browser, name, theme, width):
-    with Visit(browser, page, theme=theme, width=width) as visit:
-        line = visit.page.locator("summary").filter(has_text=name)
-        inside = visit.page.locator("article").get_by_text(ANSWERS[name])
-        expect(inside).not_to_be_visible()
-        line.click()
-        expect(inside).to_be_visible()
-        assert visit.page.evaluate("document.documentElement.scrollWidth") <= width
-        for part in (line.locator("p:visible"), inside):
-            assert part.evaluate(CONTRAST) > 4.5
-        line.click()
-        expect(inside).not_to_be_visible()
-        line.focus()
-        visit.page.keyboard.press("Enter")
-        expect(inside).to_be_visible()
-        visit.page.keyboard.press("Space")
-        expect(inside).not_to_be_visible()
+LOOKS = {"390-dark": (390, "dark"), "1000-light": (1000, "light")}  # width in pixels, theme
+
+
+@pytest.fixture(scope="module", params=LOOKS.values(), ids=LOOKS)
+def visit(site, browser, request):
+    """A visit to the page with answers; every test leaves them shut."""
+    width, theme = request.param
+    with Visit(browser, site[True] / "01.html", theme=theme, width=width) as visit:
+        yield visit
         assert visit.complaints == []
 
 
-def test_the_tab_key_reaches_every_answer_and_nothing_renames_it(page, browser):
-    with Visit(browser, page) as visit:
-        reached = []
-        while len(reached) < 100 and list(ANSWERS)[-1] not in reached:
-            visit.page.keyboard.press("Tab")
-            reached.append(visit.page.evaluate("document.activeElement.innerText.trim()"))
-        assert [words for words in reached if words in ANSWERS] == list(ANSWERS)
-        assert visit.page.locator("summary[aria-label]").count() == 0
+wide = pytest.mark.parametrize("visit", [LOOKS["1000-light"]], ids=["1000-light"], indirect=True)
 
 
-def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(page, browser):
-    with Visit(browser, page) as visit:
-        visit.page.emulate_media(media="print")
-        visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
-        for words in ANSWERS.values():
-            expect(visit.page.locator("article").get_by_text(words)).to_be_visible()
-        visit.page.evaluate("dispatchEvent(new Event('afterprint'))")
-        assert visit.page.locator("details.hide[open]").count() == 0
+@pytest.mark.parametrize("name", ANSWERS)
+def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(visit, name):
+    line = visit.page.locator("summary").filter(has_text=name)
+    inside = visit.page.locator("article").get_by_text(ANSWERS[name])
+    expect(inside).not_to_be_visible()
+    line.click()
+    expect(inside).to_be_visible()
+    assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    for part in (line.locator("p:visible"), inside):
+        assert part.evaluate(CONTRAST) > 4.5
+    line.click()
+    expect(inside).not_to_be_visible()
+    line.focus()
+    visit.page.keyboard.press("Enter")
+    expect(inside).to_be_visible()
+    visit.page.keyboard.press("Space")
+    expect(inside).not_to_be_visible()
+
+
+@wide
+def test_the_tab_key_reaches_every_answer_and_nothing_renames_it(visit):
+    visit.page.reload()  # so that the Tab key starts at the top
+    reached = []
+    while len(reached) < 100 and list(ANSWERS)[-1] not in reached:
+        visit.page.keyboard.press("Tab")
+        reached.append(visit.page.evaluate("document.activeElement.innerText.trim()"))
+    assert [words for words in reached if words in ANSWERS] == list(ANSWERS)
+    assert visit.page.locator("summary[aria-label]").count() == 0
+
+
+@wide
+def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(visit):
+    visit.page.emulate_media(media="print")
+    visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    for words in ANSWERS.values():
+        expect(visit.page.locator("article").get_by_text(words)).to_be_visible()
+    visit.page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert visit.page.locator("details.hide[open]").count() == 0
+    visit.page.emulate_media(media="null")
 
 
 def test_imports_and_what_only_draws_are_folded_and_nothing_else(page):

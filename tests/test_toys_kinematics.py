@@ -144,12 +144,15 @@ def test_circles_meet_at_the_answers_of_subproblem_2_or_not_at_all(rng):
     right = subproblem2(k1, k2, p1, p2)
     assert [len(points) > 0 for points in found] == right.exact.tolist()
     assert 20 < right.exact.sum() < 80
-    for i in np.flatnonzero(right.exact):
+    meeting = np.flatnonzero(right.exact)
+    for i in meeting:
         expected = rotations.exp_so3(right.theta[i, :, :1] * k1[i]) @ p1[i]
         by_x = np.argsort(expected[:, 0]), np.argsort(np.array(found[i])[:, 0])
         assert_allclose(np.array(found[i])[by_x[1]], expected[by_x[0]], **CLOSE)
-        turns = js("angleAbout", [(k1[i], p1[i], m) for m in found[i]])
-        assert_allclose(rotations.exp_so3(np.outer(turns, k1[i])) @ p1[i], found[i], **CLOSE)
+    cases = [(k1[i], p1[i], point) for i in meeting for point in found[i]]
+    angles = js("angleAbout", cases)
+    for (axis, start, point), angle in zip(cases, angles, strict=True):
+        assert_allclose(rotations.exp_so3(angle * axis) @ start, point, **CLOSE)
 
 
 # ---- arms ----

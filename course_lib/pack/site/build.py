@@ -9,6 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import nbformat
+
 import course_lib.figures
 from course_lib.pack.site import gather, search, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
@@ -99,10 +101,11 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
         offer(source, pages, release)
         figures += counts.figures
         say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
-    notebooks = [gather.read(source, pages) for source in sources]
+    books = {source.name: nbformat.read(source, as_version=4) for source in sources}
+    notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(sources, pages)
     for heading, page in ((sections.ERRATA, pages / "errata.ipynb"), (sections.SOURCES, pages / "sources.ipynb")):
-        if sections.write(heading, sources, page):
+        if sections.write(heading, books, page):
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(

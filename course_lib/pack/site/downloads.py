@@ -46,16 +46,21 @@ def offer(source: Path, folder: Path, release: Path | None = None) -> None:
 
     Raises SiteError if a solution cannot be separated from the rest.
     """
+    book = nbformat.read(folder / source.name, as_version=4)
+    first = next((cell for cell in book.cells if cell.cell_type == "markdown"), None)
+    words = RUN.format(link=offered(release), name=source.name) if release else _alone(source)
+    if first:
+        first.source += words
+    nbformat.write(book, folder / source.name)
+
+
+def _alone(source: Path) -> str:
+    """Return the text that holds a notebook without solutions in a link."""
     text = source.read_text(encoding="utf-8")
     version = hashlib.sha256(text.encode()).hexdigest()[:8]
     try:
         copy = students_copy(text, source.name, f"site-{version}")
     except ReleaseError as error:
         raise SiteError(str(error)) from error
-    book = nbformat.read(folder / source.name, as_version=4)
-    first = next((cell for cell in book.cells if cell.cell_type == "markdown"), None)
-    if first:
-        content = base64.b64encode(copy.encode()).decode()
-        alone = WORDS.format(name=source.name, kind=KIND, content=content)
-        first.source += RUN.format(link=offered(release), name=source.name) if release else alone
-    nbformat.write(book, folder / source.name)
+    content = base64.b64encode(copy.encode()).decode()
+    return WORDS.format(name=source.name, kind=KIND, content=content)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
@@ -77,9 +78,8 @@ class Notebook:
     picture: str = ""
 
 
-def read(source: Path, pages: Path) -> Notebook:
+def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
     """Return what the home page shows of a notebook; its picture goes where `prepare` puts pictures."""
-    book = nbformat.read(source, as_version=4)
     text = next((cell.source for cell in book.cells if cell.cell_type == "markdown"), "")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
     return Notebook(

@@ -1,9 +1,11 @@
 """Pages that put one section of every notebook together: what the report got wrong, and the sources."""
 
 import re
+from copy import deepcopy
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from course_lib.pack.site.answers import hide
@@ -55,9 +57,9 @@ LINKS = {
 }
 
 
-def write(heading: str, sources: list[Path], path: Path) -> bool:
-    """Write to `path` a notebook of the sections with that heading; return whether there are any."""
-    cells = [cell for source in sources for cell in _titled(heading, source)]
+def write(heading: str, books: dict[str, NotebookNode], path: Path) -> bool:
+    """Write to `path` a notebook of the sections with that heading, from {file name: notebook}; return if any exist."""
+    cells = [cell for name, book in books.items() for cell in _titled(heading, name, book)]
     if not cells:
         return False
     if heading == SOURCES:
@@ -66,7 +68,7 @@ def write(heading: str, sources: list[Path], path: Path) -> bool:
     cells.insert(0, new_markdown_cell(BEGIN[heading]))
     for number, cell in enumerate(cells):
         cell.id = f"{path.stem}-{number}"  # else random, and no two builds the same
-    metadata = nbformat.read(sources[0], as_version=4).metadata
+    metadata = next(iter(books.values())).metadata
     nbformat.write(new_notebook(cells=cells, metadata=metadata), path)
     return True
 
@@ -82,19 +84,18 @@ def _linked(text: str) -> str:
     return "\n".join(lines)
 
 
-def _titled(heading: str, source: Path) -> list:
+def _titled(heading: str, name: str, book: NotebookNode) -> list:
     """Return the cells of a notebook's section, whose heading becomes the notebook's title with a link to it."""
-    book = nbformat.read(source, as_version=4)
     text = "\n".join(cell.source for cell in book.cells if cell.cell_type == "markdown")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
     cells = section(book, heading)
     if cells:
         cells[0].source = cells[0].source.replace(
-            f"## {heading}", f"## [{title[1] if title else source.stem}]({source.name})", 1
+            f"## {heading}", f"## [{title[1] if title else Path(name).stem}]({name})", 1
         )
     for cell in cells:
         if cell.cell_type == "markdown":
-            cell.source = _from_elsewhere(cell.source, source.name)
+            cell.source = _from_elsewhere(cell.source, name)
     return cells
 
 
@@ -133,6 +134,6 @@ def section(book, heading: str) -> list:
                 if inside and part.strip():
                     found.append(new_markdown_cell(part))
         elif inside and cell.cell_type == "code":
-            hide(cell, "hide-input", LINES)
-            found.append(cell)
+            found.append(deepcopy(cell))
+            hide(found[-1], "hide-input", LINES)
     return found
