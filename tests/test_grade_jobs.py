@@ -261,7 +261,7 @@ def test_a_file_instead_of_the_output_folder_is_reported(place, capsys):
     fill(place, 1)
     (one,) = place.glob("in/**/*.ipynb")
     assert main([str(one), "--output", str(place / "out")]) == 1
-    assert f"{one} is a file: name the folder that it lies in." in capsys.readouterr().err
+    assert f"{one} is a file: name the folder that contains it." in capsys.readouterr().err
 
 
 def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys):
