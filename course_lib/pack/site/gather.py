@@ -23,8 +23,8 @@ NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine
 
 HOME = """# Robot kinematics
 
-Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each
-notebook reproduces the numbers of a published homework report, and shows by computation what it got wrong.{time}
+Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
+reproduces the numbers of a published homework report, and proves its errors by computation.{time}
 
 {living}
 
@@ -48,7 +48,8 @@ notebook reproduces the numbers of a published homework report, and shows by com
 make lab
 ```
 
-opens the notebooks in JupyterLab; the first time it sets up all that they need. Without make, in the same folder:
+opens the notebooks in JupyterLab; the first time it installs everything that they need. Without make, in the same
+folder:
 
 ```
 python -m venv .venv
@@ -102,7 +103,7 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
     steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
     if any(page.stem == "errata" for page in others):
-        steps.append("[What we found wrong in print](errata.ipynb)")
+        steps.append("[Errors in the published reports](errata.ipynb)")
     return HOME.format(
         time=time,
         living=living,
