@@ -76,21 +76,29 @@ class Visit:
     def __exit__(self, *error):
         self.context.close()
 
+    @contextmanager
+    def at_width(self, width):
+        """The window is so many pixels wide for a while."""
+        before = self.page.viewport_size
+        self.page.set_viewport_size({**before, "width": width})
+        yield
+        self.page.set_viewport_size(before)
+
     def draw_figures(self, examine=None):
-        """Scroll to each figure, once; return how many traces each shows. examine(box) sees those that plotly drew."""
+        """Scroll to each figure, once; return how many traces each shows. examine(number, box) sees each when drawn."""
         if self.drawn is not None and examine is None:
             return self.drawn
         self.drawn = traces = []
-        for box in self.page.locator(".plotly-figure").all():
+        for number, box in enumerate(self.page.locator(".plotly-figure").all()):
             box.scroll_into_view_if_needed()
             if box.get_attribute("data-without-plotly") is not None:  # a toy draws itself
                 box.locator(".course-toy").first.wait_for()
                 traces.append(box.evaluate("box => JSON.parse(box.querySelector('script').textContent).data.length"))
-                continue
-            box.locator(".main-svg").first.wait_for()
-            traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
+            else:
+                box.locator(".main-svg").first.wait_for()
+                traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
             if examine:
-                examine(box)
+                examine(number, box)
         return traces
 
 

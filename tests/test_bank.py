@@ -21,9 +21,9 @@ import pytest
 from remembering import remembering
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
-from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, judge
+from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, attempt, judge
 from course_lib.checks.notebook import describe
-from course_lib.checks.wire import NotPlain, Seed, read, to_json
+from course_lib.checks.wire import NotPlain, Seed, to_json
 
 BANK = Path(__file__).parent / "wrong_answers"
 FILES = sorted(BANK.glob("*/*.py"))  # by their names, so that nothing is imported that is not asked for
@@ -94,40 +94,54 @@ def test_right_answers_are_accepted_and_wrong_ones_refused_by_name(path, record_
 
 
 class Predicted:
-    """Stands for a student who makes one mistake of the check's own list, and is right where it says nothing."""
+    """Stands for a student who makes one mistake of the check's own list, and is right where it says nothing.
 
-    def __init__(self, answer, exercise):
-        self.answer, self.exercise, self.speaks = answer, exercise, False
+    It is asked the cases that the exercise remembers, not copies of them: what a mistake predicts of each is computed
+    once, for this student and for every verdict.
+    """
+
+    def __init__(self, answer, exercise, right):
+        self.answer, self.right, self.speaks = answer, right, False
+        self.cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
 
     def reply(self, questions, consult=None):
-        told = []
-        for case in read(questions)["cases"]:
-            value = self._value(case)
-            self.speaks |= value is not None
-            told.append(self._right(case) if value is None else {"value": to_json(value), "changed": []})
-        return json.dumps({"answers": told, "calls": []})
+        with np.errstate(all="ignore"):
+            predicted = [self._predicted(case) for case in self.cases]
+        self.speaks = any(predicted)
+        answers = [answer or self.right(k) for k, answer in enumerate(predicted)]
+        return json.dumps({"answers": answers, "calls": []})
 
-    def _value(self, case):
+    def _predicted(self, case):
+        value = attempt(self.answer, *case)
         try:
-            with np.errstate(all="ignore"):
-                value = self.answer(*case)
-                to_json(value)
-                return value
-        except (ValueError, IndexError, ArithmeticError, NotPlain):
+            return None if value is None else told(value)
+        except NotPlain:
             return None
 
-    def _right(self, case):
-        real = [np.random.default_rng(a.number) if isinstance(a, Seed) else a for a in case]
-        return {"value": to_json(self.exercise.library(*real)), "changed": []}
+
+def told(value):
+    return {"value": to_json(value), "changed": []}
+
+
+def rightly(exercise):
+    """Return a function of a case's position: the library's answer, computed once."""
+    cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
+
+    @cache
+    def right(k):
+        real = [np.random.default_rng(a.number) if isinstance(a, Seed) else a for a in cases[k]]
+        return told(exercise.library(*real))
+
+    return right
 
 
 @each_exercise
 def test_each_mistake_is_refused_and_named_itself_or_by_the_one_that_shadows_it(path):
     exercise = replace(exercise_of(path), forbidden=(), through="")
-    found = []
+    right, found = rightly(exercise), []
     for mistake in (*exercise.mistakes, *(p.mistake for p in exercise.properties if p.mistake)):
         for k, answer in enumerate(mistake.answers):
-            student = Predicted(answer, exercise)
+            student = Predicted(answer, exercise, right)
             verdict = judge(exercise, student)
             if not student.speaks:
                 found.append(f'"{mistake.name}", answer {k}: no case shows it')

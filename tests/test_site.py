@@ -74,94 +74,154 @@ def site(notebooks):
     return notebooks.parent / "html"
 
 
-@pytest.mark.parametrize(("width", "theme"), [(390, "light"), (1280, "dark")])
-def test_page_works_offline(site, notebooks, browser, theme, width):
-    with Visit(browser, site / "01_rotations.html", theme=theme, width=width) as visit:
-        facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
-        assert facts["theme"] == theme
-        captions = visit.page.locator("figure figcaption")
-        assert captions.all_inner_texts() == [CAPTION]
-        assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
-        assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
-        live = visit.page.locator(".plotly-live").first
-        visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
-        live.locator(".main-svg").first.wait_for()
-        size = live.bounding_box()
-        assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
-        for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
-            assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
-        style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
-        white, dimmed = "rgb(255, 255, 255)", "brightness(0.88)" if theme == "dark" else "none"
-        ground = "rgb(27, 31, 36)" if theme == "dark" else white
-        assert visit.page.locator(".plotly-figure.drawn").first.evaluate(style) == [ground, "none"]
-        assert visit.page.locator("img.picture").first.evaluate(style) == [white, dimmed]
-
-
-def test_a_block_of_code_is_copied_by_its_button(site, browser):
-    with Visit(browser, site / "01_rotations.html") as visit:
-        visit.page.locator("summary", has_text="Solution").press("Enter")
-        button = visit.page.locator("details[open] .highlight").get_by_role("button", name="Copy")
-        button.focus()
-        assert button.evaluate("e => getComputedStyle(e).opacity") == "1", "whoever has no mouse sees it"
-        visit.page.keyboard.press("Enter")
-        visit.page.get_by_role("button", name="Copied").wait_for()
-        visit.page.evaluate("document.querySelector('article').prepend(document.createElement('textarea'))")
-        visit.page.locator("textarea").focus()
-        visit.page.keyboard.press("Control+v")
-        assert visit.page.locator("textarea").input_value().rstrip("\n") == SOLUTION
-        blocks = visit.page.locator("article .highlight:not(.output .highlight)").count()
-        assert visit.page.locator("button.copy").count() == blocks
-        assert visit.complaints == []
-
-
-def test_figure_turns_and_stays_turned(site, browser):
-    eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
-    with Visit(browser, site / "01_rotations.html") as visit:
-        box = visit.page.locator(".plotly-figure").first
-        live = box.locator(".plotly-live")
-        box.scroll_into_view_if_needed()
-        box.locator("canvas").first.wait_for()
-        before = visit.page.evaluate(eye)
-        live.evaluate("live => live.on('plotly_relayout', () => (window.turned = true))")
-        live.hover()  # waits until the page has stopped moving
-        place = live.bounding_box()
-        x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
-        visit.page.mouse.down()
-        visit.page.mouse.move(x + 80, y + 30, steps=5)
-        visit.page.mouse.up()
-        visit.page.wait_for_function("window.turned")
-        turned = live.evaluate("live => live.layout.scene.camera.eye")
-        assert abs(turned["x"] - before["x"]) > 0.01
-        # Far away a figure is let go, its still picture stands in; back again it is as it was left.
-        visit.page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
-        box.locator(".plotly-still").wait_for()
-        box.scroll_into_view_if_needed()
-        box.locator("canvas").first.wait_for()
-        assert visit.page.evaluate(eye) == pytest.approx(turned, abs=1e-6)
-
-
-def test_frames_play_from_the_keyboard(site, browser):
-    with Visit(browser, site / "01_rotations.html") as visit:
+@pytest.fixture(scope="module")
+def reader(site, browser):
+    """A visit to the page with figures, all drawn, for several tests; none needs what another one does."""
+    with Visit(browser, site / "01_rotations.html", theme="dark") as visit:
         visit.draw_figures()
-        player = visit.page.locator(".plotly-player")
-        button, slider = player.get_by_role("button"), player.get_by_role("slider")
-        drawn = "() => document.querySelectorAll('.plotly-live')[1].data[0].x[0]"
-        assert visit.page.locator(".updatemenu-button, .slider-container").count() == 0
-        button.focus()
-        visit.page.keyboard.press("Enter")
-        visit.page.wait_for_function(f"({drawn})() > 0")
-        visit.page.keyboard.press("Enter")
-        assert button.inner_text() == "Play"
-        visit.page.keyboard.press("Tab")
-        visit.page.keyboard.press("End")
-        visit.page.wait_for_function(f"({drawn})() === 39")
-        visit.page.keyboard.press("ArrowLeft")
-        visit.page.wait_for_function(f"({drawn})() === 38")
-        assert slider.get_attribute("aria-valuetext") == "time 3.8 s"
+        yield visit
         assert visit.complaints == []
 
 
-def test_still_pictures_stand_in(site, browser):
+def assert_the_page_is_as_it_should_be(visit, notebooks, width, theme):
+    facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
+    assert facts["theme"] == theme
+    captions = visit.page.locator("figure figcaption")
+    assert captions.all_inner_texts() == [CAPTION]
+    assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
+    assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
+    live = visit.page.locator(".plotly-live").first
+    visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
+    live.locator(".main-svg").first.wait_for()
+    size = live.bounding_box()
+    assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
+    for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
+        assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
+    style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
+    white, dimmed = "rgb(255, 255, 255)", "brightness(0.88)" if theme == "dark" else "none"
+    ground = "rgb(27, 31, 36)" if theme == "dark" else white
+    assert visit.page.locator(".plotly-figure.drawn").first.evaluate(style) == [ground, "none"]
+    assert visit.page.locator("img.picture").first.evaluate(style) == [white, dimmed]
+
+
+def test_page_works_offline_on_a_phone(site, notebooks, browser):
+    with Visit(browser, site / "01_rotations.html", width=390) as visit:
+        assert_the_page_is_as_it_should_be(visit, notebooks, 390, "light")
+
+
+def test_figure_turns_and_stays_turned(reader):
+    eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
+    page = reader.page
+    box = page.locator(".plotly-figure").first
+    live = box.locator(".plotly-live")
+    box.scroll_into_view_if_needed()
+    box.locator("canvas").first.wait_for()
+    before = page.evaluate(eye)
+    live.evaluate("live => live.on('plotly_relayout', () => (window.turned = true))")
+    live.hover()  # waits until the page has stopped moving
+    place = live.bounding_box()
+    x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+    page.mouse.down()
+    page.mouse.move(x + 80, y + 30, steps=5)
+    page.mouse.up()
+    page.wait_for_function("window.turned")
+    turned = live.evaluate("live => live.layout.scene.camera.eye")
+    assert abs(turned["x"] - before["x"]) > 0.01
+    # Far away a figure is let go, its still picture stands in; back again it is as it was left.
+    page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
+    box.locator(".plotly-still").wait_for()
+    box.scroll_into_view_if_needed()
+    box.locator("canvas").first.wait_for()
+    assert page.evaluate(eye) == pytest.approx(turned, abs=1e-6)
+
+
+def test_frames_play_from_the_keyboard(reader):
+    page = reader.page
+    page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
+    player = page.locator(".plotly-player")
+    button, slider = player.get_by_role("button"), player.get_by_role("slider")
+    drawn = "() => document.querySelectorAll('.plotly-live')[1].data[0].x[0]"
+    button.focus()
+    page.keyboard.press("Enter")
+    page.wait_for_function(f"({drawn})() > 0")
+    page.keyboard.press("Enter")
+    assert button.inner_text() == "Play"
+    page.keyboard.press("Tab")
+    page.keyboard.press("End")
+    page.wait_for_function(f"({drawn})() === 39")
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_function(f"({drawn})() === 38")
+    assert slider.get_attribute("aria-valuetext") == "time 3.8 s"
+    assert page.locator(".updatemenu-button, .slider-container").count() == 0
+
+
+def test_a_block_of_code_is_copied_by_its_button(reader):
+    page = reader.page
+    page.locator("summary", has_text="Solution").press("Enter")
+    button = page.locator("details[open] .highlight").get_by_role("button", name="Copy")
+    button.focus()
+    assert button.evaluate("e => getComputedStyle(e).opacity") == "1", "whoever has no mouse sees it"
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Copied").wait_for()
+    page.evaluate("document.querySelector('article').prepend(document.createElement('textarea'))")
+    words = page.locator("textarea")
+    words.focus()
+    page.keyboard.press("Control+v")
+    assert words.input_value().rstrip("\n") == SOLUTION
+    words.evaluate("e => e.remove()")
+    blocks = page.locator("article .highlight:not(.output .highlight)").count()
+    assert page.locator("button.copy").count() == blocks
+
+
+def test_still_pictures_stand_in_on_paper(reader):
+    page = reader.page
+    figure = page.locator(".plotly-figure:has(.plotly-still)")
+    figure.scroll_into_view_if_needed()
+    page.locator(".plotly-figure.drawn:has(.plotly-still) .main-svg").first.wait_for()
+    assert figure.locator(".plotly-live").is_visible()
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert figure.locator(".plotly-still").is_visible()
+    assert not figure.locator(".plotly-live").is_visible()
+    assert page.locator("html").get_attribute("data-theme") == "light"
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="null")
+    assert page.locator("html").get_attribute("data-theme") == "dark"
+
+
+def test_paper_holds_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
+    page = reader.page
+    page.pdf(path=tmp_path / "page.pdf", format="A4")
+    printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
+    page.evaluate(OPEN)
+    read = """() => {
+      const text = document.querySelector("article").cloneNode(true);
+      text.querySelectorAll(":is(.math, .plotly-figure, .headerlink, button)").forEach((part) => part.remove());
+      return document.body.appendChild(text).innerText;
+    }"""
+    words = {*re.findall(r"[A-Za-z]{4,}", page.evaluate(read))}
+    page.locator("article").last.evaluate("e => e.remove()")
+    assert {"return", "orthogonal", "Rubric", "Prediction"} <= words, "what is folded shut"
+    letters = "".join(printed.stdout.split())
+    assert [word for word in words if word not in letters] == []
+    page.set_viewport_size({"width": 680, "height": 844})  # A4 within its margins
+    page.emulate_media(media="print")
+    beyond = """() => [...document.querySelectorAll("article .math svg, article img, article pre")]
+      .filter((part) => part.getBoundingClientRect().right > 681 || part.scrollWidth > part.clientWidth + 1)
+      .map((part) => part.outerHTML.slice(0, 200))"""
+    assert page.locator("article .math svg").count() > 5
+    assert page.evaluate(beyond) == []
+    page.emulate_media(media="null")
+    page.set_viewport_size({"width": 1280, "height": 844})
+
+
+def test_page_works_offline_in_the_dark(reader, notebooks):
+    assert_the_page_is_as_it_should_be(
+        reader, notebooks, 1280, "dark"
+    )  # the last to look: it leaves the page thinned out
+
+
+def test_still_pictures_stand_in_without_scripts(site, browser):
     page = site / "01_rotations.html"
     with Visit(browser, page, java_script_enabled=False) as visit:
         formulas = visit.page.locator("article .math > svg").all()
@@ -172,39 +232,6 @@ def test_still_pictures_stand_in(site, browser):
     with Visit(browser, page, without="plotly.packed.js") as visit:
         assert visit.page.get_by_text("A rotation keeps lengths").is_visible()
         assert visit.page.locator(".plotly-still").is_visible()
-    with Visit(browser, page, theme="dark") as visit:
-        figure = visit.page.locator(".plotly-figure.drawn:has(.plotly-still)")
-        figure.locator(".main-svg").first.wait_for()
-        visit.page.emulate_media(media="print")
-        visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
-        assert figure.locator(".plotly-still").is_visible()
-        assert not figure.locator(".plotly-live").is_visible()
-        assert visit.page.locator("html").get_attribute("data-theme") == "light"
-
-
-def test_paper_holds_every_word_and_nothing_beyond_its_edge(site, browser, tmp_path):
-    page = site / "01_rotations.html"
-    with Visit(browser, page) as visit:
-        visit.page.pdf(path=tmp_path / "page.pdf", format="A4")
-        printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
-        visit.page.evaluate(OPEN)
-        read = """() => {
-          const silent = document.querySelectorAll("article :is(.math, .plotly-figure, .headerlink, button)");
-          silent.forEach((part) => part.remove());
-          return document.querySelector("article").innerText;
-        }"""
-        words = {*re.findall(r"[A-Za-z]{4,}", visit.page.evaluate(read))}
-        assert {"return", "orthogonal", "Rubric", "Prediction"} <= words, "what is folded shut"
-        letters = "".join(printed.stdout.split())
-        assert [word for word in words if word not in letters] == []
-    with Visit(browser, page, width=680) as visit:  # A4 within its margins
-        visit.page.emulate_media(media="print")
-        visit.page.evaluate(OPEN)
-        beyond = """() => [...document.querySelectorAll("article .math svg, article img, article pre")]
-          .filter((part) => part.getBoundingClientRect().right > 681 || part.scrollWidth > part.clientWidth + 1)
-          .map((part) => part.outerHTML.slice(0, 200))"""
-        assert visit.page.locator("article .math svg").count() > 5
-        assert visit.page.evaluate(beyond) == []
 
 
 def test_home_lists_assignments_and_search_finds_words(site, browser):
@@ -214,26 +241,26 @@ def test_home_lists_assignments_and_search_finds_words(site, browser):
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
-
-
-def test_search_finds_the_section_shows_the_sentence_and_marks_the_word_there(site, browser):
-    with Visit(browser, site / "02_rigid_motion.html") as visit:
-        visit.page.keyboard.press("Control+k")
-        visit.page.keyboard.type("symbol")
-        visit.page.keyboard.press("Enter")
-        found = visit.page.locator("#search-results li")
-        found.first.wait_for()
-        assert visit.page.locator("#search-count").inner_text() == "One section."
-        assert found.locator("p").inner_text().startswith("symbol meaning")
-        found.locator("a", has_text="Rotations: Tables and more").press("Enter")
-        visit.page.locator("article mark", has_text="symbol").wait_for()
-        assert visit.page.url.endswith("01_rotations.html?mark=symbol#tables-and-more")
-        assert visit.complaints == []
-    with Visit(browser, site / "search.html", query="?q=and+on") as visit:
+        finds_the_section_shows_the_sentence_and_marks_the_word_there(visit.page)
+        visit.page.goto((site / "search.html").as_uri() + "?q=and+on")
         visit.page.locator("#search-results a").first.click()
         visit.page.locator("details[open] mark").first.wait_for()  # what is folded shut opens
-    with Visit(browser, site / "search.html", query="?q=nosuchword") as visit:
+        visit.page.goto((site / "search.html").as_uri() + "?q=nosuchword")
         assert visit.page.locator("#search-count").inner_text() == "No section holds all of these words."
+        assert visit.complaints == []
+
+
+def finds_the_section_shows_the_sentence_and_marks_the_word_there(page):
+    page.keyboard.press("Control+k")
+    page.keyboard.type("symbol")
+    page.keyboard.press("Enter")
+    found = page.locator("#search-results li")
+    found.first.wait_for()
+    assert page.locator("#search-count").inner_text() == "One section."
+    assert found.locator("p").inner_text().startswith("symbol meaning")
+    found.locator("a", has_text="Rotations: Tables and more").press("Enter")
+    page.locator("article mark", has_text="symbol").wait_for()
+    assert page.url.endswith("01_rotations.html?mark=symbol#tables-and-more")
 
 
 def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):

@@ -73,19 +73,19 @@ def test_what_is_unchanged_is_left_as_it_is(notebooks):
 
 
 class Begun(Exception):
-    """Sphinx was about to make the pages."""
+    """The notebooks were about to be read for new pages."""
 
 
 @pytest.fixture
 def begins(monkeypatch):
-    """A function that builds, as far as Sphinx: it returns whether the build would have made pages."""
+    """A function that builds until the notebooks are read: it returns whether the build would have made pages."""
 
     def stop(*arguments):
         raise Begun
 
     def begins(notebooks, **settings):
         with monkeypatch.context() as patch:
-            patch.setattr(builder, "_run_sphinx", stop)
+            patch.setattr(builder, "_gather", stop)
             try:
                 built(notebooks, **settings)
             except Begun:

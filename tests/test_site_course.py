@@ -5,7 +5,6 @@ from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
-from bs4 import BeautifulSoup
 from playwright.sync_api import expect
 from site_visits import OPEN, Visit, assert_readable
 
@@ -16,52 +15,76 @@ CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summa
   .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".plotly-figure"))"""
 
 
-LOOKS = {"phone": (390, "dark"), "desktop": (1280, "light")}
-
-
-PAGES = [(notebook, look) for notebook in NOTEBOOKS for look in LOOKS]
-# Drawing a page's figures takes ten seconds. On a phone, where room is scarce, all are drawn; on a desktop one page's.
-DRAWN = [(notebook, look) for notebook, look in PAGES if look == "phone" or notebook == NOTEBOOKS[1]]
-
-
-def each_of(pages):
-    ids = [f"{notebook.stem}-{look}" for notebook, look in pages]
-    return pytest.mark.parametrize("page", pages, ids=ids, indirect=True, scope="module")
+@pytest.fixture(scope="module", params=NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def on_a_phone(course, browser, request):
+    """A notebook, and the visit to its page on a phone, in the dark theme."""
+    with Visit(browser, course / f"{request.param.stem}.html", theme="dark", width=390) as visit:
+        yield request.param, visit
 
 
 @pytest.fixture(scope="module")
-def page(course, browser, request):
-    """A notebook, how it is looked at, and the visit to the notebook's page."""
-    notebook, look = request.param
-    width, theme = LOOKS[look]
-    with Visit(browser, course / f"{notebook.stem}.html", theme=theme, width=width) as visit:
-        yield notebook, look, visit
+def on_a_desktop(course, browser):
+    """The visit to a page with movies and toys on a desktop, in the light theme."""
+    with Visit(browser, course / "02_rigid_motion.html", width=1400) as visit:
+        yield visit
 
 
-@each_of(DRAWN)
-def test_play_moves_every_figure_that_has_frames(page):
-    def plays(box):
+HEIGHTS = "() => [...document.querySelectorAll('.plotly-figure')].map((box) => box.getBoundingClientRect().height)"
+RESERVED = """() => [...document.querySelectorAll(".plotly-figure")]
+  .every((box) => box.classList.contains("drawn") || box.style.minHeight)"""
+TAKES_ITS_ROOM = "([box, height]) => !box.style.minHeight && Math.abs(box.getBoundingClientRect().height - height) < 2"
+DRAWN = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
+
+
+def assert_figures_take_their_room_and_play(visit):
+    """Draw each figure: it is as high as the room that was kept for it, and Play, where there is one, moves it."""
+
+    def examine(number, box):
+        visit.page.wait_for_function(TAKES_ITS_ROOM, arg=[box.element_handle(), kept[number]])
         live, button = box.locator(".plotly-live"), box.locator(".plotly-player button")
         if not button.count():
             return
-        drawn = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
-        before = live.evaluate(drawn)
+        before = live.evaluate(DRAWN)
         button.click()
         visit.page.wait_for_function(
-            f"([live, before]) => ({drawn})(live) !== before", arg=[live.element_handle(), before]
+            f"([live, before]) => ({DRAWN})(live) !== before", arg=[live.element_handle(), before]
         )
         if button.inner_text() == "Pause":
             button.click()
 
-    _, _, visit = page
-    visit.draw_figures(plays)
+    visit.page.wait_for_function(RESERVED)
+    kept = visit.page.evaluate(HEIGHTS)
+    visit.draw_figures(examine)
     assert visit.complaints == []
 
 
-@each_of(PAGES)
-def test_works_offline(page):
-    notebook, look, visit = page
-    assert_readable(visit, notebook, LOOKS[look][0], draws=(notebook, look) in DRAWN)
+def test_figures_take_the_room_kept_for_them_and_play_on_a_phone(on_a_phone):
+    assert_figures_take_their_room_and_play(on_a_phone[1])
+
+
+def test_a_notebooks_page_works_offline_on_a_phone(on_a_phone):
+    notebook, visit = on_a_phone
+    assert_readable(visit, notebook, 390)
+
+
+def test_figures_take_the_room_kept_for_them_and_play_on_a_desktop(on_a_desktop):
+    assert_figures_take_their_room_and_play(on_a_desktop)
+    assert len(on_a_desktop.drawn) > 5
+
+
+def test_the_keyboard_alone_reaches_everything(on_a_desktop):
+    page = on_a_desktop.page
+    page.evaluate(OPEN)
+    wanted = page.evaluate(f"({CONTROLS})().map((e, i) => (e.dataset.wanted = i))")
+    assert len(wanted) > 60
+    reached = set()
+    for _ in range(2 * len(wanted)):
+        page.keyboard.press("Tab")
+        reached.add(page.evaluate("document.activeElement.dataset.wanted"))
+        if reached.issuperset(map(str, wanted)):
+            break
+    missed = "(numbers) => numbers.map((i) => document.querySelector(`[data-wanted='${i}']`).outerHTML.slice(0, 200))"
+    assert page.evaluate(missed, [number for number in wanted if str(number) not in reached]) == []
 
 
 def test_is_small_and_holds_each_library_once(course):
@@ -72,39 +95,40 @@ def test_is_small_and_holds_each_library_once(course):
     assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]
 
 
-def test_every_link_leads_somewhere(course):
-    pages = {page.name: BeautifulSoup(page.read_text("utf-8"), "html.parser") for page in course.glob("*.html")}
-    anchors = {name: {e["id"] for e in soup.select("[id]")} | {""} for name, soup in pages.items()}
+# What a page's file holds, before any script runs.
+PARSED = """(text) => {
+  const page = new DOMParser().parseFromString(text, "text/html");
+  const all = (selector, fact) => [...new Set([...page.querySelectorAll(selector)].map(fact))];
+  const link = (e) => e.getAttribute("href") ?? e.getAttribute("src");
+  return {
+    ids: all("[id]", (e) => e.id),
+    links: all("[href], [src]", link),
+    loaded: all("script[src], link[rel=stylesheet], img[src]", link),
+    plotly: page.querySelector(".plotly-figure:not([data-without-plotly])") !== null,
+  };
+}"""
+
+
+@pytest.fixture(scope="module")
+def parsed(course, browser):
+    """The name of each page, and what its file holds."""
+    with Visit(browser, None) as visit:
+        return {file.name: visit.page.evaluate(PARSED, file.read_text("utf-8")) for file in course.glob("*.html")}
+
+
+def test_every_link_leads_somewhere(course, parsed):
     count = 0
-    for name, soup in pages.items():
-        for element in soup.select("[href], [src]"):
-            link = unquote(element.get("href", element.get("src")))
+    for name, page in parsed.items():
+        for link in map(unquote, page["links"]):
             if re.match("https://|data:", link):
                 continue
             file, _, anchor = link.partition("#")
             file = file.split("?")[0] or name
             assert (course / file).is_file(), f"{name}: {link}"
-            assert anchor == "" or anchor in anchors[file], f"{name}: {link}"
+            assert anchor == "" or anchor in parsed[file]["ids"], f"{name}: {link}"
             count += 1
     assert count > 500
-    assert {"index.html", "errata.html", "sources.html", "notation.html"} < set(pages)
-
-
-def test_the_keyboard_alone_reaches_everything(course, browser):
-    with Visit(browser, course / "03_subproblems_damped_ik.html") as visit:
-        visit.page.evaluate(OPEN)
-        wanted = visit.page.evaluate(f"({CONTROLS})().map((e, i) => (e.dataset.wanted = i))")
-        assert len(wanted) > 60
-        reached = set()
-        for _ in range(2 * len(wanted)):
-            visit.page.keyboard.press("Tab")
-            reached.add(visit.page.evaluate("document.activeElement.dataset.wanted"))
-            if reached.issuperset(map(str, wanted)):
-                break
-        missed = (
-            "(numbers) => numbers.map((i) => document.querySelector(`[data-wanted='${i}']`).outerHTML.slice(0, 200))"
-        )
-        assert visit.page.evaluate(missed, [number for number in wanted if str(number) not in reached]) == []
+    assert {"index.html", "errata.html", "sources.html", "notation.html"} < set(parsed)
 
 
 @pytest.mark.parametrize(("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")])
@@ -117,23 +141,21 @@ def test_search_finds(course, browser, word, page):
         assert visit.complaints == []
 
 
-def weight(course, page):
+def weight(course, page, parsed):
     """The bytes of a page and of all that it loads, at once or as the reader comes near; and the files' names."""
-    soup = BeautifulSoup((course / page).read_text("utf-8"), "html.parser")
-    found = [e.get("src") or e.get("href") for e in soup.select("script[src], link[rel=stylesheet], img[src]")]
-    files = [page, *(link.split("?")[0] for link in found)]
-    if soup.select(".plotly-figure:not([data-without-plotly])"):
+    files = [page, *(link.split("?")[0] for link in parsed[page]["loaded"])]
+    if parsed[page]["plotly"]:
         files.append("_static/plotly.packed.js")
     return sum((course / file).stat().st_size for file in files), files
 
 
-def test_pages_are_light(course):
+def test_pages_are_light(course, parsed):
     for notebook in NOTEBOOKS:
-        size, files = weight(course, f"{notebook.stem}.html")
+        size, files = weight(course, f"{notebook.stem}.html", parsed)
         assert size < 4.5e6, notebook.stem
         assert len([file for file in files if "plotly" in file]) <= 1, "none of those loaded at once"
     for page in ("index", "errata", "sources", "notation"):
-        size, files = weight(course, f"{page}.html")
+        size, files = weight(course, f"{page}.html", parsed)
         assert size < 1.5e6, page
         assert not [file for file in files if "plotly" in file]
 

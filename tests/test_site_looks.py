@@ -1,16 +1,21 @@
 """How pages are laid out: nothing scrolls sideways on a desktop, nothing jumps, nothing is dead, headings nest."""
 
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
 from PIL import Image
-from site_visits import OPEN, Visit
+from site_visits import OPEN, Visit, assert_readable
 
-PAGES = ["index", "errata", "sources", "notation", "search", *(f"0{n}_" for n in range(1, 7))]
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+PAGES = {"index": None, "errata": None, "sources": None, "notation": None, "search": None}
+PAGES |= {notebook.stem: notebook for notebook in NOTEBOOKS}
 WIDE = """() => [...document.querySelectorAll("article :is(.math, pre, table, .output, .plotly-figure, .panels, img)")]
   .filter((e) => e.scrollWidth > e.clientWidth || e.getBoundingClientRect().right > innerWidth)
   .map((e) => `${e.scrollWidth} in ${e.clientWidth}: ${e.textContent.trim().slice(0, 80)}`)"""
+WIDTH = "Math.max(document.documentElement.scrollWidth, document.body.scrollWidth)"
+LEVELS = "() => [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')].map((e) => Number(e.localName[1]))"
 
 
 def only(course, name):
@@ -18,43 +23,38 @@ def only(course, name):
     return page
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_nothing_scrolls_sideways_at_1400_pixels(course, browser, name):
-    with Visit(browser, only(course, name), width=1400) as visit:
-        visit.page.evaluate(OPEN)
-        assert visit.page.evaluate(WIDE) == []
+@pytest.fixture(scope="module", params=PAGES)
+def on_a_desktop(course, browser, request):
+    """A page's name, the width of the window, and the visit to the page, in the light theme."""
+    width = 1280 if PAGES[request.param] else 1000
+    with Visit(browser, course / f"{request.param}.html", width=width) as visit:
+        yield request.param, width, visit
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_a_page_has_one_title_and_its_headings_leave_out_no_level(course, name):
-    soup = BeautifulSoup(only(course, name).read_text("utf-8"), "html.parser")
-    levels = [int(heading.name[1]) for heading in soup.select("h1, h2, h3, h4, h5, h6")]
+def test_a_page_has_one_title_and_its_headings_leave_out_no_level(on_a_desktop):
+    levels = on_a_desktop[2].page.evaluate(LEVELS)
     assert levels.count(1) == 1
     assert levels[0] == 1
     assert max((after - before for before, after in pairwise(levels)), default=0) <= 1
 
 
-# ---- nothing jumps ----
+def test_no_page_is_wider_than_the_narrowest_phone(on_a_desktop):
+    """320 pixels, as WCAG asks (reflow)."""
+    visit = on_a_desktop[2]
+    with visit.at_width(320):
+        assert visit.page.evaluate(WIDTH) <= 320
 
-HEIGHTS = "() => [...document.querySelectorAll('.plotly-figure')].map((box) => box.getBoundingClientRect().height)"
-RESERVED = """() => [...document.querySelectorAll(".plotly-figure")]
-  .every((box) => box.classList.contains("drawn") || box.style.minHeight)"""
+
+def test_nothing_scrolls_sideways_at_1400_pixels(on_a_desktop):
+    visit = on_a_desktop[2]
+    visit.page.evaluate(OPEN)
+    with visit.at_width(1400):
+        assert visit.page.evaluate(WIDE) == []
 
 
-@pytest.mark.parametrize("width", [390, 1400])
-def test_a_live_figure_takes_the_room_that_was_kept_for_it(course, browser, width):
-    with Visit(browser, only(course, "02"), width=width) as visit:
-        visit.page.wait_for_function(RESERVED)
-        before = visit.page.evaluate(HEIGHTS)
-        assert len(before) > 5
-        for box, height in zip(visit.page.locator(".plotly-figure").all(), before, strict=True):
-            box.scroll_into_view_if_needed()
-            box.locator(".main-svg, .course-toy").first.wait_for()
-            visit.page.wait_for_function(
-                "([box, height]) => !box.style.minHeight && Math.abs(box.getBoundingClientRect().height - height) < 2",
-                arg=[box.element_handle(), height],
-            )
-        assert visit.complaints == []
+def test_works_offline_on_a_desktop(on_a_desktop):
+    name, width, visit = on_a_desktop
+    assert_readable(visit, PAGES[name], width, draws=False)  # test_site_course.py draws them
 
 
 def test_the_still_of_a_film_ends_where_the_picture_ends(course):
@@ -85,15 +85,16 @@ def test_the_pictures_on_the_cards_fill_their_frames(course):
 PRESSED = "button:visible, [role=button]:visible, input:visible, select:visible"
 
 
-@pytest.mark.parametrize("width", [390, 1280])
 @pytest.mark.parametrize("name", ["index", "02"])
-def test_without_javascript_nothing_can_be_pressed_in_vain(course, browser, name, width):
-    with Visit(browser, only(course, name), width=width, java_script_enabled=False) as visit:
-        assert [each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()] == []
-        start, words = (visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p"))
-        colours = [each.evaluate("e => getComputedStyle(e).color") for each in (start, words)]
-        assert colours[0] != colours[1], "links are seen"
+def test_without_javascript_nothing_can_be_pressed_in_vain(course, browser, name):
+    with Visit(browser, only(course, name), width=1280, java_script_enabled=False) as visit:
         link = visit.page.locator(".bd-sidebar-primary a", has_text="Errata")
-        assert link.is_visible(), "the other pages are in reach"
+        for width in (1280, 390):
+            with visit.at_width(width):
+                assert [each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()] == []
+                start, words = (visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p"))
+                colours = [each.evaluate("e => getComputedStyle(e).color") for each in (start, words)]
+                assert colours[0] != colours[1], "links are seen"
+                assert link.is_visible(), "the other pages are in reach"
         link.click()
         assert "errata.html" in visit.page.url

@@ -1,6 +1,8 @@
 """The pages that are gathered from the notebooks: home, errata, sources."""
 
 import re
+from contextlib import ExitStack
+from functools import cache
 from itertools import pairwise, zip_longest
 from pathlib import Path
 
@@ -25,36 +27,35 @@ def words(text):
     return " ".join(re.findall(r"\w+", text))
 
 
-@pytest.mark.parametrize(("width", "theme"), [(390, "dark"), (1000, "light")])
-@pytest.mark.parametrize("page", PAGES)
-def test_works_offline(course, browser, page, theme, width):
-    with Visit(browser, course / f"{page}.html", theme=theme, width=width) as visit:
-        assert_readable(visit, None, width)
+@pytest.fixture(scope="module")
+def on_a_phone(course, browser):
+    """A function that gives the visit to a page on a phone, in the dark theme; each page is opened once."""
+    with ExitStack() as visits:
+        yield cache(lambda page: visits.enter_context(Visit(browser, course / f"{page}.html", theme="dark", width=390)))
 
 
-def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(course, browser):
-    with Visit(browser, course / "index.html") as visit:
-        article = visit.page.locator("article")
-        text = words(article.inner_text())
-        assert article.locator(".first-steps a").count() == 3
-        hours = []
-        for notebook in NOTEBOOKS:
-            said = first_cell(notebook)
-            title = re.match("# (.*)", said)[1]
-            assert article.locator(f"h2 a[href='{notebook.stem}.html']").inner_text() == title
-            card = article.locator(".card", has=visit.page.locator(f"a[href='{notebook.stem}.html']")).inner_text()
-            question = words(card.replace(title, "").replace("#", "")).split(" About ")[0]
-            assert len(question) > 20
-            assert "?" in card
-            hours.append(int(re.search(r"About (\d+) hours\.", card)[1]))
-        assert f"about {sum(hours)} hours" in text
-        for page in ("notation", "errata", "sources"):
-            assert article.locator(f"li a[href='{page}.html']").count() >= 1
+def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(on_a_phone):
+    page = on_a_phone("index").page
+    article = page.locator("article")
+    text = words(article.inner_text())
+    assert article.locator(".first-steps a").count() == 3
+    hours = []
+    for notebook in NOTEBOOKS:
+        said = first_cell(notebook)
+        title = re.match("# (.*)", said)[1]
+        assert article.locator(f"h2 a[href='{notebook.stem}.html']").inner_text() == title
+        card = article.locator(".card", has=page.locator(f"a[href='{notebook.stem}.html']")).inner_text()
+        question = words(card.replace(title, "").replace("#", "")).split(" About ")[0]
+        assert len(question) > 20
+        assert "?" in card
+        hours.append(int(re.search(r"About (\d+) hours\.", card)[1]))
+    assert f"about {sum(hours)} hours" in text
+    for name in ("notation", "errata", "sources"):
+        assert article.locator(f"li a[href='{name}.html']").count() >= 1
 
 
-def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(course, browser):
-    with Visit(browser, course / "index.html") as visit:
-        shown = [image.get_attribute("alt") for image in visit.page.locator(".card img").all()]
+def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(on_a_phone):
+    shown = [image.get_attribute("alt") for image in on_a_phone("index").page.locator(".card img").all()]
     assert len(shown) == len(NOTEBOOKS)
     for notebook, alt in zip(NOTEBOOKS, shown, strict=True):
         cells = [cell for cell in nbformat.read(notebook, 4).cells if "cover" in cell.metadata.get("tags", [])]
@@ -85,14 +86,13 @@ def section(notebook, heading):
     return cells[begin : next((n for n in headings if n > begin), None)]
 
 
-def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(course, browser):
-    with Visit(browser, course / "errata.html") as visit:
-        article = visit.page.locator("article")
-        said = [heading.removesuffix("#").strip() for heading in article.locator("h3").all_inner_texts()]
-        printed = ["".join(text.split()) for text in article.locator(".output.stream").all_text_contents()]
-        assert article.locator("details").count() == len(printed)
-        assert article.locator("details[open]").count() == 0
-        strong = [text.strip() for text in article.locator("strong").all_inner_texts()]
+def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(on_a_phone):
+    article = on_a_phone("errata").page.locator("article")
+    said = [heading.removesuffix("#").strip() for heading in article.locator("h3").all_inner_texts()]
+    printed = ["".join(text.split()) for text in article.locator(".output.stream").all_text_contents()]
+    assert article.locator("details").count() == len(printed)
+    assert article.locator("details[open]").count() == 0
+    strong = [text.strip() for text in article.locator("strong").all_inner_texts()]
     cells = [cell for notebook in NOTEBOOKS for cell in section(notebook, "What the report got wrong")]
     text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
     titles = re.findall("^### (.*)", text, re.MULTILINE)
@@ -126,11 +126,16 @@ def test_every_source_of_a_known_work_has_its_link(course):
     assert sum(bool(line.select("a[href^=https]")) for line in lines) > 0.6 * len(lines)
 
 
-def test_sources_are_those_of_each_notebook(course, browser):
-    with Visit(browser, course / "sources.html") as visit:
-        listed = [words(text) for text in visit.page.locator("article li").all_inner_texts()]
-        assert visit.page.locator("article h2").count() == len(NOTEBOOKS)
+def test_sources_are_those_of_each_notebook(on_a_phone):
+    article = on_a_phone("sources").page.locator("article")
+    listed = [words(text) for text in article.locator("li").all_inner_texts()]
+    assert article.locator("h2").count() == len(NOTEBOOKS)
     sources = re.findall("^- (.*)", "\n".join(section(n, "Sources")[0].source for n in NOTEBOOKS), re.MULTILINE)
     assert len(listed) == len(sources) > 30
     for shown, source in zip(listed, sources, strict=True):
         assert shown.startswith(words(source.split("$")[0]))
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_works_offline_on_a_phone(on_a_phone, page):  # last, since the search for barriers takes a page apart
+    assert_readable(on_a_phone(page), None, 390)

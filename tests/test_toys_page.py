@@ -2,14 +2,13 @@
 
 import re
 
-import numpy as np
 import pytest
 from helpers import FIGURE, stored
 from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
-from site_visits import CONTRAST, PATIENCE, Visit, violations
+from site_visits import CONTRAST, Visit, violations
 
 from course_lib import figures
 from course_lib.arms import iiwa14
@@ -17,6 +16,9 @@ from course_lib.arms import iiwa14
 TOYS = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
 TOYS["jog"] = lambda: figures.jog(iiwa14())
 TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in ("gimbals", "order", "belt")}
+
+
+ALL = 16000  # pixels: a window in which all toys are near, so that none is let go and made anew for every test
 
 
 @pytest.fixture(scope="module")
@@ -31,69 +33,75 @@ def page(tmp_path_factory):
     return folder / "html/01.html"
 
 
-@pytest.fixture(scope="module", params=[(1280, "light"), (390, "dark")], ids=["desktop", "phone"])
+LOOKS = {"desktop": (1280, "light"), "phone": (390, "dark")}  # width in pixels, theme
+
+
+@pytest.fixture(scope="module", params=LOOKS.values(), ids=LOOKS)
 def visit(page, browser, request):
     width, theme = request.param
     with Visit(browser, page, width=width, theme=theme) as visit:
+        visit.page.set_viewport_size({"width": width, "height": ALL})
+        visit.page.wait_for_function("() => !document.querySelector('.plotly-figure:not(:has(.course-toy))')")
         yield visit
         assert visit.complaints == []
         assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
         assert not visit.page.evaluate("document.documentElement.scrollWidth > innerWidth")
 
 
-def come(visit, name):
-    box = visit.page.locator(".plotly-figure").nth(list(TOYS).index(name))
-    toy, seen = box.locator(".course-toy"), []
+# A number that stands for all that a toy shows, its drawings and its words (FNV-1a).
+PICTURE = """(box) => {
+  let hash = 0x811c9dc5;
+  const add = (word) => { hash = Math.imul(hash ^ word, 0x01000193); };
+  for (const canvas of box.querySelectorAll("canvas")) {
+    const dots = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    new Uint32Array(dots.buffer).forEach(add);
+  }
+  const words = [...box.querySelectorAll("svg")].map((s) => s.outerHTML)
+    .concat([...box.querySelectorAll("pre, p")].map((p) => p.textContent)).join();
+  for (let i = 0; i < words.length; i++) add(words.charCodeAt(i));
+  return hash;
+}"""
 
-    def stays():  # toys before it take room when they come, which may push it away again
-        box.scroll_into_view_if_needed()
-        seen.append(toy.count() > 0)
-        return seen[-5:] == [True] * 5
 
-    assert comes(visit, stays)
-    return box
+def figure_of(visit, name):
+    return visit.page.locator(".plotly-figure").nth(list(TOYS).index(name))
 
 
 def picture(box):
-    """All that the toy shows: its drawings and its words."""
-    return box.evaluate("""box => [...box.querySelectorAll("canvas")].map((c) => c.toDataURL()).join()
-      + [...box.querySelectorAll("svg")].map((s) => s.outerHTML).join()
-      + [...box.querySelectorAll("pre, p")].map((p) => p.textContent).join()""")
+    return box.evaluate(PICTURE)
 
 
-def comes(visit, condition):
-    """Wait until a condition holds, for a toy draws when the browser is ready for it; return whether it ever does."""
-    for _ in range(PATIENCE // 50):
-        visit.page.wait_for_timeout(50)
-        if condition():
-            return True
-    return False
+def wait_until(visit, condition, box, arg=None):
+    """Wait until condition(box, arg) holds in the page, for a toy draws when the browser is ready for it."""
+    once = f"([box, arg]) => ({condition})(box, arg)"
+    visit.page.wait_for_function(once, arg=[box.element_handle(), arg])
 
 
-def changes(visit, box, before):
-    return comes(visit, lambda: picture(box) != before)
+def wait_for_another_picture(visit, box, before):
+    wait_until(visit, f"(box, before) => ({PICTURE})(box) !== before", box, before)
 
 
 @pytest.mark.parametrize("name", TOYS)
 def test_every_range_has_a_name_and_words_and_moves_the_picture_by_keyboard(visit, name):
-    box = come(visit, name)
-    ranges = [one for one in box.get_by_role("slider").all() if one.is_enabled()]
+    box = figure_of(visit, name)
+    ranges = box.locator("input[type=range]:enabled").all()
     assert ranges
     narrow = visit.page.viewport_size["width"] < 500
     for one in ranges[:1] if narrow else ranges:
-        assert one.evaluate("e => e.labels[0].textContent.trim()")
-        words, before = one.get_attribute("aria-valuetext"), picture(box)
-        one.focus()
-        low = float(one.input_value()) < float(one.get_attribute("max"))
+        label, words, room = one.evaluate(
+            "e => { e.focus(); return [e.labels[0].textContent.trim(), e.ariaValueText, e.max - e.value]; }"
+        )
+        assert label
+        before = picture(box)
         for _ in range(3):
-            visit.page.keyboard.press("ArrowRight" if low else "ArrowLeft")
-        assert changes(visit, box, before), words
-        assert one.get_attribute("aria-valuetext") != words
+            visit.page.keyboard.press("ArrowRight" if room > 0 else "ArrowLeft")
+        wait_for_another_picture(visit, box, before)
+        assert one.get_attribute("aria-valuetext") not in (words, None)
 
 
 @pytest.mark.parametrize("name", ["two_poses_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy"])
 def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
-    box = come(visit, name)
+    box = figure_of(visit, name)
     for handle in box.locator(".handle").all():
         label = handle.get_attribute("aria-label")
         handle.focus()
@@ -116,26 +124,28 @@ def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
 
 @pytest.mark.parametrize("name", ["axis", "circles_toy", "panda_toy"])
 def test_arrow_keys_and_pointer_look_from_another_side(visit, name):
-    box = come(visit, "orientation_toy" if name == "axis" else name)
+    box = figure_of(visit, "orientation_toy" if name == "axis" else name)
     canvas = box.locator("canvas").first
     for move in ("ArrowLeft", "ArrowUp"):
         before = picture(box)
         canvas.focus()
         visit.page.keyboard.press(move)
-        assert changes(visit, box, before)
+        wait_for_another_picture(visit, box, before)
     before, place = picture(box), canvas.bounding_box()
     visit.page.mouse.move(place["x"] + 100, place["y"] + 60)
     visit.page.mouse.down()
     visit.page.mouse.move(place["x"] + 140, place["y"] + 80, steps=4)
     visit.page.mouse.up()
-    assert changes(visit, box, before)
+    wait_for_another_picture(visit, box, before)
 
 
 # ---- colours ----
 
 # From now on every canvas notes the colours of its words, and of its lines that are no grid and no seam between faces.
 NOTE = """() => {
+  const begun = window.noted;
   window.noted = { words: new Set(), lines: new Set() };
+  if (begun) return;
   const context = CanvasRenderingContext2D.prototype, { fillText, stroke } = context;
   context.fillText = function (...a) { window.noted.words.add(this.fillStyle); fillText.apply(this, a); };
   context.stroke = function (...a) {
@@ -158,42 +168,42 @@ DRAWN = """(box) => {
 STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
 
 
-def contrast(visit, colour, ground):
-    with_both = f"""([colour, ground]) => {{
-      const there = document.createElement("p");
-      there.style = `color:${{colour}};background-color:${{ground}}`;
-      document.body.append(there);
-      const measured = ({CONTRAST})(there);
-      there.remove();
-      return measured;
-    }}"""
-    return visit.page.evaluate(with_both, [colour, ground])
+# How much each of some colours stands out from the ground, as {colour: contrast}.
+CONTRASTS = f"""([ground, colours]) => {{
+  const there = document.body.appendChild(document.createElement("p"));
+  there.style.backgroundColor = ground;
+  const measured = colours.map((colour) => {{
+    there.style.color = colour;
+    return [colour, ({CONTRAST})(there)];
+  }});
+  there.remove();
+  return Object.fromEntries(measured);
+}}"""
 
 
 @pytest.mark.parametrize("name", TOYS)
 def test_words_and_lines_stand_out_from_the_ground_of_the_theme(visit, name):
-    box = come(visit, name)
+    box = figure_of(visit, name)
     visit.page.evaluate(NOTE)
     before = picture(box)
     if box.locator("canvas").count():
         box.locator("canvas").first.focus()
         visit.page.keyboard.press("ArrowLeft")
-        assert changes(visit, box, before)
+        wait_for_another_picture(visit, box, before)
     ground, words, lines = box.evaluate(DRAWN)
     assert ground == STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
     assert words or name == "belt"
     assert lines
-    assert [colour for colour in words if contrast(visit, colour, ground) < 4.5] == []
-    assert [colour for colour in lines if contrast(visit, colour, ground) < 3] == []
-    card = box.locator(".course-toy").last
-    for part in (card, card.locator("pre, button, label").first, card.locator("p").last):
-        if part.count():
-            assert part.evaluate(CONTRAST) > 4.5
+    contrasts = visit.page.evaluate(CONTRASTS, [ground, words + lines])
+    assert [colour for colour in words if contrasts[colour] < 4.5] == []
+    assert [colour for colour in lines if contrasts[colour] < 3] == []
+    parts = f"(box, parts) => parts.flatMap((part) => [...box.querySelectorAll(part)]).map({CONTRAST})"
+    assert min(box.evaluate(parts, [".course-toy", "pre", "button", "label", "p"])) > 4.5
 
 
 @pytest.mark.parametrize("name", ["circles_toy", "planar_arm_toy"])
 def test_a_toy_takes_the_colours_of_the_other_theme_and_stays_as_it_was_moved(visit, name):
-    box = come(visit, name)
+    box = figure_of(visit, name)
     slider = box.get_by_role("slider").first
     slider.focus()
     visit.page.keyboard.press("ArrowRight")
@@ -201,13 +211,16 @@ def test_a_toy_takes_the_colours_of_the_other_theme_and_stays_as_it_was_moved(vi
     theme = visit.page.evaluate("document.documentElement.dataset.theme")
     for shown in ({"light": "dark", "dark": "light"}[theme], theme):
         visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", shown)
-        ground = STAGES[shown]
-        assert comes(visit, lambda ground=ground: box.evaluate(DRAWN)[0] == ground)
-        assert comes(visit, lambda shown=shown: (picture(box) == before) == (shown == theme))
+        wait_until(visit, f"(box, ground) => ({DRAWN})(box)[0] === ground", box, STAGES[shown])
+        sign = "===" if shown == theme else "!=="
+        wait_until(visit, f"(box, before) => ({PICTURE})(box) {sign} before", box, before)
         expect(slider).to_have_value(value)
 
 
 # ---- what they are for ----
+
+# What a toy says of what it computes is the same at any width: one visit proves it.
+computes = pytest.mark.parametrize("visit", [LOOKS["desktop"]], ids=["desktop"], indirect=True)
 
 
 def put(box, label, value):
@@ -215,8 +228,9 @@ def put(box, label, value):
     one.evaluate("(e, value) => { e.value = value; e.dispatchEvent(new Event('input')); }", value)
 
 
+@computes
 def test_pitch_drives_the_gimbals_into_lock(visit):
-    box = come(visit, "gimbals")
+    box = figure_of(visit, "gimbals")
     assert "Gimbal lock" not in box.locator("p[role=status]").inner_text()
     box.get_by_role("button", name="Drive into lock").click()
     expect(box.locator("p[role=status]")).to_contain_text("Gimbal lock")
@@ -227,12 +241,13 @@ def test_pitch_drives_the_gimbals_into_lock(visit):
     assert rows[0] == rows[1], "both together leave the orientation as it is"
 
 
+@computes
 def test_after_a_full_turn_q_is_minus_one_and_after_two_the_belt_comes_flat(visit):
-    box = come(visit, "orientation_toy")
+    box = figure_of(visit, "orientation_toy")
     put(box, "Angle", 360)
     expect(box.locator("p[role=status]")).to_contain_text("R is the identity again, but q is")
     assert "(-1.000, 0.000, 0.000, 0.000)" in box.locator("pre").inner_text()
-    box = come(visit, "belt")
+    box = figure_of(visit, "belt")
     undo = box.get_by_label("Move the box, without rotating it", exact=True)
     put(box, "Rotate the box", 360)
     assert undo.is_disabled()
@@ -242,28 +257,32 @@ def test_after_a_full_turn_q_is_minus_one_and_after_two_the_belt_comes_flat(visi
     expect(box.locator("p[role=status]")).to_contain_text("flat again")
 
 
+# The joint angles that a toy's ranges show, in degrees.
+JOINTS = """(box) => [...box.querySelectorAll("input[type=range]")]
+  .filter((e) => /^Joint \\d/.test(e.labels[0].textContent.trim())).map((e) => Number(e.value))"""
+
+
+@computes
 def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
-    box = come(visit, "panda_toy")
+    box = figure_of(visit, "panda_toy")
     pose = box.locator("pre").inner_text()
-    joints = [box.get_by_label(f"Joint {i}", exact=True) for i in range(1, 8)]
-
-    def values():
-        return [float(joint.input_value()) for joint in joints]
-
-    before = values()
+    before = box.evaluate(JOINTS)
+    assert len(before) == 7
     for share in (0.0, 0.3, 1.0):
         put(box, "Elbow (gripper stays)", share)
         expect(box.locator("pre")).to_contain_text("the gripper moved by")
-        assert comes(visit, lambda before=before: np.abs(np.subtract(values(), before)).max() > 3)
+        moved = f"(box, before) => ({JOINTS})(box).some((angle, i) => Math.abs(angle - before[i]) > 3)"
+        wait_until(visit, moved, box, before)
         words = box.locator("pre").inner_text()
         assert float(re.search(r"gripper moved by (\S+) mm", words)[1]) < 1e-3
         if share == 0.3:
             assert words.startswith(pose.split("\n\n")[0].splitlines()[0])
-        before = values()
+        before = box.evaluate(JOINTS)
 
 
+@computes
 def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
-    box = come(visit, "planar_arm_toy")
+    box = figure_of(visit, "planar_arm_toy")
     box.get_by_role("button", name="Start again").click()
     put(box, "Damping (m²)", -2)
     put(box, "Step size", 0.8)
@@ -274,8 +293,9 @@ def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
     assert float(re.search(r"distance left (\S+) m", box.locator("p[role=status]").inner_text())[1]) > 0.01
 
 
+@computes
 def test_another_step_size_is_tried_from_the_first_configuration_though_the_arm_has_arrived(visit):
-    box = come(visit, "planar_arm_toy")
+    box = figure_of(visit, "planar_arm_toy")
     put(box, "Damping (m²)", -2)
     status = box.locator("p[role=status]")
     for size in (0.8, 0.9):
@@ -284,16 +304,18 @@ def test_another_step_size_is_tried_from_the_first_configuration_though_the_arm_
         assert int(status.inner_text().split()[0]) > 5
 
 
+@computes
 def test_smaller_steps_dock_and_larger_ones_miss(visit):
-    box = come(visit, "dead_reckoning_toy")
+    box = figure_of(visit, "dead_reckoning_toy")
     put(box, "Step dt", 0)
     assert "Docking needs" in box.locator("p[role=status]").inner_text()
     put(box, "Step dt", -2)
     assert "Close enough to dock" in box.locator("p[role=status]").inner_text()
 
 
+@computes
 def test_circles_meet_touch_and_miss(visit):
-    box = come(visit, "circles_toy")
+    box = figure_of(visit, "circles_toy")
     for p, q, said in ((50, 45, "twice"), (30, 40, "touch"), (20, 20, "farther apart"), (100, 20, "inside the other")):
         put(box, "Between the axes k1, k2", 70)
         put(box, "From k1 to p1", p)
@@ -301,8 +323,9 @@ def test_circles_meet_touch_and_miss(visit):
         expect(box.locator("p[role=status]")).to_contain_text(said)
 
 
+@computes
 def test_at_the_edge_a_higher_degree_helps_the_square_of_the_bend_only(visit):
-    box = come(visit, "bent_arm_toy")
+    box = figure_of(visit, "bent_arm_toy")
     put(box, "Distance r", 1.95)
     off = []
     for degree in (1, 3):
@@ -314,13 +337,10 @@ def test_at_the_edge_a_higher_degree_helps_the_square_of_the_bend_only(visit):
     assert cubic_of_square < 0.1 * line_of_square
     picture_before = picture(box)
     box.get_by_role("button", name="Other elbow").click()
-    assert changes(visit, box, picture_before)
+    wait_for_another_picture(visit, box, picture_before)
     assert "q2 = -" in box.locator("p[role=status]").inner_text()
     box.get_by_role("button", name="Other elbow").click()
 
 
 def test_every_toy_is_accessible(visit):
-    """One after the other, because a page lets go of toys that are far from the screen."""
-    for name in TOYS:
-        come(visit, name)
-        assert violations(visit, within=".course-toy") == [], name
+    assert violations(visit, within=".course-toy") == []

@@ -46,7 +46,13 @@ def same(value, predicted, *arguments, tolerance=1e-6):
         value, predicted = np.asarray(value, float), np.asarray(predicted, float)
     except (TypeError, ValueError, OverflowError):
         return False
-    return value.shape == predicted.shape and np.allclose(value, predicted, rtol=tolerance, atol=tolerance)
+    if value.shape != predicted.shape:
+        return False
+    if not np.isfinite(predicted).all():
+        return np.allclose(value, predicted, rtol=tolerance, atol=tolerance)
+    # As np.allclose has it, in a third of the time: a verdict compares an answer with hundreds of predictions.
+    with np.errstate(invalid="ignore", over="ignore"):
+        return bool((np.abs(value - predicted) <= tolerance + tolerance * np.abs(predicted)).all())
 
 
 class Mistake:

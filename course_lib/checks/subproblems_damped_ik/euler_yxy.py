@@ -9,6 +9,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.subproblems_damped_ik.shared import changed, different, in_degrees, same_list
 from course_lib.checks.subproblems_damped_ik.subproblem1 import some_angle
+from course_lib.checks.vocabulary import remembered
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy
 
@@ -80,6 +81,7 @@ def _off(found, R):
     return f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}."
 
 
+@remembered
 def _both(R):
     return euler_yxy(R).theta
 
