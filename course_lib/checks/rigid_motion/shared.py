@@ -117,7 +117,7 @@ ENDS = tuple(
 
 
 def _on_the_shorter_arc(rows, start, goal, n):
-    """Whether theta never leaves the shorter arc between the ends."""
+    """Return whether theta never leaves the shorter arc between the ends."""
     angle = change(start, goal)[2]
     ahead = np.copysign(1.0, angle) * (rows[:, 2] - start[2])
     return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() <= abs(angle) + 1e-6
