@@ -13,11 +13,11 @@ def png_only(fig):
 
 
 def offsets(ax):
-    """The places of the dots of every scatter of a panel."""
+    """The positions of the dots of every scatter plot in a panel."""
     return [np.asarray(dots.get_offsets()) for dots in ax.collections]
 
 
-def test_both_elbows_lead_from_the_base_to_the_position():
+def test_both_arms_connect_the_base_to_the_position():
     solutions = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
     fig = figures.two_elbows(solutions, np.array([1.0, 1.0]))
     for line, elbow in zip(fig.axes[0].lines, ([1, 0], [0, 1]), strict=False):
@@ -40,7 +40,7 @@ def test_samples_are_drawn_twice_and_neighbouring_cells_differ():
     assert lines == [0, 0.25, 0.5, 0.75, 1]
 
 
-def test_each_cluster_has_its_marker_and_stands_where_its_samples_are():
+def test_each_cluster_has_its_marker_at_each_of_its_samples():
     q, labels = np.deg2rad([[10, 20], [30, -40], [50, 60.0]]), np.array([0, 1, 0])
     fig = figures.clusters({"one": (q, labels), "two": (-q, 1 - labels)})
     assert [ax.get_title() for ax in fig.axes] == ["one", "two"]
@@ -62,7 +62,7 @@ def test_larger_errors_are_larger_and_darker():
     assert png_only(fig)
 
 
-def test_costs_stand_where_memory_and_error_are_with_their_names():
+def test_costs_are_plotted_at_memory_and_error_with_their_names():
     table = {
         "table": {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7},
         "formula": {"bytes": 16, "mean_error": 2e-16, "seconds": 1e-7},
@@ -75,18 +75,18 @@ def test_costs_stand_where_memory_and_error_are_with_their_names():
     assert ax.lines[0].get_color() == COLOURS[0]
 
 
-def test_the_words_of_two_elbows_say_whether_the_tips_arrive():
+def test_the_text_on_two_elbows_reports_whether_the_tips_reach_the_position():
     q = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
     assert pictures.two_elbows(q, np.array([1.0, 1.0]))["caption"] == "Both elbows lead to the same position."
     assert "miss it by 10.0 and 10.0 cm" in pictures.two_elbows(q, np.array([1.0, 1.1]))["caption"]
 
 
-def test_the_words_of_a_curve_name_its_largest_value():
+def test_the_text_on_a_curve_gives_its_largest_value():
     alt = pictures.by_bend(np.array([0, 2, 10, 90]), np.array([0.1, 0.3, 0.02]))["alt"]
     assert "largest, 0.30 cm, between 2 and 10 degrees" in alt
 
 
-def test_each_picture_has_words_and_a_caption():
+def test_each_picture_has_alternative_text_and_a_caption():
     xy, share = np.array([[0.0, 1.0], [1.0, 1.0]]), np.linspace(5, 100, 5)
     cost = {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7}
     made = [
@@ -102,7 +102,7 @@ def test_each_picture_has_words_and_a_caption():
     assert "240,000 bytes, 2e-03 m, 0.16 µs" in made[5]["alt"]
 
 
-def test_the_better_and_the_worse_of_two_answers_are_told_apart_where_there_are_both():
+def test_the_better_and_the_worse_answer_are_separated_if_there_are_both():
     xy, off = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]]), np.array([[0.1, 0.4], [0.3, 0.2], [0.5, np.nan]])
     picture = pictures.errors_of_both(xy, off)
     better, worse = (ax.collections[0].get_array() for ax in picture["fig"].axes[:2])
@@ -110,6 +110,6 @@ def test_the_better_and_the_worse_of_two_answers_are_told_apart_where_there_are_
     assert "of 2 queries" in picture["alt"]
 
 
-def test_percentiles_leave_out_what_has_no_answer():
+def test_percentiles_ignore_queries_without_an_answer():
     alt = pictures.percentiles({"all": np.array([[1.0, 3.0], [2.0, np.nan]])})["alt"]
     assert "half below 2, all below 3" in alt

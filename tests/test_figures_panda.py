@@ -71,7 +71,7 @@ def test_histograms_count_every_target():
     assert set(shown(fig).data) == {"image/png", "text/plain"}
 
 
-def test_the_mug_is_laid_on_the_scene_and_the_dropped_match_stands_out():
+def test_the_mug_is_drawn_at_the_registered_pose_and_the_rejected_match_is_marked():
     template = np.random.default_rng(2).uniform([-0.03, -0.03, 0.015], [0.03, 0.03, 0.075], (7, 3))
     T = rigid.transform(rotations.rot_z(0.4), [0.4, 0.1, 0.6])
     seen = template @ T[:3, :3].T + T[:3, 3]
@@ -108,7 +108,7 @@ def test_the_palm_is_on_the_flange():
     np.testing.assert_allclose(film.poses[:, 8], grippers, atol=5e-5)
 
 
-def test_the_mug_moves_as_it_is_told():
+def test_the_mug_follows_the_poses_it_is_given():
     figure, _, _, mugs = pick()
     film = Film(figure)
     np.testing.assert_allclose(film.poses[:, 11], mugs, atol=5e-5)
@@ -131,7 +131,7 @@ def test_the_four_parameters_are_drawn_with_their_angles_and_names():
     assert {"a", "d", "\u03b1", "θ"} <= names
 
 
-def test_the_camera_hangs_where_it_is_and_looks_at_the_table():
+def test_the_camera_is_drawn_at_its_pose_and_points_at_the_table():
     frames = T_W0 @ ARM.frames(Q)
     grippers, mugs = frames[:, -1] @ IN_FLANGE, np.tile(rigid.transform(np.eye(3), [0.3, 0, 0.6]), (4, 1, 1))
     camera = rigid.transform(rotations.rot_x(np.pi), [0.3, 0.1, 1.4])

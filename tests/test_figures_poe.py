@@ -33,7 +33,7 @@ def test_the_end_effectors_path_is_drawn_through_all_samples():
     np.testing.assert_allclose(path / 1000, ARM.fk(Q)[:, :3, 3], atol=1e-3)
 
 
-def test_a_movie_in_space_is_drawn_anew_in_every_frame():
+def test_a_movie_in_space_is_redrawn_in_every_frame():
     (menu,), (slider,) = (movie()["layout"][key] for key in ("updatemenus", "sliders"))
     assert all(button["args"][1]["frame"]["redraw"] for button in menu["buttons"])
     assert all(step["args"][1]["frame"]["redraw"] for step in slider["steps"])

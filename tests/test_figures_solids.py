@@ -1,4 +1,4 @@
-"""Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, whole and light."""
+"""Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, complete and small."""
 
 import json
 from pathlib import Path
@@ -43,7 +43,7 @@ def body(figure):
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_any_arm_is_drawn_whole_with_few_vertices_in_one_mesh(name):
+def test_every_arm_is_drawn_completely_with_few_vertices_in_one_mesh(name):
     arm = ARMS[name]
     q = np.random.default_rng(1).uniform(-2, 2, arm.n)
     figure = solids.draw(arm, q, axes=True)
@@ -101,7 +101,7 @@ def _is_round_about(vertices, point, axis):
     return np.linalg.norm(across.mean(0)) < 1e-9 and len(radii) < len(vertices) / 5
 
 
-def test_meshes_are_closed_and_their_faces_look_outwards():
+def test_meshes_are_closed_and_their_faces_point_outwards():
     bent = meshes.tube([[0, 0, 0], [0, 0, 1], [0.4, 0, 1.6]], [0.2, 0.1, 0.2])
     every = [
         bent, meshes.drum([1, 0, 0], [0, 1, 0], 0.3, 0.2), meshes.ring([0, 0, 0], [1, 1, 0], 1, 0.1),
@@ -146,7 +146,7 @@ def test_axes_on_one_line_share_a_name():
     assert len(heads) == 4
 
 
-def test_labels_stand_apart_in_the_picture_even_when_their_points_do_not():
+def test_labels_do_not_overlap_even_if_their_points_do():
     points = {name: np.array([0, 0.001 * k, 0]) for k, name in enumerate("abcde")}
     settings = scene.fitted_scene([[-1, -1, 0], [1, 1, 1]])
     (trace,) = scene.labels(points, settings)
@@ -174,7 +174,7 @@ def test_a_shadow_is_darkest_below_the_body():
 # ---- films ----
 
 
-def test_a_film_holds_poses_and_light_frames():
+def test_a_film_contains_poses_and_small_frames():
     arm = iiwa14()
     q = np.linspace(-0.5, 1, 41)[:, None] * np.ones(7)
     figure = stored(solids.film("swing", solids.arm_model(arm), solids.link_poses(arm, q), np.linspace(0, 4, 41)))
@@ -193,7 +193,7 @@ def test_a_film_holds_poses_and_light_frames():
     assert len(json.dumps(film.course)) < 60_000
 
 
-def test_a_film_is_the_same_on_machines_whose_last_bits_differ():
+def test_a_film_is_the_same_on_machines_that_round_differently():
     arm = panda()
     q = np.linspace(-0.5, -0.2, 5)[:, None] * np.ones(7)
     both = [

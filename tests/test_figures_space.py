@@ -1,4 +1,4 @@
-"""Pictures in space: their pieces, the subproblems' circles, turns on the sphere, and that what they draw is true."""
+"""Pictures in space: their pieces, the subproblems' circles, rotations on the sphere, all with the right data."""
 
 import json
 
@@ -65,13 +65,13 @@ SCENES = [rotated_onto, circles_meet, circles_miss, circle_and_sphere, circle_an
 
 
 def traces(figure, colour, mode="lines"):
-    """The places of all traces of a look, in order."""
+    """The positions of all traces of one colour and mode, in order."""
     looks = [(t, t.get("line") or t.get("marker") or t.get("textfont")) for t in figure["data"] if "mode" in t]
     return [places(trace) for trace, look in looks if trace["mode"] == mode and look["color"] == colour]
 
 
 def named(figure):
-    """Where each word stands: {word: place}."""
+    """The position of each label: {text: position}."""
     words = [trace for trace in figure["data"] if trace.get("mode") == "text"]
     return {word: place for trace in words for word, place in zip(trace["text"], places(trace), strict=True)}
 
@@ -102,7 +102,7 @@ def assert_on_axis(arrow, k):
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_a_scene_is_shown_with_words_the_same_on_every_machine_and_whole(scene):
+def test_a_scene_has_alternative_text_and_is_complete_and_the_same_on_every_machine(scene):
     output = shown(scene())
     assert set(output.data) == {FIGURE, "text/plain"}
     assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == ALT
@@ -114,7 +114,7 @@ def test_a_scene_is_shown_with_words_the_same_on_every_machine_and_whole(scene):
 # ---- pieces ----
 
 
-def test_pieces_stand_where_they_are_told():
+def test_pieces_are_drawn_at_the_given_positions():
     starts, ends = np.arange(6.0).reshape(2, 3), np.ones((2, 3))
     drawn = np.transpose([getattr(space.segments(starts, ends, BLUE, 2, "scene2"), c) for c in "xyz"])
     assert_allclose(drawn, [starts[0], ends[0], [np.nan] * 3, starts[1], ends[1], [np.nan] * 3])
@@ -123,7 +123,7 @@ def test_pieces_stand_where_they_are_told():
     assert [space.scene_name(i) for i in range(3)] == ["scene", "scene2", "scene3"]
 
 
-def test_scenes_stand_side_by_side_under_their_titles():
+def test_scenes_are_side_by_side_under_their_titles():
     layout = space.space_layout(["left", "right"], (0, 0, 2), half=3, distance=1.5)
     assert [layout[name]["domain"]["x"] for name in ("scene", "scene2")] == [[0, 0.5], [0.5, 1]]
     assert [(title["text"], title["x"]) for title in layout["annotations"]] == [("left", 0.25), ("right", 0.75)]

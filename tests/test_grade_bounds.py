@@ -84,14 +84,14 @@ def test_a_deadline_of_computing_ends_only_its_block():
 LONG_NUMBER = "9" * 5000
 
 
-def test_numbers_of_any_length_in_a_notebook_cost_it_nothing(few):
+def test_numbers_of_any_length_in_a_notebook_cost_no_points(few):
     text = book(few[0], *few[1], metadata={"x": "NUMBER", "y": ["NUMBER"]}).decode()
     for number in (LONG_NUMBER, f"1e{LONG_NUMBER}", f"0.{LONG_NUMBER}"):
         assert points(grade(text.replace('"NUMBER"', number).encode(), NAME, SEED)) == FULL
 
 
 @pytest.mark.parametrize("filling", ["{}", "[]", "1", '{"source":""}'])
-def test_a_file_of_countless_parts_is_refused_before_it_is_read(filling):
+def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed(filling):
     content = ('{"cells": [' + ",".join([filling] * 6_000_000) + "]}").encode()
     begin = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     result = grade(content, NAME, SEED)
@@ -120,7 +120,7 @@ def test_a_name_that_cells_may_bind_is_found():
 
 
 class Claims:
-    """A sandbox in which the student's code has taken over the runner, and replies as it likes."""
+    """A sandbox in which the student's code controls the runner and replies as it likes."""
 
     def __init__(self, reply):
         self._reply, self._asked = reply, {}
@@ -166,7 +166,7 @@ CLAIMS = {
 
 
 @pytest.mark.parametrize("claim", CLAIMS)
-def test_whatever_a_taken_over_process_claims_becomes_a_verdict(claim, few):
+def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
     run = submission.Run([], SHORT, SEED, "rotations", ())
     for exercise in submission.courses()[NAME].exercises:
         begin = time.process_time()
@@ -176,7 +176,7 @@ def test_whatever_a_taken_over_process_claims_becomes_a_verdict(claim, few):
         assert time.process_time() - begin < 10
 
 
-def test_judging_without_end_is_ended_for_the_one_exercise(few, monkeypatch):
+def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
     judge = submission.judge
 
     def endless(exercise, *rest):
@@ -192,7 +192,7 @@ def test_judging_without_end_is_ended_for_the_one_exercise(few, monkeypatch):
     assert points(result) == FULL - 3
 
 
-def test_a_message_that_cannot_be_made_costs_only_the_one(few, monkeypatch):
+def test_a_message_that_cannot_be_written_affects_only_its_exercise(few, monkeypatch):
     def fails(verdict):
         raise OverflowError("a number of this size")
 

@@ -50,7 +50,7 @@ def test_a_name_is_split_into_student_and_notebook(stem):
     assert split(stem, NOTEBOOKS) == STEMS[stem]
 
 
-def test_a_name_made_to_take_long_does_not():
+def test_a_name_made_to_slow_down_the_search_does_not():
     assert split("rotations" + " copy_-_" * 30 + "!", NOTEBOOKS) == ("", "")
 
 
@@ -104,7 +104,7 @@ def test_files_that_programs_leave_behind_are_ignored(tmp_path):
     assert refused(tmp_path) == {}
 
 
-def test_names_are_shown_on_one_line_and_as_they_read(tmp_path):
+def test_names_are_shown_on_one_line_with_escapes_for_unprintable_characters(tmp_path):
     assert printable("a\nb\u202ec") == "a\\x0ab\\x202ec"
     assert printable(os.fsdecode(b"a\xff")) == "a\\xff"
     (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
@@ -146,7 +146,7 @@ def test_a_file_that_is_not_a_notebook_has_its_reason(tmp_path):
     assert (students["anna_01_rotations.py"], students["roster.csv"]) == ("anna", "")
 
 
-def test_only_files_of_a_bearable_size_are_read(tmp_path, monkeypatch):
+def test_files_that_are_too_large_are_refused(tmp_path, monkeypatch):
     write(tmp_path, "file")
     assert read(tmp_path / "file") == b"{}"
     (tmp_path / "link").symlink_to("file")
@@ -165,7 +165,7 @@ UNSAFE = ["..", ".", "", "../../etc", "a/b", "a\\b", "a\x00b", "/", "~", "con", 
 UNSAFE += ["é" * 200, "a\nb", "<b>", "name.", " name", "-rf", "Zoë Ünal", "C:\\x", "\ud800"]
 
 
-def test_a_students_name_never_is_a_path(tmp_path):
+def test_a_students_name_is_never_used_as_a_path(tmp_path):
     names = file_names(UNSAFE)
     assert len({name.casefold() for name in names.values()}) == len(UNSAFE)
     for name in names.values():

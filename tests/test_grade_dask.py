@@ -112,7 +112,7 @@ def test_a_worker_killed_halfway_changes_no_table(tmp_path, cluster):
     assert (tmp_path / "out/grades.csv").read_text().count("exercise_0,2,2,right") == 12
 
 
-def test_a_job_that_ends_its_workers_costs_only_itself(tmp_path, cluster):
+def test_a_job_that_ends_its_workers_affects_no_other_job(tmp_path, cluster):
     cluster.add_workers(3)  # it ends one among the others, and one when it is tried alone
     for i in range(5):
         hand_in(tmp_path / "in", f"s{i}_01_rotations.ipynb", points=[2], do="end" if i == 1 else "", seconds=0.2)
@@ -134,14 +134,14 @@ def test_workers_with_another_course_stop_the_run(tmp_path, cluster, monkeypatch
     assert not list((tmp_path / "out").glob("results/*.json"))
 
 
-def test_a_cluster_without_workers_is_said(tmp_path, cluster, monkeypatch, capsys):
+def test_a_cluster_without_workers_is_reported(tmp_path, cluster, monkeypatch, capsys):
     monkeypatch.setattr("course_lib.pack.grade.jobs.CLUSTER_SECONDS", 2)
     hand_in(tmp_path / "in", "s_01_rotations.ipynb", points=[2])
     assert run(tmp_path, "out", "--scheduler", cluster.address) == 1
     assert "No worker can do the work (TimeoutError)." in capsys.readouterr().err
 
 
-def test_a_scheduler_that_is_not_there_is_said(tmp_path, monkeypatch, capsys):
+def test_a_missing_scheduler_is_reported(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("course_lib.pack.grade.jobs.CLUSTER_SECONDS", 1)
     hand_in(tmp_path / "in", "s_01_rotations.ipynb", points=[2])
     for address in "tcp://127.0.0.1:1", "nonsense":

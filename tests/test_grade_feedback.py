@@ -1,4 +1,4 @@
-"""The pages that come of grading: all that is from a submission shows as text, and nothing needs a network."""
+"""The pages that grading writes: everything from a submission is escaped, and nothing needs a network."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -82,7 +82,7 @@ def test_feedback_shows_points_messages_and_comments():
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
-def test_feedback_shows_a_submission_s_words_as_text():
+def test_feedback_escapes_all_text_from_a_submission():
     each = GradedFile(*evil_one())
     assert_inert(feedback_page(each, marks_of(each)))
 
@@ -126,7 +126,7 @@ def pictures(page):
     return [ET.fromstring(svg) for svg in re.findall(r"<svg .*?</svg>", page, re.DOTALL)]
 
 
-def test_the_class_page_shows_three_pictures_with_words():
+def test_the_class_page_shows_three_pictures_with_alternative_text():
     page = class_page(a_class(), marks_of)
     read = Read(page)
     drawn = pictures(page)
@@ -147,7 +147,7 @@ def test_the_same_class_gives_the_same_page():
     assert class_page(a_class(), marks_of) == class_page(a_class(), marks_of)
 
 
-def test_the_class_page_shows_a_submission_s_words_as_text():
+def test_the_class_page_escapes_all_text_from_a_submission():
     page = class_page(graded_files([evil_one()]), marks_of)
     assert_inert(page, TAGS | DRAWN)
     assert len(pictures(page)) == 3
@@ -160,7 +160,7 @@ def test_a_class_without_mistakes_or_grades_has_a_page(points):
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_both_pages_read_on_light_and_on_dark(browser, tmp_path, theme):
+def test_both_pages_are_readable_in_the_light_and_in_the_dark_theme(browser, tmp_path, theme):
     everything = a_class()
     (tmp_path / "class.html").write_text(class_page(everything, marks_of), encoding="utf-8")
     page = feedback_page(everything[0], marks_of(everything[0]))
@@ -186,7 +186,7 @@ CONTRAST_ON_PAGE = f"""element => {{
 # ---- what is counted ----
 
 
-def test_the_class_page_counts_what_could_not_be_graded_apart():
+def test_the_class_page_counts_ungraded_files_separately():
     outcomes = [of(f"s{i}", [2, 2]) for i in range(4)]
     broken = of("s4", [0, 0])
     for exercise in broken[1]["exercises"]:

@@ -77,13 +77,13 @@ def test_moodle_takes_whatever_identifies_the_user(roster):
     assert missing == ["Eve"]
 
 
-def test_gradescopes_columns_hold_the_most_points_and_the_lateness():
+def test_gradescopes_columns_contain_the_maximum_points_and_the_lateness():
     text, *_ = gradebook_text("gradescope", POINTS)
     assert rows(text)[0][4:7] == ["01_rotations", "01_rotations - Max Points", "01_rotations - Lateness (H:M:S)"]
     assert rows(text)[2] == ["", "", "doejane_1234", "", "7.5", "12", "48:00:00", "", "15", ""]
 
 
-def test_a_student_is_found_by_number_by_address_or_by_name_and_never_by_half(roster):
+def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_them(roster):
     found = Roster(roster(MOODLE + "Jane;Roe;1236;roe@example.org\nAl;Bo;1237;other@example.org\n"))
     assert found.find("1235")["Email address"] == "al@example.org"
     assert found.find("JANE@example.org")["ID number"] == "1234"
@@ -93,7 +93,7 @@ def test_a_student_is_found_by_number_by_address_or_by_name_and_never_by_half(ro
 
 
 def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
-    """Moodle's number is of the hand-in, and an old score is no number of a student."""
+    """Moodle's number identifies the hand-in, and an old score does not identify a student."""
     canvas = Roster(roster(CANVAS))
     assert canvas.find("x", "1235")["Student"] == "Bo, Al"
     assert canvas.find("x", "8") is None

@@ -1,4 +1,4 @@
-"""Submissions that want points they did not earn, or to harm: each with the reason told, and nothing else touched."""
+"""Submissions that try to forge points or do damage: each gets a reason, and nothing else changes."""
 
 import os
 import resource
@@ -60,7 +60,7 @@ def contents(folder):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_hostile_submission_earns_and_harms_nothing(name, solutions, graders):
+def test_a_hostile_submission_earns_no_points_and_changes_nothing_else(name, solutions, graders):
     first, right = answers(solutions)
     others = [right[name] for name in OTHERS]
     before, folders, files, begin = processes(), traces(), contents(graders), computed()

@@ -87,7 +87,7 @@ def test_what_all_submissions_need_is_loaded_before_their_processes_are_forked(p
     assert "failed" not in tables(place)[0].decode()
 
 
-def test_a_result_that_is_no_whole_file_is_graded_again(place):
+def test_a_submission_whose_result_is_incomplete_is_graded_again(place):
     fill(place, 3)
     run(place, "--jobs", "1")
     first = tables(place)
@@ -178,7 +178,7 @@ def alive(pid):
 # ---- what fails ----
 
 
-def test_a_grader_that_fails_costs_only_the_one_and_is_tried_again(place):
+def test_an_error_of_the_grader_affects_one_submission_which_is_tried_again(place):
     fill(place, 3)
     hand_in(place / "in", "s1_01_rotations.ipynb", do="raise", log=str(place / "log"))
     assert run(place, "--jobs", "1") == 0
@@ -190,7 +190,7 @@ def test_a_grader_that_fails_costs_only_the_one_and_is_tried_again(place):
 
 
 @pytest.mark.parametrize("ends", ["end", "end the worker"])
-def test_a_process_that_ends_costs_only_the_one(place, ends):
+def test_a_process_that_ends_affects_one_submission_only(place, ends):
     fill(place, 6)
     hand_in(place / "in", "s1_01_rotations.ipynb", do=ends)
     assert run(place, "--jobs", "2") == 0
@@ -251,7 +251,7 @@ def test_a_run_that_stops_gives_its_reason_in_a_sentence(place, capsys, words):
 
 
 @pytest.mark.parametrize("name", ["JOBS", "SEED"])
-def test_a_setting_that_is_no_number_is_called_as_it_was_typed(place, capsys, name):
+def test_a_setting_that_is_not_a_number_is_quoted_as_it_was_typed(place, capsys, name):
     fill(place, 1)
     assert run(place, f"--{name.lower()}", "two") == 1
     assert capsys.readouterr().err == f"Grading stopped. {name}=two is not a whole number.\n"
@@ -261,7 +261,7 @@ def test_a_file_instead_of_the_output_folder_is_reported(place, capsys):
     fill(place, 1)
     (one,) = place.glob("in/**/*.ipynb")
     assert main([str(one), "--output", str(place / "out")]) == 1
-    assert f"{one} is a file: name the folder that it lies in." in capsys.readouterr().err
+    assert f"{one} is a file: name the folder that contains it." in capsys.readouterr().err
 
 
 def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys):
@@ -283,7 +283,7 @@ def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys
     assert "1 invalid mark there: the column `state` says why." in said
 
 
-def test_files_that_are_refused_and_releases_that_differ_are_said_at_the_end(place, capsys):
+def test_refused_files_and_differing_releases_are_listed_at_the_end(place, capsys):
     def of_its_release(content, notebook, seed):
         return grade(content, notebook, seed) | {"release": json.loads(content)["release"]}
 

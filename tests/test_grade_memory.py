@@ -74,7 +74,7 @@ found.append(subprocess.run(["/bin/echo", "a process"], capture_output=True, tex
 
 
 @needs_filter
-def test_threads_and_processes_are_still_to_be_had(few):
+def test_threads_and_processes_can_still_be_started(few):
     assert "['a thread', 'a process']" in told(THREADS, few)
 
 
@@ -239,7 +239,7 @@ for kind in (sandbox.NAMESPACES, sandbox.BUBBLEWRAP):
 
 @needs_namespaces
 @pytest.mark.parametrize("below", ["/usr/lib", "/opt", "/home"])
-def test_a_checkout_is_not_seen_wherever_it_lies(few, below, tmp_path):
+def test_the_project_is_hidden_in_whatever_folder_it_is(few, below, tmp_path):
     if not os.access(below, os.W_OK):
         pytest.skip(f"no folder can be made in {below}")
     root = Path(tempfile.mkdtemp(prefix="course-", dir=below))
@@ -256,7 +256,7 @@ def test_a_checkout_is_not_seen_wherever_it_lies(few, below, tmp_path):
         shutil.rmtree(root)
 
 
-def test_what_lies_inside_a_hidden_folder_and_is_needed_is_shown_again():
+def test_needed_files_inside_a_hidden_folder_are_visible():
     (outer, inner) = ("/usr/lib", os.path.realpath(sys.prefix))
     paths = dict(visible_paths([outer, os.path.dirname(inner)]))
     order = list(paths)

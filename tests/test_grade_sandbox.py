@@ -1,4 +1,4 @@
-"""What stands around a submission: the ways to keep it apart, its copy of the course, and what of it is run."""
+"""The sandbox of a submission: the kinds of isolation, its copy of the course, and which statements are run."""
 
 import importlib.util
 import marshal
@@ -40,7 +40,7 @@ def test_a_python_named_by_a_path_from_another_folder_keeps_submissions_apart_to
 
 
 @pytest.mark.parametrize("name", courses())
-def test_the_copy_of_the_course_holds_no_judge_and_nothing_that_is_asked_for(name):
+def test_the_copy_of_the_course_contains_no_judge_and_no_answers(name):
     course = courses()[name]
     forbidden = {dotted for exercise in course.exercises for dotted in exercise.forbidden}
     files = contents({course.package: course.exercises}, frozenset(forbidden))
@@ -75,7 +75,7 @@ def test_only_what_a_function_needs_is_run():
     assert kept == [1, 2, 11, 21, 23, 24, 31, 41]
 
 
-def test_what_another_run_alone_would_not_change_is_known_from_the_source():
+def test_functions_that_a_separate_run_would_not_change_are_found_from_the_source():
     cells = [
         "import numpy as np\nk = 3\ntable = []",
         "def plain(x):\n    return helper(x)\ndef helper(x):\n    return k * x",
@@ -97,7 +97,7 @@ def test_what_another_run_alone_would_not_change_is_known_from_the_source():
         *(("np.k[0] = a = 3", False), ("a: int = 3", False), ("def a(x=plain(2)):\n    pass", False)),
     ],
 )
-def test_a_line_for_another_function_that_may_change_more_than_a_variable_is_no_small_thing(line, harmless):
+def test_a_statement_that_may_change_more_than_a_variable_requires_a_separate_run(line, harmless):
     found = statements(["import numpy as np", "def plain(x):\n    return x", f"{line}\ndef other(x):\n    return a"])
     assert alike_alone(found, ["plain", "other"]) == (["plain", "other"] if harmless else ["other"])
 

@@ -1,4 +1,4 @@
-"""Folders that students hand in may hold anything: each student has a line, and nobody's files cost another's."""
+"""Folders that students hand in may hold anything: each student has a line, and no student's files affect another's."""
 
 import os
 import random
@@ -36,7 +36,7 @@ def nested(folder, depth):
 
 
 def lines(folder):
-    """{student: what came of the student's files} as a whole run has it."""
+    """Return {student: the result of the student's files} after a complete run."""
     found = find(folder, NOTEBOOKS)
     outcomes = grade_all(found, folder.parent / "results", 1, grade, jobs=1)
     lines = {}
@@ -55,14 +55,14 @@ def handed_in():
 
 
 @pytest.mark.parametrize("depth", [MAX_DEPTH, 1500, 3000])
-def test_folders_in_folders_cost_only_the_one(handed_in, depth):
+def test_deeply_nested_folders_affect_only_their_student(handed_in, depth):
     nested(handed_in / "mallory", depth)
     assert lines(handed_in) == {"innocent": ["graded"], "mallory": ["refused"]}
     (said,) = (each.refused for each in find(handed_in, NOTEBOOKS) if each.student == "mallory")
     assert said == f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
 
 
-def test_a_folder_of_endless_files_is_looked_at_in_part(handed_in, monkeypatch):
+def test_a_folder_with_too_many_files_is_searched_in_part(handed_in, monkeypatch):
     monkeypatch.setattr(collect, "MAX_ENTRIES", 200)
     for i in range(300):
         hand_in(handed_in / "mallory", f"{i}.txt")
@@ -158,7 +158,7 @@ def anything(folder, rng):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_random_folders_cost_nobody_else_anything(handed_in, seed, capsys):
+def test_random_folders_affect_no_other_student(handed_in, seed, capsys):
     rng = random.Random(seed)
     for i in range(25):
         top = handed_in / f"student{i}"

@@ -1,4 +1,4 @@
-"""One submission and what it earns: whatever program wrote the file, the student's function is what counts."""
+"""The points of one submission: only the student's function counts, whatever program wrote the file."""
 
 import json
 import random
@@ -35,7 +35,7 @@ def test_all_solutions_of_a_notebook_earn_all_points(name):
     assert result["notebook"] == name
 
 
-def test_the_students_copy_as_it_is_given_out_is_not_attempted_yet():
+def test_the_students_copy_as_released_is_not_attempted_yet():
     text = students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, "0.1.0-abcd")
     result = grade(text.encode(), NAME, SEED)
     bugs = {each.name for each in courses()[NAME].exercises if each.broken}
@@ -112,7 +112,7 @@ WRITTEN = {
 
 
 @pytest.mark.parametrize("written", WRITTEN)
-def test_a_file_of_any_make_keeps_its_points(few, written):
+def test_a_file_from_any_program_keeps_its_points(few, written):
     cells = [cell(source) for source in [few[0], *few[1]]]
     result = grade(book(**{"cells": cells} | WRITTEN[written](cells)), NAME, SEED)
     assert points(result) == FULL, result
@@ -128,7 +128,7 @@ def test_a_notebook_of_another_name_is_known_by_its_functions(few):
     assert grade(book(few[0], *few[1]), "Untitled (1)", SEED)["notebook"] == NAME
 
 
-def test_a_notebook_of_no_known_name_and_functions_is_no_notebook_of_the_course():
+def test_a_notebook_without_a_known_name_or_function_is_not_of_the_course():
     result = grade(book("print(1)"), "größe", SEED)
     assert (result["notebook"], result["exercises"]) == ("größe", [])
     assert "not one of the course's notebooks" in result["problems"][0]
@@ -141,7 +141,7 @@ def test_correct_work_that_warns_and_writes_to_stderr_keeps_its_points(few):
     assert points(grade(book(few[0], loud, *few[1][1:]), NAME, SEED)) == FULL
 
 
-def test_what_a_notebook_claims_of_itself_changes_nothing():
+def test_metadata_and_stored_outputs_earn_no_points():
     about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
     said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]
     cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=said)]
@@ -183,7 +183,7 @@ def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few
     assert "not graded" in states_and_words(result)["nearest_se"][1]
 
 
-def test_messages_hold_no_signs_that_steer_a_terminal(few):
+def test_messages_contain_no_control_characters(few):
     rude = "def is_valid(X, kind, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + chr(0x202e))"
     message = states_and_words(grade(book(few[0], rude), NAME, SEED))["is_valid"][1]
     assert "[2J" in message
@@ -197,7 +197,7 @@ def test_an_exercise_whose_cells_were_deleted_is_not_attempted_and_the_others_ar
     assert points(result) == FULL - 3
 
 
-def test_an_answer_that_is_no_python_is_no_missing_one(few):
+def test_an_answer_that_is_not_python_is_an_error_and_not_missing(few):
     broken = [s.replace("return ", "return @", 1) if "def nearest_so" in s else s for s in few[1]]
     result = grade(book(few[0], *broken), NAME, SEED)
     assert states(result)["nearest_so"] == "error in your code"
@@ -224,7 +224,7 @@ def test_an_answer_that_is_no_python_is_no_missing_one(few):
     ],
     ids=["empty", "blank", "half", "no text", "deep", "a list", "no cells", "many cells", "much code"],
 )
-def test_a_file_that_is_no_notebook_says_why_for_every_exercise(content, why):
+def test_a_file_that_is_not_a_notebook_gives_the_reason_for_every_exercise(content, why):
     result = grade(content, NAME, SEED)
     assert why in result["problems"][0]
     assert [row["exercise"] for row in result["exercises"]] == [e.name for e in courses()[NAME].exercises]
@@ -237,7 +237,7 @@ SOURCES = ["\ud800", "(" * 10_000, "-" * 200_000 + "1", "x = " + "[" * 5000, "\0
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=["surrogate", "round", "minus", "square", "zero", "def"])
-def test_sources_that_no_parser_likes_cost_the_others_nothing(few, source):
+def test_sources_that_cannot_be_parsed_affect_no_other_exercise(few, source):
     assert points(grade(book(few[0], source, *few[1]), NAME, SEED, SHORT)) == FULL
 
 
@@ -259,7 +259,7 @@ def test_written_answers_are_found_by_name_by_id_and_by_their_task():
         assert all(text.startswith("because") for text in found.values()), found
 
 
-def test_an_answer_that_was_not_typed_is_none():
+def test_the_prompt_of_a_written_answer_is_not_an_answer():
     cells = [cell(PROMPT, "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})]
     assert grade(book(cells=cells), NAME, SEED)["questions"][0]["text"] == ""
 

@@ -1,4 +1,4 @@
-"""The tables of grades: what counts, cells that spreadsheets leave alone, and marks that no run loses."""
+"""The tables of grades: which files count, cells that are never formulas, and marks that no run loses."""
 
 import csv
 import functools
@@ -209,7 +209,7 @@ def test_a_changed_answer_asks_to_be_read_again_and_the_old_mark_is_kept_below(p
     assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
 
 
-def test_the_same_words_of_another_student_are_marked_for_themselves(path):
+def test_equal_answers_of_two_students_are_marked_separately(path):
     Class(path, outcome("anna", texts=["because"]), ZOE(texts=["because"])).questions()
     type_in(path, mark="2")
     rows = Class(path, outcome("anna", texts=["because"]), ZOE(texts=["because"])).totals()

@@ -1,4 +1,4 @@
-"""The site, seen as a reader sees it: in a browser, from a folder, with the network off."""
+"""The site as readers see it: in a browser, from a folder, without a network."""
 
 import json
 import re
@@ -76,7 +76,7 @@ def site(notebooks):
 
 @pytest.fixture(scope="module")
 def reader(site, browser):
-    """A visit to the page with figures, all drawn, for several tests; none needs what another one does."""
+    """A visit to the page with figures, all drawn, for several tests, none of which depends on another."""
     with Visit(browser, site / "01_rotations.html", theme="dark") as visit:
         visit.draw_figures()
         yield visit
@@ -109,7 +109,7 @@ def test_page_works_offline_on_a_phone(site, notebooks, browser):
         assert_the_page_is_as_it_should_be(visit, notebooks, 390, "light")
 
 
-def test_figure_turns_and_stays_turned(reader):
+def test_a_figure_can_be_rotated_and_keeps_its_view(reader):
     eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
     page = reader.page
     box = page.locator(".plotly-figure").first
@@ -173,7 +173,7 @@ def test_a_block_of_code_is_copied_by_its_button(reader):
     assert page.locator("button.copy").count() == blocks
 
 
-def test_still_pictures_stand_in_on_paper(reader):
+def test_still_pictures_are_printed_in_place_of_figures(reader):
     page = reader.page
     figure = page.locator(".plotly-figure:has(.plotly-still)")
     figure.scroll_into_view_if_needed()
@@ -189,7 +189,7 @@ def test_still_pictures_stand_in_on_paper(reader):
     assert page.locator("html").get_attribute("data-theme") == "dark"
 
 
-def test_paper_holds_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
+def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
     page = reader.page
     page.pdf(path=tmp_path / "page.pdf", format="A4")
     printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
@@ -221,7 +221,7 @@ def test_page_works_offline_in_the_dark(reader, notebooks):
     )  # the last to look: it leaves the page thinned out
 
 
-def test_still_pictures_stand_in_without_scripts(site, browser):
+def test_still_pictures_are_shown_without_scripts(site, browser):
     page = site / "01_rotations.html"
     with Visit(browser, page, java_script_enabled=False) as visit:
         formulas = visit.page.locator("article .math > svg").all()
@@ -278,7 +278,7 @@ def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
         assert file.is_dir() or file.read_bytes() == again.read_bytes(), file
 
 
-def test_what_a_reader_would_trip_over_stops_the_build(tmp_path):
+def test_defects_that_readers_would_see_stop_the_build(tmp_path):
     book = tmp_path / "notebooks"
     bad = r"Text $\frac{1}{2$ and $\left( x$ and $\nosuchmacro$ and \\( y \\) and [nowhere](#Nothing)."
     write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
@@ -308,7 +308,7 @@ def test_outputs_that_must_not_be_published(tmp_path, output, sentence):
         build(tmp_path / "notebooks", tmp_path / "html")
 
 
-def test_says_in_a_sentence_why_there_is_no_site(tmp_path, monkeypatch, capsys):
+def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, capsys):
     def run():
         with pytest.raises(SystemExit) as left:
             runpy.run_module("course_lib.pack.site", run_name="__main__")

@@ -14,7 +14,7 @@ from course_lib.pack.site.errors import SiteError
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """The folder of notebooks, beside it the site made of them, and what was said meanwhile."""
+    """The folder of notebooks, beside it the site built from them, and the lines printed by the build."""
     folder = tmp_path_factory.mktemp("made") / "notebooks"
     both = {PLOTLY: HELIX, "image/png": png()}
     cells = [
@@ -39,12 +39,12 @@ def notebooks(made, tmp_path):
 
 
 def written(notebooks):
-    """The moment in which each page was written."""
+    """Return the time at which each page was written."""
     return {page.name: page.stat().st_mtime_ns for page in (notebooks.parent / "html").glob("*.html")}
 
 
 def built(notebooks, **settings):
-    """Build; return what was said, and the moment in which each page was written."""
+    """Build; return the lines printed, and the time at which each page was written."""
     said = []
     build(notebooks, notebooks.parent / "html", said.append, **settings)
     return said, written(notebooks)
@@ -65,7 +65,7 @@ def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages(made):
     }
 
 
-def test_what_is_unchanged_is_left_as_it_is(notebooks):
+def test_an_unchanged_site_is_not_built_again(notebooks):
     first = written(notebooks)
     said, second = built(notebooks)
     assert said == [f"Nothing has changed since {notebooks.parent / 'html' / 'index.html'} was written."]
@@ -109,13 +109,13 @@ def rewrite(notebooks):
     ],
     ids=["a notebook", "a file beside it", "a page", "a library"],
 )
-def test_whatever_changed_is_seen(notebooks, begins, change):
+def test_every_kind_of_change_is_noticed(notebooks, begins, change):
     assert not begins(notebooks)
     change(notebooks)
     assert begins(notebooks)
 
 
-def test_a_page_that_was_scribbled_over_is_written_again(notebooks):
+def test_a_page_that_was_edited_is_written_again(notebooks):
     first = written(notebooks)
     (notebooks.parent / "html/01_rotations.html").write_text("scribbled over")
     said, second = built(notebooks)
@@ -124,7 +124,7 @@ def test_a_page_that_was_scribbled_over_is_written_again(notebooks):
     assert "scribbled" not in (notebooks.parent / "html/01_rotations.html").read_text("utf-8")
 
 
-def test_other_settings_are_seen(notebooks, begins):
+def test_other_settings_are_noticed(notebooks, begins):
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")
     assert (page.parent / "_static").exists()
@@ -145,7 +145,7 @@ def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):
 
 @pytest.fixture(scope="module")
 def singles(made, tmp_path_factory):
-    """The site of which each page is one file."""
+    """The site whose pages are one file each."""
     folder = tmp_path_factory.mktemp("singles") / "html"
     build(made[0], folder, single=True)
     return folder

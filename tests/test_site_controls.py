@@ -1,4 +1,4 @@
-"""Buttons and ranges of the site's figures: they take the place of plotly's own, by keyboard, and say what they set."""
+"""Buttons and ranges of the site's figures: they replace plotly's own, work by keyboard and name their value."""
 
 import numpy as np
 import pytest
@@ -116,8 +116,8 @@ def assert_shows(box, figure, i):
     assert box.ranges.get_attribute("aria-valuetext") == f"time (s): {TIMES[i]:.2f}"
 
 
-def assert_no_room_left(box, height, below):
-    """Assert that nothing of plotly's own controls is there, nor the room that they stood in."""
+def assert_no_space_left(box, height, below):
+    """Assert that nothing of plotly's own controls is there, nor the space that they took."""
     assert box.live.locator(OWN).count() == 0
     assert box.live.evaluate("live => live.layout.margin.b") == below
     wide = box.box.bounding_box()["width"]
@@ -127,10 +127,10 @@ def assert_no_room_left(box, height, below):
 # ---- a movie ----
 
 
-def test_a_movie_has_one_button_and_one_range_and_no_room_for_others(visit, figures):
+def test_a_movie_has_one_button_and_one_range_and_no_space_for_others(visit, figures):
     box = Box(visit, 0)
     assert (box.box.get_by_role("button", name="Play").count(), box.ranges.count()) == (1, 1)
-    assert_no_room_left(box, lambda wide: min(560, wide - 80 + 70), 50)
+    assert_no_space_left(box, lambda wide: min(560, wide - 80 + 70), 50)
     sizes = box.live.evaluate("live => [live._fullLayout.xaxis._length, live._fullLayout.yaxis._length]")
     assert sizes[0] == pytest.approx(sizes[1], abs=1), "a square"
     assert_shows(box, figures[0], 0)
@@ -144,7 +144,7 @@ def test_the_keyboard_moves_the_range_and_the_drawing_follows(visit, figures):
         assert_shows(box, figures[0], i)
 
 
-def test_play_runs_to_the_end_and_again_and_a_touch_of_the_range_stops_it(visit, figures):
+def test_play_runs_to_the_end_and_restarts_and_moving_the_range_stops_it(visit, figures):
     box = Box(visit, 0)
     button = box.box.get_by_role("button").and_(visit.page.locator(".plotly-player button"))
     button.focus()
@@ -160,7 +160,7 @@ def test_play_runs_to_the_end_and_again_and_a_touch_of_the_range_stops_it(visit,
     assert_shows(box, figures[0], 0)
 
 
-def test_a_movie_stands_where_it_was_left(visit, figures):
+def test_a_movie_that_leaves_the_window_returns_at_the_same_frame(visit, figures):
     box = Box(visit, 0)
     box.ranges.focus()
     for _ in range(7):
@@ -169,13 +169,13 @@ def test_a_movie_stands_where_it_was_left(visit, figures):
     box.leave(1)  # not 2, whose two scenes take a second to draw
     box.come()
     assert_shows(box, figures[0], 7)
-    assert_no_room_left(box, lambda wide: min(560, wide - 80 + 70), 50)
+    assert_no_space_left(box, lambda wide: min(560, wide - 80 + 70), 50)
 
 
 # ---- other sliders ----
 
 
-def test_a_slider_that_drives_no_frames_stays_plotlys_own_with_its_room(visit):
+def test_a_slider_without_frames_stays_plotlys_own_and_keeps_its_space(visit):
     box = Box(visit, 1)
     assert box.ranges.count() == 0
     assert box.live.locator(".slider-container").count() == 1
@@ -187,7 +187,7 @@ def test_a_slider_that_drives_no_frames_stays_plotlys_own_with_its_room(visit):
 # ---- colours, and room ----
 
 
-def test_a_live_figure_takes_the_colours_of_the_theme_there_and_back(visit, figures):
+def test_a_live_figure_follows_the_theme_and_back(visit, figures):
     box = Box(visit, 0)
     drawn = "live => live.data[2].line.color + ' ' + live._fullLayout.font.color + ' ' + live._fullLayout.plot_bgcolor"
     light = box.live.evaluate(drawn)
@@ -202,7 +202,7 @@ def test_a_live_figure_takes_the_colours_of_the_theme_there_and_back(visit, figu
     box.wait_for(drawn, light)
 
 
-def test_scenes_stand_below_each_other_on_a_phone_each_under_its_title(visit):
+def test_on_a_phone_scenes_are_stacked_each_under_its_title(visit):
     box = Box(visit, 2)
     layout = box.live.evaluate("""live => ({
       x: [live._fullLayout.scene.domain.x, live._fullLayout.scene2.domain.x],

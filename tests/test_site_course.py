@@ -1,4 +1,4 @@
-"""The whole course as a site: every page and every figure, in a browser with the network off."""
+"""The whole course as a site: every page and every figure, in a browser without a network."""
 
 import re
 from pathlib import Path
@@ -43,8 +43,8 @@ HAS_MOVED = f"""([live, button, before]) => {{
 }}"""
 
 
-def assert_figures_take_their_room_and_play(visit):
-    """Draw each figure: it is as high as the room that was kept for it, and Play, where there is one, moves it."""
+def assert_figures_keep_their_size_and_play(visit):
+    """Draw each figure: it is as high as its placeholder, and Play, if there is one, moves it."""
 
     def examine(number, box):
         visit.page.wait_for_function(TAKES_ITS_ROOM, arg=[box.element_handle(), kept[number]])
@@ -61,8 +61,8 @@ def assert_figures_take_their_room_and_play(visit):
     assert visit.complaints == []
 
 
-def test_figures_take_the_room_kept_for_them_and_play_on_a_phone(on_a_phone):
-    assert_figures_take_their_room_and_play(on_a_phone[1])
+def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(on_a_phone):
+    assert_figures_keep_their_size_and_play(on_a_phone[1])
 
 
 def test_a_notebooks_page_works_offline_on_a_phone(on_a_phone):
@@ -70,8 +70,8 @@ def test_a_notebooks_page_works_offline_on_a_phone(on_a_phone):
     assert_readable(visit, notebook, 390)
 
 
-def test_figures_take_the_room_kept_for_them_and_play_on_a_desktop(on_a_desktop):
-    assert_figures_take_their_room_and_play(on_a_desktop)
+def test_figures_have_the_size_of_their_placeholders_and_play_on_a_desktop(on_a_desktop):
+    assert_figures_keep_their_size_and_play(on_a_desktop)
     assert len(on_a_desktop.drawn) > 5
 
 
@@ -90,7 +90,7 @@ def test_the_keyboard_alone_reaches_everything(on_a_desktop):
     assert page.evaluate(missed, [number for number in wanted if str(number) not in reached]) == []
 
 
-def test_is_small_and_holds_each_library_once(course):
+def test_the_site_is_small_and_contains_each_library_once(course):
     files = [file for file in course.rglob("*") if file.is_file()]
     assert sum(file.stat().st_size for file in files) < 12e6
     assert len(list(course.rglob("plotly*.js"))) == 1
@@ -114,7 +114,7 @@ PARSED = """(text) => {
 
 @pytest.fixture(scope="module")
 def parsed(course, browser):
-    """The name of each page, and what its file holds."""
+    """The name of each page, and the contents of its file."""
     with Visit(browser, None) as visit:
         return {file.name: visit.page.evaluate(PARSED, file.read_text("utf-8")) for file in course.glob("*.html")}
 
@@ -163,7 +163,7 @@ def test_pages_are_light(course, parsed):
         assert not [file for file in files if "plotly" in file]
 
 
-def test_plotly_is_fetched_when_a_figure_comes_near_and_the_still_stands_until_it_is_there(course, browser):
+def test_plotly_is_loaded_when_a_figure_comes_near_and_the_still_is_shown_until_then(course, browser):
     with Visit(browser, None) as visit:
         held = []
         visit.page.route("**/plotly.packed.js*", lambda route: held.append(route))

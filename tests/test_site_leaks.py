@@ -1,4 +1,4 @@
-"""A site without solutions holds none: every file of it is searched, and the search is tried on the site with them."""
+"""A site without solutions contains none: all its files are searched, and the search is tried on the other site."""
 
 import html
 import re
@@ -63,7 +63,7 @@ def wanted():
 
 
 def mathml(texts):
-    """The formulas of Markdown texts, as pages hold them for those who do not see: as MathML."""
+    """The formulas of Markdown texts, as pages contain them for screen readers: as MathML."""
     found = [
         formulas.typeset(" ".join(tex.split()), display=bool(sign == "$$"))
         for text in texts
@@ -74,7 +74,7 @@ def mathml(texts):
 
 @pytest.fixture(scope="module")
 def secret_formulas():
-    """The formulas that stand in model answers alone, and are long enough to be no single letter."""
+    """The formulas that occur in model answers only and are longer than a single letter."""
     answers = {cell.id for _, cell in answer_cells()}
     cells = [
         cell
@@ -108,7 +108,7 @@ def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
     assert {"wrap_angle", "explain_wrap"} <= {exercise for exercise, _ in leaks(tmp_path, wanted)}
 
 
-def test_a_site_without_solutions_holds_none_of_their_formulas(sites, secret_formulas):
+def test_a_site_without_solutions_contains_none_of_their_formulas(sites, secret_formulas):
     full, bare = (
         "".join(page.read_text(encoding="utf-8") for page in sites[name].glob("*.html")) for name in ("yes", "no")
     )
@@ -117,18 +117,18 @@ def test_a_site_without_solutions_holds_none_of_their_formulas(sites, secret_for
     assert [each for each in secret_formulas if each in bare] == []
 
 
-def test_a_site_without_solutions_holds_no_line_and_no_sentence_of_them(sites, wanted):
+def test_a_site_without_solutions_contains_no_line_and_no_sentence_of_them(sites, wanted):
     assert leaks(sites["no"], wanted) == set()
 
 
 def own_lines(notebook):
-    """How many printed outputs of a notebook speak to whoever wrote the answers, and say nothing else."""
+    """The number of printed outputs of a notebook that only address the author of the answers."""
     cells = nbformat.read(notebook, 4).cells
     printed = [output.text for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]
     return sum(all(re.search(r"\b(you|yours?)\b", line, re.I) for line in lines(text)) for text in printed)
 
 
-def test_no_check_says_right_and_every_other_output_stays(sites):
+def test_no_check_reports_right_and_every_other_output_stays(sites):
     for page in sites["no"].glob("*.html"):
         bare, full = page.read_text("utf-8"), (sites["yes"] / page.name).read_text("utf-8")
         assert not VERDICT.search(bare), page.name

@@ -1,4 +1,4 @@
-"""The robot of the home page: a picture that becomes a robot to turn, to pull and to move."""
+"""The robot on the home page: a still picture that becomes a robot to rotate, drag and move."""
 
 import io
 import re
@@ -15,7 +15,7 @@ PICTURE = "document.querySelector('.living canvas').toDataURL()"
 
 
 def position(visit):
-    """Where the page says that the gripper is."""
+    """The position of the gripper, as the page reports it."""
     return [float(x) for x in re.findall(r"= (-?[\d.]+)", visit.page.locator(".living p").inner_text())]
 
 
@@ -23,7 +23,7 @@ def pixels(locator):
     return np.array(Image.open(io.BytesIO(locator.screenshot())).convert("RGB"), float)
 
 
-def test_the_reader_turns_it_pulls_it_and_moves_its_joints(course, browser):
+def test_the_reader_rotates_the_view_drags_the_gripper_and_moves_the_joints(course, browser):
     with Visit(browser, course / "index.html") as visit:
         canvas, sliders = visit.page.locator(".living canvas"), visit.page.locator(".living").get_by_role("slider")
         canvas.scroll_into_view_if_needed()
@@ -61,7 +61,7 @@ def test_the_reader_turns_it_pulls_it_and_moves_its_joints(course, browser):
         assert not [url for url in visit.requests if "plotly" in url]
 
 
-def test_a_picture_stands_in_for_it_and_nothing_jumps_when_it_comes(course, browser):
+def test_the_robot_replaces_its_still_picture_without_a_shift_of_the_layout(course, browser):
     with Visit(browser, course / "index.html", java_script_enabled=False) as visit:
         expect(visit.page.locator(".living img")).to_be_visible()
         still = pixels(visit.page.locator(".living img"))
@@ -75,7 +75,7 @@ def test_a_picture_stands_in_for_it_and_nothing_jumps_when_it_comes(course, brow
         assert sum(visit.page.evaluate(shifts)) < 0.02
 
 
-def test_it_sways_once_and_stands_still_for_those_who_prefer_less_motion(course, browser):
+def test_it_sways_once_and_not_at_all_with_reduced_motion(course, browser):
     with Visit(browser, course / "index.html") as visit:
         first = visit.page.evaluate(PICTURE)
         visit.page.wait_for_timeout(400)

@@ -1,4 +1,4 @@
-"""How pages are laid out: nothing scrolls sideways on a desktop, nothing jumps, nothing is dead, headings nest."""
+"""The layout of pages: no horizontal scrolling, no shifts, no control without effect, nested headings."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -31,7 +31,7 @@ def on_a_desktop(course, browser, request):
         yield request.param, width, visit
 
 
-def test_a_page_has_one_title_and_its_headings_leave_out_no_level(on_a_desktop):
+def test_a_page_has_one_title_and_its_headings_skip_no_level(on_a_desktop):
     levels = on_a_desktop[2].page.evaluate(LEVELS)
     assert levels.count(1) == 1
     assert levels[0] == 1
@@ -39,7 +39,7 @@ def test_a_page_has_one_title_and_its_headings_leave_out_no_level(on_a_desktop):
 
 
 def test_no_page_is_wider_than_the_narrowest_phone(on_a_desktop):
-    """320 pixels, as WCAG asks (reflow)."""
+    """320 pixels, as WCAG requires (reflow)."""
     visit = on_a_desktop[2]
     with visit.at_width(320):
         assert visit.page.evaluate(WIDTH) <= 320
@@ -57,7 +57,7 @@ def test_works_offline_on_a_desktop(on_a_desktop):
     assert_readable(visit, PAGES[name], width, draws=False)  # test_site_course.py draws them
 
 
-def test_the_still_of_a_film_ends_where_the_picture_ends(course):
+def test_the_still_of_a_film_has_no_empty_margin_below(course):
     for name, kind in (("02", ""), ("04", "film"), ("05", "film")):
         soup = BeautifulSoup(only(course, name).read_text("utf-8"), "html.parser")
         films = soup.select(".plotly-figure[data-moves]")
@@ -86,7 +86,7 @@ PRESSED = "button:visible, [role=button]:visible, input:visible, select:visible"
 
 
 @pytest.mark.parametrize("name", ["index", "02"])
-def test_without_javascript_nothing_can_be_pressed_in_vain(course, browser, name):
+def test_without_javascript_every_control_that_is_shown_works(course, browser, name):
     with Visit(browser, only(course, name), width=1280, java_script_enabled=False) as visit:
         link = visit.page.locator(".bd-sidebar-primary a", has_text="Errata")
         for width in (1280, 390):

@@ -1,4 +1,4 @@
-"""The pages that are gathered from the notebooks: home, errata, sources."""
+"""The pages that are compiled from the notebooks: home, errata, sources."""
 
 import re
 from contextlib import ExitStack
@@ -34,7 +34,7 @@ def on_a_phone(course, browser):
         yield cache(lambda page: visits.enter_context(Visit(browser, course / f"{page}.html", theme="dark", width=390)))
 
 
-def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(on_a_phone):
+def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_a_phone):
     page = on_a_phone("index").page
     article = page.locator("article")
     text = words(article.inner_text())
@@ -54,7 +54,7 @@ def test_home_asks_what_each_notebook_answers_and_says_how_long_it_takes(on_a_ph
         assert article.locator(f"li a[href='{name}.html']").count() >= 1
 
 
-def test_home_shows_a_picture_of_each_notebook_from_the_cell_that_is_tagged(on_a_phone):
+def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(on_a_phone):
     shown = [image.get_attribute("alt") for image in on_a_phone("index").page.locator(".card img").all()]
     assert len(shown) == len(NOTEBOOKS)
     for notebook, alt in zip(NOTEBOOKS, shown, strict=True):
@@ -86,7 +86,7 @@ def section(notebook, heading):
     return cells[begin : next((n for n in headings if n > begin), None)]
 
 
-def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(on_a_phone):
+def test_errata_contain_every_claim_with_its_evidence_and_the_correction(on_a_phone):
     article = on_a_phone("errata").page.locator("article")
     said = [heading.removesuffix("#").strip() for heading in article.locator("h3").all_inner_texts()]
     printed = ["".join(text.split()) for text in article.locator(".output.stream").all_text_contents()]
@@ -105,7 +105,7 @@ def test_errata_hold_every_claim_with_its_evidence_and_what_is_right(on_a_phone)
     assert printed == ["".join(output.text.split()) for output in outputs]
 
 
-def test_errata_point_to_nothing_that_stands_elsewhere(course):
+def test_errata_refer_to_nothing_outside_their_page(course):
     article = BeautifulSoup((course / "errata.html").read_text("utf-8"), "html.parser").find("article")
     text = " ".join(part.get_text() for part in article.select("p:not(details p), li"))
     assert len(text) > 5000
@@ -126,7 +126,7 @@ def test_every_source_of_a_known_work_has_its_link(course):
     assert sum(bool(line.select("a[href^=https]")) for line in lines) > 0.6 * len(lines)
 
 
-def test_sources_are_those_of_each_notebook(on_a_phone):
+def test_the_page_of_sources_lists_those_of_each_notebook(on_a_phone):
     article = on_a_phone("sources").page.locator("article")
     listed = [words(text) for text in article.locator("li").all_inner_texts()]
     assert article.locator("h2").count() == len(NOTEBOOKS)

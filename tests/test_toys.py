@@ -1,4 +1,4 @@
-"""Toys as Python has them: their models, their words, what a stored notebook and a live one get, what jog answers."""
+"""Toys in Python: their models and texts, the output in stored and in live notebooks, and the answers of jog."""
 
 import json
 
@@ -36,7 +36,7 @@ def test_a_toy_is_data_that_its_scripts_can_read(toy):
     assert meta["plotly"] is False
 
 
-def test_a_toys_words_are_sentences_and_its_figure_is_light(toy):
+def test_a_toys_texts_are_sentences_and_its_figure_is_small(toy):
     assert 60 < len(toy.alt) < 1200
     assert toy.alt.endswith(".")
     assert len(toy.figure.to_json()) < 150_000
@@ -57,7 +57,7 @@ def test_a_stored_notebook_gets_the_plain_figure_and_a_live_one_the_widget(toy, 
     assert stored[FIGURE]["layout"]["meta"]["course"]["kind"] == toy.meta["kind"]
 
 
-def test_a_widgets_module_holds_the_scripts_of_the_page_and_asks_nobody_else(toy):
+def test_a_widgets_module_contains_the_scripts_of_the_page_and_loads_nothing_else(toy):
     text = module(tuple(toy.meta["scripts"]))
     for name in toy.meta["scripts"]:
         assert (SCRIPTS / f"{name}.js").read_text(encoding="utf-8") in text
@@ -107,7 +107,7 @@ def test_a_wrong_argument_is_named(name, arguments, named):
         getattr(figures, name)(**arguments)
 
 
-def test_jog_refuses_what_is_no_function_or_pose():
+def test_jog_refuses_arguments_that_are_not_a_function_or_a_pose():
     with pytest.raises(ValueError, match=r"^fk must be a function"):
         jog(iiwa14(), np.eye(4))
     with pytest.raises(ValueError, match=r"^base must be a pose"):
@@ -132,7 +132,7 @@ def answer(arm, fk, base=None, q=Q):
     return Answers(arm, fk, np.eye(4) if base is None else base)({"q": q.tolist()})
 
 
-def test_a_right_function_of_screws_moves_every_body_where_the_library_has_it():
+def test_a_right_function_of_screws_moves_every_body_to_the_librarys_pose():
     arm = iiwa14()
     found = answer(arm, by_screws)
     assert found["problem"] is None
@@ -141,7 +141,7 @@ def test_a_right_function_of_screws_moves_every_body_where_the_library_has_it():
     assert_allclose(np.array(found["bodies"])[1:] @ arm.home[:-1], arm.frames(Q)[:-1], atol=1e-12)
 
 
-def test_a_wrong_function_moves_the_bodies_to_where_it_says():
+def test_a_wrong_function_moves_the_bodies_to_the_poses_it_returns():
     arm = iiwa14()
     found = answer(arm, reversed_order)
     assert_allclose(found["end"], reversed_order(arm.screw_axes, arm.home[-1], Q))
@@ -149,7 +149,7 @@ def test_a_wrong_function_moves_the_bodies_to_where_it_says():
     assert_allclose(found["bodies"][2], reversed_order(arm.screw_axes[:2], np.eye(4), Q[:2]))
 
 
-def test_a_function_of_angles_may_give_all_frames_in_a_world_or_the_end_alone():
+def test_a_function_of_angles_may_return_all_frames_in_the_world_or_the_end_effector_alone():
     arm, base = panda(), rigid.transform(np.eye(3), [-0.2, 0.13, 0.6])
     q = np.array([0.1, -0.5, 0.2, -2.0, 0.3, 1.4, 0.5])
     frames = answer(arm, lambda q: base @ arm.frames(q), base, q)
@@ -181,7 +181,7 @@ def test_a_function_that_changes_its_arguments_changes_nothing_else():
     assert_allclose(answer(arm, changes)["end"], arm.fk(Q), atol=1e-12)
 
 
-def test_it_says_whose_function_moves_the_arm():
+def test_the_answer_names_whose_function_moves_the_arm():
     def fk(q):
         return planar_arm([1, 1]).fk(q)
 

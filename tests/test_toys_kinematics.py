@@ -1,4 +1,4 @@
-"""What the toys' scripts compute is what the library computes: 100 random inputs each, to 1e-9."""
+"""The toys' scripts agree with the library to 1e-9, on 100 random inputs each."""
 
 import json
 import subprocess
@@ -42,7 +42,7 @@ def unit_axes(rng, n=N):
 
 
 def angles(rng):
-    """Small ones, pi, full turns and any."""
+    """Small angles, pi, full revolutions and random ones."""
     few = [0.0, 1e-12, 1e-8, 1e-4, 1e-3, np.pi, np.pi - 1e-9, -np.pi, 2 * np.pi]
     return np.r_[few, rng.uniform(-7, 7, N - len(few))]
 
@@ -65,7 +65,7 @@ def test_a_rotation_is_that_of_its_axis_and_angle(rng):
     assert_allclose(found, rotations.exp_so3(turns[:, None] * axes), **CLOSE)
 
 
-def test_a_quaternion_is_that_of_its_axis_and_angle_and_changes_sign_after_a_full_turn(rng):
+def test_a_quaternion_is_that_of_its_axis_and_angle_and_changes_sign_after_a_full_revolution(rng):
     axes, turns = unit_axes(rng), angles(rng)
     q = np.array(js("quaternion", list(zip(axes, turns, strict=True))))
     assert_allclose(rotations.quaternion_to_matrix(q), rotations.exp_so3(turns[:, None] * axes), **CLOSE)
@@ -80,7 +80,7 @@ def test_a_product_of_quaternions_is_that_of_their_rotations(rng):
     assert_allclose(rotations.quaternion_to_matrix(product), matrices, **CLOSE)
 
 
-def test_euler_angles_lead_to_their_rotation_and_back_also_in_gimbal_lock(rng):
+def test_euler_angles_convert_to_rotations_and_back_also_in_gimbal_lock(rng):
     R = rotations.random_rotations(N, rng)
     R[:4] = rotations.rot_z(0.4) @ rotations.rot_y(np.array([1, -1, 1, -1]) * np.pi / 2) @ rotations.rot_x(0.3)
     found = np.array(js("toEuler", [(matrix,) for matrix in R]))
@@ -98,7 +98,7 @@ def planar_poses(rng):
     return A, B
 
 
-def test_the_twist_between_two_poses_and_where_it_leads(rng):
+def test_the_twist_between_two_poses_leads_from_one_to_the_other(rng):
     A, B = planar_poses(rng)
     twists = np.array(js("logPlanar", list(zip(A, B, strict=True))))
     assert_allclose(twists, rigid.log_se2(np.linalg.inv(pose_matrix(A)) @ pose_matrix(B)), **CLOSE)
@@ -106,14 +106,14 @@ def test_the_twist_between_two_poses_and_where_it_leads(rng):
     assert_allclose(pose_matrix(reached), pose_matrix(B), **CLOSE)
 
 
-def test_half_way_along_the_screw_is_where_the_library_has_it(rng):
+def test_the_pose_halfway_along_the_screw_agrees_with_the_library(rng):
     A, B = planar_poses(rng)
     twists = np.array(js("logPlanar", list(zip(A, B, strict=True)))) / 2
     half = np.array(js("expPlanar", list(zip(A, twists, strict=True))))
     assert_allclose(pose_matrix(half), pose_matrix(interpolate_body_screw(A, B, 3)[:, 1]), **CLOSE)
 
 
-def test_the_pole_stays_where_it_is_and_a_translation_has_none(rng):
+def test_the_pole_is_a_fixed_point_and_a_translation_has_none(rng):
     A, B = planar_poses(rng)
     A, B = A[5:], B[5:]
     twists = js("logPlanar", list(zip(A, B, strict=True)))
@@ -138,7 +138,7 @@ def test_dead_reckoning_by_euler_and_exactly(rng):
 # ---- circles ----
 
 
-def test_circles_meet_at_the_answers_of_subproblem_2_or_not_at_all(rng):
+def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(rng):
     k1, k2, p1, p2 = (unit_axes(rng) for _ in range(4))
     found = js("meetings", list(zip(k1, k2, p1, p2, strict=True)))
     right = subproblem2(k1, k2, p1, p2)
@@ -178,7 +178,7 @@ def test_a_planar_arms_points_and_jacobian(rng):
         assert_allclose(J, arm.position_jacobian(angles)[:2], **CLOSE)
 
 
-def test_the_two_link_arm_reaches_what_it_can(rng):
+def test_the_two_link_arm_reaches_exactly_the_positions_within_reach(rng):
     lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
     found = js("twoLink", list(zip(lengths, points, strict=True)))
     r = np.linalg.norm(points, axis=-1)
@@ -210,7 +210,7 @@ def test_eigenvalues_and_vectors_of_symmetric_matrices(rng):
         assert_allclose(V @ V.T, np.eye(3), **CLOSE)
 
 
-def test_the_null_vector_leaves_the_panda_where_it_is(rng):
+def test_the_null_vector_is_a_unit_vector_in_the_null_space_of_the_pandas_jacobian(rng):
     arm = panda()
     q = rng.uniform(*arm.limits.T, (N, 7))
     J = arm.geometric_jacobian(q)
@@ -219,7 +219,7 @@ def test_the_null_vector_leaves_the_panda_where_it_is(rng):
     assert_allclose(np.linalg.norm(found, axis=-1), 1, **CLOSE)
 
 
-def test_a_pose_error_is_the_librarys(rng):
+def test_a_pose_error_agrees_with_the_library(rng):
     R = rotations.random_rotations(2 * N, rng)
     T = rigid.transform(R, rng.normal(size=(2 * N, 3)))
     T[N, :3, :3] = T[0, :3, :3]

@@ -46,7 +46,7 @@ def lab_options(makefile):
     return config, options, notebook
 
 
-def test_both_makefiles_start_jupyterlab_alike_with_a_notebook_that_is_there():
+def test_both_makefiles_start_jupyterlab_alike_with_a_notebook_that_exists():
     ours, students = (lab_options(f) for f in ("Makefile", "course_lib/pack/release/students/Makefile"))
     assert ours == students
     assert (ROOT / ours[-1]).is_file()
@@ -54,7 +54,7 @@ def test_both_makefiles_start_jupyterlab_alike_with_a_notebook_that_is_there():
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    """JupyterLab in a folder with one notebook, for somebody who never used it before."""
+    """JupyterLab in a folder with one notebook, for a user without settings."""
     folder = tmp_path_factory.mktemp("lab")
     book = new_notebook(cells=[new_code_cell(source) for source in SOURCES])
     book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
@@ -103,7 +103,7 @@ def output(lab, number):
     return cell.locator(".jp-OutputArea-output")
 
 
-def test_nothing_is_asked_about_news_and_the_toys_appear(lab):
+def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     lab.wait_for_timeout(1000)
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
     lab.get_by_role("menuitem", name="Run").first.click()
@@ -169,6 +169,6 @@ def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_fun
     assert output(lab, 0).locator("svg").first.evaluate(CONTRAST) > 4.5
 
 
-def test_nobody_outside_was_asked(lab):
+def test_no_request_left_the_machine(lab):
     assert len(lab.asked) > 10
     assert [url for url in lab.asked if not re.match(r"https?://localhost|data:|blob:", url)] == []

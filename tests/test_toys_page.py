@@ -82,7 +82,7 @@ def wait_for_another_picture(visit, box, before):
 
 
 @pytest.mark.parametrize("name", TOYS)
-def test_every_range_has_a_name_and_words_and_moves_the_picture_by_keyboard(visit, name):
+def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_keyboard(visit, name):
     box = figure_of(visit, name)
     ranges = box.locator("input[type=range]:enabled").all()
     assert ranges
@@ -123,7 +123,7 @@ def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
 
 
 @pytest.mark.parametrize("name", ["axis", "circles_toy", "panda_toy"])
-def test_arrow_keys_and_pointer_look_from_another_side(visit, name):
+def test_arrow_keys_and_pointer_change_the_view(visit, name):
     box = figure_of(visit, "orientation_toy" if name == "axis" else name)
     canvas = box.locator("canvas").first
     for move in ("ArrowLeft", "ArrowUp"):
@@ -182,7 +182,7 @@ CONTRASTS = f"""([ground, colours]) => {{
 
 
 @pytest.mark.parametrize("name", TOYS)
-def test_words_and_lines_stand_out_from_the_ground_of_the_theme(visit, name):
+def test_text_and_lines_have_enough_contrast_in_both_themes(visit, name):
     box = figure_of(visit, name)
     visit.page.evaluate(NOTE)
     before = picture(box)
@@ -202,7 +202,7 @@ def test_words_and_lines_stand_out_from_the_ground_of_the_theme(visit, name):
 
 
 @pytest.mark.parametrize("name", ["circles_toy", "planar_arm_toy"])
-def test_a_toy_takes_the_colours_of_the_other_theme_and_stays_as_it_was_moved(visit, name):
+def test_a_toy_follows_a_change_of_theme_and_keeps_its_configuration(visit, name):
     box = figure_of(visit, name)
     slider = box.get_by_role("slider").first
     slider.focus()
@@ -242,7 +242,7 @@ def test_pitch_drives_the_gimbals_into_lock(visit):
 
 
 @computes
-def test_after_a_full_turn_q_is_minus_one_and_after_two_the_belt_comes_flat(visit):
+def test_after_one_revolution_q_is_minus_one_and_after_two_the_belt_is_flat(visit):
     box = figure_of(visit, "orientation_toy")
     put(box, "Angle", 360)
     expect(box.locator("p[role=status]")).to_contain_text("R is the identity again, but q is")
@@ -281,7 +281,7 @@ def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
 
 
 @computes
-def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
+def test_steps_above_the_limit_diverge_and_steps_below_converge(visit):
     box = figure_of(visit, "planar_arm_toy")
     box.get_by_role("button", name="Start again").click()
     put(box, "Damping (m²)", -2)
@@ -294,7 +294,7 @@ def test_steps_above_the_limit_diverge_and_steps_below_arrive(visit):
 
 
 @computes
-def test_another_step_size_is_tried_from_the_first_configuration_though_the_arm_has_arrived(visit):
+def test_another_step_size_starts_from_the_first_configuration_even_after_convergence(visit):
     box = figure_of(visit, "planar_arm_toy")
     put(box, "Damping (m²)", -2)
     status = box.locator("p[role=status]")

@@ -391,6 +391,6 @@ def reached_rows(results):
 
 
 def _shared(frames):
-    """Which frames share an origin, in words."""
+    """Return which frames share an origin, in words."""
     groups = [name.split(", ") for name in drawn.numbers(frames) if ", " in name]
     return "; ".join(f"{' and '.join(each)} share an origin" for each in groups) or "all origins apart"

@@ -221,7 +221,7 @@ def _first_round(path):
 
 
 def _crossings(path):
-    """How often a closed plane path (n, 2) crosses itself."""
+    """Return how often a closed plane path (n, 2) crosses itself."""
     a = (path + np.roll(path, -1, axis=0)) / 2  # so that it may cross at a sample
     b = np.roll(a, -1, axis=0)
     i, j = np.triu_indices(len(a), 2)

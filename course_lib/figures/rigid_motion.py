@@ -45,7 +45,7 @@ def _point(p):
 
 
 def _rotation(theta):
-    """How far an angle rotates along a path, in words."""
+    """Return how far an angle rotates along a path, in words."""
     angle = np.sum(np.diff(theta))
     if abs(angle) < 0.005:
         return "without rotation"

@@ -364,7 +364,7 @@ def heights(samples):
 
 
 def _size_of_errors(errors):
-    """How large errors are, in words that rounding does not change."""
+    """Return how large errors are, in words that rounding does not change."""
     if max(errors) < 1e-12:
         return "stays below 1e-12"
     passed = [bound for bound in ("1e-4", "1e-8", "1e-12") if max(errors) > float(bound)]

@@ -87,7 +87,7 @@ def _on_upper_edge(xy, low, high):
 
 
 def _right_where(these):
-    """Whether the answer is right for the positions that these(xy, low, high) chooses."""
+    """Return whether the answer is right for the positions that these(xy, low, high) chooses."""
 
     def holds(index, xy, low, high, n):
         chosen = these(xy, low, high)

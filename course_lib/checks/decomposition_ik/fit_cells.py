@@ -48,7 +48,7 @@ def _around(samples):
 
 
 def _errors(value, xy, q, cell, count):
-    """How far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
+    """Return how far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
     right, errors = models(xy, q, cell, count), {}
     for position, samples in clusters(q, cell, count).items():
         if len(samples) > 2:

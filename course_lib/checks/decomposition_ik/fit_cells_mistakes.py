@@ -46,7 +46,7 @@ def _second_row(change):
 
 
 def _of_clustered_positions(value, xy, q, cell, count):
-    """Whether the models of each cell are those of two clusters of its positions, from whatever start of k-means."""
+    """Return whether the models of each cell fit two clusters of its positions, whatever the start of k-means."""
 
     def may_be(c):
         own = cell == c
@@ -92,7 +92,7 @@ def _outside_last(writes):
 
 
 def _few_fitted(value, xy, q, cell, count):
-    """Whether everything is right but that clusters of one or two samples have a model too."""
+    """Return whether everything is right but that clusters of one or two samples have a model too."""
     right = models(xy, q, cell, count)
     few = [model for model, samples in clusters(q, cell, count).items() if 0 < len(samples) < 3]
     changed = np.array(value)
@@ -102,7 +102,7 @@ def _few_fitted(value, xy, q, cell, count):
 
 
 def _any_order(value, *case):
-    """Whether the models of each cell are right, but for the order of the two."""
+    """Return whether the models of each cell are right, but for the order of the two."""
     right = models(*case)
     return all(same_with_gaps(a, b) or same_with_gaps(a, b[::-1]) for a, b in zip(value, right, strict=True))
 

@@ -51,7 +51,7 @@ def _cases(rng):
 
 
 def _row(j):
-    """Whether row j fits as well as the best one, at the samples."""
+    """Return whether row j fits as well as the best one, at the samples."""
 
     def holds(model, terms, q):
         columns = np.column_stack([terms, q[:, 1]])

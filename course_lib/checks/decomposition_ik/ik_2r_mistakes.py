@@ -83,7 +83,7 @@ def same_q1(q, xy):
 
 
 def q1_is(formula):
-    """Return a function that tells whether q2 is right and q1 is formula(xy, q2)."""
+    """Return a function that returns whether q2 is right and q1 is formula(xy, q2)."""
 
     def looks(q, xy):
         wanted = formula(xy, q[:, 1])
@@ -93,7 +93,7 @@ def q1_is(formula):
 
 
 def by_arctan(side):
-    """Return a function that tells whether q1 comes from atan(y / x); at x = 0 it may be anything."""
+    """Return a function that returns whether q1 comes from atan(y / x); at x = 0 it may be anything."""
 
     def looks(q, xy):
         if xy[0] == 0:
@@ -115,7 +115,7 @@ def supplement(q):
 
 
 def cosine_is(formula):
-    """Return a function that tells whether the cosine of q2 is formula(r), limited to -1 and 1."""
+    """Return a function that returns whether the cosine of q2 is formula(r), limited to -1 and 1."""
 
     def looks(q, xy):
         if outside(xy):

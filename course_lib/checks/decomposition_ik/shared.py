@@ -27,7 +27,14 @@ def solutions(xy):
 
 
 def lump(rng, middle, widths, n):
-    """Return n points (n, 2) in a box around `middle`, which is exactly their mean."""
+    """Return n points (n, 2) in a box around `middle`, which is exactly their mean.
+
+    Examples
+    --------
+    >>> points = lump(np.random.default_rng(0), (1, 2), (0.1, 0.1), 5)
+    >>> points.mean(axis=0).round(12)
+    array([1., 2.])
+    """
     points = rng.uniform(-1, 1, (n, 2))
     return np.array(middle) + (points - points.mean(axis=0)) * np.array(widths)
 
@@ -39,17 +46,35 @@ def both_elbows_at(rng, middle, n):
 
 
 def within(points, labels):
-    """Return the sum of the squared distances of points (m, 2) from the mean of their cluster."""
+    """Return the sum of the squared distances of points (m, 2) from the mean of their cluster.
+
+    Examples
+    --------
+    >>> float(within(np.array([[0.0, 0], [2, 0], [9, 9]]), np.array([0, 0, 1])))
+    2.0
+    """
     return sum(((own - own.mean(axis=0)) ** 2).sum() for own in (points[labels == k] for k in (0, 1)) if len(own))
 
 
 def several(q):
-    """Return whether there are two different samples at least."""
+    """Return whether there are two different samples at least.
+
+    Examples
+    --------
+    >>> several(np.array([[1.0, 2.0], [1.0, 2.0]]))
+    False
+    """
     return len(q) > 1 and bool((q != q[0]).any())
 
 
 def best_split(points):
-    """Return labels (m,) of the two clusters of least sum of squares, for clusters that a straight line parts."""
+    """Return labels (m,) of the two clusters of least sum of squares, for clusters that a straight line parts.
+
+    Examples
+    --------
+    >>> len(set(best_split(np.array([[0.0, 0], [0.1, 0], [5, 5], [5.1, 5]]))[:2]))
+    1
+    """
     return _best_split(np.ascontiguousarray(points, float).tobytes()).copy()
 
 

@@ -115,12 +115,12 @@ def _cases(rng):
 
 
 def _one_best(q):
-    """Whether there are two different samples at least, and one best cut."""
+    """Return whether there are two different samples at least, and one best cut."""
     return several(q) and not _tied(q)
 
 
 def _numbered(number):
-    """The answer of somebody who calls that cluster 0 which has the larger number(q, own)."""
+    """Return the answer of somebody who calls that cluster 0 which has the larger number(q, own)."""
     return lambda q: split(q, number=number)
 
 
@@ -134,7 +134,7 @@ def _by_limit(joint, *limits):
 
 
 def _settled(labels, q, by):
-    """Whether k-means of by(q) may end with these labels, each point nearest to its own mean, and they are wrong."""
+    """Return whether wrong labels are a possible end of k-means of by(q): no point is nearer to the other mean."""
     if not several(q) or not labels.any() or labels.all() or _least(labels, q):
         return False
     points = by(q)

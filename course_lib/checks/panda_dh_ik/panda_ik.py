@@ -106,7 +106,7 @@ def _at_once(T, q0):
 
 
 def _close_by(T, q0):
-    """Whether the target is some hundredths of a radian a joint away."""
+    """Return whether the target is some hundredths of a radian a joint away."""
     return np.linalg.norm(_missing(flange(q0), T)) < 0.15
 
 

@@ -116,7 +116,7 @@ def _elsewhere(*case):
 
 
 def _transposed_once_more(T, *case):
-    """Whether the block of T is made with numpy's Vt taken for V, whatever the signs of the singular vectors."""
+    """Return whether the block of T is made with numpy's Vt taken for V, whatever the signs of the singular vectors."""
     U, _, Vt = np.linalg.svd(product(*case))
     signs = np.array(np.meshgrid(*[[1, -1]] * 3)).reshape(3, -1).T
     for left, right, along in ((U.T, Vt, -1), (Vt, U.T, -1), (U, Vt.T, -2), (Vt.T, U, -2)):

@@ -74,7 +74,13 @@ def joined(order, join=np.matmul):
 
 
 def steps(q, table=TABLE, convention=modified, flange=None):
-    """Return each frame in the one before, and the flange in the last: (n + 1, 4, 4)."""
+    """Return each frame in the one before, and the flange in the last: (n + 1, 4, 4).
+
+    Examples
+    --------
+    >>> steps(READY).shape
+    (8, 4, 4)
+    """
     flange = along_z(FLANGE) if flange is None else flange
     return np.array([convention(*row, theta) for row, theta in zip(table, q, strict=True)] + [flange])
 
@@ -85,7 +91,13 @@ def chain(table=TABLE, convention=modified, flange=None, base=T_W0, angles=np.co
 
 
 def truncated(right):
-    """Return the mistake of an array that has room for whole numbers only."""
+    """Return the mistake of an array that has room for whole numbers only.
+
+    Examples
+    --------
+    >>> truncated(lambda x: x / 2).answers[0](3)
+    np.float64(1.0)
+    """
 
     def seen(value, *case):
         return np.array_equal(value, np.trunc(value)) and not np.allclose(right(*case), np.round(right(*case)))
@@ -99,7 +111,13 @@ def truncated(right):
 
 
 def edited(*entries):
-    """Return the table with other entries; each is (row, column, number)."""
+    """Return the table with other entries; each is (row, column, number).
+
+    Examples
+    --------
+    >>> float(edited((0, 2, 0.5))[0, 2])
+    0.5
+    """
     table = TABLE.copy()
     for row, column, number in entries:
         table[row, column] = number

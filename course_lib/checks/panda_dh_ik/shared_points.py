@@ -45,29 +45,29 @@ def size(*arrays):
 
 
 def exact(src, dst, weights):
-    """Whether dst is src moved, but for points of no weight."""
+    """Return whether dst is src moved, but for points of no weight."""
     seen = weights > 0
     return np.abs(moved(registered(src, dst, weights), src) - dst)[seen].max() < 1e-10 * size(src, dst)
 
 
 def flat(src, dst, weights):
-    """Whether the product of src and dst has a singular value of zero: points in a plane."""
+    """Return whether the product of src and dst has a singular value of zero: points in a plane."""
     s = np.linalg.svd(product(src, dst, weights), compute_uv=False)
     return s[2] <= _FLAT * s[0]
 
 
 def vanishing(src, dst, weights):
-    """Whether the determinant of the product is zero or tiny."""
+    """Return whether the determinant of the product is zero or tiny."""
     return abs(np.linalg.det(product(src, dst, weights))) < _FLAT
 
 
 def best_is_reflection(src, dst, weights):
-    """Whether the best fit would be a reflection, were it allowed."""
+    """Return whether the best fit would be a reflection, were it allowed."""
     return not flat(src, dst, weights) and np.linalg.det(product(src, dst, weights)) < 0
 
 
 def _drawn(draw, good):
-    """What draw() gives, for the first time that it is good."""
+    """Return what draw() gives, for the first time that it is good."""
     while True:
         found = draw()
         if good(found):
@@ -90,7 +90,7 @@ def uneven(rng, n):
 
 
 def certain(src, dst, weights):
-    """Whether the rotation is well fixed by the points: rounding in them is not much enlarged."""
+    """Return whether the rotation is well fixed by the points: rounding in them is not much enlarged."""
     H = product(src, dst, weights)
     s = np.linalg.svd(H, compute_uv=False)
     return s[1] + (0.0 if s[2] <= _FLAT * s[0] else np.sign(np.linalg.det(H)) * s[2]) > 0.1 * s[0]
@@ -228,5 +228,5 @@ def compared(what, yours, right):
 
 
 def close(T, right):
-    """Whether they agree as well as one can find a least sum of squares by search, with steps down to rounding."""
+    """Return whether they agree as well as a search for the least sum of squares can achieve in floating point."""
     return np.abs(T - right).max() <= _SEARCHED * size(right)

@@ -35,12 +35,12 @@ def _right(screws, M, q):
 
 
 def _seen_from(pose):
-    """The answer of somebody who takes another pose for the end-effector's: pose(screws, M, q)."""
+    """Return the answer of somebody who takes another pose for the end-effector's: pose(screws, M, q)."""
     return lambda screws, M, q: adjoint(inverse(pose(screws, M, q))) @ jacobian(screws, q)
 
 
 def _changed_by(matrix):
-    """The answer of somebody with another 6 x 6 matrix before the space Jacobian: matrix(R, p) of the tool's pose."""
+    """Return the answer with another 6 x 6 matrix before the space Jacobian: matrix(R, p) of the tool's pose."""
 
     def answer(screws, M, q):
         T = tool_pose(screws, M, q)
@@ -60,7 +60,7 @@ def _twice(wrong):
 
 
 def _from_the_tool(others, sign=-1, wrong=None):
-    """The answer of somebody who begins at the end-effector, with its axes B and exp(sign [B] q).
+    """Return the answer of somebody who begins at the end-effector, with its axes B and exp(sign [B] q).
 
     others(exponentials, i): those that change column i. wrong: another adjoint in the columns.
     """

@@ -46,7 +46,7 @@ def _right(screws, M):
 
 
 def _by(matrix):
-    """The answer of somebody with another matrix: matrix(M)."""
+    """Return the answer of somebody with another matrix: matrix(M)."""
     return lambda screws, M: screws @ matrix(M).T
 
 

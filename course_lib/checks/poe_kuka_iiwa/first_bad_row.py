@@ -89,7 +89,7 @@ def _right(t, q, limits):
 
 
 def _without(**rules):
-    """The answer of somebody who leaves a rule out."""
+    """Return the answer of somebody who leaves a rule out."""
     return lambda t, q, limits: _first(_rules(t, q, limits, **rules))
 
 

@@ -55,7 +55,7 @@ def off_the_tool(T, screws, M, q):
 
 
 def _with(each):
-    """The answer of somebody with another matrix for each joint; each(screws, q) gives them all."""
+    """Return the answer of somebody with another matrix for each joint; each(screws, q) gives them all."""
     return lambda screws, M, q: products(each(screws, q))[-1] @ M
 
 
@@ -81,7 +81,7 @@ def _with_M_each_time(screws, M, q):
 
 
 def _some(part):
-    """The answer of somebody who leaves out joints."""
+    """Return the answer of somebody who leaves out joints."""
     return lambda screws, M, q: tool_pose(screws[part], M, q[part])
 
 

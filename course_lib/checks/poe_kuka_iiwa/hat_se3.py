@@ -28,7 +28,7 @@ def _with_row(twist, row, column=None):
 
 
 def _fits(part, right):
-    """Whether the part is right, in small twists too."""
+    """Return whether the part is right, in small twists too."""
     return np.abs(part - right).max() <= FINE * np.abs(right).max()
 
 

@@ -12,7 +12,7 @@ _DROP = np.outer(np.arange(6) == 5, [False, False, True])
 
 
 def _with_points(change):
-    """The answer of somebody whose points are change(points)."""
+    """Return the answer of somebody whose points are change(points)."""
     return lambda: np.hstack([rows_of(_ARM)[:, :3], change(rows_of(_ARM)[:, 3:])])
 
 

@@ -38,7 +38,7 @@ def _rotation(omega, theta):
 
 
 def _with_rotation(rotation):
-    """The answer of somebody with another rotation matrix: rotation(omega, theta)."""
+    """Return the answer of somebody with another rotation matrix: rotation(omega, theta)."""
 
     def answer(omega, point, theta):
         R = rotation(omega, theta)

@@ -42,7 +42,13 @@ WHOLE_ANGLES = np.array([1, 2, -1])
 
 
 def at(*position):
-    """Return a pose (4, 4) at this position, parallel to the base."""
+    """Return a pose (4, 4) at this position, parallel to the base.
+
+    Examples
+    --------
+    >>> at(0, 0, 2)[:3, 3]
+    array([0., 0., 2.])
+    """
     return transform(np.eye(3), position)
 
 
@@ -52,7 +58,13 @@ def drawn_axes(rng, n):
 
 
 def arms(rng):
-    """Return cases (screws, M, q): simple arms first, then any, then those given in whole numbers."""
+    """Return cases (screws, M, q): simple arms first, then any, then those given in whole numbers.
+
+    Examples
+    --------
+    >>> [len(q) for _, _, q in arms(np.random.default_rng(0))][:6]
+    [1, 2, 2, 2, 2, 3]
+    """
     tool = transform(exp_so3(np.pi / 2 * X), [2.0, 0, 1])
     named = [
         (ONE, at(1, 0, 0), np.array([np.pi / 2])),
@@ -96,7 +108,13 @@ def jacobian(screws, q):
 
 
 def columns(matrices, screws):
-    """Return matrix i times screw axis i, side by side."""
+    """Return matrix i times screw axis i, side by side.
+
+    Examples
+    --------
+    >>> columns(np.array([2 * np.eye(6)]), ONE).ravel()
+    array([0., 0., 2., 0., 0., 0.])
+    """
     return np.einsum("nij,nj->in", matrices, screws)
 
 

@@ -32,7 +32,7 @@ def _rank_loss(row):
 
 
 def _leads_out(k, row):
-    """Whether moving the joints of family k by a little makes the configuration regular."""
+    """Return whether moving the joints of family k by a little makes the configuration regular."""
     moved = np.tile(row, (4, 1))
     for i, step in enumerate((0.3, -0.3, 0.2, -0.2)):
         moved[i, list(_MOVED[k])] += step * np.array([1.0, -0.6])[: len(_MOVED[k])]

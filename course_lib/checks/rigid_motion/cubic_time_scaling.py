@@ -32,12 +32,12 @@ def _size(T, s0, s1, v0, v1):
 
 
 def _has(time):
-    """Whether some of the times is the one that time(T) says."""
+    """Return whether some of the times is the one that time(T) says."""
     return lambda t, T, *ends: bool(np.any(np.asarray(t) == time(T)))
 
 
 def _at(time, end):
-    """Whether the value is the end's wherever the time is time(T)."""
+    """Return whether the value is the end's wherever the time is time(T)."""
 
     def holds(s, t, T, *ends):
         return np.abs(np.asarray(s)[np.asarray(t) == time(T)] - ends[end]).max() <= _size(T, *ends)
@@ -82,7 +82,7 @@ def _cubic(u, s0, s1, d0, d1, second=(3, -2, -1), third=(-2, 1, 1)):
 
 
 def _with(second=(3, -2, -1), third=(-2, 1, 1)):
-    """The answer of somebody whose coefficients of u^2 and u^3 are weighed like this."""
+    """Return the answer of somebody whose coefficients of u^2 and u^3 are weighed like this."""
     return lambda t, T, s0, s1, v0, v1: _cubic(t / T, s0, s1, v0 * T, v1 * T, second, third)
 
 
@@ -96,7 +96,7 @@ def _changed(change):
 
 
 def _powers_of_T(powers):
-    """The answer of somebody who divides the terms with t^2 and t^3 by other powers of T than 2 and 3."""
+    """Return the answer of somebody who divides the terms with t^2 and t^3 by other powers of T than 2 and 3."""
     second, third = powers
 
     def answer(t, T, s0, s1, v0, v1):

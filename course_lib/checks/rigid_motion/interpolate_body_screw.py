@@ -30,7 +30,7 @@ def _angle(start, goal):
 
 
 def _rotates(start, goal, n):
-    """Whether there is a rotation that is not tiny."""
+    """Return whether there is a rotation that is not tiny."""
     return _angle(start, goal) >= SMALL and one_arc_is_shorter(start, goal, n)
 
 
@@ -52,7 +52,7 @@ def _seen_from_the_pole(rows, start, goal, n):
 
 
 def _fits(rows, path, start, goal):
-    """Whether the rows are right; with a tiny angle, to the digits that formulas with the pole leave."""
+    """Return whether the rows are right; with a tiny angle, to the digits that formulas with the pole leave."""
     fine = 1e-9 if _angle(start, goal) >= SMALL else 1e-7
     return deviation(rows, path) <= fine * size(start, goal)
 

@@ -38,7 +38,13 @@ def size(start, goal):
 
 
 def deviation(rows, wanted):
-    """Return the largest difference between rows and those wanted, revolutions aside."""
+    """Return the largest difference between rows and those wanted, revolutions aside.
+
+    Examples
+    --------
+    >>> round(float(deviation([[0, 0, np.pi]], [[0, 0.1, -np.pi]])), 12)
+    0.1
+    """
     apart = np.asarray(rows) - wanted
     return np.abs(np.where(BODY, wrap_angle(apart), apart)).max()
 
@@ -55,7 +61,13 @@ def close(rows, wanted, start, goal):
 
 
 def change(start, goal):
-    """Return the change from start to goal, the angle along the shorter arc."""
+    """Return the change from start to goal, the angle along the shorter arc.
+
+    Examples
+    --------
+    >>> change([0, 0, 3], [1, 0, -3])
+    array([1.        , 0.        , 0.28318531])
+    """
     apart = np.subtract(goal, start).astype(float)
     return np.where(BODY, wrap_angle(apart), apart)
 
@@ -105,7 +117,7 @@ ENDS = tuple(
 
 
 def _on_the_shorter_arc(rows, start, goal, n):
-    """Whether theta never leaves the shorter arc between the ends."""
+    """Return whether theta never leaves the shorter arc between the ends."""
     angle = change(start, goal)[2]
     ahead = np.copysign(1.0, angle) * (rows[:, 2] - start[2])
     return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() <= abs(angle) + 1e-6
@@ -155,7 +167,13 @@ def timed(right, fits=close):
 
 
 def lengths(duration, dt):
-    """Return the lengths of the steps of one pair: dt each, the last one shorter if it must be."""
+    """Return the lengths of the steps of one pair: dt each, the last one shorter if it must be.
+
+    Examples
+    --------
+    >>> lengths(0.25, 0.1)
+    array([0.1 , 0.1 , 0.05])
+    """
     whole = int(np.ceil(duration / dt - 1e-6)) - 1
     return np.append(np.full(whole, dt), duration - whole * dt)
 
@@ -230,7 +248,13 @@ def form(angles):
 
 
 def goes_straight(start, plan, dt):
-    """Return whether a plan has no rotation, and no rest."""
+    """Return whether a plan has no rotation, and no rest.
+
+    Examples
+    --------
+    >>> goes_straight(None, [((1, 0, 0), 2.0)], 0.1)
+    True
+    """
     return all(velocity[2] == 0 and np.any(velocity) for velocity, _ in plan)
 
 

@@ -28,7 +28,7 @@ def path_mistakes(path):
         return at(lambda n: formula(np.linspace(0, 1, n)))
 
     def whole(cut):
-        """The answer of somebody who computes with whole numbers where start and goal are such."""
+        """Return the answer of somebody who computes with whole numbers where start and goal are such."""
         return known(
             lambda start, goal, n: (
                 cut(start, goal, scaling(n))
@@ -168,7 +168,7 @@ def _whole(right, cut):
 
 
 def _without_empty_steps(right, angles):
-    """Whether rows are right once the steps of no length are taken out."""
+    """Return whether rows are right once the steps of no length are taken out."""
 
     def seen(rows, *case):
         moved = np.append(True, size_of(np.diff(rows, axis=0), angles).max(axis=1) > FINE)

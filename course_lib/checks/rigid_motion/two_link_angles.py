@@ -44,7 +44,7 @@ def _off(angles, tip):
 
 
 def _same(value, predicted, *case):
-    """Whether the solutions are the same, in either order and up to multiples of 2 pi."""
+    """Return whether the solutions are the same, in either order and up to multiples of 2 pi."""
     value, predicted = np.asarray(value), np.asarray(predicted)
     if value.shape != predicted.shape:
         return False

@@ -123,7 +123,7 @@ def _cases(rng):
 
 
 def _errors(ok, X, kind, tol):
-    """What an answer should have seen in X, in words."""
+    """Return what an answer should have seen in X, in words."""
     if not has_form(X, kind):
         return f"Its shape is {X.shape}."
     if kind == "quaternion":

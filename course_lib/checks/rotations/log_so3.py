@@ -58,14 +58,14 @@ def _skew_part(R):
 
 
 def _given(R):
-    """What the given code answers."""
+    """Return what the given code answers."""
     skew = _skew_part(R)
     sine = np.linalg.norm(skew)
     return np.arctan2(sine, (np.trace(R) - 1) / 2) / sine * skew if sine > 1e-12 else skew
 
 
 def _scaled(scale):
-    """The answer of somebody whose vector has the right direction and a length scale(angle)."""
+    """Return the answer of somebody whose vector has the right direction and a length scale(angle)."""
     return lambda R: log_so3(R) * scale(_angle(R)) / (_angle(R) or 1)
 
 
@@ -80,7 +80,7 @@ _NO_ANSWER = Mistake(
 
 
 def _short_of_pi(R):
-    """How far the angle is from pi, in words."""
+    """Return how far the angle is from pi, in words."""
     short = np.pi - _angle(R)
     return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
 

@@ -44,7 +44,7 @@ _RANGES = [CIRCLE, (0, np.pi / 2), CIRCLE]
 
 
 def _signs(R, i, j):
-    """Which signs R[i, j] has among the draws: (any negative, any positive)."""
+    """Return which signs R[i, j] has among the draws: (any negative, any positive)."""
     return bool(R[:, i, j].min() < -1e-12), bool(R[:, i, j].max() > 1e-12)
 
 

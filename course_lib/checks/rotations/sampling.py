@@ -89,7 +89,7 @@ def nearly_uniform(values, low, high):
 
 
 def _counts(columns, ranges, bins):
-    """How many draws fall in each cell: columns holds one array for each coordinate."""
+    """Return how many draws fall in each cell: columns holds one array for each coordinate."""
     return np.histogramdd(np.stack(columns, -1), bins=bins, range=ranges)[0]
 
 

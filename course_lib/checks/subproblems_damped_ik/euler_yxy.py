@@ -87,7 +87,7 @@ def _both(R):
 
 
 def _are_for(*products):
-    """Whether all triples are right for one of these other products of rotations: the `seen` of a mistake."""
+    """Return whether all triples are right for one of these other products of rotations: the `seen` of a mistake."""
 
     def seen(found, R):
         return len(found) > 0 and any(

@@ -63,7 +63,7 @@ def _motion(answer, q, *rest):
 
 
 def _same(answer, predicted, *case):
-    """Whether an answer is that of a mistake; not if the mistake makes no difference in this case."""
+    """Return whether an answer is that of a mistake; not if the mistake makes no difference in this case."""
     share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
     size = 1 + np.abs(predicted - case[0]).max()
     return off(answer, predicted) < min(share * size, 0.01) and not _right(predicted, *case)

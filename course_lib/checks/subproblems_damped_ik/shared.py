@@ -42,12 +42,24 @@ def rotated(k, theta, p):
 
 
 def across(k, p):
-    """Return the part of p perpendicular to the axis k."""
+    """Return the part of p perpendicular to the axis k.
+
+    Examples
+    --------
+    >>> across(np.array([0, 0, 1.0]), np.array([1.0, 2, 3]))
+    array([1., 2., 0.])
+    """
     return p - (k @ p) * k
 
 
 def angle_about(k, p, g):
-    """Return the angle about k from the direction of p to that of g."""
+    """Return the angle about k from the direction of p to that of g.
+
+    Examples
+    --------
+    >>> angle_about(np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), np.array([0, 2.0, 5]))
+    np.float64(1.5707963267948966)
+    """
     return np.arctan2(k @ np.cross(p, g), across(k, p) @ g)
 
 

@@ -60,12 +60,12 @@ def _path(q0, target, alpha, eps, steps):
 
 
 def _steps_that_fit(path, *rest):
-    """Whether each row follows from the row before it by a step."""
+    """Return whether each row follows from the row before it by a step."""
     return [off(after, step(before, *rest)) < allowed(before, *rest) for before, after in pairwise(path)]
 
 
 def _is_unwrapped(path, q0, *rest):
-    """Whether each row, right up to multiples of 2 pi, is where the step leads."""
+    """Return whether each row, right up to multiples of 2 pi, is where the step leads."""
     wanted = [np.asarray(q0, float), *(step(before, *rest[:3]) for before in path[:-1])]
     return np.abs(path - wanted).max() < 1
 
@@ -127,7 +127,7 @@ def _changing(q0, target, alpha, eps, steps, change):
 
 
 def _with_fixed(a, e):
-    """The answer of somebody who takes a for alpha, or e for eps; None where that makes no difference."""
+    """Return the answer of somebody who takes a for alpha, or e for eps; None where that makes no difference."""
 
     def answer(q0, target, alpha, eps, steps):
         used = alpha if a is None else a, eps if e is None else e

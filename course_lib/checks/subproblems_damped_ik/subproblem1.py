@@ -69,7 +69,7 @@ def _nearest(k, p, g):
 
 
 def _right(theta, k, p, g):
-    """Whether R(k, theta) p ends where it should, as a share of its distance from the axis."""
+    """Return whether R(k, theta) p ends where it should, as a share of its distance from the axis."""
     off = rotated(k, theta, p) - rotated(k, angle_about(k, p, g), p)
     return np.linalg.norm(off) < FINE * np.linalg.norm(across(k, p))
 
@@ -89,7 +89,7 @@ def _angle(theta, k, p, g):
 
 
 def _same(theta, predicted, k, p, g):
-    """Whether two answers are the same angle; where every angle is right, any number is."""
+    """Return whether two answers are the same angle; where every angle is right, any number is."""
     return bool(near(theta, predicted)) if _meant(k, p, g) else bool(np.isfinite(theta))
 
 

@@ -115,7 +115,7 @@ def _gap_of_the_first(pairs, *case):
 
 
 def _crossed(pairs, *case):
-    """Whether the right angles are there, but not in pairs."""
+    """Return whether the right angles are there, but not in pairs."""
     (a, b), (c, d) = subproblem2(*case).theta
     wanted = [(a, d), (c, b)]
     listed = [any(np.all(near(pair, one)) for pair in pairs) for one in wanted]
@@ -144,7 +144,7 @@ def _foot(c, h1, h2):
 
 
 def _rest(a, b, c, size):
-    """What Pythagoras leaves of |p1|^2 for the part along k1 x k2."""
+    """Return what Pythagoras leaves of |p1|^2 for the part along k1 x k2."""
     return size**2 - a * a - b * b - 2 * a * b * c
 
 

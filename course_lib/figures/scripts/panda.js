@@ -53,7 +53,7 @@
       view.end();
       ranges.forEach((show) => show());
       const [x, y, z] = gripper().map((value) => P.number(value, 2));
-      words.textContent = `Pull the gripper, or turn the view. The gripper is at x = ${x}, y = ${y}, z = ${z} m.`;
+      words.textContent = `Drag the gripper, or rotate the view. The gripper is at x = ${x}, y = ${y}, z = ${z} m.`;
     }
 
     // ---- pulling the gripper: damped least squares, as in the course ----

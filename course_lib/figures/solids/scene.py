@@ -339,7 +339,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
 
 
 def _shade(vertices, x, y, radius):
-    """How dark the shadow is at points of the floor, 0 to 1; higher parts cast it paler, wider and farther away."""
+    """Return the shadow's darkness at points of the floor, 0 to 1; higher parts cast it paler, wider and farther."""
     size = radius / 0.6
     p = vertices[:: max(1, len(vertices) // 350)] / size
     x, y = x / size, y / size

@@ -187,7 +187,7 @@ def _pose(given):
 
 
 def _positional(function):
-    """How many positional arguments a function takes; 1 where it does not say."""
+    """Return how many positional arguments a function takes; 1 where it does not say."""
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):

@@ -77,7 +77,7 @@ def _submissions(chosen):
         raise GradingStopped("Name the folder that holds what was handed in: make grade SUBMISSIONS=folder.")
     folder, output = Path(chosen.submissions), chosen.output.resolve()
     if folder.is_file():
-        raise GradingStopped(f"{folder} is a file: name the folder that it lies in.")
+        raise GradingStopped(f"{folder} is a file: name the folder that contains it.")
     if not folder.is_dir():
         raise GradingStopped(f"There is no folder {folder}.")
     if folder.resolve() in [output, *output.parents]:

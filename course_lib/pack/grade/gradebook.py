@@ -22,7 +22,7 @@ IDENTITY = {
     "moodle": ("Username", "ID number", "Email address", "First name", "Last name"),
     "gradescope": ("First Name", "Last Name", "SID", "Email"),
 }
-NAMES = ("Student", "First name", "Last name", "First Name", "Last Name")  # columns that tell no two students apart
+NAMES = ("Student", "First name", "Last name", "First Name", "Last Name")  # columns that do not identify a student
 KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
 WITHOUT_ROSTER = {"moodle": "Username", "gradescope": "SID"}  # the column of the students' names if there is no roster
 

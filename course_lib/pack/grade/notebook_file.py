@@ -33,7 +33,7 @@ class Cell:
     Parameters
     ----------
     kind : str
-        "code", "markdown" or whatever else the file says.
+        "code", "markdown", or another word from the file.
     source : str
     name : str
         Its grade_id in nbgrader's metadata, or ""; used only to find written answers.
@@ -265,7 +265,7 @@ def course_of(name, cells):
     Parameters
     ----------
     name : str
-        The notebook's name, as far as the file's own name tells it.
+        The notebook's name, if the file's own name contains it.
     cells : list of Cell
 
     Examples

@@ -17,7 +17,7 @@ CANVAS = re.compile(
 
 
 class Exported(NamedTuple):
-    """What a name says that Canvas or Moodle exported.
+    """The parts of a file name that Canvas or Moodle exported.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class Exported(NamedTuple):
     rest : str
         The student's own name for the file.
     number : str
-        The platform's number, which tells students of one name apart.
+        The platform's number, which distinguishes students of the same name.
     late : bool
         True if the platform marked the file as late.
     user_id : str
@@ -46,7 +46,7 @@ class Exported(NamedTuple):
 
 
 def exported_name(stem):
-    """Return the Exported of the name of a file or folder that Canvas or Moodle exported, and an empty one of others.
+    """Return the parts of a name that Canvas or Moodle exported, or an empty Exported for any other name.
 
     The platform's part comes first, so a student cannot imitate it by the file's own name.
 

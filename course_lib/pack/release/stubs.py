@@ -84,7 +84,7 @@ def take_answer(cell, place):
     Raises
     ------
     ReleaseError
-        If the answer cannot be told from the rest, or another cell contains words for graders.
+        If the answer cannot be separated from the rest, or another cell contains words for graders.
 
     Examples
     --------

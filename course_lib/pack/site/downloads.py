@@ -15,7 +15,7 @@ ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
 RUN = """
 
-**Run it.** {link}, unpack it and type `make lab` in its folder, or follow its README where there is no make. Then open
+**Run it.** {link}, unpack it and type `make lab` in its folder; without make, follow its README. Then open
 `notebooks/{name}`."""
 # The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"

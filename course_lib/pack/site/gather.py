@@ -10,7 +10,7 @@ from nbformat import NotebookNode
 
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
-COVER = "cover"  # the tag of the cell whose picture stands for its notebook
+COVER = "cover"  # the tag of the cell whose picture is on the notebook's card
 # The question that each notebook answers; a notebook's metadata may state another one, as "question".
 QUESTIONS = {
     "01_rotations": "How do you compute with orientations, and keep them valid?",
@@ -24,8 +24,8 @@ NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine
 
 HOME = """# Robot kinematics
 
-Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each
-notebook reproduces the numbers of a published homework report, and shows by computation what it got wrong.{time}
+Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
+reproduces the numbers of a published homework report, and proves its errors by computation.{time}
 
 {living}
 
@@ -49,7 +49,8 @@ notebook reproduces the numbers of a published homework report, and shows by com
 make lab
 ```
 
-opens the notebooks in JupyterLab; the first time it sets up all that they need. Without make, in the same folder:
+opens the notebooks in JupyterLab; the first time it installs everything that they need. Without make, in the same
+folder:
 
 ```
 python -m venv .venv
@@ -102,7 +103,7 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
     steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
     if any(page.stem == "errata" for page in others):
-        steps.append("[What we found wrong in print](errata.ipynb)")
+        steps.append("[Errors in the published reports](errata.ipynb)")
     return HOME.format(
         time=time,
         living=living,

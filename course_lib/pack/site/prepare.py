@@ -130,7 +130,7 @@ def alternative(output, place: str) -> str:
     alt = next((words for words in [*kept, output.metadata.get("alt")] if words), None)
     if alt is None:
         alt = output.data.get("text/plain", "")
-        # "<Figure size 640x480 with 1 Axes>" and "Figure({…" tell a reader nothing.
+        # "<Figure size 640x480 with 1 Axes>" and "Figure({…" are no help to a reader.
         if not alt or re.match(r"<.*>$|\w+\(", alt):
             raise SiteError(f"{place} shows a figure without alternative text. Use show(fig, alt=…).")
     return " ".join(alt.split())
