@@ -257,7 +257,7 @@ def describe(verdict):
     lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
     if verdict.blames:
         lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
-        lines.append(f"Mend {verdict.blames} first, then run this check again.")
+        lines.append(f"Correct {verdict.blames} first, then run this check again.")
         return "\n".join(lines)
     if verdict.state == ERROR:
         lines.append(verdict.reason)

@@ -311,14 +311,14 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
     return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def mirrored(n, as_given, mended):
+def mirrored(n, as_given, corrected):
     """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
 
     Parameters
     ----------
     n : int
         Of three points rounding decides: no two machines count the same, and the words say "about half".
-    as_given, mended : array_like, shape (m,)
+    as_given, corrected : array_like, shape (m,)
         Errors in degrees, one for each shape.
 
     Returns
@@ -332,9 +332,9 @@ def mirrored(n, as_given, mended):
     >>> mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2])
     ('about half', 2.5)
     """
-    count, m = int((np.asarray(as_given) > np.asarray(mended) + 1e-6).sum()), len(mended)
+    count, m = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum()), len(corrected)
     about = n == 3 and 0.36 * m < count < 0.64 * m
-    return "about half" if about else f"{count} of {m}", float(np.median(mended))
+    return "about half" if about else f"{count} of {m}", float(np.median(corrected))
 
 
 def iterations(counts, most):

@@ -72,12 +72,12 @@ OTHERS = ("is_valid", "nearest_quaternion", "nearest_se")  # answered right besi
 FULL = 3 + 1 + 2 + 3  # what these and nearest_so earn
 NEAREST_SE = """
 def nearest_se(T):
-    mended = np.eye(len(T))
+    corrected = np.eye(len(T))
     U, _, Vt = np.linalg.svd(T[:-1, :-1])
     U[:, -1] *= np.linalg.det(U @ Vt)
-    mended[:-1, :-1] = U @ Vt
-    mended[:-1, -1] = T[:-1, -1]
-    return mended
+    corrected[:-1, :-1] = U @ Vt
+    corrected[:-1, -1] = T[:-1, -1]
+    return corrected
 """
 
 

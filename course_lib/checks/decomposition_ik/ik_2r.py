@@ -11,10 +11,10 @@ from course_lib.checks.decomposition_ik.ik_2r_mistakes import (
     cosine_is,
     in_order,
     inside,
-    mended,
     off,
     outside,
     q1_is,
+    right_after,
     right_bend,
     same_q1,
     supplement,
@@ -150,28 +150,28 @@ EXERCISE = Exercise(
             _ONLY_ONE.hint,
             seen=lambda q, xy: inside(xy) and (off(q, xy) < 1e-6).all() and (np.abs(wrapped(q[0] - q[1])) < 1e-9).all(),
         ),
-        mended(
+        right_after(
             "the two rows are in the other order: q2 >= 0 is asked for first",
             "Return the row with q2 = +arccos(...) before that with q2 = -arccos(...).",
             lambda q, xy: q[::-1],
         ),
-        mended(
+        right_after(
             "the angles are given in degrees",
             "Angles are radians everywhere: no np.rad2deg.",
             lambda q, xy: np.deg2rad(q),
             lambda q, xy: np.deg2rad(q[::-1]),
         ),
-        mended(
+        right_after(
             "q1 and q2 have changed positions in the rows",
             "Each row is (q1, q2).",
             lambda q, xy: q[:, ::-1],
         ),
-        mended(
+        right_after(
             "the answer is transposed: its rows are both q1 and both q2",
             "Each row is one solution, (q1, q2).",
             lambda q, xy: q.T,
         ),
-        mended(
+        right_after(
             "q2 is counted from the x axis",
             "q2 is counted from the first link's direction: take q1 off.",
             with_q2(lambda t1, t2, xy: t2 - t1),
@@ -186,7 +186,7 @@ EXERCISE = Exercise(
             "The correction for the elbow has q2 in it: compute q1 anew for each q2.",
             seen=same_q1,
         ),
-        mended(
+        right_after(
             "the elbow correction of q1 has the wrong sign",
             "q2 > 0 bends to the left, so the first link points to the right of the position: "
             "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2).",
@@ -222,7 +222,7 @@ EXERCISE = Exercise(
             "With links of the same length, atan2(sin q2, 1 + cos q2) is q2 / 2.",
             seen=q1_is(lambda xy, t2: towards(xy) - t2),
         ),
-        mended(
+        right_after(
             "the angle inside the elbow is taken for q2: the law of cosines has the wrong sign",
             "q2 is what the second link bends from the first one's direction: r^2 = 2 + 2 cos q2.",
             lambda q, xy: corrected(supplement(q), xy),

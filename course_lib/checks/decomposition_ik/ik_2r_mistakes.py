@@ -1,4 +1,4 @@
-"""What an answer to ik_2r does: where its rows lead, which side its elbows are on, and what would mend it."""
+"""Facts about an answer to ik_2r: its tips, the sides of its elbows, and which change would make it right."""
 
 import numpy as np
 
@@ -42,11 +42,11 @@ def in_order(q, xy):
     return bend[0] >= -1e-3 * at_edge(xy) and bend[1] <= 1e-3 * at_edge(xy)
 
 
-def mended(name, hint, *mendings):
-    """Return a Mistake that an answer shows if one of the corrections, mending(q, xy), makes it right."""
+def right_after(name, hint, *changes):
+    """Return a Mistake that an answer shows if one of the changes, change(q, xy), makes it right."""
 
     def seen(q, xy):
-        better = (mending(q, xy) for mending in mendings)
+        better = (change(q, xy) for change in changes)
         return any(bool((off(each, xy) < 1e-6).all() and in_order(each, xy)) for each in better)
 
     return Mistake(name, hint, seen=seen)

@@ -64,7 +64,7 @@ EXERCISE = Exercise(
     mistakes=(
         few_digits(right),
         Mistake(
-            "only one half of the error is mended",
+            "only one half of the error is corrected",
             _PAIR,
             _step(lambda *c: np.concatenate([_of_the_world(*c)[:3], -pose_error(*c)[3:]])),
             _step(lambda *c: np.concatenate([pose_error(*c)[:3], -pose_error(*c)[3:]])),

@@ -1,4 +1,4 @@
-"""fit_rotation: find the bug. A reflection is mended by negating a column of the finished product."""
+"""fit_rotation: find the bug. A reflection is corrected by negating a column of the finished product."""
 
 import numpy as np
 
@@ -31,22 +31,22 @@ def _nearest_orthogonal(src, dst):
     return U @ Vt
 
 
-def _if_mirrored(mend):
-    """Return an answer: the nearest orthogonal matrix, changed by mend(R) if it is a reflection."""
+def _if_mirrored(correct):
+    """Return an answer: the nearest orthogonal matrix, changed by correct(R) if it is a reflection."""
 
     def answer(src, dst):
         R = _nearest_orthogonal(src, dst)
-        return mend(R) if np.linalg.det(R) < 0 else R
+        return correct(R) if np.linalg.det(R) < 0 else R
 
     return answer
 
 
 def _negated(k, axis):
-    def mend(R):
+    def correct(R):
         signs = 1.0 - 2 * (np.arange(3) == k)
         return R * (signs if axis else signs[:, None])
 
-    return mend
+    return correct
 
 
 def _with_signs(signs_of):

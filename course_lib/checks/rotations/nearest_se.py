@@ -32,7 +32,7 @@ def _is_pose(T):
     return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
 
 
-def _mended(T, block=nearest_so, translation=lambda R, p: p, row=lambda row: np.eye(len(row))[-1]):
+def _corrected(T, block=nearest_so, translation=lambda R, p: p, row=lambda row: np.eye(len(row))[-1]):
     """T put together from a new block, translation and row."""
     R = block(T[:-1, :-1])
     return pose(R, translation(R, T[:-1, -1]), *row(T[-1]))
@@ -70,34 +70,34 @@ EXERCISE = Exercise(
     ),
     mistakes=(
         Mistake(
-            "the last row stays as it came", "Does it depend on T at all?", lambda T: _mended(T, row=lambda row: row)
+            "the last row stays as it came", "Does it depend on T at all?", lambda T: _corrected(T, row=lambda row: row)
         ),
         Mistake(
             "only the last entry of the last row is repaired",
             "What are the others in a pose?",
-            lambda T: _mended(T, row=lambda row: [*row[:-1], 1.0]),
+            lambda T: _corrected(T, row=lambda row: [*row[:-1], 1.0]),
         ),
         Mistake(
             "T is divided by its last entry",
             "That scales the translation. Only the block and the row are repaired.",
-            lambda T: _mended(T / T[-1, -1]),
-            lambda T: _mended(T / T[-1, -1], row=lambda row: row),
+            lambda T: _corrected(T / T[-1, -1]),
+            lambda T: _corrected(T / T[-1, -1], row=lambda row: row),
         ),
         Mistake(
             "the translation is lost",
             "The last column stays as it is.",
-            lambda T: _mended(T, translation=lambda R, p: 0 * p),
+            lambda T: _corrected(T, translation=lambda R, p: 0 * p),
         ),
         Mistake(
             "the translation is rotated with the block",
             "The last column stays as it is.",
-            lambda T: _mended(T, translation=lambda R, p: R @ p),
-            lambda T: _mended(T, translation=lambda R, p: R.T @ p),
+            lambda T: _corrected(T, translation=lambda R, p: R @ p),
+            lambda T: _corrected(T, translation=lambda R, p: R.T @ p),
         ),
         Mistake(
             "the inverse pose is returned",
             "Keep the block and the translation: no transpose, no minus.",
-            lambda T: _mended(T, lambda M: nearest_so(M).T, lambda R, p: -R @ p),
+            lambda T: _corrected(T, lambda M: nearest_so(M).T, lambda R, p: -R @ p),
         ),
         Mistake(
             "the whole of T is made a rotation",
@@ -108,28 +108,28 @@ EXERCISE = Exercise(
         Mistake(
             "the block is returned as it came",
             "Which of your functions makes a rotation of a matrix?",
-            lambda T: _mended(T, np.copy),
+            lambda T: _corrected(T, np.copy),
             np.copy,
         ),
         Mistake(
             "the last column of U V^T is negated",
             "That is a rotation, but not the nearest. Your nearest_so does better.",
-            lambda T: _mended(T, last_column_negated),
+            lambda T: _corrected(T, last_column_negated),
         ),
         Mistake(
             "the block stays a reflection where det < 0",
             "Your nearest_so returns rotations only.",
-            lambda T: _mended(T, polar),
+            lambda T: _corrected(T, polar),
         ),
         Mistake(
             "the block is transposed",
             "Compare it with the block of T: which of the two is near it?",
-            lambda T: _mended(T, lambda M: nearest_so(M).T),
+            lambda T: _corrected(T, lambda M: nearest_so(M).T),
         ),
         Mistake(
             "the columns of the block are made orthogonal one after the other",
             "That favours the first column. Your nearest_so treats all alike.",
-            lambda T: _mended(T, gram_schmidt),
+            lambda T: _corrected(T, gram_schmidt),
         ),
     ),
     hints=(

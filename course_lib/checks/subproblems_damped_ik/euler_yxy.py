@@ -103,7 +103,7 @@ def _second_made(*makings):
 
 
 def _shifted(name, hint, *shifts):
-    """The mistake of which each triple can be mended by one of the shifts, or is right."""
+    """The mistake of which each triple can be corrected by one of the shifts, or is right."""
 
     def seen(found, R):
         return len(found) > 0 and all(

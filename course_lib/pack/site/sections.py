@@ -27,7 +27,7 @@ The books, articles and reports that each notebook uses.""",
 THERE = {
     r"\babove\b(?!,? (?:all|\d|[$]))": "in [the notebook]({link})",
     r"\bthis notebook\b": "[the notebook]({link})",
-    r"\bYou (?:found|mended) it in (`\w+`)": r"The notebook's exercise on it is \1",
+    r"\bYou (?:found|corrected) it in (`\w+`)": r"The notebook's exercise on it is \1",
     r"\bThe table of the ([\d,]+) targets": r"[The notebook's]({link}) table of the \1 targets",
     r"\bYou met this line as a bug to find": "The notebook sets this line as a bug to find",
 }
