@@ -1,3 +1,4 @@
+import gc
 import os
 import zipfile
 from contextlib import contextmanager
@@ -43,6 +44,15 @@ LONGEST += ["test_site_leaks.py", "05_panda_dh_ik.ipynb", "test_site_looks.py", 
 LONGEST += ["test_site_again.py", "test_site_controls.py", "test_notebook_runner.py", "test_notebooks.py"]
 LONGEST += ["test_figures_film.py", "test_grade_dask.py", "test_author_guide.py", "test_site_answers.py"]
 LONGEST += ["test_toys_lab.py"]
+
+
+# Thousands of tests are collected and kept: searching for garbage among them would double the time that takes.
+gc.disable()
+
+
+def pytest_collection_finish():
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(optionalhook=True)
