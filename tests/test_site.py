@@ -117,22 +117,22 @@ def test_a_figure_can_be_rotated_and_keeps_its_view(reader):
     box.scroll_into_view_if_needed()
     box.locator("canvas").first.wait_for()
     before = page.evaluate(eye)
-    live.evaluate("live => live.on('plotly_relayout', () => (window.turned = true))")
+    live.evaluate("live => live.on('plotly_relayout', () => (window.rotated = true))")
     live.hover()  # waits until the page has stopped moving
     place = live.bounding_box()
     x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
     page.mouse.down()
     page.mouse.move(x + 80, y + 30, steps=5)
     page.mouse.up()
-    page.wait_for_function("window.turned")
-    turned = live.evaluate("live => live.layout.scene.camera.eye")
-    assert abs(turned["x"] - before["x"]) > 0.01
+    page.wait_for_function("window.rotated")
+    rotated = live.evaluate("live => live.layout.scene.camera.eye")
+    assert abs(rotated["x"] - before["x"]) > 0.01
     # Far away a figure is let go, its still picture stands in; back again it is as it was left.
     page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
     box.locator(".plotly-still").wait_for()
     box.scroll_into_view_if_needed()
     box.locator("canvas").first.wait_for()
-    assert page.evaluate(eye) == pytest.approx(turned, abs=1e-6)
+    assert page.evaluate(eye) == pytest.approx(rotated, abs=1e-6)
 
 
 def test_frames_play_from_the_keyboard(reader):

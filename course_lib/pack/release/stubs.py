@@ -124,7 +124,7 @@ def stub(source, exercise, place):
     Raises
     ------
     ReleaseError
-        If the markers do not pair, or what is left is not a function of the exercise's name.
+        If the markers do not pair, or what remains is not a function of the exercise's name.
 
     Examples
     --------
