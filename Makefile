@@ -29,26 +29,25 @@ help:
 environment:
 	@sh course_lib/pack/environment.sh
 
-# Jupyter refuses to run as root unless told to. The two settings keep it from warning of plain-text connections to
-# kernels and of its own default for an interval; the folder named first keeps it from asking about news and updates.
+# Jupyter refuses to run as root unless told to. The settings of the folder named first keep it from asking about news
+# and updates, and from warning of plain-text connections to kernels and of its own default for an interval.
 lab: environment ## open the notebooks in JupyterLab
 	@JUPYTER_CONFIG_PATH="$(CURDIR)/course_lib/jupyter$${JUPYTER_CONFIG_PATH:+:$$JUPYTER_CONFIG_PATH}" \
 		$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
-		--KernelManager.transport_encryption=auto --ServerApp.websocket_ping_timeout=30000 \
 		notebooks/01_rotations.ipynb
 
 # One pytest run, so that its summary comes last; with ONLY, one process, because few tests take seconds. Matplotlib
 # builds its font list beforehand: it reports on stderr if that takes long, and nbval would compare that too. The cells
 # of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
 test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name
-	$(PY) -m ruff check --no-cache .
+	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
 		--nbval --nbval-current-env --nbval-cell-timeout=600 tests $(NOTEBOOKS)
 
-html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, SINGLE=yes for one file a page
+html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/; SINGLE=yes for one file a page
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")
 
 student: environment ## write the release to students, without solutions, build/student.zip
@@ -65,18 +64,17 @@ notebooks: environment ## run the notebooks and write their outputs into them; N
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
 	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
 
-data: environment ## make the data that the notebooks come with (authors)
-	@$(PY) -m course_lib.pack.data
+data: environment ## make the data that the notebooks come with; TIMES=yes measures the times of notebook 6 again
+	@$(PY) -m course_lib.pack.data $(if $(TIMES),--times "$(TIMES)")
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock
 
 # One thread for all, so that what is compared is the work and not how it is spread.
-bench: environment ## measure the library beside other libraries, in an environment of its own, build/bench/
+bench: ## measure the library beside others, in an environment of its own, and write README's table of speed
 	@sh course_lib/pack/environment.sh bench
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
 		.venv-bench/bin/python -m course_lib.pack.bench
-	@OMP_NUM_THREADS=1 $(PY) -m course_lib.pack.bench.notebook_times
 
 clean: ## delete build/ (grades too) and caches; .venv and .venv-bench stay
 	rm -rf build .pytest_cache .ruff_cache .hypothesis .import_linter_cache

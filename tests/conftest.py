@@ -1,3 +1,4 @@
+import difflib
 import gc
 import os
 import zipfile
@@ -50,9 +51,18 @@ LONGEST += ["test_toys_lab.py"]
 gc.disable()
 
 
-def pytest_collection_finish():
+def pytest_collection_finish(session):
+    """With ONLY=typo say what there is instead of pytest's "no tests ran"."""
     gc.freeze()
     gc.enable()
+    only = os.environ.get("ONLY")
+    if only and not session.items and not session.testsfailed:
+        names = {path.stem for pattern in ("*", "*/*.py") for path in BANK.glob(pattern)}
+        names |= {
+            path.stem for pattern in ("tests/*.py", "notebooks/*.ipynb") for path in BANK.parents[1].glob(pattern)
+        }
+        near = difflib.get_close_matches(only, sorted(names | {name.removeprefix("test_") for name in names}))
+        raise pytest.UsageError(f"Nothing has {only} in its name. Near it: {', '.join(near) or 'nothing'}.")
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -65,7 +65,7 @@ def _read_by(notebooks, root):
 def _package(root):
     """Return the paths of the package, with the settings of JupyterLab, without `pack`."""
     package = root / "course_lib"
-    files = [*package.rglob("*.py"), *package.rglob("*.js"), *package.glob("jupyter/*/*.json")]
+    files = [*package.rglob("*.py"), *package.rglob("*.js"), *package.glob("jupyter/**/*.json")]
     return [path for path in files if path.relative_to(package).parts[0] != "pack"]
 
 
