@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib import rigid
-from course_lib.pack.film_frames import numbers, vertices
+from course_lib.figures.solids.scene import projected
+from course_lib.pack.animations import points
 from course_lib.rotations import exp_so3
 
 
@@ -16,7 +17,7 @@ class Film:
         self.mesh = figure["data"][self.course["trace"]]
         self.of_body = np.repeat(np.arange(len(self.course["counts"])), self.course["counts"])
         back = rigid.inverse(self.poses[0])
-        self.bodies = [moved(back[k], vertices(self.mesh)[self.of_body == k] / 1000) for k in range(len(back))]
+        self.bodies = [moved(back[k], points(self.mesh)[self.of_body == k] / 1000) for k in range(len(back))]
 
     def at(self, i):
         """The vertices (n, 3) at the time i."""
@@ -24,19 +25,16 @@ class Film:
 
     def frame(self, i):
         """The vertices (n, 3) that JupyterLab shows in its frame i."""
-        data = self.figure["frames"][i]["data"][0]
-        return np.stack([numbers(data[c]) for c in "xyz"], -1) / 1000
+        return points(self.figure["frames"][i]["data"][0]) / 1000
 
 
-def moved(T, points):
-    return points @ T[:3, :3].T + T[:3, 3]
+def moved(T, at):
+    return at @ T[:3, :3].T + T[:3, 3]
 
 
-def assert_in_ranges(points, scene, unit=1.0):
+def assert_in_ranges(at, scene, unit=1.0):
     """Assert that points (n, 3) are inside the ranges of a scene, outside of which plotly clips, and in its picture."""
-    from course_lib.figures.solids.scene import projected
-
     ranges = np.array([scene[f"{c}axis"]["range"] for c in "xyz"]) / unit
-    assert (points.min(0) > ranges[:, 0]).all()
-    assert (points.max(0) < ranges[:, 1]).all()
-    assert np.abs(projected(points * unit, scene)).max() < 1
+    assert (at.min(0) > ranges[:, 0]).all()
+    assert (at.max(0) < ranges[:, 1]).all()
+    assert np.abs(projected(at * unit, scene)).max() < 1

@@ -1,7 +1,7 @@
 """The pictures of notebook 5: both conventions on one arm, registration, and a gripper that grasps."""
 
 import numpy as np
-from films import Film, assert_in_ranges
+from films import Film, assert_in_ranges, points
 from helpers import places, shown, stored
 
 from course_lib import rigid, rotations
@@ -46,9 +46,7 @@ def test_both_conventions_are_drawn_on_the_same_arm_with_arrows_along_their_axes
     triads = [t for t in figure["data"] if t["type"] == "mesh3d" and not t.get("opacity") and t["cmax"] < 99]
     for triad, shown_frames in zip(triads, (frames[:-1], others[:-1]), strict=True):
         vertices, colours = places(triad), np.array(X_RED) + np.arange(3)
-        from course_lib.pack.film_frames import numbers
-
-        of = numbers(triad["intensity"])
+        of = points(triad, ["intensity"])[:, 0]
         for T in shown_frames:
             for k in range(3):
                 tip = T[:3, 3] + 0.13 * T[:3, k]

@@ -116,7 +116,7 @@ def test_the_gradebook_has_the_rosters_students(copy, followed):
 
 
 def test_the_pages_are_there(copy, followed):
-    assert (copy / "build/html/index.html").is_file()
+    assert (copy / "build/html-students/index.html").is_file()
 
 
 def test_the_guide_is_short_and_plain():

@@ -23,7 +23,9 @@ def main() -> int:
     """Build the site; return an exit code, after a plain sentence if the build fails."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
-    parser.add_argument("--output", type=Path, default=Path("build/html"), help="folder to write")
+    parser.add_argument(
+        "--output", type=Path, help="folder to write; build/html, or build/html-students without solutions"
+    )
     parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
     parser.add_argument("--single", default="no", help="yes: make each page one file")
     chosen = parser.parse_args()
@@ -47,11 +49,17 @@ def main() -> int:
     from course_lib.pack.site.errors import SiteError
 
     try:
-        wishes = {"solutions": chosen.solutions == "yes", "single": chosen.single == "yes"}
-        build(chosen.notebooks, chosen.output, **wishes)
+        solutions = chosen.solutions == "yes"
+        output = chosen.output or Path("build", "html" if solutions else "html-students")
+        build(chosen.notebooks, output, solutions=solutions, single=chosen.single == "yes")
     except SiteError as error:
         print(f"No site was built. {error}", file=sys.stderr)
         return 1
+    print(
+        "The pages show the solutions: make html SOLUTIONS=no writes them without."
+        if solutions
+        else "Without solutions."
+    )
     return 0
 
 
