@@ -5,6 +5,7 @@ degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', d
 differential equation for q, and its right side is the velocity that is stored with each sample.
 """
 
+import argparse
 import sys
 from pathlib import Path
 
@@ -21,44 +22,12 @@ NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the configuration at tim
 
 
 def end_effector(t):
-    """Return the positions of the end-effector at some times.
-
-    Parameters
-    ----------
-    t : array_like, shape (...)
-        Seconds.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        Metres.
-
-    Examples
-    --------
-    >>> end_effector(0.0)
-    array([-0.5,  0.5,  0.5])
-    """
+    """Return the positions (..., 3) of the end-effector in metres at times (...) in seconds."""
     return np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
 
 
 def end_effector_velocity(t):
-    """Return the velocities of the end-effector at some times: the derivative of `end_effector`.
-
-    Parameters
-    ----------
-    t : array_like, shape (...)
-        Seconds.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        Metres per second.
-
-    Examples
-    --------
-    >>> end_effector_velocity(0.0)
-    array([ 0.2,  0.1, -0. ])
-    """
+    """Return the derivative of `end_effector`, metres per second."""
     return np.stack([0.2 * np.cos(2 * t), 0.1 * np.cos(t), -0.2 * np.sin(t)], -1)
 
 
@@ -88,15 +57,21 @@ def iiwa_trajectory():
     inside = ((q > arm.limits[:, 0]) & (q < arm.limits[:, 1])).all()
     if off > 1e-9 or not inside:
         raise RuntimeError(f"the trajectory is not valid: {off:.1e} m off the curve, inside the limits: {inside}")
-    return Trajectory(TIMES, q, np.array([velocity(t, at) for t, at in zip(TIMES, q, strict=True)]))
+    qd = np.array([velocity(t, at) for t, at in zip(TIMES, q, strict=True)])
+    # As many decimals as are saved; 0.0 added makes -0.0 to 0.0, for its sign differs between machines.
+    return Trajectory(TIMES, *(np.round(values, 10) + 0.0 for values in (q, qd)))
 
 
-def main():
+def main(arguments=None):
     """Write the data that the notebooks use; return an exit code."""
+    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.data")
+    parser.add_argument("--times", choices=("yes", "no"), default="no", help="measure the times on this machine, too")
+    with_times = parser.parse_args(arguments).times == "yes"
     save(FILE, iiwa_trajectory())
+    costs.write(with_times)
     print(f"{FILE}: {len(TIMES)} samples")
-    costs.write()
-    print(f"{costs.FILE}: measured on this machine")
+    print(f"{costs.FILE}: the times are {'measured again' if with_times else 'as they were (TIMES=yes measures them)'}")
+    print("If git shows a change, run: make notebooks, and then: make test")
     return 0
 
 

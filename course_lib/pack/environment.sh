@@ -39,6 +39,7 @@ run() { # a command whose output goes to the log; lines that say how far it is g
         printf '%s\n' "$line" >>"$log"
         case $line in
         Collecting\ * | \ Downloaded\ * | Resolved\ * | Prepared\ *) printf '  %.76s\n' "$line" ;;
+        Installed\ *) echo "  $line, compiling them, which takes longest ..." ;;
         'Installing collected'*) echo '  Unpacking all of them, which is the slower half ...' ;;
         esac
     done
@@ -67,8 +68,7 @@ set_up() { # set_up ENVIRONMENT WHAT...
     shift
     [ -x "$venv/bin/python" ] && contents | cmp -s - "$venv/made-from" && return
     : >"$log"
-    echo "Setting up $venv: $(grep -c == environment.txt) packages, a minute or two with uv and two to ten with pip," \
-        "by network and machine; uv is silent for most of it, while it compiles (log: $log)."
+    echo "Setting up $venv, once: a minute or two with uv and two to ten with pip, by network and machine (log: $log)."
     # One that was moved, interrupted or left without pip is made afresh.
     if [ "$(head -n 1 "$venv/made-from" 2>/dev/null)" != "$here" ] ||
         ! { [ -n "$uv" ] || "$venv/bin/python" -m pip --version; } >>"$log" 2>&1; then

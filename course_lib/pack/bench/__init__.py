@@ -1,1 +1,1 @@
-"""`make bench`: compare the library with other libraries on this machine, and with its promised bounds."""
+"""`make bench`: compare the library with other libraries on this machine."""
