@@ -2,23 +2,16 @@
 
 import csv
 import re
-import shutil
 import subprocess
-import sys
-from pathlib import Path
 
 import nbformat
 import pytest
+from course_copy import ROOT, copied
 from hostile.build import book, cell
 
-ROOT = Path(__file__).parents[1]
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test
 NOTEBOOK = "01_rotations"
-WRAPPER = """#!/bin/sh
-unset PYTHONSAFEPATH
-PYTHONPATH='{copy}' exec '{python}' "$@"
-"""
 
 
 def commands():
@@ -28,22 +21,7 @@ def commands():
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory):
-    """A copy of the project with one notebook, whose environment is this one and counts as set up."""
-    folder = tmp_path_factory.mktemp("project")
-    ignore = shutil.ignore_patterns("0[2-6]_*.ipynb", "checkpoints")  # what is compiled stays so
-    for name in ("course_lib", "notebooks"):
-        shutil.copytree(ROOT / name, folder / name, ignore=ignore)
-    for name in ("Makefile", "environment.txt", "pyproject.toml"):
-        shutil.copy(ROOT / name, folder)
-    python = folder / ".venv/bin/python"
-    python.parent.mkdir(parents=True)
-    python.write_text(WRAPPER.format(copy=folder, python=sys.executable))
-    python.chmod(0o755)
-    made_from = (
-        f"{folder.resolve()}\n" + (folder / "environment.txt").read_text() + (folder / "pyproject.toml").read_text()
-    )
-    (folder / ".venv/made-from").write_text(made_from)
-    return folder
+    return copied(tmp_path_factory.mktemp("project"), notebooks="01*")
 
 
 @pytest.fixture(scope="module")

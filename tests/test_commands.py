@@ -1,0 +1,110 @@
+"""Every command runs: make's targets, each on something small, in a copy of the project.
+
+The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_toys_lab.py make lab.
+"""
+
+import json
+import os
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from course_copy import ROOT, copied, made, run
+from helpers import FIGURE, stored
+from nbformat.v4 import new_code_cell
+from site_notebooks import cell, output, write
+
+from course_lib.figures import rigid_motion
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory):
+    return copied(tmp_path_factory.mktemp("a course é"), "README.md", "tests", ".ci", notebooks="01*")
+
+
+def test_make_alone_lists_every_target_on_a_line(course):
+    (targets,) = re.findall(r"^\.PHONY: help environment (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    lines = made(course).splitlines()
+    assert [line.split()[:2] for line in lines] == [["make", name] for name in targets.split()]
+    assert all(len(line.split()) > 3 for line in lines)
+
+
+def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(course):
+    for name in ("handed_in/doe/answer.py", "notebooks/Untitled.py"):
+        (course / name).parent.mkdir(parents=True, exist_ok=True)
+        (course / name).write_text("import os, sys\n")
+    done = run(course, "make", "test", "ONLY=exp_so33")
+    assert "All checks passed" in done.stdout
+    assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
+
+
+def test_make_data_gives_what_is_stored(course):
+    folder = course / "notebooks/data"
+    costs = json.loads((folder / "decomposition_costs.json").read_text())
+    for name in ("iiwa_trajectory.csv", "decomposition_costs.json"):
+        (folder / name).write_text((folder / name).read_text())  # of its own, should copies be links
+    made(course, "data")
+    again, before = (
+        np.loadtxt(path / "notebooks/data/iiwa_trajectory.csv", delimiter=",", skiprows=1) for path in (course, ROOT)
+    )
+    np.testing.assert_allclose(again, before, rtol=0, atol=2e-10)
+    assert "-0.0000000000" not in (folder / "iiwa_trajectory.csv").read_text()
+    for name, figures in json.loads((folder / "decomposition_costs.json").read_text()).items():
+        assert figures == costs[name] | {"mean_error": pytest.approx(costs[name]["mean_error"], rel=0.1)}
+
+
+def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(course):
+    path = "notebooks/01_small.ipynb"
+    write(course / "notebooks", "01_small.ipynb", new_code_cell("print(6 * 7)"))
+    made(course, "notebooks", f"NOTEBOOKS={path}")
+    assert '"42\\n"' in (course / path).read_text()
+    movie = rigid_motion.body_movie("body", np.eye(2, 3), [0, 0.2])["fig"]
+    write(course / "notebooks", "01_small.ipynb", cell(output({FIGURE: stored(movie)})))
+    assert "build/animations/body.gif" in made(course, "animations", f"NOTEBOOKS={path}")
+    assert (course / "build/animations/body.gif").read_bytes().startswith(b"GIF89a")
+    (course / path).unlink()
+
+
+def test_the_benchmark_compares_what_is_installed(course):
+    done = run(course, ".venv/bin/python", "-m", "course_lib.pack.bench", "10")
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"\| 100 rotations, log \| [\d.]+ µs \| scipy \| [\d.]+ \|", done.stdout)
+    assert "README.md stays as it is." in done.stdout
+
+
+def test_the_lock_is_what_make_lock_writes(course):
+    done = run(course, "make", "lock")
+    if "could not be downloaded" in done.stderr and "CI" not in os.environ:
+        pytest.skip("there is no network")
+    assert (course / "environment.txt").read_text() == (ROOT / "environment.txt").read_text(), "run make lock"
+    assert "environment.txt stays as it is." in done.stdout
+
+
+@pytest.mark.parametrize("browser", ["there", "missing"])
+def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, tmp_path, browser):
+    for name in ("bash", "dirname", "id", "tail", "python3", "readelf"):
+        if found := shutil.which(name):
+            (tmp_path / name).symlink_to(found)
+    for name, script in {"make": 'echo "make $* in CI=$CI"', "apt-get": "exit 100", "sudo": 'shift; "$@"'}.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{script}\n")
+        (tmp_path / name).chmod(0o755)
+    chosen = {"BROWSER_PATH": shutil.which("true")} if browser == "there" else {"BROWSER_PATH": ""}
+    python = str(Path(shutil.which("python3")).resolve())
+    done = run(course, str(course / ".ci/run"), PATH=str(tmp_path), PYTHON=python, **chosen)
+    if browser == "there" and "libatomic1" not in done.stderr:
+        assert done.stdout.splitlines() == ["make environment in CI=true", "make test in CI=true"]
+    else:
+        assert done.returncode == 1
+        assert re.search(r"could not be installed: .*\. Install them as root: apt install ", done.stderr)
+        assert browser == "there" or "chromium" in done.stderr
+
+
+def test_make_clean_leaves_the_environment(course):
+    (course / "build").mkdir(exist_ok=True)
+    (course / "notebooks/__pycache__").mkdir()
+    made(course, "clean")
+    assert not (course / "build").exists()
+    assert not (course / "notebooks/__pycache__").exists()
+    assert (course / ".venv/bin/python").is_file()
