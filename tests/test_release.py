@@ -82,7 +82,7 @@ def test_holds_what_students_need_and_nothing_else(files):
         r"course_lib/\w+\.py",
         r"course_lib/(checks|figures)/(\w+/)?\w+\.py",
         r"course_lib/figures/scripts/\w+\.js",
-        r"course_lib/jupyter/labconfig/page_config\.json",
+        r"course_lib/jupyter/(labconfig/page|jupyter_server)_config\.json",
         r"course_lib/pack/environment\.sh",
     ]
     assert [name for name in files if not re.fullmatch("|".join(kinds), name)] == []
