@@ -86,8 +86,9 @@ def _inverse(peers, targets):
 
 
 def _rotations(peers, n):
-    axes = np.random.default_rng(0).normal(size=(n, 3))
-    w = axes / np.linalg.norm(axes, axis=-1, keepdims=True) * np.linspace(0, 3.1, n)[:, None]
+    rng = np.random.default_rng(0)
+    axes = rng.normal(size=(n, 3))
+    w = axes / np.linalg.norm(axes, axis=-1, keepdims=True) * rng.uniform(0, np.pi, (n, 1))
     R, q = rotations.exp_so3(w), rotations.matrix_to_quaternion(rotations.exp_so3(w))
     maps = {
         "exp": (w, rotations.exp_so3, lambda S: lambda w: S.from_rotvec(w).as_matrix()),
