@@ -15,6 +15,8 @@ from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
 from site_visits import CONTRAST, PATIENCE
 
+from course_lib.figures.toys.toy import CORE, module
+
 ROOT = Path(__file__).parent.parent
 PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
 SOURCES = (
@@ -80,6 +82,7 @@ def server(tmp_path_factory):
         finally:
             process.terminate()
             process.wait(30)
+        assert "cannot be longer" not in (folder / "log").read_text(), "a warning of Jupyter's own default"
 
 
 @pytest.fixture(scope="module")
@@ -172,3 +175,26 @@ def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_fun
 def test_no_request_left_the_machine(lab):
     assert len(lab.asked) > 10
     assert [url for url in lab.asked if not re.match(r"https?://localhost|data:|blob:", url)] == []
+
+
+UNHEARD = """async (source) => {
+  const { default: widget } = await import(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
+  course.kinds.asking = (el, meta, figure, kernel) => { kernel.ask({}); return () => {}; };
+  const state = { meta: { kind: "asking" }, figure: {}, alt: "", answers: true };
+  const on = (name, hear) => { window.answer = hear; };
+  widget.render({ model: { get: (name) => state[name], on, send() {} }, el: document.body });
+}"""
+
+
+def test_a_kernel_that_does_not_answer_is_told_until_it_does(browser):
+    context = browser.new_context()
+    page = context.new_page()
+    page.clock.install()
+    page.evaluate(UNHEARD, module(CORE))
+    page.clock.fast_forward(4000)
+    assert page.text_content("body") == ""
+    page.clock.fast_forward(2000)
+    assert page.text_content("body").endswith("When it is idle, run this cell again.")
+    page.evaluate("answer({})")
+    assert page.text_content("body") == ""
+    context.close()

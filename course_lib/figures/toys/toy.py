@@ -20,14 +20,27 @@ _RENDER = """
 export default { render({ model, el }) {
   const meta = JSON.parse(JSON.stringify(model.get("meta")));
   const answers = new Set(), { kinds, parts } = globalThis.course;
-  model.on("msg:custom", (message) => answers.forEach((hear) => hear(message)));
-  const kernel = { ask: (question) => model.send(question), hear: (answer) => answers.add(answer) };
+  // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no message: say what helps.
+  const note = document.createElement("p");
+  note.textContent = "The kernel does not answer. When it is idle, run this cell again.";
+  let late = null;
+  model.on("msg:custom", (message) => {
+    clearTimeout(late);
+    note.remove();
+    answers.forEach((hear) => hear(message));
+  });
+  const ask = (question) => {
+    clearTimeout(late);
+    late = setTimeout(() => el.append(note), 5000);
+    model.send(question);
+  };
+  const kernel = { ask, hear: (answer) => answers.add(answer) };
   el.setAttribute("aria-label", model.get("alt"));
   const start = () => kinds[meta.kind](el, meta, model.get("figure"), model.get("answers") ? kernel : null);
   let stop = start();
   // What is in `meta` outlives the change to the colours of the other theme.
   const leave = parts.onTheme(() => { stop(); answers.clear(); stop = start(); });
-  return () => { leave(); stop(); };
+  return () => { clearTimeout(late); leave(); stop(); };
 } };
 """
 
