@@ -85,8 +85,6 @@ WORKING = [
     "checks.rotations.shared",
     "checks.subproblems_damped_ik.challenge",
     "checks.subproblems_damped_ik.shared",
-    "pack.bench.measure",
-    "pack.data",
     "pack.files",
     "pack.grade.bounded",
     "pack.grade.cells",
