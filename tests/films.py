@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib import rigid
 from course_lib.figures.solids.scene import projected
-from course_lib.pack.animations import points
+from course_lib.pack.animations import placed, points
 from course_lib.rotations import exp_so3
 
 
@@ -14,22 +14,18 @@ class Film:
     def __init__(self, figure):
         self.figure, self.course = figure, figure["layout"]["meta"]["course"]
         self.poses = rigid.transform(exp_so3(self.course["rotations"]), np.array(self.course["positions"]) / 1000)
-        self.mesh = figure["data"][self.course["trace"]]
         self.of_body = np.repeat(np.arange(len(self.course["counts"])), self.course["counts"])
-        back = rigid.inverse(self.poses[0])
-        self.bodies = [moved(back[k], points(self.mesh)[self.of_body == k] / 1000) for k in range(len(back))]
+        vertices = points(figure["data"][self.course["trace"]]) / 1000
+        self.local = placed(rigid.inverse(self.poses[0])[self.of_body], vertices)
+        self.bodies = [self.local[self.of_body == k] for k in range(len(self.course["counts"]))]
 
     def at(self, i):
         """The vertices (n, 3) at the time i."""
-        return np.concatenate([moved(T, body) for T, body in zip(self.poses[i], self.bodies, strict=True)])
+        return placed(self.poses[i][self.of_body], self.local)
 
     def frame(self, i):
         """The vertices (n, 3) that JupyterLab shows in its frame i."""
         return points(self.figure["frames"][i]["data"][0]) / 1000
-
-
-def moved(T, at):
-    return at @ T[:3, :3].T + T[:3, 3]
 
 
 def assert_in_ranges(at, scene, unit=1.0):

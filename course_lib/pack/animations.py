@@ -151,17 +151,18 @@ def _in_space(film):
     poses = rigid.transform(exp_so3(course["rotations"]), course["positions"])
     steps = rigid.log_se3(rigid.inverse(poses[:-1]) @ poses[1:])
     bodies = np.repeat(np.arange(len(course["counts"])), course["counts"])
-    local, draw = _placed(rigid.inverse(poses[0])[bodies], points(moving)), _painter(axes, [*still, moving], scene)
+    local, draw = placed(rigid.inverse(poses[0])[bodies], points(moving)), _painter(axes, [*still, moving], scene)
 
     def show(t):
         i, share = _between(times, t)
         at = poses[i] @ rigid.exp_se3(share * steps[i])
-        draw(np.concatenate([*map(points, still), _placed(at[bodies], local)]))
+        draw(np.concatenate([*map(points, still), placed(at[bodies], local)]))
 
     return figure, show
 
 
-def _placed(poses, local):
+def placed(poses, local):
+    """Return points (n, 3) of a body each, moved by the pose of their body (n, 4, 4)."""
     return (poses[:, :3, :3] @ local[:, :, None])[..., 0] + poses[:, :3, 3]
 
 
