@@ -64,7 +64,7 @@ def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with
     ("-r env", "Failed to resolve 'pypi.org' ([Errno -2] Name or service not known)", "check the network connection"),
     ("-r env", "broken by 'SSLError(CERTIFICATE_VERIFY_FAILED) certificate verify failed'", "certificate was not acc"),
     ("-r env", "ERROR: No matching distribution found for numpy==2.4.6", "name another Python"),
-    ("-e .", "OSError: [Errno 28] No space left on device", "failed: OSError: [Errno 28] No space left on device"),
+    ("-e .", "OSError: [Errno 28] No space left on device\n", "failed: OSError: [Errno 28] No space left on device"),
 ])  # fmt: skip
 def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at, says, told):
     done, _ = make("environment", AT=at, SAYS=says)

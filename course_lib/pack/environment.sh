@@ -31,7 +31,7 @@ proxy that opens encrypted connections name the file of its certificate, SSL_CER
         "The packages could not be downloaded: check the network connection and run make again"
     because 'no matching distribution|no usable wheels|no wheels with a matching' \
         "Some packages are not made for this Python or this system: name another Python, make PYTHON=python3.13"
-    stop "The set-up failed: $(tail -n 1 "$log") (log: $log)."
+    stop "The set-up failed: $(grep . "$log" | tail -n 1) (log: $log)."
 }
 
 run() { # a command whose output goes to the log; lines that say how far it is go to the terminal too
