@@ -1,8 +1,10 @@
 """The site as readers see it: in a browser, from a folder, without a network."""
 
 import json
+import os
 import re
 import runpy
+import shutil
 import subprocess
 import sys
 
@@ -189,6 +191,7 @@ def test_still_pictures_are_printed_in_place_of_figures(reader):
     assert page.locator("html").get_attribute("data-theme") == "dark"
 
 
+@pytest.mark.skipif(not (shutil.which("pdftotext") or "CI" in os.environ), reason="pdftotext (poppler) is missing")
 def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
     page = reader.page
     page.pdf(path=tmp_path / "page.pdf", format="A4")
