@@ -45,7 +45,7 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
-		--nbval --nbval-current-env --nbval-cell-timeout=600 tests $(NOTEBOOKS)
+		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules $(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)
 
 html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/; SINGLE=yes for one file a page
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")

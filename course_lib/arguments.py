@@ -1,4 +1,6 @@
-"""Check the arguments of public functions; an error is one sentence that names the argument."""
+"""Check the arguments of public functions: each returns a usable value, or raises a ValueError that
+names the argument.
+"""
 
 import numpy as np
 
@@ -6,37 +8,10 @@ _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more a
 
 
 def real_array(value, name, *shapes, copy=True, infinite=False):
-    """Return an argument as a float64 array whose last axes have one of the given shapes.
+    """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or (3, 3).
 
-    Parameters
-    ----------
-    value : array_like
-    name : str
-        The argument's name, for messages.
-    *shapes : tuple of int
-        Such as (3,) or (3, 3); any axes before them are the batch. () allows every shape.
-    copy : bool, optional
-        False if the caller only reads the array, which may then be `value` itself.
-    infinite : bool, optional
-        True if entries may be infinite, as joint limits may.
-
-    Returns
-    -------
-    ndarray
-
-    Raises
-    ------
-    ValueError
-        For anything that is not real numbers, has another shape, or is not finite.
-
-    Examples
-    --------
-    >>> real_array([1, 2, 3], "p", (3,))
-    array([1., 2., 3.])
-    >>> real_array([1, 2, np.nan], "p", (3,))
-    Traceback (most recent call last):
-        ...
-    ValueError: p must be finite; p[2] is nan
+    The axes before them are the batch; () allows every shape. With copy=False, for callers that only read the array,
+    it may be `value` itself. With infinite=True entries may be infinite, as joint limits may.
     """
     if isinstance(value, np.ma.MaskedArray):
         raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
@@ -63,28 +38,7 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
 
 
 def tolerance(value, name="tol"):
-    """Return an argument as a float that is a usable tolerance: finite and not negative.
-
-    Parameters
-    ----------
-    value : float
-    name : str, optional
-        The argument's name, for messages.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    ValueError
-        For any other value.
-
-    Examples
-    --------
-    >>> tolerance(0)
-    0.0
-    """
+    """Return an argument as a float that is a usable tolerance: finite and not negative."""
     array = real_array(value, name, (), copy=False)
     if array.shape != () or (number := float(array)) < 0:
         raise ValueError(f"{name} must be one number, zero or more; it is {value!r}")
@@ -92,90 +46,21 @@ def tolerance(value, name="tol"):
 
 
 def positive(value, name):
-    """Return an argument as an array of finite numbers above zero.
-
-    Parameters
-    ----------
-    value : array_like
-    name : str
-        The argument's name, for messages.
-
-    Returns
-    -------
-    ndarray
-
-    Raises
-    ------
-    ValueError
-        For any other value; the message names the first entry that is not above zero.
-
-    Examples
-    --------
-    >>> positive([2, 0], "lengths")
-    Traceback (most recent call last):
-        ...
-    ValueError: lengths[1] must be greater than zero; it is 0
-    """
+    """Return an argument as an array of finite numbers above zero."""
     array = real_array(value, name, ())
     refuse_first(array <= 0, name, lambda i: f"must be greater than zero; it is {array[i]:g}")
     return array
 
 
 def count(value, name="n", least=0):
-    """Return an argument as a whole number, of at most 10^9: no memory holds an answer with more entries.
-
-    Parameters
-    ----------
-    value : int
-    name : str, optional
-        The argument's name, for messages.
-    least : int, optional
-        The smallest number allowed.
-
-    Returns
-    -------
-    int
-
-    Raises
-    ------
-    ValueError
-        For any other value, True and False included.
-
-    Examples
-    --------
-    >>> count(True)
-    Traceback (most recent call last):
-        ...
-    ValueError: n must be a whole number from 0 to 1,000,000,000; it is True
-    """
+    """Return an argument as a whole number, of at most 10^9: no memory holds an answer with more entries."""
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
         raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
     return int(value)
 
 
 def generator(value, name="rng"):
-    """Return an argument if it is a numpy random Generator.
-
-    Parameters
-    ----------
-    value : numpy.random.Generator
-    name : str, optional
-        The argument's name, for messages.
-
-    Returns
-    -------
-    numpy.random.Generator
-
-    Raises
-    ------
-    ValueError
-        For any other value, a seed included.
-
-    Examples
-    --------
-    >>> generator(np.random.default_rng(0)).integers(10)
-    np.int64(8)
-    """
+    """Return an argument if it is a numpy random Generator; a seed is none."""
     if not isinstance(value, np.random.Generator):
         raise ValueError(
             f"{name} must be a numpy random Generator, such as numpy.random.default_rng(seed); "
@@ -185,27 +70,7 @@ def generator(value, name="rng"):
 
 
 def broadcast(**batches):
-    """Return the common shape of several batches.
-
-    Parameters
-    ----------
-    **batches : tuple of int
-        The shape of each argument's batch, by the argument's name.
-
-    Returns
-    -------
-    tuple of int
-
-    Raises
-    ------
-    ValueError
-        If they do not broadcast; the message names the first that does not fit.
-
-    Examples
-    --------
-    >>> broadcast(T=(4, 1), p=(3,))
-    (4, 3)
-    """
+    """Return the common shape of several batches, given by their arguments' names; an error names the first misfit."""
     common = ()
     for name, batch in batches.items():
         try:
@@ -218,59 +83,16 @@ def broadcast(**batches):
 
 
 def refuse_first(bad, name, reason):
-    """Raise ValueError for the first True in a batch of flags.
-
-    Parameters
-    ----------
-    bad : ndarray of bool
-    name : str
-        The argument's name, for messages.
-    reason : callable
-        reason(index) returns the rest of the message.
-
-    Raises
-    ------
-    ValueError
-        If a flag is True.
-
-    Examples
-    --------
-    >>> refuse_first(np.array([False, True]), "R", lambda index: "must be a rotation")
-    Traceback (most recent call last):
-        ...
-    ValueError: R[1] must be a rotation
-    """
+    """Raise ValueError for the first True in a batch of flags; reason(index) returns the message after the entry."""
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason(index)}")
 
 
 def finite_result(result, name, item_axes=-1):
-    """Return a result if all of it is finite.
+    """Return a result if it is finite; otherwise the error names the argument to which that is due.
 
-    Parameters
-    ----------
-    result : ndarray
-    name : str
-        The name of the argument to which the error is due.
-    item_axes : int or tuple of int or None, optional
-        The axes of one item; None if the result's batch is not the argument's: then the message names no index.
-
-    Returns
-    -------
-    ndarray
-
-    Raises
-    ------
-    ValueError
-        If an entry is not finite, because the argument is too large.
-
-    Examples
-    --------
-    >>> finite_result(np.array([[1.0], [np.inf]]), "w")
-    Traceback (most recent call last):
-        ...
-    ValueError: w[1] is too large: the result exceeds the largest number
+    item_axes are the axes of one item; None if the result's batch is not the argument's: then no index is named.
     """
     finite = np.isfinite(result)
     if np.count_nonzero(finite) < finite.size:
@@ -280,24 +102,7 @@ def finite_result(result, name, item_axes=-1):
 
 
 def entry(name, index):
-    """Return how the entry of an array is written in a message.
-
-    Parameters
-    ----------
-    name : str
-        The array's name.
-    index : sequence of int
-        Empty for the array itself.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> entry("R", (2, 0))
-    'R[2, 0]'
-    """
+    """Return how the entry of an array is written in a message, such as R[2, 0]; with no index, the array's name."""
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
 
 

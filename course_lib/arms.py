@@ -5,8 +5,8 @@ frame. Arrays are batched on the left: joint angles q are (..., n), in radians. 
 naming the argument, for a wrong shape and for entries that are not finite real numbers.
 
 Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig, Introduction to Robotics,
-3rd edition (2005), chapter 3, for modified DH parameters; Siciliano and others, Robotics (2009), section 2.8, for
-standard ones.
+3rd edition (2005), eq. 3.6, for modified DH parameters; Siciliano and others, Robotics (2009), eq. 2.52 for standard
+ones, section 3.1 for the geometric Jacobian.
 """
 
 from dataclasses import dataclass, replace
@@ -54,7 +54,8 @@ class DHRow:
 class SerialArm:
     """An arm of n revolute joints.
 
-    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e.
+    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e. Its methods take joint
+    angles q, array_like (..., n), in radians.
 
     Attributes
     ----------
@@ -72,7 +73,7 @@ class SerialArm:
 
     @classmethod
     def from_screws(cls, omega, points, home, limits=None):
-        """Return the arm whose joint i rotates about the direction omega[i] through points[i].
+        """Return the arm whose joint i rotates about the direction omega[i] through points[i] (MR section 4.1).
 
         Parameters
         ----------
@@ -96,13 +97,8 @@ class SerialArm:
             If a shape is wrong, a direction is zero, `home` is not a pose, a length exceeds 1e100 m, or a lower limit
             is not below the upper one.
 
-        References
-        ----------
-        MR section 4.1; v = -omega x p: MR section 3.3.2.2.
-
         Examples
         --------
-        >>> import numpy as np
         >>> home = np.eye(4)
         >>> home[0, 3] = 1.0
         >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], home)  # one joint about z, one metre long
@@ -145,18 +141,8 @@ class SerialArm:
         SerialArm
             Its `frames` are the table's frames 1 to n, then the end-effector's.
 
-        Raises
-        ------
-        ValueError
-            If `rows` is not a list of DHRow with finite numbers, `convention` is unknown, or `end` is not a pose.
-
-        References
-        ----------
-        Craig, eq. 3.6 (modified); Siciliano and others, eq. 2.52 (standard).
-
         Examples
         --------
-        >>> import numpy as np
         >>> arm = SerialArm.from_dh([DHRow(a=1, alpha=0, d=0), DHRow(a=0.5, alpha=0, d=0)], "standard")
         >>> print(arm.fk([0, np.pi / 2])[:3, 3].round(9))
         [1.  0.5 0. ]
@@ -180,24 +166,10 @@ class SerialArm:
     def frames(self, q):
         """Return the poses of the frames that the joints move, and of the end-effector.
 
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
-
         Returns
         -------
         array (..., n + 1, 4, 4)
             Poses in the base frame, metres; the end-effector's last.
-
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        The product of exponentials, MR eq. 4.14, up to each joint.
 
         Examples
         --------
@@ -207,30 +179,15 @@ class SerialArm:
         return self._evaluate(q, (self.n + 1, 4, 4), self._small_batch_frames, self.batched.fill_frames)
 
     def fk(self, q):
-        """Return the end-effector's pose: forward kinematics.
-
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
+        """Return the end-effector's pose: forward kinematics (MR eq. 4.14).
 
         Returns
         -------
         array (..., 4, 4)
             Poses in the base frame, metres.
 
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        MR eq. 4.14.
-
         Examples
         --------
-        >>> import numpy as np
         >>> print(planar_arm([1, 2]).fk([np.pi / 2, 0]).round(9) + 0.0)
         [[ 0. -1.  0.  0.]
          [ 1.  0.  0.  3.]
@@ -240,26 +197,12 @@ class SerialArm:
         return self._evaluate(q, (4, 4), self._small_batch_fk, self.batched.fill_end_effector)
 
     def space_jacobian(self, q):
-        """Return the space Jacobian: it maps joint velocities to the end-effector's spatial twist.
-
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
+        """Return the space Jacobian: it maps joint velocities to the end-effector's spatial twist (MR eq. 5.11).
 
         Returns
         -------
         array (..., 6, n)
             Column i is the screw axis (omega, v) of joint i in the base frame.
-
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        MR eq. 5.11.
 
         Examples
         --------
@@ -280,23 +223,9 @@ class SerialArm:
         Both are expressed along the base frame's axes, in the order (omega, v) that this library uses everywhere;
         Siciliano and others have (v, omega). Other names for this twist are hybrid and local-world-aligned.
 
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
-
         Returns
         -------
         array (..., 6, n)
-
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        Siciliano and others, section 3.1.
 
         Examples
         --------
@@ -309,26 +238,12 @@ class SerialArm:
         return self._evaluate(q, (6, self.n), lambda q: self.pose_and_geometric_jacobian(q)[1], fill)
 
     def body_jacobian(self, q):
-        """Return the body Jacobian: it maps joint velocities to the end-effector's twist in its own frame.
-
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
+        """Return the body Jacobian: it maps joint velocities to the end-effector's twist in its frame (MR eq. 5.22).
 
         Returns
         -------
         array (..., 6, n)
             The twist's order is (omega, v).
-
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        MR eq. 5.22.
 
         Examples
         --------
@@ -344,24 +259,10 @@ class SerialArm:
     def position_jacobian(self, q):
         """Return the Jacobian of the end-effector's position, along the base frame's axes.
 
-        Parameters
-        ----------
-        q : array_like (..., n)
-            Joint angles in radians.
-
         Returns
         -------
         array (..., 3, n)
             Metres per radian.
-
-        Raises
-        ------
-        ValueError
-            If `q` is not n finite real numbers.
-
-        References
-        ----------
-        The lower half of the geometric Jacobian: Siciliano and others, section 3.1.
 
         Examples
         --------
@@ -440,30 +341,20 @@ def checked_arm(value, name):
 
 
 def planar_arm(lengths):
-    """Return the arm in the plane z = 0 whose links lie along x at q = 0.
+    """Return the arm in the plane z = 0 whose links lie along x at q = 0 (MR figure 4.1, with n = 3).
 
     Parameters
     ----------
     lengths : array_like (n,)
-        Lengths of the links in metres, above zero.
+        Lengths of the links in metres, above zero and at most 1e100.
 
     Returns
     -------
     SerialArm
         With n joints about z, without limits.
 
-    Raises
-    ------
-    ValueError
-        If `lengths` is not an array (n,) of numbers above zero, at most 1e100.
-
-    References
-    ----------
-    MR figure 4.1, with n = 3.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(planar_arm([2, 1]).fk([0, np.pi / 2])[:3, 3].round(9))
     [2. 1. 0.]
     """
@@ -489,15 +380,10 @@ def iiwa14():
     Returns
     -------
     SerialArm
-        With seven joints, and the limits of the data sheet.
-
-    References
-    ----------
-    KUKA, LBR iiwa 14 R820 data sheet, for the limits.
+        With seven joints, and the limits of KUKA's data sheet, LBR iiwa 14 R820.
 
     Examples
     --------
-    >>> import numpy as np
     >>> print(iiwa14().fk(np.zeros(7))[:3, 3])
     [0.    0.    1.301]
     """
@@ -513,15 +399,11 @@ def panda():
     Returns
     -------
     SerialArm
-        With seven joints, and the manufacturer's limits.
-
-    References
-    ----------
-    Franka Control Interface documentation, "Robot and interface specifications".
+        With seven joints, and the limits of the Franka Control Interface documentation, "Robot and interface
+        specifications".
 
     Examples
     --------
-    >>> import numpy as np
     >>> print(panda().fk(np.zeros(7))[:3, 3].round(9) + 0.0)
     [0.088 0.    0.926]
     """
@@ -548,19 +430,16 @@ def ur5e():
     older model with other dimensions and another base frame. Here the base frame is the manufacturer's: z up, and the
     stretched arm points along -x at q = 0. The axes of joints 2, 3 and 4 are parallel.
 
+    Source: Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard
+    convention): d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.
+
     Returns
     -------
     SerialArm
         With the limits of the data sheet, a full revolution to either side for each joint.
 
-    References
-    ----------
-    Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard convention):
-    d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(ur5e().fk(np.zeros(6)).round(4) + 0.0)
     [[ 1.      0.      0.     -0.8172]
      [ 0.      0.     -1.     -0.2329]

@@ -17,28 +17,11 @@ ITEMS = 6000  # of a few entries, such as vectors and matrices
 
 
 def by_entries(formula, shape, *arrays, batch):
-    """Return a formula's value for each item of a batch.
+    """Return a formula's value for each item of a batch, (*batch, *shape).
 
-    Parameters
-    ----------
-    formula : callable
-        Given the arrays with the batch on the right, (...) or (..., m), it returns (*shape) or (*shape, m).
-    shape : tuple of int
-        Of one result.
-    *arrays : ndarray, shape (*batch, ...)
-    batch : tuple of int
-
-    Returns
-    -------
-    ndarray, shape (*batch, *shape)
-
-    Examples
-    --------
-    >>> points = np.array([[3.0, 4.0], [6.0, 8.0]])
-    >>> by_entries(lambda p: np.hypot(p[0], p[1]), (), points, batch=(2,))
-    array([ 5., 10.])
+    Given the arrays (*batch, ...) with the batch on the right, (...) or (..., m), the formula returns (*shape) or
+    (*shape, m).
     """
-
     with np.errstate(all="ignore"):  # the caller refuses results that are inf or NaN
         if batch == ():
             return np.reshape(formula(*arrays), shape)
@@ -51,30 +34,9 @@ def by_entries(formula, shape, *arrays, batch):
 
 
 def in_chunks(fill, shape, *arrays, batch, most):
-    """Return the results for a batch, computed for a part of it at a time.
+    """Return the results (*batch, *shape) for a batch, computed for at most so many items at a time.
 
-    Parameters
-    ----------
-    fill : callable
-        fill(*arrays, result) is given the arrays (..., m) of a chunk, and writes to result (*shape, m).
-    shape : tuple of int
-        Of one result.
-    *arrays : ndarray, shape (*batch, ...)
-    batch : tuple of int
-    most : int
-        The largest number of items in a chunk, m.
-
-    Returns
-    -------
-    ndarray, shape (*batch, *shape)
-
-    Examples
-    --------
-    >>> def fill(angle, result):
-    ...     result[0], result[1] = np.cos(angle), np.sin(angle)
-    >>> in_chunks(fill, (2,), np.array([0, np.pi]), batch=(2,), most=1).round(12) + 0.0
-    array([[ 1.,  0.],
-           [-1.,  0.]])
+    fill(*arrays, result) is given the arrays (..., m) of a chunk, and writes to result (*shape, m).
     """
     n = math.prod(batch)
     result = np.empty((n, *shape))

@@ -13,12 +13,6 @@ def sagging(q):
     """Return the tip (x, y) of an arm whose shoulder yields under its load, and the Jacobian, as planar_forward does.
 
     The first joint rotates back by 0.04 rad for each unit of 2 cos q1 + cos(q1 + q2).
-
-    Examples
-    --------
-    >>> (x, y), J = sagging(np.array([[np.pi / 2], [0.0]]))
-    >>> print(x.round(3), y.round(3))
-    [0.] [2.]
     """
     q1, q2 = q
     (x, y), ((a, b), (c, d)) = planar_forward(sagged(np.transpose(q)).T)
@@ -27,27 +21,14 @@ def sagging(q):
 
 
 def sagged(q):
-    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2).
-
-    Examples
-    --------
-    >>> sagged([0.0, 0.0])
-    array([-0.12,  0.  ])
-    """
+    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2)."""
     q = np.asarray(q, float)
     q1, both = q[..., 0], q.sum(axis=-1)
     return np.stack([q1 - _SAG * (2 * np.cos(q1) + np.cos(both)), q[..., 1]], axis=-1)
 
 
 def tips(forward, q):
-    """Return the positions (..., 2) that a forward kinematics in planar_forward's form gives for angles (..., 2).
-
-    Examples
-    --------
-    >>> tips(planar_forward, [[[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]]])
-    array([[[1., 1.],
-            [1., 1.]]])
-    """
+    """Return the positions (..., 2) that a forward kinematics in planar_forward's form gives for angles (..., 2)."""
     q = np.asarray(q, float)
     return np.stack(forward(q.reshape(-1, 2).T)[0], axis=-1).reshape(q.shape)
 
@@ -91,14 +72,7 @@ def in_ranges(solutions, lowest, highest):
 
 
 def drawn(m, low, high, keep, rng):
-    """Return m positions (m, 2) uniform in the part of a box for which keep(xy (k, 2)) is True.
-
-    Examples
-    --------
-    >>> xy = drawn(500, [0, 0], [1, 1], lambda xy: xy[:, 0] > xy[:, 1], np.random.default_rng(0))
-    >>> xy.shape, bool((xy[:, 0] > xy[:, 1]).all())
-    ((500, 2), True)
-    """
+    """Return m positions (m, 2) uniform in the part of a box for which keep(xy (k, 2)) is True."""
     found = np.empty((0, 2))
     while len(found) < m:
         xy = rng.uniform(low, high, (m, 2))
@@ -112,13 +86,6 @@ def kinds(q, number, count, split):
     q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with 6 samples or more
     is of one of KINDS: its samples have both signs of q2 and the labels agree with them, or they have one sign, or
     they have both and a cluster mixes them.
-
-    Examples
-    --------
-    >>> q = np.tile([[0.1, 1.0], [1.1, -1.0]], (3, 1))
-    >>> kind_of, examples = kinds(q, np.zeros(6, int), 2, split=lambda q: np.array([0, 1, 0, 1, 0, 1]))
-    >>> print(kind_of)
-    ['both elbows, separated' 'fewer than 6 samples']
     """
     kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
     for c, own in _cells(number):
@@ -200,12 +167,6 @@ def after_step(step, angles, xy):
     """Return the angles (m, 2, 2) after step(q (2,), position (2,)) for each.
 
     NaN stays NaN, and a stretched arm, whose Jacobian has no inverse, stays as it is.
-
-    Examples
-    --------
-    >>> after_step(lambda q, p: q + p, np.array([[[0.1, 1.0], [0.5, 0.0]]]), [[1.0, 2.0]])
-    array([[[1.1, 3. ],
-            [0.5, 0. ]]])
     """
     found = [
         [q if np.isnan(q).any() or q[1] == 0 else step(q, p) for q in both] for both, p in zip(angles, xy, strict=True)
@@ -240,20 +201,6 @@ def largest_errors(corner, sizes, degree, solve, forward):
     Each cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
     branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the positions
     reached.
-
-    Examples
-    --------
-    >>> from course_lib.grid_ik import planar_forward
-    >>> def solve(xy):  # q2 in [0, pi] first
-    ...     q2 = np.arccos((xy**2).sum(1) / 2 - 1)
-    ...     q1 = np.arctan2(xy[:, 1], xy[:, 0]) - q2 / 2
-    ...     return np.stack([np.stack([q1, q2], 1)] * 2, 1)
-    >>> reached = lambda q: tips(planar_forward, q)
-    >>> for degree in (3, 1):
-    ...     q2, position = largest_errors((1.5, 0), [0.2, 0.1], degree, solve, reached)
-    ...     print(*(f"{x:.6f}" for x in position))
-    0.000022 0.000002
-    0.008571 0.002099
     """
     return np.transpose([_largest_error(np.asarray(corner), h, degree, solve, forward) for h in sizes])
 
@@ -285,11 +232,6 @@ def score_noisy_table(make, lowest, highest):
     -------
     float
         From 0 to 100: how many have an answer within 2 mm. The samples are the same each time.
-
-    Examples
-    --------
-    >>> score_noisy_table(lambda xy, q: lambda wanted: np.full((len(wanted), 2, 2), np.nan), [0, -1], [3, 1])
-    0.0
     """
     chance = np.random.default_rng(7)
     angles = chance.uniform(lowest, highest, (3000, 2))

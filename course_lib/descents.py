@@ -22,11 +22,6 @@ def pose_distance(T, target):
     array (...)
         The length of the difference, sqrt(|p - p_target|^2 + min |kappa -+ kappa_target|^2).
 
-    Raises
-    ------
-    ValueError
-        If `T` or `target` is not a pose, or their batches do not fit.
-
     Examples
     --------
     >>> from course_lib.rigid import transform
@@ -64,11 +59,6 @@ def descend(arm, targets, q0, rules, steps, near):
     reached : bool array (m,)
     taken : int array (m,)
         Steps until the target was reached; steps + 1 if it was not.
-
-    Raises
-    ------
-    ValueError
-        If `arm` is not a SerialArm, a target is not a pose, or `q0`, `rules`, `steps` or `near` does not fit.
 
     Examples
     --------

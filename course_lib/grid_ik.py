@@ -37,6 +37,8 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
     For other lengths, give GridIK functools.partial(planar_forward, lengths=(...)). It does not check its arguments,
     because it runs often.
 
+    Source: Lynch and Park, Modern Robotics (2017), eq. 5.1.
+
     Parameters
     ----------
     theta : array (2, m)
@@ -48,10 +50,6 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
     -------
     tuple
         (x, y), and ((dx/dtheta1, dx/dtheta2), (dy/dtheta1, dy/dtheta2)); each entry is an array (m,).
-
-    References
-    ----------
-    Lynch and Park, Modern Robotics (2017), eq. 5.1.
 
     Examples
     --------
@@ -130,11 +128,6 @@ class GridIK(BaseEstimator):
         Returns
         -------
         GridIK
-
-        Raises
-        ------
-        ValueError
-            If an argument or a parameter of the estimator does not fit; it names which.
         """
         nx, ny = cells = self._check_parameters()
         xy, theta = _rows(xy, "xy"), _rows(theta, "theta")

@@ -78,19 +78,8 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     IKResult
         With `success` False for a target that was not reached; q is then the nearest that was found.
 
-    Raises
-    ------
-    ValueError
-        If `arm` is not a SerialArm, a target is not a pose, `rng` is not a Generator, or `q0`, `starts` or `steps`
-        does not fit.
-
-    References
-    ----------
-    Sugihara (2011): damping in proportion to the squared error.
-
     Examples
     --------
-    >>> import numpy as np
     >>> from course_lib.arms import panda
     >>> arm = panda()
     >>> target = arm.fk([0.1, -0.5, 0.2, -2.0, 0.3, 1.8, 0.4])
@@ -348,18 +337,8 @@ def pose_error(T, target):
     array (..., 6)
         Three entries of a rotation vector in radians, of length at most pi, then three of a translation in metres.
 
-    Raises
-    ------
-    ValueError
-        If `T` or `target` is not a pose, or their batches do not fit.
-
-    References
-    ----------
-    Sugihara (2011), section II.
-
     Examples
     --------
-    >>> import numpy as np
     >>> from course_lib.rigid import transform
     >>> from course_lib.rotations import rot_z
     >>> print(pose_error(np.eye(4), transform(rot_z(0.5), [1, 2, 3])))
@@ -376,7 +355,7 @@ def _pose_error(T, target):
 
 
 def damped_path(arm, q0, target, alpha, eps, steps):
-    """Return the joint angles of damped least-squares steps towards a point, q0 first.
+    """Return the joint angles of damped least-squares steps towards a point, q0 first (Nakamura and Hanafusa, 1986).
 
     Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's position p and its
     Jacobian J. It ignores the joint limits.
@@ -398,16 +377,6 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     -------
     array (..., steps + 1, n)
         Joint angles in radians. The batches of all arguments are broadcast.
-
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or sign, if `eps` is lost in rounding at a singular configuration, or if
-        `alpha` is so large that the angles overflow.
-
-    References
-    ----------
-    Nakamura and Hanafusa (1986).
 
     Examples
     --------

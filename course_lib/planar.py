@@ -1,10 +1,11 @@
 """Paths of a body in the plane, and of an arm's joints: from pose to pose, and by a plan of velocities.
 
 A pose is (x, y, theta), in metres and radians; arrays are batched on the left. The angle along a path continues
-beyond pi and is not wrapped, so that it can be drawn and differentiated. Every function raises ValueError,
-naming the argument, for a wrong shape and for entries that are not finite real numbers.
+beyond pi and is not wrapped, so that it can be drawn and differentiated. A plan is a sequence of pairs (velocities,
+duration). Every function raises ValueError, naming the argument, for a wrong shape or range, for entries that are not
+finite real numbers, and if the result exceeds the largest number.
 
-Source: Lynch and Park, Modern Robotics (2017), called MR below; others where they are used.
+Source: Lynch and Park, Modern Robotics (2017), called MR below: section 9.2 for interpolation, 3.3.3 for twists.
 """
 
 from contextlib import contextmanager
@@ -31,18 +32,8 @@ def wrap_angle(angle):
     -------
     array (...)
 
-    Raises
-    ------
-    ValueError
-        If `angle` is not finite real numbers.
-
-    References
-    ----------
-    IEEE 754 remainder: the subtraction is exact, unlike adding pi and subtracting it again.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 1e-20]) / np.pi)
     [ 1.00000000e+00  1.00000000e+00 -5.00000000e-01  3.18309886e-21]
     """
@@ -67,15 +58,6 @@ def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
     array (...)
         All arguments broadcast.
 
-    Raises
-    ------
-    ValueError
-        If `t` is not within 0 and `T`, `T` is not above zero, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 9.2.2.1.
-
     Examples
     --------
     >>> print(cubic_time_scaling([0, 0.5, 1, 2], T=2))
@@ -94,12 +76,8 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
 
     Parameters
     ----------
-    t, T : array_like (...)
-        Time and duration in seconds: T above zero, t from 0 to T.
-    s0, s1 : array_like (...), default 0 and 1
-        Values at time 0 and at time T.
-    v0, v1 : array_like (...), default 0
-        Derivatives there.
+    t, T, s0, s1, v0, v1 : array_like (...)
+        As for cubic_time_scaling.
     a0, a1 : array_like (...), default 0
         Second derivatives there.
 
@@ -107,15 +85,6 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
     -------
     array (...)
         All arguments broadcast.
-
-    Raises
-    ------
-    ValueError
-        If `t` is not within 0 and `T`, `T` is not above zero, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 9.2.2.2.
 
     Examples
     --------
@@ -155,15 +124,6 @@ def interpolate_body(start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0),
     -------
     array (..., n, 3)
 
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 9.2.
-
     Examples
     --------
     >>> print(interpolate_body([0, 0, 0], [2, 4, 1], n=3))
@@ -182,27 +142,14 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
     ----------
     start, goal : array_like (..., k)
         Joint angles in radians, of joints without limits.
-    n : int
-        How many, 2 or more.
-    T : float, default 1
-        Duration in seconds.
+    n, T, scaling
+        As for interpolate_body.
     v_start, v_goal : array_like (..., k), default 0
         Derivatives at the start and at the goal.
-    scaling : function, default cubic_time_scaling
-        Or quintic_time_scaling.
 
     Returns
     -------
     array (..., n, k)
-
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 9.2.
 
     Examples
     --------
@@ -219,31 +166,19 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
 def interpolate_body_screw(start, goal, n):
     """Return n poses from start to goal along a screw motion of the plane: an arc, by the cubic time scaling.
 
-    T(s) = T_start exp(s log(T_start^-1 T_goal)).
+    T(s) = T_start exp(s log(T_start^-1 T_goal)), MR eq. 9.7.
 
     Parameters
     ----------
-    start, goal : array_like (..., 3)
-        Poses (x, y, theta), in metres and radians.
-    n : int
-        How many, 2 or more.
+    start, goal, n
+        As for interpolate_body.
 
     Returns
     -------
     array (..., n, 3)
 
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR eq. 9.7.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(interpolate_body_screw([1, 0, 0], [0, 1, np.pi / 2], n=3).round(4) + 0.0)
     [[1.     0.     0.    ]
      [0.7071 0.7071 0.7854]
@@ -276,15 +211,6 @@ def propagate_body(start, plan, dt):
     array (..., n, 3)
         The start first, then the pose at each of plan_times.
 
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section I.7: Euler's method.
-
     Examples
     --------
     >>> print(propagate_body([0, 0, 0], [((1, 0, 1), 1.0)], dt=0.5).round(4))
@@ -304,32 +230,19 @@ def propagate_body(start, plan, dt):
 
 
 def propagate_body_exact(start, plan, dt):
-    """Return the poses of a plan by the exponential of SE(2), exact for any dt.
+    """Return the poses of a plan by the exponential of SE(2), exact for any dt (MR section 3.3.3).
 
     A constant body twist for a time t moves the body by T exp(t [twist]).
 
     Parameters
     ----------
-    start : array_like (..., 3)
-        Pose (x, y, theta), in metres and radians.
-    plan : sequence of ((v_x, v_y, omega), duration)
-        Velocities in the body's frame in metres and radians per second; durations in seconds, zero or more.
-    dt : float
-        Step in seconds. The last step of each pair is as short as it needs to be.
+    start, plan, dt
+        As for propagate_body.
 
     Returns
     -------
     array (..., n, 3)
         The start first, then the pose at each of plan_times.
-
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 3.3.3.
 
     Examples
     --------
@@ -356,21 +269,12 @@ def propagate_arm(start, plan, dt):
     plan : sequence of (k velocities, duration)
         Radians per second; seconds, zero or more.
     dt : float
-        Step in seconds. The last step of each pair is as short as it needs to be.
+        As for propagate_body.
 
     Returns
     -------
     array (..., n, k)
         The start first, then the angles at each of plan_times.
-
-    Raises
-    ------
-    ValueError
-        If an argument has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 9.2, for paths in joint space.
 
     Examples
     --------
@@ -402,15 +306,6 @@ def plan_times(plan, dt):
     array (n,)
         Seconds, from 0 on.
 
-    Raises
-    ------
-    ValueError
-        If `plan` or `dt` has the wrong shape or range, or the result exceeds the largest number.
-
-    References
-    ----------
-    See propagate_body.
-
     Examples
     --------
     >>> print(plan_times([((1, 0, 0), 1.0), ((0, 0, 1), 0.5)], dt=0.4))
@@ -424,7 +319,7 @@ def plan_times(plan, dt):
 
 
 def pose_matrix(pose):
-    """Return the homogeneous matrix of a pose (x, y, theta).
+    """Return the homogeneous matrix of a pose (x, y, theta), MR definition 3.14.
 
     Parameters
     ----------
@@ -435,18 +330,8 @@ def pose_matrix(pose):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `pose` is not an array (..., 3) of finite real numbers.
-
-    References
-    ----------
-    MR definition 3.14.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(pose_matrix([2, 3, np.pi / 2]).round(9))
     [[ 0. -1.  2.]
      [ 1.  0.  3.]

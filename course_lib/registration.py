@@ -25,6 +25,8 @@ def register_points(src, dst, weights=None):
     The points may be nearly on one line, and of any scale. The answer is as exact as rounding allows; the points are
     refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad.
 
+    Source: Umeyama (1991), without the scale.
+
     Parameters
     ----------
     src, dst : array_like (..., n, 3)
@@ -42,10 +44,6 @@ def register_points(src, dst, weights=None):
     ValueError
         If `src` or `dst` is not such an array, has fewer than three points with weight, or has its points on one line,
         about which every angle fits; if a weight is negative; or if the result exceeds the largest number.
-
-    References
-    ----------
-    Umeyama (1991), without the scale.
 
     Examples
     --------

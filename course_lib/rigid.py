@@ -2,9 +2,10 @@
 
 A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space, in
 radians and metres. Arrays are batched on the left. Every function raises ValueError, naming the argument, for
-a wrong shape, for entries that are not finite real numbers, and for a matrix that is not a pose if one is needed.
+a wrong shape, for entries that are not finite real numbers, for a matrix that is not a pose if one is needed, and
+for entries so large that the result exceeds the largest number.
 
-Source: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below.
+Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; for the plane with the axis along z.
 """
 
 import numpy as np
@@ -15,7 +16,7 @@ from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, log_so3, neares
 
 
 def transform(R, p):
-    """Return the pose T = [[R, p], [0, 1]].
+    """Return the pose T = [[R, p], [0, 1]] (MR definition 3.13).
 
     Parameters
     ----------
@@ -27,15 +28,6 @@ def transform(R, p):
     Returns
     -------
     array (..., n+1, n+1)
-
-    Raises
-    ------
-    ValueError
-        If `R` is not a rotation, `p` is not of its size, or their batches do not fit.
-
-    References
-    ----------
-    MR definition 3.13.
 
     Examples
     --------
@@ -63,18 +55,8 @@ def is_se(T, tol=TOLERANCE):
     -------
     bool or bool array (...)
 
-    Raises
-    ------
-    ValueError
-        If `T` is not an array of such matrices of finite real numbers, or `tol` is not a number from zero on.
-
-    References
-    ----------
-    MR definitions 3.13 and 3.14: SE(3) and SE(2).
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(is_se([np.eye(4), np.diag([1, 1, 1, 2])]))
     [ True False]
     """
@@ -103,15 +85,6 @@ def nearest_se(T):
     -------
     array of the same shape
 
-    Raises
-    ------
-    ValueError
-        If `T` is not an array of such matrices of finite real numbers.
-
-    References
-    ----------
-    Umeyama, IEEE PAMI 13 (1991), for the rotation; see nearest_so.
-
     Examples
     --------
     >>> print(nearest_se([[0, -2, 5], [2, 0, 6], [0.1, 0, 1]]) + 0.0)
@@ -124,7 +97,7 @@ def nearest_se(T):
 
 
 def inverse(T):
-    """Return the inverse of a pose, [[R^T, -R^T p], [0, 1]].
+    """Return the inverse of a pose, [[R^T, -R^T p], [0, 1]] (MR eq. 3.64).
 
     Parameters
     ----------
@@ -133,15 +106,6 @@ def inverse(T):
     Returns
     -------
     array of the same shape
-
-    Raises
-    ------
-    ValueError
-        If `T` is not a pose, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR eq. 3.64.
 
     Examples
     --------
@@ -157,7 +121,7 @@ def inverse(T):
 
 
 def adjoint(T):
-    """Return the matrix that converts a twist from frame b to frame a, given T = T_ab.
+    """Return the matrix that converts a twist from frame b to frame a, given T = T_ab (MR definition 3.20).
 
     Parameters
     ----------
@@ -168,18 +132,8 @@ def adjoint(T):
     array (..., 3, 3) or (..., 6, 6)
         For a twist (omega, v): [[R, 0], [[p] R, R]] in space; in the plane its part for (omega_z, v_x, v_y).
 
-    Raises
-    ------
-    ValueError
-        If `T` is not a pose, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR definition 3.20.
-
     Examples
     --------
-    >>> import numpy as np
     >>> T_ab = transform(np.eye(3), [0, 2, 0])
     >>> print(adjoint(T_ab) @ [0, 0, 1, 0, 0, 0])  # rotation about b's z axis: a's origin moves along x
     [0. 0. 1. 2. 0. 0.]
@@ -208,15 +162,6 @@ def hat_se3(twist):
     -------
     array (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If `twist` is not an array (..., 6) of finite real numbers.
-
-    References
-    ----------
-    MR eq. 3.85.
-
     Examples
     --------
     >>> print(hat_se3([1, 2, 3, 4, 5, 6]))
@@ -233,7 +178,7 @@ def hat_se3(twist):
 
 
 def vee_se3(matrix):
-    """Return the twist of a matrix [[[omega], v], [0, 0]]: the inverse of hat_se3.
+    """Return the twist of a matrix [[[omega], v], [0, 0]]: the inverse of hat_se3 (MR eq. 3.85).
 
     Parameters
     ----------
@@ -248,10 +193,6 @@ def vee_se3(matrix):
     ------
     ValueError
         If the upper left block is not skew-symmetric, or the last row is not zero, within 1e-6.
-
-    References
-    ----------
-    MR eq. 3.85.
 
     Examples
     --------
@@ -272,7 +213,7 @@ def vee_se3(matrix):
 
 
 def exp_se3(twist):
-    """Return the pose that a constant twist reaches in unit time: the exponential of SE(3).
+    """Return the pose that a constant twist reaches in unit time: the exponential of SE(3) (MR proposition 3.25).
 
     Parameters
     ----------
@@ -283,18 +224,8 @@ def exp_se3(twist):
     -------
     array (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If `twist` is not an array (..., 6) of finite real numbers, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR proposition 3.25.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(exp_se3([0, 0, np.pi / 2, 0, -np.pi / 2, 0]).round(9))  # about the axis through (1, 0, 0), along z
     [[ 0. -1.  0.  1.]
      [ 1.  0.  0. -1.]
@@ -310,7 +241,7 @@ def exp_se3(twist):
 def log_se3(T):
     """Return the twist (omega, v) whose exponential is T, with |omega| at most pi: the inverse of exp_se3.
 
-    At exactly pi the sign of the axis is that of log_so3.
+    At exactly pi the sign of the axis is that of log_so3. Source: MR section 3.3.3.2.
 
     Parameters
     ----------
@@ -320,15 +251,6 @@ def log_se3(T):
     -------
     array (..., 6)
         Radians and metres.
-
-    Raises
-    ------
-    ValueError
-        If `T` is not a pose, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 3.3.3.2.
 
     Examples
     --------
@@ -353,18 +275,8 @@ def exp_se2(twist):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `twist` is not an array (..., 3) of finite real numbers, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 3.3.3, with the axis along z.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(exp_se2([np.pi, 0, -np.pi]).round(9) + 0.0)  # half a revolution about the point (1, 0)
     [[-1.  0.  2.]
      [ 0. -1.  0.]
@@ -390,15 +302,6 @@ def log_se2(T):
     -------
     array (..., 3)
         (omega, v_x, v_y), in radians and metres.
-
-    Raises
-    ------
-    ValueError
-        If `T` is not a pose, or the result exceeds the largest number.
-
-    References
-    ----------
-    MR section 3.3.3, with the axis along z.
 
     Examples
     --------

@@ -18,7 +18,7 @@ TOLERANCE = 1e-6
 
 
 def hat(w):
-    """Return the skew-symmetric matrix [w] with [w] p = w x p.
+    """Return the skew-symmetric matrix [w] with [w] p = w x p (MR eq. 3.30).
 
     Parameters
     ----------
@@ -27,15 +27,6 @@ def hat(w):
     Returns
     -------
     array (..., 3, 3)
-
-    Raises
-    ------
-    ValueError
-        If `w` is not an array (..., 3) of finite real numbers.
-
-    References
-    ----------
-    MR eq. 3.30.
 
     Examples
     --------
@@ -49,7 +40,7 @@ def hat(w):
 
 
 def vee(W):
-    """Return the vector w with [w] = W: the inverse of hat.
+    """Return the vector w with [w] = W: the inverse of hat (MR eq. 3.30).
 
     Parameters
     ----------
@@ -64,10 +55,6 @@ def vee(W):
     ------
     ValueError
         If an entry of W + W^T exceeds 1e-6, or 1e-6 times the largest entry of W.
-
-    References
-    ----------
-    MR eq. 3.30.
 
     Examples
     --------
@@ -85,7 +72,7 @@ def vee(W):
 
 
 def rot_x(angle):
-    """Return the rotation by `angle` about the x axis.
+    """Return the rotation by `angle` about the x axis (MR section 3.2.1).
 
     Parameters
     ----------
@@ -96,18 +83,8 @@ def rot_x(angle):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `angle` is not finite real numbers.
-
-    References
-    ----------
-    MR section 3.2.1.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(rot_x(np.pi / 2).round(9) + 0.0)
     [[ 1.  0.  0.]
      [ 0.  0. -1.]
@@ -117,7 +94,7 @@ def rot_x(angle):
 
 
 def rot_y(angle):
-    """Return the rotation by `angle` about the y axis.
+    """Return the rotation by `angle` about the y axis (MR section 3.2.1).
 
     Parameters
     ----------
@@ -128,18 +105,8 @@ def rot_y(angle):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `angle` is not finite real numbers.
-
-    References
-    ----------
-    MR section 3.2.1.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(rot_y(np.pi / 2).round(9) + 0.0)
     [[ 0.  0.  1.]
      [ 0.  1.  0.]
@@ -149,7 +116,7 @@ def rot_y(angle):
 
 
 def rot_z(angle):
-    """Return the rotation by `angle` about the z axis.
+    """Return the rotation by `angle` about the z axis (MR section 3.2.1).
 
     Parameters
     ----------
@@ -160,18 +127,8 @@ def rot_z(angle):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `angle` is not finite real numbers.
-
-    References
-    ----------
-    MR section 3.2.1.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(rot_z(np.pi / 2).round(9) + 0.0)
     [[ 0. -1.  0.]
      [ 1.  0.  0.]
@@ -181,7 +138,7 @@ def rot_z(angle):
 
 
 def exp_so3(w):
-    """Return the rotation about the axis w by the angle |w|: Rodrigues' formula.
+    """Return the rotation about the axis w by the angle |w|: Rodrigues' formula (MR eq. 3.51).
 
     It keeps all digits at every angle, zero included.
 
@@ -194,18 +151,8 @@ def exp_so3(w):
     -------
     array (..., 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `w` is not an array (..., 3) of finite real numbers, or its length exceeds the largest number.
-
-    References
-    ----------
-    MR eq. 3.51.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(exp_so3([0, 0, np.pi / 2]).round(9))
     [[ 0. -1.  0.]
      [ 1.  0.  0.]
@@ -223,6 +170,8 @@ def log_so3(R):
     At exactly pi both signs of the axis are right; one of them is returned. The vector is computed from the quaternion,
     which keeps all digits near 0 and near pi. The textbook's division by sin(angle) loses them there.
 
+    Source: MR section 3.2.3.3; eq. 3.53 is the division by sin(angle).
+
     Parameters
     ----------
     R : array_like (..., 3, 3)
@@ -232,18 +181,8 @@ def log_so3(R):
     array (..., 3)
         Radians.
 
-    Raises
-    ------
-    ValueError
-        If `R` is not a rotation.
-
-    References
-    ----------
-    MR section 3.2.3.3; eq. 3.53 is the division by sin(angle).
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(log_so3(rot_z(np.pi / 2)) / np.pi)
     [0.  0.  0.5]
     >>> print(log_so3(np.diag([1.0, -1, -1])) / np.pi)
@@ -265,18 +204,8 @@ def is_so(R, tol=TOLERANCE):
     -------
     bool or bool array (...)
 
-    Raises
-    ------
-    ValueError
-        If `R` is not an array of such matrices of finite real numbers, or `tol` is not a number from zero on.
-
-    References
-    ----------
-    MR definitions 3.1 and 3.2: SO(3) and SO(2).
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(is_so(rot_x(0.3)), is_so(-np.eye(3)), is_so(1.0049 * np.eye(3), 0.01))
     True False False
     """
@@ -291,6 +220,9 @@ def nearest_so(M):
     unchanged except for rounding. If several rotations are equally near (rank at most n - 2, or det M < 0 and the two
     smallest singular values equal), one of them is returned.
 
+    Source: Schoenemann, A generalized solution of the orthogonal Procrustes problem, Psychometrika 31 (1966); Umeyama,
+    IEEE PAMI 13 (1991), for the determinant.
+
     Parameters
     ----------
     M : array_like (..., 2, 2) or (..., 3, 3)
@@ -299,19 +231,8 @@ def nearest_so(M):
     -------
     array of the same shape
 
-    Raises
-    ------
-    ValueError
-        If `M` is not an array of such matrices of finite real numbers.
-
-    References
-    ----------
-    Schoenemann, A generalized solution of the orthogonal Procrustes problem, Psychometrika 31 (1966); Umeyama, IEEE
-    PAMI 13 (1991), for the determinant.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(nearest_so([[0, -2.1, 0], [1.9, 0, 0], [0, 0, 1]]) + 0.0)
     [[ 0. -1.  0.]
      [ 1.  0.  0.]
@@ -325,7 +246,7 @@ def nearest_so(M):
 
 
 def is_quaternion(q, tol=TOLERANCE):
-    """Return whether q is a unit quaternion: |q| is within tol of 1.
+    """Return whether q is a unit quaternion: |q| is within tol of 1 (MR appendix B.3).
 
     Parameters
     ----------
@@ -336,15 +257,6 @@ def is_quaternion(q, tol=TOLERANCE):
     -------
     bool or bool array (...)
 
-    Raises
-    ------
-    ValueError
-        If `q` is not an array (..., 4) of finite real numbers, or `tol` is not a number from zero on.
-
-    References
-    ----------
-    MR appendix B.3.
-
     Examples
     --------
     >>> print(is_quaternion([[0.6, 0, 0.8, 0], [1, 1, 0, 0]]))
@@ -354,7 +266,7 @@ def is_quaternion(q, tol=TOLERANCE):
 
 
 def nearest_quaternion(q):
-    """Return the unit quaternion nearest to q: q / |q|.
+    """Return the unit quaternion nearest to q: q / |q| (MR appendix B.3).
 
     Parameters
     ----------
@@ -369,10 +281,6 @@ def nearest_quaternion(q):
     ValueError
         If `q` is zero, so that every unit quaternion is equally near, or not an array (..., 4) of finite real numbers.
 
-    References
-    ----------
-    MR appendix B.3.
-
     Examples
     --------
     >>> print(nearest_quaternion([3, 0, 4, 0]))
@@ -386,7 +294,7 @@ def nearest_quaternion(q):
 
 
 def quaternion_to_matrix(q):
-    """Return the rotation matrix of the unit quaternion q; q and -q give the same one.
+    """Return the rotation matrix of the unit quaternion q; q and -q give the same one (MR appendix B.3).
 
     R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division makes R orthogonal to rounding even if |q| is off by
     as much as the tolerance allows.
@@ -399,15 +307,6 @@ def quaternion_to_matrix(q):
     Returns
     -------
     array (..., 3, 3)
-
-    Raises
-    ------
-    ValueError
-        If `q` is not a unit quaternion.
-
-    References
-    ----------
-    MR appendix B.3.
 
     Examples
     --------
@@ -432,6 +331,8 @@ def matrix_to_quaternion(R):
     If w = 0, the first entry that is not 0 is positive. All ten products of two entries of q can be read off R.
     Dividing by the largest entry of q never divides by a small number.
 
+    Source: Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978).
+
     Parameters
     ----------
     R : array_like (..., 3, 3)
@@ -441,18 +342,8 @@ def matrix_to_quaternion(R):
     array (..., 4)
         (w, x, y, z).
 
-    Raises
-    ------
-    ValueError
-        If `R` is not a rotation.
-
-    References
-    ----------
-    Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978).
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(matrix_to_quaternion(np.diag([-1.0, -1, 1])))
     [0. 0. 0. 1.]
     """
@@ -465,6 +356,8 @@ def matrix_to_quaternion(R):
 def random_rotations(n, rng):
     """Return n rotations, uniformly distributed on SO(3).
 
+    Source: Shoemake, Uniform random rotations, in Graphics Gems III (1992).
+
     Parameters
     ----------
     n : int
@@ -475,18 +368,8 @@ def random_rotations(n, rng):
     -------
     array (n, 3, 3)
 
-    Raises
-    ------
-    ValueError
-        If `n` is not a whole number from zero on, or `rng` is not a Generator.
-
-    References
-    ----------
-    Shoemake, Uniform random rotations, in Graphics Gems III (1992).
-
     Examples
     --------
-    >>> import numpy as np
     >>> R = random_rotations(1000, np.random.default_rng(0))
     >>> R.shape, bool(is_so(R).all())
     ((1000, 3, 3), True)
@@ -496,6 +379,8 @@ def random_rotations(n, rng):
 
 def random_quaternions(n, rng):
     """Return n unit quaternions, uniformly distributed on the unit sphere of four dimensions.
+
+    Source: Shoemake, Uniform random rotations, in Graphics Gems III (1992).
 
     Parameters
     ----------
@@ -508,18 +393,8 @@ def random_quaternions(n, rng):
     array (n, 4)
         (w, x, y, z); both signs occur.
 
-    Raises
-    ------
-    ValueError
-        If `n` is not a whole number from zero on, or `rng` is not a Generator.
-
-    References
-    ----------
-    Shoemake, Uniform random rotations, in Graphics Gems III (1992).
-
     Examples
     --------
-    >>> import numpy as np
     >>> q = random_quaternions(1000, np.random.default_rng(0))
     >>> q.shape, bool(is_quaternion(q).all())
     ((1000, 4), True)
@@ -541,11 +416,6 @@ def length(v):
     -------
     float or array (...)
         inf for a length above the largest number.
-
-    Raises
-    ------
-    ValueError
-        If `v` is not an array of vectors of finite real numbers.
 
     Examples
     --------

@@ -62,13 +62,8 @@ def subproblem0(k, p, q):
     ValueError
         If `p` or `q` is not perpendicular to `k`, or `k` is zero.
 
-    References
-    ----------
-    Murray, Li and Sastry, section 3.2, subproblem 1 with points perpendicular to the axis.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print(subproblem0([0, 0, 1], [1, 0, 0], [0, 1, 0]).theta / np.pi)
     0.5
     """
@@ -96,18 +91,8 @@ def subproblem1(k, p, q):
     RotationAngles
         With theta (...).
 
-    Raises
-    ------
-    ValueError
-        If `k` is zero.
-
-    References
-    ----------
-    Murray, Li and Sastry, section 3.2, subproblem 1.
-
     Examples
     --------
-    >>> import numpy as np
     >>> found = subproblem1([0, 0, 1], [1, 0, 2], [0, 1, 2])
     >>> print(found.theta / np.pi, found.exact)
     0.5 True
@@ -137,18 +122,8 @@ def subproblem2(k1, k2, p1, p2):
     RotationAngles
         With theta (..., 2, 2): two answers, each (theta1, theta2).
 
-    Raises
-    ------
-    ValueError
-        If `k1` or `k2` is zero.
-
-    References
-    ----------
-    Murray, Li and Sastry, section 3.2, subproblem 2; Elias and Wen for the order of arguments.
-
     Examples
     --------
-    >>> import numpy as np
     >>> found = subproblem2([0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 1, 0])
     >>> print((found.theta / np.pi).round(9) + 0.0)
     [[ 0.5  0. ]
@@ -195,18 +170,8 @@ def subproblem3(k, p, q, d):
     RotationAngles
         With theta (..., 2).
 
-    Raises
-    ------
-    ValueError
-        If `k` is zero.
-
-    References
-    ----------
-    Murray, Li and Sastry, section 3.2, subproblem 3.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print((subproblem3([0, 0, 1], [1, 0, 0], [1, 0, 0], np.sqrt(2)).theta / np.pi).round(9))
     [-0.5  0.5]
     """
@@ -236,18 +201,8 @@ def subproblem4(k, h, p, d):
     RotationAngles
         With theta (..., 2).
 
-    Raises
-    ------
-    ValueError
-        If `k` is zero.
-
-    References
-    ----------
-    Elias and Wen, subproblem 4.
-
     Examples
     --------
-    >>> import numpy as np
     >>> print((subproblem4([0, 0, 1], [0, 1, 0], [2, 0, 0], 1).theta / np.pi * 6).round(9))
     [1. 5.]
     """
@@ -272,15 +227,6 @@ def euler_yxy(R):
     -------
     RotationAngles
         With theta (..., 2, 3): first the triple with b2 in [0, pi], then the one with its negative.
-
-    Raises
-    ------
-    ValueError
-        If `R` is not a rotation.
-
-    References
-    ----------
-    Murray, Li and Sastry, section 3.2, for the subproblems.
 
     Examples
     --------
