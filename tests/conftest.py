@@ -168,7 +168,7 @@ def pytest_terminal_summary(terminalreporter):
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (
         ("bank", "checks against the bank of answers", "wrong answers refused,called by name,right ones accepted"),
-        ("mutants", "checks against mutants of the solutions", "mutants,tried,refused,alive and equivalent,holes"),
+        ("mutants", "checks against mutants of the solutions", "mutants,tried,accepted,of these different"),
     ):
         rows = sorted({tuple(row) for name, row in recorded if name == kind})
         if rows:
