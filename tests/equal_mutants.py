@@ -5,7 +5,6 @@ right on them: the exercise's properties hold, and its library answers the same.
 its exercise and about mutants of the function that it tests.
 """
 
-import warnings
 from dataclasses import replace
 from functools import cached_property, partial
 
@@ -15,13 +14,13 @@ from mutants import made, mutants, spread
 from course_lib import rotations
 from course_lib.arms import panda
 from course_lib.checks.exercise import RIGHT, Here, Property, attempt, judge
-from course_lib.checks.write_test import WriteTest
+from course_lib.checks.write_test import Version, WriteTest
 
 SEEDS = range(100, 103)
 VARIED = 40
-MOST = 50  # inputs; half as many candidates of a test, besides those of its exercise
+MOST = 40  # inputs besides the cases of one seed; half as many candidates of a test, besides its exercise's
 TOLERANCE = 1e-6  # absolute and relative
-SAMPLES = 5_000  # of a random answer
+SAMPLES = 20_000  # of a random answer
 STANDARD_ERRORS = 5  # by which its moments may differ
 
 
@@ -113,7 +112,7 @@ class Solution:
     def is_equalled_by(self, mutant):
         """Return whether a mutant, given as source, answers everywhere as the solution does."""
         if isinstance(self.exercise, WriteTest):
-            return self._judgments(mutant) == self._own_judgments
+            return self._judges(self._student(mutant), self._versions)
         cases, expected = self._wider
         got = self._answers(mutant, cases)
         return len(got) == len(cases) and all(map(partial(agree, self.exercise.name), got, expected, cases))
@@ -122,14 +121,15 @@ class Solution:
     def _wider(self):
         """The wider inputs and the solution's answers to them."""
         own, rng = self.sources[self.exercise.name], np.random.default_rng(0)
-        cases = [case for seed in SEEDS for case in self.exercise.cases(np.random.default_rng(seed))]
+        cases, *others = (self.exercise.cases(np.random.default_rng(seed)) for seed in SEEDS)
         if FORMS.get(self.exercise.name) is _moments:
-            cases = [(SAMPLES, *case[1:]) for case in cases[:3]]
+            cases = [(SAMPLES, *cases[0][1:])]
         elif cases[0]:
-            pairs = rng.integers(len(cases), size=(VARIED, 2))
-            varied = [_varied(cases[i], cases[j], rng) for i, j in pairs]
-            cases += [case for case in varied if attempt(self._is_right, own, case)]
-            cases = [cases[i] for i in rng.permutation(len(cases))[:MOST]]
+            more = [case for seed in others for case in seed]
+            pairs = rng.integers(len(more), size=(VARIED, 2))
+            varied = (_varied(more[i], more[j], rng) for i, j in pairs)
+            more += [case for case in varied if attempt(self._is_right, own, case)]
+            cases += [more[i] for i in rng.permutation(len(more))[:MOST]]
         return cases, self._answers(own, cases)
 
     def _is_right(self, source, case):
@@ -150,25 +150,29 @@ class Solution:
         return Here(made(source, self.exercise.name, self.space))
 
     @cached_property
-    def _own_judgments(self):
-        return self._judgments(self.sources[self.exercise.name])
-
-    def _judgments(self, source):
-        """Return what a test says of each candidate: True, False, or the type of another answer or of an error."""
-        test, tested = made(source, self.exercise.name, self.space), self.exercise.name.removeprefix("test_")
+    def _versions(self):
+        """The candidates that a test is asked to judge, each as right or wrong as the solution says."""
+        tested = self.exercise.name.removeprefix("test_")
         others = spread(mutants(self.sources[tested]), MOST // 2) if tested in self.sources else []
-        candidates = [version.function for version in self.exercise.versions]
-        return [_said(test, each) for each in [*candidates, *(made(m.source, tested, self.space) for m in others)]]
+        functions = [_raising_value_errors(made(other.source, tested, self.space)) for other in others]
+        own, student = self.exercise.versions, self._student(self.sources[self.exercise.name])
+        both = [[Version("", function, right) for right in (True, False)] for function in functions]
+        return own + tuple(each for pair in both for each in pair if self._judges(student, [each]))
+
+    def _judges(self, student, versions):
+        """Return whether a student's test accepts the right versions, of which it needs one, and refuses the wrong."""
+        either = [next(v for v in self.exercise.versions if v.right is right) for right in (True, False)]
+        return judge(replace(self.exercise, versions=(*either, *versions)), student, seconds=60).state == RIGHT
 
 
-def _said(test, candidate):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+def _raising_value_errors(function):
+    def candidate(*arguments):
         try:
-            said = test(lambda *arrays: candidate(*(np.array(each, float) for each in arrays)))
-        except Exception as error:  # whatever a mutant of the candidate raises
-            said = error
-    return said if isinstance(said, int) and said in (0, 1) else type(said)
+            return np.array(function(*arguments), float)
+        except Exception as error:  # whatever a mutant raises
+            raise ValueError(str(error)) from error
+
+    return candidate
 
 
 def _varied(case, other, rng):

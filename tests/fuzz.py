@@ -8,7 +8,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
-from signatures import CALLS, FUNCTIONS, begins_with, valid_arguments
+from signatures import CALLS, FUNCTIONS, begins_with, expected_type, parts, valid_arguments
 from sklearn.exceptions import NotFittedError
 
 from course_lib import ik, registration, rotations, trajectory
@@ -157,8 +157,14 @@ def fault(rng):
     except Exception as raised:
         return f"{shown}: {type(raised).__name__}: {raised}"
     else:
-        if name != "predict" and any(np.isnan(part).any() for part in numbers(answer) if part.dtype.kind == "f"):
+        floats = [part for part in numbers(answer) if part.dtype.kind == "f"]
+        if name != "predict" and any(np.isnan(part).any() for part in floats):
             return f"{shown}: answers with NaN"
+        in_table = name in FUNCTIONS and name not in OWN
+        if in_table and not all(np.isfinite(part).all() for part in floats):
+            return f"{shown}: answers with infinity"
+        if in_table and any(part.dtype != expected_type(name, key) for key, part in parts(answer).items()):
+            return f"{shown}: answers with another type"
     changed = [key for key, value in arguments.items() if not same(value, before[key])]
     return f"{shown}: changes {changed}" if changed else None
 

@@ -28,14 +28,6 @@ def true_exp(matrix):
         return np.array(mpmath.expm(mpmath.matrix(matrix.tolist())).tolist(), dtype=float)
 
 
-def true_quaternion(w):
-    """Return the quaternion of one rotation vector, computed with 50 digits and rounded once."""
-    with mpmath.workdps(50):
-        w = [mpmath.mpf(x) for x in w.tolist()]
-        angle = mpmath.sqrt(sum(x * x for x in w))
-        return np.array([mpmath.cos(angle / 2), *(x * mpmath.sin(angle / 2) / angle for x in w)], dtype=float)
-
-
 def cross_matrix(w):
     """Return the matrix whose columns are w x e_x, w x e_y, w x e_z."""
     return np.stack([np.cross(w, e) for e in np.eye(3)], -1)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import scipy.linalg
-from helpers import ANGLES, AXES, cross_matrix, rotation_samples, same_sign, true_exp, true_quaternion
+from helpers import cross_matrix, rotation_samples, same_sign
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
@@ -16,7 +16,6 @@ from course_lib.rotations import (
     hat,
     is_quaternion,
     is_so,
-    log_so3,
     matrix_to_quaternion,
     nearest_quaternion,
     nearest_so,
@@ -75,35 +74,7 @@ def test_exp_rotates_by_any_angle():
         close(exp_so3([0, -angle, 0]), rotations.rot_y(-angle))
 
 
-@pytest.mark.parametrize("axis", AXES, ids=str)
-def test_a_rotation_by_pi(axis):
-    """At exactly pi the matrix is symmetric: R = 2 a a^T - I."""
-    R = 2 * np.outer(axis, axis) - np.eye(3)
-    w = log_so3(R)
-    close(np.linalg.norm(w), np.pi)
-    close(np.cross(w, axis), 0)
-    close(exp_so3(w), R)
-    q = matrix_to_quaternion(R)
-    close(same_sign(q, np.array([0, *axis])), [0, *axis])
-
-
 # Quaternions ----------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("angle", ANGLES)
-def test_quaternions_to_fifty_digits(angle):
-    w = angle * AXES
-    expected = np.array([true_quaternion(each) for each in w])
-    matrices = np.array([true_exp(cross_matrix(each)) for each in w])
-    q = matrix_to_quaternion(matrices)
-    if angle == np.pi:
-        q = same_sign(q, expected)
-    close(q[:, 0], expected[:, 0])
-    close(q[:, 1:], expected[:, 1:], 1e-14 * min(angle, 1))
-    R = quaternion_to_matrix(expected)
-    close(R, matrices)
-    off_diagonal = np.s_[:, ~np.eye(3, dtype=bool)]
-    close(R[off_diagonal], matrices[off_diagonal], 1e-14 * min(angle, 1))
 
 
 @pytest.mark.parametrize("largest", range(4))
@@ -146,12 +117,6 @@ def test_lengths_of_all_sizes_in_one_batch():
     assert np.isinf(rotations.length([1.7e308, 1.7e308]))
 
 
-def test_both_quaternions_of_a_rotation():
-    q = random_quaternions(100, np.random.default_rng(2))
-    assert np.array_equal(quaternion_to_matrix(q), quaternion_to_matrix(-q))
-    close(same_sign(matrix_to_quaternion(quaternion_to_matrix(q)), q), q)
-
-
 @pytest.mark.parametrize("off", [-9e-7, 9e-7])
 def test_a_quaternion_slightly_off_gives_a_rotation(off):
     q = random_quaternions(100, np.random.default_rng(3))
@@ -185,26 +150,6 @@ def test_nearest_quaternion(q, scale):
 # Rotations and the one nearest ----------------------------------------------------------------------------------------
 
 
-def _stretch(d, n):
-    return np.sqrt(1 + d) * np.eye(n)
-
-
-def _shear(d, n):
-    return np.eye(n) + d * np.eye(n, k=1)
-
-
-@pytest.mark.parametrize("n", [2, 3])
-@pytest.mark.parametrize("tol", [1e-9, 1e-6, 0.01, 0.3])
-def test_is_so_is_within_tol_in_every_entry(n, tol):
-    R0 = rotation_samples(n)(np.random.default_rng(4), ())
-    within = 0.99 * tol if n == 2 else 0.6 * tol  # det R is off by half as much again in space
-    for R in (R0 @ _stretch(within, n), R0 @ _stretch(-within, n), R0 @ _shear(0.9 * tol, n)):
-        assert is_so(R, tol)
-        assert not is_so(R * np.where(np.arange(n) == 0, -1, 1), tol)
-    for R in (R0 @ _stretch(1.01 * tol, n), R0 @ _stretch(-1.01 * tol, n), R0 @ _shear(1.01 * tol, n)):
-        assert not is_so(R, tol)
-
-
 @pytest.mark.parametrize(
     ("R", "tol", "expected"),
     [
@@ -228,11 +173,6 @@ def test_is_so(R, tol, expected):
 
 
 @pytest.mark.parametrize("n", [2, 3])
-def test_is_so_default(n):
-    assert is_so([_stretch(0.6e-6, n), _stretch(1.1e-6, n)]).tolist() == [True, False]
-
-
-@pytest.mark.parametrize("n", [2, 3])
 def test_is_so_is_the_definition_of_the_exercise(n):
     """Every entry of R^T R within tol of I, and det R within tol of 1."""
     rng = np.random.default_rng(12)
@@ -241,6 +181,8 @@ def test_is_so_is_the_definition_of_the_exercise(n):
     expected = [np.abs(M.T @ M - np.eye(n)).max() <= tol and abs(np.linalg.det(M) - 1) <= tol for M in R]
     assert 500 < sum(expected) < 3500
     assert is_so(R, tol).tolist() == expected
+    beside = [np.sqrt(1 + off) * np.eye(n) for off in (0.6e-6, 1.1e-6)]
+    assert is_so(beside).tolist() == [True, False], "the default tolerance is 1e-6"
 
 
 NO_VECTORS = [None, {"a": 1}, 3.0, [], [[]], [1j, 2], [np.nan, 1], [np.inf], "ab", np.ma.array([1.0, 2])]
