@@ -187,6 +187,3 @@ def test_answer_too_large_for_a_float(name, argument, value):
     batch[1] = value
     with pytest.raises(ValueError, match=rf"^{argument}\[1\] is too large"):
         function(batch)
-
-
-# Arbitrary arrays -----------------------------------------------------------------------------------------------------
