@@ -17,8 +17,12 @@ EX, EY, EZ = np.eye(3)
 N = 100_000
 
 
+def norm(v):
+    return np.linalg.norm(v, axis=-1)
+
+
 def unit(v):
-    return v / np.linalg.norm(v, axis=-1, keepdims=True)
+    return v / norm(v)[..., None]
 
 
 def dot(a, b):
@@ -53,25 +57,23 @@ def random_angles(seed, size=N):
     return np.random.default_rng(seed).uniform(-PI, PI, size)
 
 
-def residual1(found, k, p, q):
-    return np.linalg.norm(rotate(k, found.theta, p) - q, axis=-1) / np.linalg.norm(p, axis=-1)
+# What an answer leaves of the distance, or height, that the problem asks for, as a share of the lengths given.
+MISSED = {
+    subproblem1: lambda t, k, p, q: norm(rotate(k, t, p) - q) / norm(p),
+    subproblem2: lambda t, k1, k2, p1, p2: norm(rotate(k1, t[..., 0], p1) - rotate(k2, t[..., 1], p2)) / norm(p1),
+    subproblem3: lambda t, k, p, q, d: np.abs(norm(rotate(k, t, p) - q) - d) / np.maximum(norm(p), norm(q)),
+    subproblem4: lambda t, k, h, p, d: np.abs(dot(h, rotate(k, t, p)) - d) / (norm(h) * norm(p)),
+}
 
 
-def residual2(found, k1, k2, p1, p2):
-    """Return (..., 2), the distance left by each answer as a share of the point's from the origin."""
-    left = [rotate(k1, found.theta[..., i, 0], p1) - rotate(k2, found.theta[..., i, 1], p2) for i in (0, 1)]
-    return np.linalg.norm(np.stack(left, -2), axis=-1) / np.linalg.norm(p1, axis=-1)[..., None]
-
-
-def residual3(found, k, p, q, d):
-    largest = np.maximum(np.linalg.norm(p, axis=-1), np.linalg.norm(q, axis=-1))
-    got = [np.linalg.norm(rotate(k, found.theta[..., i], p) - q, axis=-1) for i in (0, 1)]
-    return np.abs(np.stack(got, -1) - d[..., None]) / largest[..., None]
-
-
-def residual4(found, k, h, p, d):
-    got = np.stack([dot(h, rotate(k, found.theta[..., i], p)) for i in (0, 1)], -1)
-    return np.abs(got - d[..., None]) / (np.linalg.norm(p, axis=-1) * np.linalg.norm(h, axis=-1))[..., None]
+def solved(problem, *given, tolerance):
+    """Return the answers of a problem, having asserted that each is exact."""
+    found = problem(*given)
+    assert found.exact.all()
+    axis = -2 if problem is subproblem2 else -1
+    for theta in [found.theta] if problem is subproblem1 else np.moveaxis(found.theta, axis, 0):
+        assert MISSED[problem](theta, *given).max() < tolerance
+    return found
 
 
 # Random cases, made from known angles ---------------------------------------------------------------------------------
@@ -80,10 +82,9 @@ def residual4(found, k, h, p, d):
 
 def test_subproblem1():
     (k, p), theta = random_vectors(2, 0), random_angles(1)
-    got = subproblem1(k, p, rotate(k, theta, p))
+    got = solved(subproblem1, k, p, rotate(k, theta, p), tolerance=1e-12)
     flags(got, True, 1, False)
-    assert residual1(got, k, p, rotate(k, theta, p)).max() < 1e-12
-    radius = np.linalg.norm(np.cross(unit(k), unit(p)), axis=-1)
+    radius = norm(np.cross(unit(k), unit(p)))
     assert (apart(got.theta, theta) * radius).max() < 1e-14
 
 
@@ -101,30 +102,28 @@ def test_subproblem2():
     (k1, k2, p1), theta1, theta2 = random_vectors(3, 4), random_angles(5), random_angles(6)
     meeting = rotate(k1, theta1, p1)
     p2 = rotate(k2, -theta2, meeting)
-    got = subproblem2(k1, k2, p1, p2)
+    got = solved(subproblem2, k1, k2, p1, p2, tolerance=1e-12)
     flags(got, True, 2, False)
-    assert residual2(got, k1, k2, p1, p2).max() < 1e-12
     crossing = np.abs(np.linalg.det(np.stack([unit(k1), unit(k2), unit(meeting)], -1)))
-    radius = np.linalg.norm(np.cross([unit(k1), unit(k2)], unit(meeting)), axis=-1).min(0)
+    radius = norm(np.cross([unit(k1), unit(k2)], unit(meeting))).min(0)
     off = apart(got.theta, np.stack([theta1, theta2], -1)[:, None]).max(-1)
     assert (off.min(-1) * crossing * radius).max() < 1e-14
     # The other one is the mirror image of the meeting point in the plane of the axes.
     n = unit(np.cross(k1, k2))
     mirrored = meeting - 2 * dot(n, meeting)[:, None] * n
     other = np.where((off[:, 0] < off[:, 1])[:, None], got.theta[:, 1], got.theta[:, 0])
-    missed = np.linalg.norm(rotate(k1, other[:, 0], p1) - mirrored, axis=-1) / np.linalg.norm(p1, axis=-1)
+    missed = norm(rotate(k1, other[:, 0], p1) - mirrored) / norm(p1)
     assert (missed * crossing).max() < 1e-13
 
 
 def test_subproblem3():
     (k, p, q), theta = random_vectors(3, 7), random_angles(8)
     moved = rotate(k, theta, p)
-    d = np.linalg.norm(moved - q, axis=-1)
-    got = subproblem3(k, p, q, d)
+    d = norm(moved - q)
+    got = solved(subproblem3, k, p, q, d, tolerance=1e-12)
     assert (got.count == 2).mean() > 0.9999  # one point may be small beside the other
     flags(got, True, got.count, False)
-    assert residual3(got, k, p, q, d).max() < 1e-12
-    largest = np.maximum(np.linalg.norm(p, axis=-1), np.linalg.norm(q, axis=-1))
+    largest = np.maximum(norm(p), norm(q))
     change = np.abs(dot(q, np.cross(unit(k), moved))) / largest**2
     assert (apart(got.theta, theta[:, None]).min(-1) * change).max() < 1e-14
     symmetric_about(got.theta[got.count == 2], *(v[got.count == 2] for v in (k, p, q)))
@@ -134,9 +133,8 @@ def test_subproblem4():
     (k, p, h), theta = random_vectors(3, 9), random_angles(10)
     moved = rotate(k, theta, p)
     d = dot(h, moved)
-    got = subproblem4(k, h, p, d)
+    got = solved(subproblem4, k, h, p, d, tolerance=1e-12)
     flags(got, True, 2, False)
-    assert residual4(got, k, h, p, d).max() < 1e-12
     change = np.abs(dot(unit(h), np.cross(unit(k), unit(moved))))
     assert (apart(got.theta, theta[:, None]).min(-1) * change).max() < 1e-14
     symmetric_about(got.theta, k, p, h)
@@ -156,9 +154,8 @@ def symmetric_about(theta, k, p, q):
 def test_parallel_axes_leave_one_angle_free(sign):
     (k, p1), theta = random_vectors(2, 11, 1000), random_angles(12, 1000)
     k2, p2 = sign * 3 * k, rotate(k, theta, p1)
-    got = subproblem2(k, k2, p1, p2)
+    got = solved(subproblem2, k, k2, p1, p2, tolerance=1e-13)
     flags(got, True, 1, True)
-    assert residual2(got, k, k2, p1, p2).max() < 1e-13
     assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
     assert (got.theta[..., 0] == 0).all()
 
@@ -173,9 +170,9 @@ def test_points_on_the_axis_leave_the_angle_free():
         flags(subproblem1(k, on, on), True, 1, True)
         flags(subproblem1(k, on, -on), False, 1, True)
         flags(subproblem1(k, on, on + EX), False, 1, True)
-        flags(subproblem3(k, on, EX, np.linalg.norm(on - EX)), True, 1, True)
-        flags(subproblem3(k, EX, on, np.linalg.norm(on - EX)), True, 1, True)
-        flags(subproblem3(k, EX, on, 2 * np.linalg.norm(on - EX)), False, 1, True)
+        flags(subproblem3(k, on, EX, norm(on - EX)), True, 1, True)
+        flags(subproblem3(k, EX, on, norm(on - EX)), True, 1, True)
+        flags(subproblem3(k, EX, on, 2 * norm(on - EX)), False, 1, True)
         flags(subproblem4(k, EX, on, dot(EX, on)), True, 1, True)
         flags(subproblem4(k, on, EX, dot(EX, on)), True, 1, True)
         flags(subproblem4(k, on, EX, dot(EX, on) + 1e-3), False, 1, True)
@@ -235,7 +232,7 @@ def test_sizes_far_from_each_other():
     for ratio in (1e-20, 1e-200, 1e-300):
         flags(subproblem1(k, p, ratio * p), False, 1, False)
         assert np.abs(subproblem1(k, p, ratio * p).theta).max() < 1e-13
-        far = subproblem3(k, ratio * p, h, np.linalg.norm(h, axis=-1))
+        far = subproblem3(k, ratio * p, h, norm(h))
         assert far.exact.all()
         flags(subproblem3(k, ratio * p, ratio * h, np.ones(1000)), False, 1, False)
     assert_allclose(subproblem1(EZ, [5e-324, 0, 0], [0, 1.7e308, 0]).theta, PI / 2, rtol=1e-15)

@@ -7,69 +7,50 @@ import pytest
 from numpy.testing import assert_allclose
 from test_subproblems import (
     EZ,
+    MISSED,
     PI,
     apart,
     dot,
     flags,
+    norm,
     random_vectors,
-    residual1,
-    residual2,
-    residual3,
-    residual4,
     rotate,
+    solved,
     unit,
 )
 
 from course_lib.subproblems import subproblem1, subproblem2, subproblem3, subproblem4
 
 GRID = np.linspace(-PI, PI, 3600, endpoint=False)
-STEP = GRID[1] - GRID[0]
 
 
-def distance(a, b):
-    return np.linalg.norm(a - b, axis=-1)
-
-
-def searched(left, theta):
-    """Assert that theta (...) leaves as little as the best of the grid, and stands within a step of it.
-
-    left: a function of angles (..., n) that says what is left, batched as theta is.
-    """
-    on_grid = left(np.broadcast_to(GRID, (*theta.shape, len(GRID))))
-    best = GRID[on_grid.argmin(-1)]
-    assert (left(theta[..., None])[..., 0] <= on_grid.min(-1) * (1 + 1e-12) + 1e-13).all()
-    assert apart(theta, best).max() < STEP
-
-
-# One turn -------------------------------------------------------------------------------------------------------------
-
-
-def test_subproblem1_comes_nearest():
+def beyond(name, sign, size):
+    """Return (problem, vectors and what is out of reach) of 300 cases."""
     k, p, q = random_vectors(3, 20, 300)
-    got = subproblem1(k, p, q)
+    if name == "subproblem1":
+        return subproblem1, k, p, q
+    if name == "subproblem4":
+        return subproblem4, k, q, p, sign * size * norm(p) * norm(q)
+    heights = dot(unit(k), p - q), norm(np.cross(unit(k), p)), norm(np.cross(unit(k), q))
+    nearest, farthest = np.hypot(heights[0], heights[1] - heights[2]), np.hypot(heights[0], heights[1] + heights[2])
+    return subproblem3, k, p, q, sign * size * (farthest if size > 1 else nearest)
+
+
+@pytest.mark.parametrize(
+    ("name", "sign", "size"),
+    [("subproblem1", 1, 1), *(("subproblem3", sign, size) for sign, size in [(-1, 0.9), (1, 0.7), (1, 1.3)])]
+    + [("subproblem4", sign, 1.1) for sign in (1, -1)],
+)
+def test_one_angle_comes_nearest(name, sign, size):
+    """No angle of a grid is better, and the best of them is within a step."""
+    problem, *given = beyond(name, sign, size)
+    got = problem(*given)
     flags(got, False, 1, False)
-    searched(lambda t: distance(rotate(k[:, None], t, p[:, None]), q[:, None]), got.theta)
-
-
-@pytest.mark.parametrize("why", ["negative", "too small", "too large"])
-def test_subproblem3_comes_nearest(why):
-    k, p, q = random_vectors(3, 21, 300)
-    grid = distance(rotate(k[:, None], np.broadcast_to(GRID, (300, 3600)), p[:, None]), q[:, None])
-    d = {"negative": -grid.min(-1), "too small": 0.7 * grid.min(-1), "too large": 1.3 * grid.max(-1)}[why]
-    got = subproblem3(k, p, q, d)
-    flags(got, False, 1, False)
-    assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
-    searched(lambda t: np.abs(distance(rotate(k[:, None], t, p[:, None]), q[:, None]) - d[:, None]), got.theta[:, 0])
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_subproblem4_comes_nearest(sign):
-    k, p, h = random_vectors(3, 22, 300)
-    d = sign * 1.1 * np.linalg.norm(p, axis=-1) * np.linalg.norm(h, axis=-1)
-    got = subproblem4(k, h, p, d)
-    flags(got, False, 1, False)
-    assert np.array_equal(got.theta[:, 0], got.theta[:, 1])
-    searched(lambda t: np.abs(dot(h[:, None], rotate(k[:, None], t, p[:, None])) - d[:, None]), got.theta[:, 0])
+    theta = got.theta if problem is subproblem1 else got.theta[:, 0]
+    assert (got.theta.reshape(300, -1) == theta[:, None]).all()
+    missed = MISSED[problem](np.broadcast_to(GRID, (300, 3600)), *(each[:, None] for each in given))
+    assert (MISSED[problem](theta, *given) <= missed.min(-1) * (1 + 1e-12) + 1e-13).all()
+    assert apart(theta, GRID[missed.argmin(-1)]).max() < GRID[1] - GRID[0]
 
 
 # Two turns ------------------------------------------------------------------------------------------------------------
@@ -80,7 +61,7 @@ def nearest_pair(k1, k2, p1, p2):
     centre, reach = np.zeros(2), PI
     for n in (240, 121, 121, 121, 121):
         theta1, theta2 = centre[:, None] + reach * np.linspace(-1, 1, n)
-        left = distance(rotate(k1, theta1, p1)[:, None], rotate(k2, theta2, p2))
+        left = norm(rotate(k1, theta1, p1)[:, None] - rotate(k2, theta2, p2))
         i, j = np.unravel_index(left.argmin(), left.shape)
         centre, reach = np.array([theta1[i], theta2[j]]), 12 * reach / n
     return centre, left.min()
@@ -92,8 +73,8 @@ def against_the_search(k1, k2, p1, p2):
     for i in range(len(k1)):
         best, least = nearest_pair(k1[i], k2[i], p1[i], p2[i])
         ends = [(rotate(k1[i], a, p1[i]), rotate(k2[i], b, p2[i])) for a, b in got.theta[i]]
-        left = [distance(*end) for end in ends]
-        size = np.linalg.norm(p1[i]) + np.linalg.norm(p2[i])
+        left = [norm(a - b) for a, b in ends]
+        size = norm(p1[i]) + norm(p2[i])
         assert max(left) <= least + 1e-13 * size
         if not got.free[i]:
             assert min(apart(answer, best).max() for answer in got.theta[i]) < 1e-3
@@ -164,7 +145,7 @@ def test_circles_that_just_touch(off, count, exact):
         flags(got, exact, count, False)
         assert_allclose(got.theta, [[-0.3, 0.9]] * 2, rtol=0, atol=3 * np.sqrt(abs(off)) + 1e-14)
         if count == 2:
-            assert residual2(got, EZ, k2, p1, p2).max() < 1e-12
+            solved(subproblem2, EZ, k2, p1, p2, tolerance=1e-12)
         assert np.array_equal(got.theta[0], got.theta[1]) == (count == 1)
 
 
@@ -191,11 +172,11 @@ def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
     q = rotate(k, theta, p)
     got = subproblem3(k, p, q, 0)
     flags(got, True, 1, False)
-    radius = np.linalg.norm(np.cross(unit(k), unit(p)), axis=-1)
+    radius = norm(np.cross(unit(k), unit(p)))
     assert (apart(got.theta[:, 0], theta) * radius).max() < 1e-13
     for small in 10.0 ** np.arange(-15, 0):  # a distance that is soon lost in the squares of the lengths
-        d = small * radius * np.linalg.norm(p, axis=-1)
-        assert residual3(subproblem3(k, p, q, d), k, p, q, d).max() < 1e-14
+        d = small * radius * norm(p)
+        solved(subproblem3, k, p, q, d, tolerance=1e-14)
     got = subproblem4(k, q, p, dot(q, q))
     flags(got, True, 1, False)
     assert (apart(got.theta[:, 0], theta) * radius).max() < 1e-13
@@ -217,22 +198,13 @@ def test_answers_solve_the_problem_however_small_its_angles():
     theta1, theta2 = np.where(rng.random((2, 50_000)) < 0.5, small, rng.uniform(-PI, PI, (2, 50_000)))
     p = near(k, rng)
     moved = rotate(k, theta1, p)
-    got = subproblem1(k, p, moved)
-    assert got.exact.all()
-    assert residual1(got, k, p, moved).max() < 5e-14
+    solved(subproblem1, k, p, moved, tolerance=5e-14)
     for q in (near(k, rng), rotate(k, theta2, p), other):
-        d = np.linalg.norm(moved - q, axis=-1)
-        got = subproblem3(k, p, q, d)
-        assert got.exact.all()
-        assert residual3(got, k, p, q, d).max() < 5e-14
-        got = subproblem4(k, q, p, dot(q, moved))
-        assert got.exact.all()
-        assert residual4(got, k, q, p, dot(q, moved)).max() < 5e-14
+        solved(subproblem3, k, p, q, norm(moved - q), tolerance=5e-14)
+        solved(subproblem4, k, q, p, dot(q, moved), tolerance=5e-14)
     for k2, p1 in [(near(k, rng), p), (other, p), (near(k, rng), other)]:
         p2 = rotate(k2, theta2, rotate(k, theta1, p1))
-        got = subproblem2(k, k2, p1, p2)
-        assert got.exact.all()
-        assert residual2(got, k, k2, p1, p2).max() < 5e-14
+        solved(subproblem2, k, k2, p1, p2, tolerance=5e-14)
 
 
 @pytest.mark.parametrize("function", [subproblem1, subproblem2, subproblem3, subproblem4])
