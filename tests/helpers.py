@@ -22,6 +22,10 @@ AXES = np.array([[1, 0, 0], [0, -1, 0], [0, 0, 1], *_SPREAD])
 AXES /= np.linalg.norm(AXES, axis=-1, keepdims=True)
 
 
+def close(got, expected, atol=1e-14):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
 def true_exp(matrix):
     """Return the matrix exponential of one matrix of floats, summed with 50 digits and rounded once."""
     with mpmath.workdps(50):

@@ -3,17 +3,12 @@
 import numpy as np
 import pytest
 import scipy.linalg
-from helpers import pose_samples, twist_matrix
-from numpy.testing import assert_allclose
+from helpers import close, pose_samples, twist_matrix
 
 from course_lib.arms import SerialArm, planar_arm
 from course_lib.rigid import transform
 
 PI = np.pi
-
-
-def close(got, expected, atol=1e-14):
-    assert_allclose(got, expected, rtol=0, atol=atol)
 
 
 def six_joints():

@@ -4,8 +4,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from helpers import pose_samples
-from numpy.testing import assert_allclose
+from helpers import close, pose_samples
 
 from course_lib import arms
 from course_lib.arms import DHRow, SerialArm, iiwa14, panda, planar_arm, ur5e
@@ -36,8 +35,8 @@ def test_a_batch_gives_the_results_of_each_alone(name, batch, method):
     q.flags.writeable = False
     shape = of(np.zeros(ALL[name].n)).shape
     alone = np.array([of(one) for one in q.reshape(-1, ALL[name].n)]).reshape(batch + shape)
-    assert_allclose(of(q), alone, rtol=0, atol=2e-14)
-    assert_allclose(of(0 * q), np.broadcast_to(of(np.zeros(ALL[name].n)), alone.shape), rtol=0, atol=1e-14)
+    close(of(q), alone, 2e-14)
+    close(of(0 * q), np.broadcast_to(of(np.zeros(ALL[name].n)), alone.shape), 1e-14)
 
 
 @pytest.mark.parametrize("scale", [1e-100, 1e-6, 1e6, 1e99])
@@ -45,7 +44,7 @@ def test_arms_of_any_size(scale):
     """What is left out as rounding is small beside the arm, not beside a metre."""
     small = SerialArm.from_screws(SKEW.screw_axes[:, :3], RNG.normal(size=(6, 3)) * scale, np.eye(4))
     q = configurations(small, 2 * arms._SMALL_BATCH)
-    assert_allclose(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], rtol=0, atol=2e-14)
+    close(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], 2e-14)
 
 
 def test_a_small_length_beside_long_ones_counts():
@@ -53,7 +52,7 @@ def test_a_small_length_beside_long_ones_counts():
     q = configurations(arm, 2 * arms._SMALL_BATCH)
     sums = np.cumsum(q, -1)
     expected = (np.exp(1j * sums) * [1, 1e-9, 1]).sum(-1)
-    assert_allclose(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, rtol=0, atol=1e-15)
+    close(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, 1e-15)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import pose_samples
+from helpers import close, pose_samples
 from numpy.testing import assert_allclose
 
 from course_lib.arms import SerialArm, planar_arm
@@ -11,10 +11,6 @@ from course_lib.ik import damped_path
 FOUR = planar_arm([1, 1, 1, 1])
 RNG = np.random.default_rng(0)
 SIX = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
-
-
-def close(got, expected, atol=1e-14):
-    assert_allclose(got, expected, rtol=0, atol=atol)
 
 
 def plain_loop(tip, q, target, alpha, eps, steps):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import pose_samples
+from helpers import close, pose_samples
 
 from course_lib import ik, rigid, rotations
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
@@ -34,7 +34,7 @@ def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
         assert (found.iterations >= 1).all()
         for i, gap in enumerate(apart(arm.fk(found.q), goals)):
             assert gap.max() <= 1e-6
-            np.testing.assert_allclose(found.residual[:, i], gap, rtol=0, atol=1e-7)
+            close(found.residual[:, i], gap, 1e-7)
     assert np.median(alone.iterations) <= 15, "a single target is first tried by itself, with few steps for most"
 
 
@@ -43,7 +43,7 @@ def test_a_descent_by_itself_takes_the_steps_that_it_takes_among_others():
     targets, q0 = reachable(arm, 20), rng.uniform(*arm.limits.T, (20, 7))
     together = solve(arm, targets, rng, q0=q0, starts=1, steps=6)
     alone = [solve(arm, target, rng, q0=q, starts=1, steps=6) for target, q in zip(targets, q0, strict=True)]
-    np.testing.assert_allclose([one.q for one in alone], together.q, rtol=0, atol=1e-6)
+    close([one.q for one in alone], together.q, 1e-6)
     assert [one.iterations for one in alone] == together.iterations.tolist()
 
 
@@ -180,7 +180,7 @@ def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     moved = ik._step_within_limits(q, J, error, (error**2).sum(0), low, high)[:, 0]
     expected, _ = ik._damped_step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
     assert moved[0] == 0
-    np.testing.assert_allclose(moved[1:], expected[:, 0], rtol=0, atol=1e-12)
+    close(moved[1:], expected[:, 0], 1e-12)
 
 
 def test_a_start_that_no_longer_moves_ends():

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import scipy.integrate
 import scipy.linalg
+from helpers import close
 from numpy.polynomial import Polynomial
 from numpy.testing import assert_allclose
 
@@ -27,10 +28,6 @@ from course_lib.planar import (
 PI = np.pi
 BATCHES = [(), (1,), (3, 1, 2)]
 SCALINGS = pytest.mark.parametrize("scaling", [cubic_time_scaling, quintic_time_scaling], ids=["cubic", "quintic"])
-
-
-def close(got, expected, atol=1e-14):
-    assert_allclose(got, expected, rtol=0, atol=atol)
 
 
 def rotated(theta, v):

@@ -43,13 +43,6 @@ class TestUniform:
         assert cells.sum() == MANY
         assert scipy.stats.chisquare(cells.ravel()).pvalue > LEVEL
 
-    def test_trace(self, matrices):
-        """E[tr R] = 0 with variance 1, E[tr(R)^2] = 1 with variance 2."""
-        trace = np.trace(matrices, axis1=-2, axis2=-1)
-        limit = scipy.stats.norm.isf(LEVEL / 2)
-        assert abs(trace.mean()) < limit * np.sqrt(1 / MANY)
-        assert abs((trace**2).mean() - 1) < limit * np.sqrt(2 / MANY)
-
     def test_quaternions_lie_on_the_whole_sphere(self, many):
         """Every entry of a point on S^3 has the density (2 / pi) sqrt(1 - t^2), and all signs are equally likely."""
         for entry in many[1].T:
@@ -73,10 +66,3 @@ def test_the_seed_alone_decides(draw):
     assert np.array_equal(draw(5, rng), first)
     assert not np.isclose(draw(5, rng), first).all(axis=tuple(range(1, first.ndim))).any()
     assert len(np.unique(first.round(9), axis=0)) == 5
-
-
-@pytest.mark.parametrize("draw", [random_rotations, random_quaternions])
-def test_none_are_drawn(draw):
-    rng, untouched = np.random.default_rng(7), np.random.default_rng(7)
-    assert draw(0, rng).size == 0
-    assert np.array_equal(draw(5, rng), draw(5, untouched))

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from helpers import close
 
 from course_lib import trajectory
 from course_lib.arms import DHRow, SerialArm, iiwa14, panda, ur5e
@@ -64,9 +65,9 @@ def test_frames_are_the_products_of_the_printed_transforms(convention, printed):
         T, frames = np.eye(4), arm.frames(q)
         for row, angle, frame in zip(rows, q, frames, strict=False):
             T = T @ printed(row, angle)
-            np.testing.assert_allclose(frame, T, rtol=0, atol=1e-13)
-        np.testing.assert_allclose(frames[-1], T @ end, rtol=0, atol=1e-13)
-        np.testing.assert_allclose(arm.fk(q), T @ end, rtol=0, atol=1e-13)
+            close(frame, T, 1e-13)
+        close(frames[-1], T @ end, 1e-13)
+        close(arm.fk(q), T @ end, 1e-13)
 
 
 @pytest.mark.parametrize(("arm", "table"), [(panda(), STANDARD), (ur5e(), UR5E)], ids=["panda", "ur5e"])
@@ -75,8 +76,8 @@ def test_an_arm_moves_as_its_standard_table_and_as_its_screws(arm, table):
     points = np.cross(screws[:, :3], screws[:, 3:])
     q = np.random.default_rng(3).uniform(-3, 3, (1000, arm.n))
     for other in (SerialArm.from_dh(table, "standard"), SerialArm.from_screws(screws[:, :3], points, arm.home[-1])):
-        np.testing.assert_allclose(other.fk(q), arm.fk(q), rtol=0, atol=1e-14)
-        np.testing.assert_allclose(other.space_jacobian(q), arm.space_jacobian(q), rtol=0, atol=1e-13)
+        close(other.fk(q), arm.fk(q), 1e-14)
+        close(other.space_jacobian(q), arm.space_jacobian(q), 1e-13)
 
 
 @pytest.mark.parametrize("make", [iiwa14, panda, ur5e])
@@ -113,18 +114,18 @@ def test_the_trajectory_that_comes_with_the_course():
     assert moved.t.shape == (200,)
     t = moved.t
     wanted = np.stack([-0.5 + 0.1 * np.sin(2 * t), 0.5 + 0.1 * np.sin(t), 0.3 + 0.2 * np.cos(t)], -1)
-    np.testing.assert_allclose(arm.fk(moved.q)[:, :3, 3], wanted, rtol=0, atol=1e-6)
+    close(arm.fk(moved.q)[:, :3, 3], wanted, 1e-6)
     velocity = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
     np.testing.assert_allclose(velocity, data.end_effector_velocity(t), rtol=0, atol=1e-6)  # the first sample included
     h = t[1] - t[0]
     q = moved.q  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
     weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
     by_differences = sum(w * q[i : len(q) - 8 + i] for i, w in enumerate(weights))
-    np.testing.assert_allclose(by_differences, moved.qd[4:-4], rtol=0, atol=1e-6)
+    close(by_differences, moved.qd[4:-4], 1e-6)
 
 
 def test_the_trajectory_is_what_make_data_makes():
     made = data.iiwa_trajectory()
     stored = trajectory.load(Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv")
     for name in ("t", "q", "qd"):
-        np.testing.assert_allclose(getattr(stored, name), getattr(made, name), rtol=0, atol=1e-8)
+        close(getattr(stored, name), getattr(made, name), 1e-8)

@@ -3,7 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from helpers import pose_samples
+from helpers import close, pose_samples
 from scipy.spatial.transform import Rotation
 
 from course_lib import rigid
@@ -24,7 +24,7 @@ def test_the_pose_comes_back(batch, n):
     rng = np.random.default_rng(1)
     T, src = pose_samples(3)(rng, batch), rng.normal(size=(*batch, n, 3))
     found = register_points(src, moved(T, src))
-    np.testing.assert_allclose(found, T, rtol=0, atol=1e-12)
+    close(found, T, 1e-12)
 
 
 def test_noisy_points_with_weights_agree_with_a_second_source():
@@ -35,7 +35,7 @@ def test_noisy_points_with_weights_agree_with_a_second_source():
         found = register_points(src, dst, weights)
         a, b = (p - np.average(p, axis=0, weights=weights) for p in (src, dst))
         other = Rotation.align_vectors(b, a, weights)[0].as_matrix()
-        np.testing.assert_allclose(found[:3, :3], other, rtol=0, atol=1e-9)
+        close(found[:3, :3], other, 1e-9)
         least = rest(found, src, dst, weights)
         for _ in range(20):  # nothing beside it is better
             beside = found @ rigid.exp_se3(1e-3 * rng.normal(size=6))
@@ -54,7 +54,7 @@ def test_a_point_without_weight_counts_for_nothing():
     T, src = pose_samples(3)(rng, ()), rng.normal(size=(5, 3))
     dst = moved(T, src)
     dst[2] += 100
-    np.testing.assert_allclose(register_points(src, dst, [1, 1, 0, 1, 1]), T, rtol=0, atol=1e-12)
+    close(register_points(src, dst, [1, 1, 0, 1, 1]), T, 1e-12)
 
 
 LINE = np.outer(np.arange(5), [1.0, 2, 3]) + 1
@@ -97,7 +97,7 @@ def test_sets_of_any_size_are_right(exponent):
         assert angle_between(found[:, :3, :3], R).max() < 1e-13
     p = rng.uniform(-0.5, 0.5, size=(20, 3))
     found = register_points(size * src, size * (dst + p[:, None]))
-    np.testing.assert_allclose(found[:, :3, 3] / size, p, rtol=0, atol=1e-13)
+    close(found[:, :3, 3] / size, p, 1e-13)
 
 
 @pytest.mark.parametrize("exponent", range(16))
@@ -140,7 +140,7 @@ def test_weights_of_any_size():
     T, src = pose_samples(3)(rng, ()), rng.normal(size=(4, 3))
     for size in (1e-308, 1e308, 1.7e308):
         found = register_points(src, moved(T, src), np.full(4, size))
-        np.testing.assert_allclose(found, T, rtol=0, atol=1e-12)
+        close(found, T, 1e-12)
 
 
 def test_a_translation_beyond_the_largest_number_is_refused():

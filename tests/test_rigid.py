@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 import scipy.linalg
-from helpers import pose_samples, rotation_samples, twist_matrix
-from numpy.testing import assert_allclose
+from helpers import close, pose_samples, rotation_samples, twist_matrix
 
 from course_lib.rigid import (
     adjoint,
@@ -24,10 +23,6 @@ EXP = {2: exp_se2, 3: exp_se3}
 LOG = {2: log_se2, 3: log_se3}
 
 EITHER = pytest.mark.parametrize("n", [2, 3], ids=["plane", "space"])
-
-
-def close(got, expected, atol=1e-14):
-    assert_allclose(got, expected, rtol=0, atol=atol)
 
 
 # Poses ----------------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import scipy.linalg
-from helpers import cross_matrix, rotation_samples, same_sign
+from helpers import close, cross_matrix, rotation_samples, same_sign
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
@@ -25,10 +25,6 @@ from course_lib.rotations import (
 )
 
 EX, EY, EZ = np.eye(3)
-
-
-def close(got, expected, atol=1e-14):
-    assert_allclose(got, expected, rtol=0, atol=atol)
 
 
 # hat, vee, rotations about one axis, exp ----------------------------------------------------------------------------
