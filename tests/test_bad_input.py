@@ -6,6 +6,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from fuzz import Unreadable
 from signatures import (
     ARGUMENTS,
     CALLS,
@@ -54,39 +55,19 @@ def test_every_public_function_is_in_the_table():
     assert all(list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets)
 
 
-class Unreadable:
-    def __array__(self, dtype=None, copy=None):
-        raise TypeError("on another device")
-
-
-NO_REAL_NUMBERS = {
-    "None": lambda valid: None,
-    "str": lambda valid: "abc",
-    "bytes": lambda valid: b"1",
-    "dict": lambda valid: {"a": 1},
-    "object": lambda valid: object(),
-    "iterator": lambda valid: iter([1.0, 2.0]),
-    "unreadable": lambda valid: Unreadable(),
-    "ragged": lambda valid: [[1.0, 2.0, 3.0], [4.0, 5.0]],
-    "hole": lambda valid: [1.0, None, 3.0],
-    "huge int": lambda valid: 10**400,
-    "strings": lambda valid: valid.astype(str),
-    "masked": lambda valid: np.ma.array(valid),
-    "bool": lambda valid: valid.astype(bool),
-    "complex": lambda valid: valid.astype(complex),
-    "objects": lambda valid: valid.astype(object),
-    "dates": lambda valid: np.full(valid.shape, "2020-01-01", dtype="datetime64[D]"),
-    "times": lambda valid: np.full(valid.shape, 1, dtype="timedelta64[s]"),
-    "records": lambda valid: np.zeros(valid.shape, dtype=[("x", float)]),
-}
+NO_REAL_NUMBERS = [None, "abc", b"1", {"a": 1}, object(), iter([1.0, 2.0]), Unreadable(), 10**400]
+NO_REAL_NUMBERS += [[[1.0, 2.0, 3.0], [4.0, 5.0]], [1.0, None, 3.0]]
+OTHER_TYPES = [str, bool, complex, object, "datetime64[D]", "timedelta64[s]", [("x", float)]]
 
 
 @pytest.mark.parametrize(("call", "argument"), ARRAYS, ids=case_name)
 class TestEveryArray:
     def test_no_real_numbers(self, call, argument):
-        for what, batch in product(NO_REAL_NUMBERS, [(), (2,)]):
+        for batch in [(), (2,)]:
             valid = call[1][argument].sample(np.random.default_rng(7), batch)
-            refusal(call, argument, NO_REAL_NUMBERS[what](valid), batch)
+            others = [np.ones(valid.shape, int).astype(other) for other in OTHER_TYPES]
+            for value in [*NO_REAL_NUMBERS, *others, np.ma.array(valid)]:
+                refusal(call, argument, value, batch)
 
     def test_wrong_shape(self, call, argument):
         cores = shapes_taken(call, argument) | set(call[1][argument].also)
@@ -131,14 +112,6 @@ def test_outside_the_domain(call, argument, spoilt):
 def test_other_arguments(call, argument):
     for value in call[1][argument].invalid:
         refusal(call, argument, value)
-
-
-@pytest.mark.parametrize("batches", [((2,), (3,)), ((0,), (2,)), ((2, 1, 3), (3, 2))], ids=str)
-@pytest.mark.parametrize("n", [2, 3])
-def test_batches_that_do_not_match(batches, n):
-    R = np.broadcast_to(np.eye(n), (*batches[0], n, n))
-    with pytest.raises(ValueError, match=r"^p\b"):
-        FUNCTIONS["transform"](R, np.zeros((*batches[1], n)))
 
 
 ARRAYS_AFTER_OTHERS = [
