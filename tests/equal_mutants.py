@@ -106,7 +106,8 @@ class Solution:
     """The solution of an exercise: its source, among the names of a notebook and the sources of its other solutions."""
 
     def __init__(self, exercise, space, sources):
-        self.exercise = replace(exercise, mistakes=(), forbidden=(), broken=None)
+        mistakes = type(exercise.mistakes)()  # none: what a wrong answer is called does not matter here
+        self.exercise = replace(exercise, mistakes=mistakes, forbidden=(), broken=None)
         self.space, self.sources = space, sources
 
     def is_equalled_by(self, mutant):
