@@ -116,7 +116,7 @@ _NO_DURATION = tuple([((1, 0, 0), 1), ((1, 0, 0), bad)] for bad in (-1e-300, np.
 _VELOCITIES = Other(lambda: [((1, 0, 2), 1), ((0, -1, 0), 0.5)], (*_PLANLESS, *_NO_DURATION))
 _ANY_PLAN = Other(lambda: [((1, 0, 2), 1), ((0, -1), 0.5)], (*_PLANLESS, *_NO_DURATION))
 _PLAN = Other(_VELOCITIES.valid, (*_VELOCITIES.invalid, [((1, 0), 1)], [((1, 0, np.nan), 1)], [(np.ones((2, 3)), 1)]))
-_SCALING = Other(lambda: planar.quintic_time_scaling, (None, "cubic", 3, np.ones(3)))
+_SCALING = Other(lambda: planar.quintic_time_scaling, (None, "cubic", 3, np.ones(3), len))
 _ARM = Other(lambda: planar_arm([1, 2, 1, 0.5]), (None, 4, [1, 1], np.eye(4), planar_arm))
 
 

@@ -130,6 +130,7 @@ BAD_POSE = np.diag([1.0, 1, -1, 1])
         ({"rng": 3}, "rng"),
         ({"q0": np.zeros(6)}, "q0"),
         ({"q0": np.zeros((5, 7))}, "q0"),
+        ({"targets": np.eye(4), "q0": np.zeros((5, 7))}, "q0"),
         ({"q0": np.full(7, np.inf)}, "q0"),
         ({"starts": 0}, "starts"),
         ({"steps": 1.5}, "steps"),
@@ -181,6 +182,12 @@ def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     expected, _ = ik._damped_step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
     assert moved[0] == 0
     close(moved[1:], expected[:, 0], 1e-12)
+
+
+def test_an_arm_so_long_that_the_damping_is_lost_in_rounding_ends_without_success():
+    found = solve(planar_arm([1e60, 1e60]), np.eye(4), np.random.default_rng(0), q0=[0.3, 0.5], starts=2)
+    assert np.isfinite(found.q).all()
+    assert not found.success
 
 
 def test_a_start_that_no_longer_moves_ends():
