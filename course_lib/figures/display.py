@@ -3,13 +3,31 @@
 import base64
 import io
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
 
 
-def show(fig, *, alt, caption=""):
+class Picture(NamedTuple):
+    """A figure with the words that `show` puts beside it.
+
+    Parameters
+    ----------
+    fig : matplotlib.figure.Figure or plotly.graph_objects.Figure
+    alt : str
+        What it shows, in a sentence or two, for those who do not see it.
+    caption : str, optional
+        What to notice in it, one sentence in Markdown.
+    """
+
+    fig: object
+    alt: str
+    caption: str = ""
+
+
+def show(fig, *, alt="", caption=""):
     """Display a figure with alternative text and, below it, a caption.
 
     A plotly figure is published as its MIME type alone: it needs no kernel afterwards. Its numbers are rounded to
@@ -17,10 +35,10 @@ def show(fig, *, alt, caption=""):
 
     Parameters
     ----------
-    fig : matplotlib.figure.Figure or plotly.graph_objects.Figure
-        What to display.
+    fig : Picture, matplotlib.figure.Figure or plotly.graph_objects.Figure
+        What to display. A Picture has words of its own, which may be replaced.
     alt : str
-        What the picture shows, in a sentence or two, for those who do not see it.
+        What the figure shows, in a sentence or two, for those who do not see it.
     caption : str, optional
         What to notice in it, one sentence in Markdown, formulas between dollars. It does not repeat `alt`.
 
@@ -31,14 +49,16 @@ def show(fig, *, alt, caption=""):
 
     Examples
     --------
-    >>> from course_lib.figures.style import plane_figure
-    >>> show(plane_figure(3, 2)[0], alt="A plot")
+    >>> from course_lib.figures import lines
+    >>> show(lines([0, 1], {"a": [0, 1]}, xlabel="time (s)", ylabel="height (m)"), alt="A plot")
     Traceback (most recent call last):
         ...
     ValueError: alt must say in words what the figure shows; it is 'A plot'
     """
     from IPython.display import display
 
+    if isinstance(fig, Picture):
+        fig, alt, caption = fig.fig, alt or fig.alt, caption or fig.caption
     if not isinstance(alt, str) or len(alt.strip()) < 20:
         raise ValueError(f"alt must say in words what the figure shows; it is {alt!r}")
     if not isinstance(caption, str):
@@ -63,11 +83,6 @@ def show_caption(caption):
     ----------
     caption : str
         One sentence in Markdown; "" for none.
-
-    Examples
-    --------
-    >>> show_caption("Both meet.")  # in a notebook: the Markdown
-    {'text/markdown': 'Both meet.', 'text/plain': 'Both meet.'}
     """
     from IPython.display import display
 
@@ -95,13 +110,6 @@ def smaller_png(content):
     -------
     bytes
         The smaller one of the two files.
-
-    Examples
-    --------
-    >>> from course_lib.figures.style import plane_figure
-    >>> plane_figure(3, 2)[0].savefig(file := io.BytesIO())
-    >>> len(smaller_png(file.getvalue())) < len(file.getvalue())
-    True
     """
     from PIL import Image
 

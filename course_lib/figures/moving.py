@@ -20,16 +20,6 @@ def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
         Of both axes.
     centre : tuple of float, optional
         The centre of the square, (x, y).
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> layout = plane_layout(2, centre=(1, 0))
-    >>> layout["xaxis"]["range"], layout["yaxis"]["title"]["text"]
-    ([-1, 3], 'y (m)')
     """
     axis = {"showgrid": True, "gridcolor": "#dddddd", "zeroline": False, "linecolor": BLACK, "constrain": "domain"}
     axis |= {"ticks": "outside", "ticklen": 4}
@@ -46,13 +36,7 @@ def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
 
 
 def path(points, colour, *, width=2, dash="solid", mode="lines", **options):
-    """Return a line through points, shape (n, 2), or dots at them with mode="markers".
-
-    Examples
-    --------
-    >>> path([(0, 1), (2, 3)], "black").y
-    (1, 3)
-    """
+    """Return a line through points, shape (n, 2), or dots at them with mode="markers"."""
     x, y = zip(*points, strict=True)
     look = {"marker": {"color": colour, "size": options.pop("size", 7)}} if "markers" in mode else {}
     if "lines" in mode:
@@ -66,33 +50,26 @@ def movie(name, layout, still, moving, times):
     Parameters
     ----------
     name : str
-        What its file is called where it is written as an animation.
+        Name of its file if it is written as an animation.
     layout : dict
         The plotly layout.
     still : list of plotly traces
         What stays.
-    moving : list of lists of plotly traces
-        What changes: the traces of each time.
+    moving : list of plotly traces
+        What moves, as it is at each time.
     times : array_like, shape (n,)
         In seconds.
 
     Returns
     -------
     plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> moving = [[path([(0, 0), (x, 1)], "black")] for x in range(3)]
-    >>> fig = movie("swing", plane_layout(2), [], moving, [0, 0.5, 1])
-    >>> len(fig.frames), fig.layout.meta["seconds"]
-    (3, 1.0)
     """
-    first = len(still)
-    traces = list(range(first, first + len(moving[0])))
+    fig = go.Figure([*still, moving[0]], layout=layout)
     # Frames say only where: the looks are those of the first.
-    where = [[type(trace)(x=trace.x, y=trace.y) for trace in shown] for shown in moving]
-    fig = go.Figure([*still, *moving[0]], layout=layout)
-    fig.frames = [go.Frame(data=shown, traces=traces, name=str(i)) for i, shown in enumerate(where)]
+    fig.frames = [
+        go.Frame(data=[type(trace)(x=trace.x, y=trace.y)], traces=[len(still)], name=str(i))
+        for i, trace in enumerate(moving)
+    ]
     add_controls(fig, times, redraw=False)
     fig.layout.meta = {"movie": name, **fig.layout.meta}
     return fig
@@ -109,13 +86,6 @@ def add_controls(fig, times, *, redraw):
         In seconds.
     redraw : bool
         Whether plotly draws the whole figure at each frame, as scenes in space need it.
-
-    Examples
-    --------
-    >>> fig = go.Figure(layout=plane_layout(2))
-    >>> add_controls(fig, [0, 0.5, 1], redraw=False)
-    >>> [step.label for step in fig.layout.sliders[0].steps]
-    ['0.00', '0.50', '1.00']
     """
     seconds = float(times[-1] - times[0])
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}

@@ -1,120 +1,69 @@
-"""The pictures of notebook 5: DH parameters, the Panda's frames by both conventions, and the pick of a mug."""
+"""The figures of notebook 5: DH parameters, the Panda's frames by both conventions, the pick of a mug, methods.
+
+Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in radians.
+"""
 
 import numpy as np
 import plotly.graph_objects as go
 
 from course_lib import rigid
 from course_lib.arms import panda
-from course_lib.figures.solids import Model, Part, arm_model, film, meshes, scene, shells
-from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED
-from course_lib.figures.space import line, points
+from course_lib.figures.display import Picture
+from course_lib.figures.plots import lines
+from course_lib.figures.solids import Model, Part, arm_model, draw, film, meshes, scene, shells
+from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
+from course_lib.figures.space import line, points, scene_name
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.rotations import rot_x, rot_z
 
-_VIEW = (1.3, -1.5, 0.7)
+
+def through_the_table(q):
+    """Return the Panda on its table at joint angles q, shape (7,), with its flange below the top."""
+    height = panda().fk(q)[2, 3]
+    edge = scene.table(0, np.zeros(2), 0.5)
+    return Picture(
+        draw(panda(), q, extra=edge, view=[-1.5, 0.7, 0.3], base_frame=False),
+        f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top.",
+        "The arm bends down beside its base, through the table.",
+    )
 
 
-def conventions(contents, base):
-    """Return the Panda side by side, seen through, with the frames 1 to n of different conventions.
-
-    Parameters
-    ----------
-    contents : dict
-        {title: frames (n + 1, 4, 4) in the world, the end-effector's last}. The first title's are those of
-        `arms.panda()`: the arm is drawn where they are.
-    base : array_like, shape (3,)
-        Where the arm stands.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> fig = conventions({"modified": panda().frames(np.zeros(7))}, np.zeros(3))
-    >>> [note.text for note in fig.layout.annotations]
-    ['modified']
-    """
-    arm, base = panda(), np.asarray(base, float)
-    poses = _bodies(next(iter(contents.values())), base)
-    model, share = arm_model(arm), 1 / len(contents)
-    vertices = model.placed(poses)
-    height, drawn, scenes = 390, [], []
-    aspect = 700 * share / height
-    for i, frames in enumerate(contents.values()):
-        name = "scene" if i == 0 else f"scene{i + 1}"
-        shown = [T for k, T in enumerate(frames[:-1]) if not any(np.allclose(T, other) for other in frames[:k])]
-        triads = Model.of([part for k in range(len(shown)) for part in scene.triad(k, np.eye(4), 0.13)])
-        words = numbers(frames[:-1])
-        reach = np.concatenate([vertices, triads.placed(shown)])
-        settings = scene.fitted_scene(reach, _VIEW, aspect=aspect, domain=(i * share, (i + 1) * share))
-        scenes.append(settings)
-        drawn += [triads.trace(shown, name), model.trace(poses, name, opacity=0.3)]
-        taken = [T[:3, 3] + along * T[:3, j] for T in shown for j in range(3) for along in (0.05, 0.09, 0.13)]
-        drawn += scene.labels(words, settings, taken, size=17, aspect=aspect, scene=name, gap=0.07)
-    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(contents)))
+# ---- DH parameters ----
 
 
 def four_parameters(a, alpha, d, theta):
-    """Return two joint axes and the two perpendiculars beside them, with the four DH parameters.
-
-    Parameters
-    ----------
-    a, alpha, d, theta : float
-        Of one row of a modified table: metres and radians.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> fig = four_parameters(0.8, 0.7, 0.6, 0.9)
-    >>> sum(trace.type == "scatter3d" and trace.mode == "text" for trace in fig.data)
-    2
-    """
+    """Return two joint axes and the two perpendiculars beside them, with the four parameters of a modified DH table."""
     along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
     after = along_x @ rigid.transform(rot_z(theta), [0, 0, d])
-    z2, x2, foot = after[:3, 2], after[:3, 0], after[:3, 3]
-    long, size = 0.5, 0.28
-    axes = [(np.zeros(3), np.array([0, 0, 1.0]), -0.25, long), (along_x[:3, 3], z2, -0.25, d + 0.35)]
-    still = [Part(0, STEEL, meshes.capsule(o + low * z, o + high * z, 0.012)) for o, z, low, high in axes]
-    still += [
-        Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11)) for o, z in ((np.zeros(3), axes[0][1]), (along_x[:3, 3], z2))
-    ]
-    perpendicular = [Part(0, X_RED, meshes.arrow(np.zeros(3), [1, 0, 0], a, 0.016))]
-    perpendicular += [Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016))]
-    perpendicular += [Part(0, X_RED + 2, meshes.arrow(along_x[:3, 3], z2, d, 0.016))]
-    model = Model.of([*still, *perpendicular])
-    tilt = _arc(along_x[:3, 3], np.array([0, 0, 1.0]), z2, 2.1 * size)
-    swing = _arc(foot, along_x[:3, 0], x2, 1.3 * size)
-    helpers = [
-        line([along_x[:3, 3], along_x[:3, 3] + 0.75 * np.array([0, 0, 1])], GREY, 4, "scene", "dash"),
-        line([foot, foot + 0.5 * along_x[:3, 0]], GREY, 4, "scene", "dash"),
-        line(tilt, ORANGE, 6, "scene"),
-        line(swing, ORANGE, 6, "scene"),
-    ]
-    ends = {
-        "z₁": axes[0][1] * long,
-        "z₂": axes[1][0] + (d + 0.35) * z2,
-        "x₁": np.array([0.35 * a, 0, 0]),
-        "x₂": foot + 0.6 * x2,
-    }
-    middles = {
-        "a": np.array([0.7 * a, 0, 0]),
-        "\u03b1": tilt[8] + 0.05 * (tilt[8] - along_x[:3, 3]) / size,
-        "d": along_x[:3, 3] + 0.5 * d * z2,
-        "θ": swing[8],
-    }
-    reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, np.array(list(ends.values())) * 1.08])
-    height = 400
-    settings = scene.fitted_scene(reach, (0.75, -1.25, 0.35), aspect=700 / height, fill=0.9)
-    taken = np.concatenate([tilt, swing, np.outer(np.linspace(0, 1, 12), [a, 0, 0])])
-    words = scene.labels(ends, settings, taken, aspect=700 / height, gap=0.06)
-    words += scene.labels(
-        middles, settings, [*taken, *ends.values()], colour=BLUE, size=19, aspect=700 / height, gap=0.07
+    z1, o1, o2 = np.array([0, 0, 1.0]), np.zeros(3), along_x[:3, 3]
+    x1, z2, x2, foot = along_x[:3, 0], after[:3, 2], after[:3, 0], after[:3, 3]
+    parts = [Part(0, X_RED, meshes.arrow(o1, x1, a, 0.016)), Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016))]
+    parts.append(Part(0, Z_BLUE, meshes.arrow(o2, z2, d, 0.016)))
+    for o, z, high in ((o1, z1, 0.5), (o2, z2, d + 0.35)):
+        parts += [Part(0, STEEL, meshes.capsule(o - 0.25 * z, o + high * z, 0.012))]
+        parts += [Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11))]
+    model = Model.of(parts)
+    tilt, swing = _arc(o2, z1, z2, 0.588), _arc(foot, x1, x2, 0.364)
+    helpers = [line([o2, o2 + 0.75 * z1], GREY, 4, dash="dash"), line([foot, foot + 0.5 * x1], GREY, 4, dash="dash")]
+    helpers += [line(tilt, ORANGE, 6), line(swing, ORANGE, 6)]
+    ends = {"z₁": 0.5 * z1, "z₂": o2 + (d + 0.35) * z2, "x₁": 0.35 * a * x1, "x₂": foot + 0.6 * x2}
+    middles = {"a": 0.7 * a * x1, "\u03b1": tilt[8] + 0.18 * (tilt[8] - o2), "d": o2 + 0.5 * d * z2, "θ": swing[8]}
+    reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, 1.08 * np.array(list(ends.values()))])
+    settings, aspect = scene.column(reach, (0.75, -1.25, 0.35), 0, 1, height=400, fill=0.9)
+    taken = np.concatenate([tilt, swing, np.outer(np.linspace(0, 1, 12), a * x1)])
+    words = scene.labels(ends, settings, taken, aspect=aspect, gap=0.06)
+    taken = [*taken, *ends.values()]
+    words += scene.labels(middles, settings, taken, colour=BLUE, size=19, aspect=aspect, gap=0.07)
+    drawn = [model.trace([np.eye(4)]), *helpers, *words]
+    return Picture(
+        go.Figure(drawn, layout=scene.layout([settings], height=400)),
+        f"Two joint axes, z1 and z2, that do not meet. The common perpendicular along x1 has the length a = {a:g} m; "
+        f"about it, z2 is rotated against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, the next "
+        f"perpendicular x2 is d = {d:g} m further on, and about z2 it is rotated by theta = "
+        f"{np.rad2deg(theta):.0f} degrees.",
+        "Two numbers belong to $x$, the length $a$ and the angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. "
+        "Only $\\theta$ changes when the joint rotates.",
     )
-    return go.Figure([model.trace([np.eye(4)]), *helpers, *words], layout=scene.layout([settings], height=height))
 
 
 def _arc(centre, start, end, radius):
@@ -124,59 +73,48 @@ def _arc(centre, start, end, radius):
     return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle)
 
 
-def iterations(counts, most):
-    """Return histograms of how many iterations each target took, one panel for each method.
+def conventions(modified, standard, base):
+    """Return the Panda twice, seen through, with the frames 1 to n of both conventions.
 
     Parameters
     ----------
-    counts : dict
-        {method: iterations (n,)}.
-    most : int
-        Where the axis of the iterations ends; the last bar counts what took more, too.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> [ax.get_title() for ax in iterations({"a": np.array([3, 5]), "b": np.array([9])}, 10).axes]
-    ['a', 'b']
+    modified, standard : ndarray, shape (n, 4, 4)
+        Poses of the frames in the world. The arm is drawn where the modified ones, those of `arms.panda()`, are.
+    base : array_like, shape (3,)
+        Where the arm stands.
     """
-    fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
-    for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):
-        ax.hist(np.minimum(taken, most), np.linspace(0, most, 26), color=colour)
-        ax.set(title=title, xlabel="iterations")
-    axes[0].set_ylabel("targets reached")
-    return fig
+    model, poses = arm_model(panda()), _bodies(modified, np.asarray(base, float))
+    vertices = model.placed(poses)
+    height, drawn, scenes, said = 390, [], [], []
+    for i, (title, frames) in enumerate({"modified": modified, "standard": standard}.items()):
+        name = scene_name(i)
+        words = _numbers(frames)
+        every = [T for k, T in enumerate(frames) if not any(np.allclose(T, other) for other in frames[:k])]
+        triads = Model.of([part for k in range(len(every)) for part in scene.triad(k, np.eye(4), 0.13)])
+        reach = np.concatenate([vertices, triads.placed(every)])
+        settings, aspect = scene.column(reach, (1.3, -1.5, 0.7), i, 2, height=height)
+        scenes.append(settings)
+        drawn += [triads.trace(every, name), model.trace(poses, name, opacity=0.3)]
+        taken = [T[:3, 3] + along * T[:3, j] for T in every for j in range(3) for along in (0.05, 0.09, 0.13)]
+        drawn += scene.labels(words, settings, taken, size=17, aspect=aspect, scene=name, gap=0.07)
+        shared = [f"{key.replace(', ', ' and ')} share an origin" for key in words if ", " in key]
+        said.append(f"{title}, {'; '.join(shared) or 'all origins apart'}")
+    return Picture(
+        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["modified", "standard"])),
+        f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: {'; '.join(said)}.",
+        "A modified frame lies on its own joint's axis, a standard one on the axis of the next joint.",
+    )
 
 
-def shares(x, y, xlabel, ylabel, *, log=""):
-    """Return a plot of measured shares, a dot for each.
+def _numbers(frames):
+    """Where the number of each frame (n, 4, 4) belongs, {numbers: origin}; frames with one origin stand together."""
+    names = {}
+    for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
+        names.setdefault(tuple(point), []).append(str(i))
+    return {", ".join(numbers): point for point, numbers in names.items()}
 
-    Parameters
-    ----------
-    x, y : array_like, shape (n,)
-        y: shares from 0 to 1.
-    xlabel, ylabel : str
-    log : str
-        "x" for a logarithmic axis.
 
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> float(shares([1, 2], [0.5, 0.6], "starts", "share").axes[0].get_ylim()[0])
-    0.0
-    """
-    fig, (ax,) = plane_figure(7.2, 3.4)
-    ax.plot(x, y, "o-", color=BLUE, linewidth=2)
-    ax.set(xlabel=xlabel, ylabel=ylabel, ylim=(0, 1))
-    if log:
-        ax.set_xscale("log")
-    return fig
+# ---- the pick of a mug ----
 
 
 def matches(template, scene_points, T, wrong):
@@ -184,132 +122,172 @@ def matches(template, scene_points, T, wrong):
 
     Parameters
     ----------
-    template, scene_points : array_like, shape (n, 3)
-        Metres.
-    T : array_like, shape (4, 4)
+    template, scene_points : ndarray, shape (n, 3)
+    T : ndarray, shape (4, 4)
         The mug's pose by registration.
-    wrong : int or sequence of int
+    wrong : sequence of int
         Which matches were dropped; they are drawn in red, with dashed lines to where they should be.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> points = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
-    >>> [note.text for note in matches(points, points, np.eye(4), [2]).layout.annotations]
-    ['template', 'scene']
     """
     mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
-    wrong = np.atleast_1d(wrong)
-    laid = template[wrong] @ T[:3, :3].T + T[:3, 3]
+    laid = template @ T[:3, :3].T + T[:3, 3]
     placed = mug.placed([np.eye(4)])  # one extent for both scenes, so that the mug is equally large in them
     extent = np.concatenate([placed, placed @ T[:3, :3].T, template, scene_points - T[:3, 3]])
-    for i, (seen, pose, colour) in enumerate(((template, np.eye(4), BLUE), (scene_points, T, GREEN))):
-        name = "scene" if i == 0 else f"scene{i + 1}"
-        reach = extent + pose[:3, 3]
-        settings = scene.fitted_scene(
-            reach, (1.2, -1.3, 0.8), aspect=350 / height, fill=0.85, domain=(i / 2, (i + 1) / 2)
-        )
+    across = np.linspace(0.15, 1, 8)[:, None, None]
+    dashes = (scene_points[wrong] + across * (laid - scene_points)[wrong]).reshape(-1, 3)
+    sides = ((template, np.eye(4), BLUE, ()), (scene_points, T, GREEN, dashes))
+    for i, (seen, pose, colour, taken) in enumerate(sides):
+        name = scene_name(i)
+        look = {"height": height, "fill": 0.85}
+        settings, aspect = scene.column(extent + pose[:3, 3], (1.2, -1.3, 0.8), i, 2, **look)
         scenes.append(settings)
         drawn += [mug.trace([pose], name, opacity=0.22), points(seen, 6, colour, name)]
         names = {str(k): point for k, point in enumerate(seen)}
-        across = np.linspace(0.15, 1, 8)[:, None, None]
-        dashes = (seen[wrong] + across * (laid - seen[wrong])).reshape(-1, 3) if i else ()
-        drawn += scene.labels(names, settings, dashes, aspect=350 / height, scene=name, size=17, gap=0.085)
+        drawn += scene.labels(names, settings, taken, aspect=aspect, scene=name, size=17, gap=0.085)
     drawn.append(points(scene_points[wrong], 9, CRIMSON, name))
-    drawn += [line([scene_points[k], to], CRIMSON, 5, name, "dash") for k, to in zip(wrong, laid, strict=True)]
-    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"]))
+    drawn += [line([scene_points[k], laid[k]], CRIMSON, 5, name, "dash") for k in wrong]
+    off = 1000 * np.linalg.norm(laid - scene_points, axis=1)
+    apart = " and ".join(f"point {k} to its place, {off[k]:.0f} mm away" for k in wrong)
+    return Picture(
+        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"])),
+        f"Left the template, a mug with {len(template)} numbered key points on it. Right the scene: the same mug "
+        f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; dashes "
+        f"lead from {apart}.",
+        "The wrong matches are shifted alike, so that they agree with each other.",
+    )
 
 
-def pick(name, frames, grippers, openings, mugs, times, base, camera=None):
+def pick(frames, grippers, openings, mugs, times, base, camera=None):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
     Parameters
     ----------
-    name : str
-        What its file is called where it is written as an animation.
-    frames : array_like, shape (m, 8, 4, 4)
+    frames : ndarray, shape (m, 8, 4, 4)
         Poses of the frames of `arms.panda()` in the world.
-    grippers : array_like, shape (m, 4, 4)
+    grippers : ndarray, shape (m, 4, 4)
         The pose between the fingertips: z away from the arm, the fingers move along y.
-    openings : array_like, shape (m,)
-        Metres between the fingertips.
-    mugs : array_like, shape (m, 4, 4)
+    openings : ndarray, shape (m,)
+        Distances between the fingertips.
+    mugs : ndarray, shape (m, 4, 4)
         Poses of the mug: the middle of its bottom, the handle along x.
     times : array_like, shape (m,)
-        Seconds.
     base : array_like, shape (3,)
         Where the arm stands: on the table.
-    camera : array_like, shape (4, 4), optional
+    camera : ndarray, shape (4, 4), optional
         Pose of a camera in the world; it looks along its z axis.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> frames = panda().frames(np.linspace(-0.5, 0, 3)[:, None] * np.ones(7))
-    >>> grippers = frames[:, -1] @ rigid.transform(np.eye(3), [0, 0, 0.1])
-    >>> len(pick("pick", frames, grippers, np.full(3, 0.08), frames[:, 0], np.arange(3), np.zeros(3)).frames)
-    3
     """
-    arm, base = panda(), np.asarray(base, float)
+    base = np.asarray(base, float)
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
     parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
-    model = arm_model(arm, [*parts, Part(11, MUG_RED, meshes.mug())])
-    pads = [grippers @ _along_y(side * np.asarray(openings) / 2) for side in (-1, 1)]
-    poses = np.concatenate([_bodies(frames, base), np.stack([grippers, *pads, mugs], 1)], 1)
+    model = arm_model(panda(), [*parts, Part(11, MUG_RED, meshes.mug())])
+    pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
+    poses = np.concatenate([_bodies(frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
     vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
-    centre, radius = scene.floor_size(vertices)
-    edge = Model.of(scene.table(0, centre, radius, base[2]))
-    still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, "scene", "dash")]
-    seen = edge.vertices
+    edge = Model.of(scene.table(0, *scene.floor_size(vertices), base[2]))
+    still, seen = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash")], [edge.vertices]
     if camera is not None:
-        body = Model.of(_camera())
+        lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
+        box = meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])
+        body = Model.of([Part(0, BLACK, box), Part(0, STEEL, lens)])
         still.append(body.trace([camera]))
-        seen = np.concatenate([seen, body.placed([camera])])
-    return film(name, model, poses, times, still=still, points=seen, view=(0.9, -1.6, 0.75), ground=base[2])
-
-
-def _camera():
-    """A camera with its lens, which looks along z."""
-    lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
-    return [Part(0, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(0, STEEL, lens)]
+        seen.append(body.placed([camera]))
+    look = {"still": still, "points": np.concatenate(seen), "view": (0.9, -1.6, 0.75), "ground": base[2]}
+    lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
+    over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
+    hangs = " A camera hangs above the table and looks down." if camera is not None else ""
+    return Picture(
+        film("pick", model, poses, times, **look),
+        f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
+        f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
+        f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",
+        "The dashed line is the path between the fingertips: straight pieces, on which the gripper keeps upright.",
+    )
 
 
 def _bodies(frames, base):
-    """The poses (..., 8, 4, 4) of the Panda's bodies, from those of its frames and from where it stands."""
-    moved = frames[..., :-1, :, :] @ rigid.inverse(panda().home[:-1])
+    """The poses (..., 8, 4, 4) of the Panda's bodies, from those of its seven frames and from where it stands."""
+    moved = frames @ rigid.inverse(panda().home[:-1])
     stands = np.broadcast_to(rigid.transform(np.eye(3), base), (*moved.shape[:-3], 1, 4, 4))
     return np.concatenate([stands, moved], -3)
 
 
-def numbers(frames):
-    """Return where the number of each frame belongs; the numbers of frames with one origin stand together.
+# ---- methods of inverse kinematics ----
+
+
+def descents(errors):
+    """Return the length of the error after each step of several methods, {method: n lengths}."""
+    shown = {name: np.maximum(size, 1e-15) for name, size in errors.items()}
+    ends = [
+        f"{name} below 1e-6 after step {np.argmax(size < 1e-6)}" if size.min() < 1e-6 else f"{name} {size[-1]:.2g}"
+        for name, size in shown.items()
+    ]
+    steps = np.arange(len(next(iter(errors.values()))))
+    return Picture(
+        lines(steps, shown, xlabel="iteration", ylabel="length of the error", log="y"),
+        f"The length of the pose error after each step, on a logarithmic axis. At the end: {'; '.join(ends)}.",
+        "A straight line is a constant factor with each step. A line that bends down gains ever more digits, as "
+        "Newton's method does.",
+    )
+
+
+def share_by_damping(dampings, shares):
+    """Return the share of targets reached, from 0 to 1, against the damping."""
+    return Picture(
+        _shares(dampings, shares, "damping", xscale="log"),
+        f"The share of targets that is reached, against the damping on a logarithmic axis. It is highest, "
+        f"{max(shares):.0%}, at {dampings[np.argmax(shares)]:g}. "
+        f"At both ends it is {shares[0]:.0%} and {shares[-1]:.0%}.",
+        "With too little damping the steps overshoot, with too much they do not get there in 50 steps.",
+    )
+
+
+def share_by_starts(shares):
+    """Return the share of targets reached, from 0 to 1, after 1, 2, ... starts."""
+    return Picture(
+        _shares(np.arange(1, 1 + len(shares)), shares, "starts"),
+        f"The share of random targets that is reached, against the number of starts: {shares[0]:.0%} with one start, "
+        f"{shares[-1]:.0%} after {len(shares)} of them.",
+        "Each further start reaches some of the remaining targets; the hard ones remain unsolved.",
+    )
+
+
+def _shares(x, shares, xlabel, **options):
+    fig, (ax,) = plane_figure(7.2, 3.4)
+    ax.plot(x, shares, "o-", color=BLUE, linewidth=2)
+    ax.set(xlabel=xlabel, ylabel="share of targets reached", ylim=(0, 1), **options)
+    return fig
+
+
+def fastest_joint(times, speeds):
+    """Return the speed of the fastest joint over time, {method: speeds (n,) in rad/s}; the plot ends at 20 rad/s."""
+    shown = {name: np.minimum(each, 20) for name, each in speeds.items()}
+    most = ", ".join(f"{name} {max(each):.2g} rad/s" for name, each in speeds.items())
+    return Picture(
+        lines(times, shown, xlabel="time (s)", ylabel="fastest joint (rad/s)"),
+        f"The speed of the fastest joint over time. Its largest value: {most}.",
+        "Close to the stretched arm the undamped joints would have to be ever faster; the others fall behind.",
+    )
+
+
+def iterations(counts, most):
+    """Return histograms of how many iterations each reached target took, one panel for each method.
 
     Parameters
     ----------
-    frames : array_like, shape (n, 4, 4)
-
-    Returns
-    -------
-    dict
-        {numbers: origin (3,)}.
-
-    Examples
-    --------
-    >>> list(numbers(np.array([np.eye(4), np.eye(4), rigid.transform(np.eye(3), [0, 0, 1])])))
-    ['1, 2', '3']
+    counts : dict
+        {method: iterations (n,)}.
+    most : int
+        Where the axis of the iterations ends; the last bar counts what took more, too.
     """
-    names = {}
-    for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
-        names.setdefault(tuple(point), []).append(str(i))
-    return {", ".join(numbers): point for point, numbers in names.items()}
-
-
-def _along_y(y):
-    """The translation by y along the y axis."""
-    return rigid.transform(np.eye(3), np.stack([0 * np.asarray(y), y, 0 * np.asarray(y)], -1))
+    fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
+    for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):
+        ax.hist(np.minimum(taken, most), np.linspace(0, most, 26), color=colour)
+        ax.set(title=title, xlabel="iterations")
+    axes[0].set_ylabel("targets reached")
+    said = [
+        f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in counts.items() if len(taken)
+    ]
+    return Picture(
+        fig,
+        f"Histograms: how many iterations the reached targets took. {'; '.join(said)}.",
+        f"Each panel has its own scale. The last bar also counts the targets that took more than {most}.",
+    )

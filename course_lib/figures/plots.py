@@ -1,4 +1,4 @@
-"""Plots of series over one variable, for every notebook."""
+"""Plots over one variable, and what all plots share: columns, axes in metres, ticks at parts of pi, legends."""
 
 from fractions import Fraction
 
@@ -10,7 +10,7 @@ from course_lib.figures.style import plane_figure
 STYLES = ("-", "--", ":", "-.")
 
 
-def lines(x, series, *, xlabel, ylabel, title="", log="", marks=None, parts_of_pi=0):
+def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     """Return a plot of several series over x.
 
     Parameters
@@ -21,12 +21,8 @@ def lines(x, series, *, xlabel, ylabel, title="", log="", marks=None, parts_of_p
         Label to ordinates, shape (n,).
     xlabel, ylabel : str
         Names of the axes, with their units.
-    title : str, optional
-        Above the plot.
     log : {"", "x", "y", "xy"}, optional
         Which axes are logarithmic.
-    marks : dict, optional
-        Label to a single point (x, y).
     parts_of_pi : int, optional
         If it is 2, say, x is an angle in radians with ticks at multiples of pi / 2, written so.
 
@@ -42,17 +38,15 @@ def lines(x, series, *, xlabel, ylabel, title="", log="", marks=None, parts_of_p
     """
     fig, (ax,) = plane_figure(7.2, 3.4)
     _draw(ax, x, series, log)
-    for marker, (label, (at, y)) in zip("osD^v", (marks or {}).items(), strict=False):
-        ax.plot([at], [y], marker, markersize=8, label=label)
-    ax.set(xlabel=xlabel, ylabel=ylabel, title=title)
+    ax.set(xlabel=xlabel, ylabel=ylabel)
     if parts_of_pi:
         pi_ticks(ax.xaxis, parts_of_pi)
-    if len(series) + len(marks or {}) > 1:
+    if len(series) > 1:
         ax.legend(frameon=False)
     return fig
 
 
-def panels(x, contents, *, xlabel, log="", parts_of_pi=0):
+def panels(x, contents, *, xlabel, log=""):
     """Return plots side by side, with one legend for all.
 
     Parameters
@@ -63,7 +57,7 @@ def panels(x, contents, *, xlabel, log="", parts_of_pi=0):
         A panel's ylabel to its series, a dict as in `lines`; the same labels in each panel.
     xlabel : str
         The name of every panel's x axis, with its unit.
-    log, parts_of_pi : optional
+    log : optional
         As in `lines`, for every panel.
 
     Returns
@@ -80,30 +74,42 @@ def panels(x, contents, *, xlabel, log="", parts_of_pi=0):
     for ax, (ylabel, series) in zip(axes, contents.items(), strict=True):
         _draw(ax, x, series, log)
         ax.set(xlabel=xlabel, ylabel=ylabel)
-        if parts_of_pi:
-            pi_ticks(ax.xaxis, parts_of_pi)
-    handles, labels = axes[0].get_legend_handles_labels()
-    if len(labels) > 1:
-        fig.legend(handles, labels, loc="outside upper center", ncols=len(labels), frameon=False)
+    if len(series) > 1:
+        legend_above(fig, len(series), axes[0])
     return fig
 
 
-def pi_ticks(axis, parts=2):
-    """Set the ticks of an axis of angles at multiples of pi / `parts`, written as fractions of pi.
+def _draw(ax, x, series, log):
+    for i, (label, y) in enumerate(series.items()):
+        ax.plot(x, y, label=label, linestyle=STYLES[i % 4], linewidth=2)
+    if "x" in log:
+        ax.set_xscale("log")
+    if "y" in log:
+        ax.set_yscale("log")
 
-    Parameters
-    ----------
-    axis : matplotlib.axis.Axis
-        ``ax.xaxis`` or ``ax.yaxis``; its values are in radians.
-    parts : int, optional
-        Into how many parts pi is cut.
 
-    Examples
-    --------
-    >>> fig = lines([0, 3.2], {"a": [0, 1]}, xlabel="angle (rad)", ylabel="x (m)", parts_of_pi=2)
-    >>> [fig.axes[0].xaxis.get_major_formatter()(x) for x in (-np.pi, 0, np.pi / 2)]
-    ['$-\\\\pi$', '$0$', '$\\\\pi/2$']
-    """
+def in_columns(titles, width, height, *, xlabel, ylabel, **options):
+    """Return a figure with a panel under each title, `width` inches wide, and its axes; the y axis is named once."""
+    fig, axes = plane_figure(width * len(titles), height, len(titles), **{"sharey": True} | options)
+    for ax, title in zip(axes, titles, strict=True):
+        ax.set(title=title, xlabel=xlabel)
+    axes[0].set_ylabel(ylabel)
+    return fig, axes
+
+
+def in_metres(ax, **options):
+    """Give the axes of a panel equal scales and their names in metres, and set further options."""
+    ax.set(**{"aspect": "equal", "xlabel": "x (m)", "ylabel": "y (m)"} | options)
+
+
+def legend_above(fig, columns, ax=None):
+    """Put one legend above all panels: that of `ax`, or of all of them."""
+    handles = ax.get_legend_handles_labels() if ax else ()
+    fig.legend(*handles, loc="outside upper center", ncols=columns, frameon=False)
+
+
+def pi_ticks(axis, parts):
+    """Set the ticks of an axis of angles, in radians, at multiples of pi / `parts`, written as fractions of pi."""
     axis.set_major_locator(MultipleLocator(np.pi / parts))
     axis.set_major_formatter(FuncFormatter(lambda x, _: _in_parts_of_pi(x, parts)))
 
@@ -115,10 +121,6 @@ def _in_parts_of_pi(x, parts):
     return f"${'-' * (part < 0)}{top}{f'/{part.denominator}' * (part.denominator > 1)}$"
 
 
-def _draw(ax, x, series, log):
-    for i, (label, y) in enumerate(series.items()):
-        ax.plot(x, y, label=label, linestyle=STYLES[i % 4], linewidth=2)
-    if "x" in log:
-        ax.set_xscale("log")
-    if "y" in log:
-        ax.set_yscale("log")
+def plain(words):
+    """Return words without the marks of formulas, for alternative text."""
+    return words.replace("$", "").replace("q_", "q").replace("\\", "")

@@ -1,41 +1,86 @@
-"""The pictures of notebook 4: screws, the iiwa along its trajectory, velocities in three frames."""
+"""The figures of notebook 4: screws, the iiwa along its trajectory, velocities in three frames.
+
+Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in radians.
+"""
 
 import numpy as np
 import plotly.graph_objects as go
 
+from course_lib import rigid
+from course_lib.figures.display import Picture
+from course_lib.figures.plots import STYLES, in_metres, legend_above, lines, pi_ticks, plain
 from course_lib.figures.solids import Model, Part, arm_model, draw, film, link_poses, scene
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
 from course_lib.figures.space import line
-from course_lib.figures.style import BLUE, COLOURS, CRIMSON, plane_figure
+from course_lib.figures.style import BLUE, COLOURS, CRIMSON, FRAME_COLOURS, plane_figure
+from course_lib.figures.three_views import direction
 
-VIEW = (1.2, 1.4, 0.6)
 
-
-def screw_motion(poses, through, axis):
-    """Return a figure of a frame at four instants of its motion along a screw, and the path of its origin.
+def wrong_frame(paths, table):
+    """Return the paths of a gripper in the plane of x and z, above a table.
 
     Parameters
     ----------
-    poses : array_like, shape (n, 4, 4)
-        The frame's poses.
-    through, axis : array_like, shape (3,)
-        A point on the screw axis and its direction.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> from course_lib.rigid import exp_se3
-    >>> poses = exp_se3(np.linspace(0, np.pi, 9)[:, None] * [0, 0, 1, 0, 0, 0.1]) @ exp_se3([0, 0, 0, 1, 0, 0])
-    >>> path = screw_motion(poses, [0, 0, 0], [0, 0, 1]).data[2]
-    >>> print(np.round([path.x[-1], path.z[-1]], 3))  # half a revolution, 0.1 m for each radian
-    [-1.     0.314]
+    paths : dict
+        Label to positions, shape (n, 3).
+    table : float
+        Its height.
     """
-    poses, through, axis = (np.asarray(a, float) for a in (poses, through, axis))
-    axis = axis / np.linalg.norm(axis)
+    fig, (ax,) = plane_figure(6.4, 3.4)
+    for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
+        ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
+        ax.plot(*path[-1, [0, 2]], "o", color=colour, markersize=9)
+    ax.axhspan(table - 0.06, table, color="#b08a5a", alpha=0.8)
+    ax.text(0.01, table - 0.03, "table", transform=ax.get_yaxis_transform(), va="center", color="white")
+    in_metres(ax, ylabel="z (m)", xlim=(-0.9, -0.1))
+    ax.legend(frameon=False, loc="upper right")
+    ax.margins(y=0.15)
+    moved = {label: 100 * np.linalg.norm(path[-1] - path[0]) for label, path in paths.items()}
+    ends = "; ".join(f"{label}: the gripper moves by {far:.0f} cm" for label, far in moved.items())
+    lowest = min(path[:, 2].min() for path in paths.values())
+    through = "One path goes through the table." if lowest < table else "No path touches the table."
+    farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
+    first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
+    caption = f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it stays there."
+    return Picture(fig, f"The gripper's path seen from the side, above a table. {ends}. {through}", caption)
+
+
+def digits_lost(textbook, with_series):
+    """Return the relative errors of three formulas for (1 - cos a)/a, over the angle, both logarithmic.
+
+    Parameters
+    ----------
+    textbook, with_series : callable
+        Two of them, from angles of shape (n,) to values of shape (n,). The third is the library's ``exp_se3``.
+    """
+    sizes = np.logspace(-12, 0, 121)
+    exact = np.sinc(sizes / 2 / np.pi) ** 2 * sizes / 2  # 2 sin(a/2)^2 / a has all digits
+    twists = np.stack([sizes, np.ones_like(sizes)])
+    values = {
+        "$(1 - \\cos a)/a$": textbook(sizes),
+        "with a series below $10^{-4}$": with_series(sizes),
+        "in the library": rigid.exp_se3(np.einsum("kn,ki->ni", twists, np.eye(6)[[2, 3]]))[:, 1, 3],
+    }
+    errors = {name: np.maximum(np.abs(value / exact - 1), 1e-16) for name, value in values.items()}
+    said = ", ".join(f"{label} at most {error.max():.0e}" for label, error in errors.items())
+    return Picture(
+        lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error"),
+        f"The relative error over the angle, both logarithmic: {plain(said)}.",
+        "Below an angle of about $10^{-8}$ the textbook's formula has no correct digit.",
+    )
+
+
+def screw_motion(poses, through, axis):
+    """Return a frame at four instants of its motion along a screw, and the path of its origin.
+
+    Parameters
+    ----------
+    poses : ndarray, shape (n, 4, 4)
+        The frame's poses.
+    through, axis : ndarray, shape (3,)
+        A point on the screw axis and its direction, a unit vector.
+    """
     path = poses[:, :3, 3]
     along = (path - through) @ axis
     size = max(np.ptp(path, axis=0).max(), 0.1)
@@ -49,125 +94,199 @@ def screw_motion(poses, through, axis):
     ground = vertices[:, 2].min()
     words = {"S": foot + length * axis, **{f"{k + 1}": pose[:3, 3] for k, pose in enumerate(shown)}}
     settings = scene.fitted_scene(np.concatenate([vertices, path, scene.rim(vertices, ground)]), (1.4, 0.9, 0.6))
-    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6, "scene"), model.trace(placed)]
-    drawn += scene.labels(words, settings, np.concatenate([path, _along_axes(shown, 0.2 * size)]))
-    return go.Figure(drawn, layout=scene.layout([settings], height=420))
+    arrows = [T[:3, 3] + share * 0.2 * size * T[:3, j] for T in shown for j in range(3) for share in (0.3, 0.6, 1.0)]
+    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6), model.trace(placed)]
+    drawn += scene.labels(words, settings, np.concatenate([path, arrows]))
+    rise = along[-1] - along[0]
+    return Picture(
+        go.Figure(drawn, layout=scene.layout([settings], height=420)),
+        f"A frame moves along a helix about a screw axis, which it does not touch, and rises by {rise:.2f} m.",
+        "The frame rotates about the axis and slides along it; its origin keeps its distance from the axis.",
+    )
 
 
-def _along_axes(poses, length):
-    """Return points on the arrows of frames (n, 4, 4), which words should not cover."""
-    reach = length * np.array([0.3, 0.6, 1.0])[:, None, None]
-    return (poses[:, None, :3, 3, None] + reach * poses[:, None, :3, :3]).transpose(0, 1, 3, 2).reshape(-1, 3)
+def arm_with_axes(arm):
+    """Return an arm at joint angles zero with its joint axes, dashed and numbered, each with an arrowhead."""
+    arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
+    return Picture(
+        draw(arm, np.zeros(arm.n), axes=True, view=(1.2, 1.4, 0.6), height=560),
+        f"The arm with all joint angles zero and the axes of its {arm.n} joints, which point along {arrows}.",
+        "Axes 1, 3, 5 and 7 lie on one line; axes 2, 4 and 6 cross it.",
+    )
 
 
-def arm_with_axes(arm, q=None):
-    """Return a figure of an arm with its joint axes, dashed and numbered; an arrowhead shows where each points.
+def arm_movie(arm, motion):
+    """Return a film of an arm that moves along a trajectory, with the path of its end-effector.
 
     Parameters
     ----------
     arm : SerialArm
-    q : array_like, shape (n,), optional
-        Joint angles, radians; all zero if not given.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> from course_lib.arms import iiwa14
-    >>> fig = arm_with_axes(iiwa14())
-    >>> [name for trace in fig.select_traces({"mode": "text"}) for name in trace.text]
-    ['1, 3, 5, 7', '2', '4', '6']
+    motion : Trajectory
+        Its times and joint angles are used.
     """
-    return draw(arm, np.zeros(arm.n) if q is None else q, axes=True, view=VIEW, height=560)
-
-
-def arm_movie(name, arm, q, times):
-    """Return a film of an arm, with the path of its end-effector.
-
-    Parameters
-    ----------
-    name : str
-        Name of its file if it is written as an animation.
-    arm : SerialArm
-    q : array_like, shape (m, n)
-        Joint angles, radians.
-    times : array_like, shape (m,)
-        Seconds.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> from course_lib.arms import iiwa14
-    >>> fig = arm_movie("swing", iiwa14(), np.zeros((5, 7)) + np.linspace(0, 1, 5)[:, None], np.linspace(0, 2, 5))
-    >>> len(fig.frames), fig.layout.meta["course"]["times"][-1]
-    (5, 2.0)
-    """
+    path = arm.fk(motion.q)[:, :3, 3]
+    size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
     model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
-    path = line(arm.fk(q)[:, :3, 3], BLUE, 5, "scene", "dash")
-    return film(name, model, link_poses(arm, q), times, still=[path], view=VIEW)
+    still = [line(path, BLUE, 5, dash="dash")]
+    return Picture(
+        film("iiwa", model, link_poses(arm, motion.q), motion.t, still=still, view=(0.1, 1.0, 0.5)),
+        f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its end-effector has {size}.",
+        "The end-effector follows the dashed path; the joints choose the smallest velocity that does it.",
+    )
 
 
 def plane_projections(path):
-    """Return a figure of a path in space seen along z, along y and along x.
-
-    Parameters
-    ----------
-    path : array, shape (n, 3)
-        Positions, metres.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> fig = plane_projections(np.array([[0.0, 1, 2], [1, 1, 3]]))
-    >>> [(ax.get_xlabel(), ax.get_ylabel()) for ax in fig.axes]
-    [('x (m)', 'y (m)'), ('x (m)', 'z (m)'), ('y (m)', 'z (m)')]
-    """
+    """Return a path in space, shape (n, 3), projected along z, along y and along x."""
     fig, axes = plane_figure(10.2, 3.4, 3)
+    crossings = []
     for ax, (i, j) in zip(axes, ((0, 1), (0, 2), (1, 2)), strict=True):
         ax.plot(path[:, i], path[:, j], color=BLUE, linewidth=2)
         ax.plot(*path[0, [i, j]], "o", color=CRIMSON, label="start")
-        ax.set(aspect="equal", xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
+        in_metres(ax, xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
         ax.margins(0.15)
-    fig.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", frameon=False)
-    return fig
+        crossings.append(f"{'xyz'[i]}-{'xyz'[j]} {_crossings(_first_round(path)[:, [i, j]])} times")
+    legend_above(fig, 1, axes[0])
+    alt = "The path of the end-effector in the three coordinate planes. In the first round it crosses itself: "
+    caption = "One path in space, three projections: one may cross itself where another does not."
+    return Picture(fig, f"{alt}{', '.join(crossings)}.", caption)
 
 
-def against_each_other(velocities):
-    """Return a figure of the components of velocities plotted against one another, a row for each velocity.
+def _first_round(path):
+    """The part of a path in space (n, 3) until it is back where it began; the whole path if it never is."""
+    away = np.linalg.norm(path - path[0], axis=1)
+    far = int(np.argmax(away > 0.9 * away.max()))
+    near = far + np.flatnonzero(away[far:] < 0.1 * away.max())
+    return path[: int(near[away[near[near < near[0] + 10]].argmin()]) + 1] if len(near) else path
+
+
+def _crossings(path):
+    """How often a closed plane path (n, 2) crosses itself."""
+    a = (path + np.roll(path, -1, axis=0)) / 2  # so that it may cross at a sample
+    b = np.roll(a, -1, axis=0)
+    i, j = np.triu_indices(len(a), 2)
+    across = _side(a[i], b[i], a[j]) * _side(a[i], b[i], b[j]) < 0
+    return int((across & (_side(a[j], b[j], a[i]) * _side(a[j], b[j], b[i]) < 0)).sum())
+
+
+def _side(a, b, c):
+    """On which side of the line through a and b the point c lies: 1 or -1."""
+    (dx, dy), (ex, ey) = (b - a).T, (c - a).T
+    return np.sign(dx * ey - dy * ex)
+
+
+def velocities_over_time(t, v):
+    """Return the components of linear velocities over time, one panel for each frame.
 
     Parameters
     ----------
-    velocities : dict
-        {title: v (n, 3)}, metres per second.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> fig = against_each_other({"spatial": np.ones((2, 3)), "body": np.zeros((2, 3))})
-    >>> len(fig.axes), fig.axes[0].get_xlabel()
-    (6, '$v_y$ (m/s)')
+    t : array_like, shape (n,)
+    v : dict
+        {frame: velocities (n, 3) in metres per second}.
     """
-    from matplotlib.figure import Figure
+    fig, axes = plane_figure(7.2, 6.6, rows=len(v), sharex=True, sharey=True)
+    for ax, (frame, part) in zip(axes, v.items(), strict=True):
+        for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
+            ax.plot(t, values, label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
+        ax.set_ylabel(f"{frame}: v (m/s)")
+    axes[-1].set_xlabel("time (s)")
+    legend_above(fig, 3, axes[0])
+    speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
+    return Picture(
+        fig,
+        f"Three panels: the components of the linear velocity over time, as each frame sees it: {speeds}.",
+        "The body and the hybrid twist have the same speed at each instant; only the axes differ.",
+    )
 
-    fig = Figure(figsize=(9.6, 2.9 * len(velocities)), layout="constrained", facecolor="white")
-    grid = fig.subplots(len(velocities), 3, squeeze=False)
-    for row, colour, (title, v) in zip(grid, COLOURS, velocities.items(), strict=False):
+
+def velocities_against_each_other(v):
+    """Return the components of linear velocities plotted against one another, a row for each frame.
+
+    Parameters
+    ----------
+    v : dict
+        {frame: velocities (n, 3) in metres per second}.
+    """
+    fig, axes = plane_figure(7.2, 7.2, 3, rows=len(v))
+    for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
         for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
-            ax.plot(v[:, i], v[:, j], color=colour, linewidth=1.8)
-            ax.grid(color="#dddddd", linewidth=0.6)
-            ax.spines[["top", "right"]].set_visible(False)
+            ax.plot(part[:, i], part[:, j], color=colour, linewidth=1.8)
             ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
             ax.set_aspect("equal", adjustable="datalim")
         row[1].set_title(title, fontweight="bold", pad=10)
-    return fig
+    return Picture(
+        fig,
+        f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}.",
+        "Look for curves that you can name: only one row has them.",
+    )
+
+
+def manipulability(t, values):
+    """Return the manipulability, shape (n,), along a trajectory, over the times t, shape (n,)."""
+    ends = f"between {np.min(values):.3f} and {np.max(values):.3f}"
+    return Picture(
+        lines(t, {"manipulability": values}, xlabel="time (s)", ylabel="manipulability"),
+        f"The manipulability over time, {ends}.",
+        f"It stays {ends}: the nearer to zero, the nearer to a singular configuration.",
+    )
+
+
+def shares_of_the_limits(arm, angles, joints, steps=50):
+    """Return how near some joints come to their limits in each round of a motion that repeats.
+
+    Parameters
+    ----------
+    arm : SerialArm
+        Its limits count.
+    angles : ndarray, shape (m, n)
+        Joint angles from the start on, `steps` of them a round.
+    joints : sequence of int
+        The joints that are drawn, counted from 1.
+    steps : int, optional
+        Samples in a round; a round takes 2 pi seconds.
+    """
+    share = np.abs(angles) / arm.limits[:, 1]
+    ends = np.append(np.arange(steps, len(share), steps), len(share))
+    peaks = np.array([share[max(end - steps, 0) : end].max(axis=0) for end in ends])
+    rows = {f"$q_{joint}$": peaks[:, joint - 1] for joint in joints}
+    said = ", ".join(f"{name} from {row[0]:.3g} to {row[-1]:.3g}" for name, row in rows.items())
+    name, row = max(rows.items(), key=lambda item: item[1][-1] - item[1][0])
+    whole = np.diff(row)[:-1]  # the last round may be cut off
+    caption = f"The share of {name} grows most."
+    if len(whole) > 1 and whole.min() > 0 and whole[-1] > whole[0]:
+        caption = f"In each round {name} comes nearer to its limit, faster and faster."
+    return Picture(
+        lines(2 * np.pi / steps * ends, rows, xlabel="time (s)", ylabel="largest share of the limit"),
+        f"The largest share of its limit in each round, over time: {plain(said)}.",
+        caption,
+    )
+
+
+def singular_values(arm, generic, straight):
+    """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
+
+    Parameters
+    ----------
+    arm : SerialArm
+        The iiwa.
+    generic, straight : array_like, shape (7,)
+        Joint angles: of an ordinary configuration, and of the same one with a straight wrist.
+    """
+    varied = {
+        "$q_4$ varies (elbow)": (4, generic),
+        "$q_6$ varies (wrist)": (6, generic),
+        "$q_5$ varies, $q_6 = 0$": (5, straight),
+    }
+    fig, (ax,) = plane_figure(6.4, 3)
+    angles, said = np.linspace(-2, 2, 201), []
+    for colour, (label, (joint, q)) in zip(COLOURS, varied.items(), strict=False):
+        at = np.tile(np.asarray(q, float), (len(angles), 1))
+        at[:, joint - 1] = angles
+        smallest = np.linalg.svd(arm.space_jacobian(at), compute_uv=False)[:, 5]
+        ax.plot(angles, smallest, color=colour, linewidth=2, label=label)
+        least = "0" if smallest.min() < 1e-9 else f"{smallest.min():.2g}"
+        said.append(f"{label}: least {least} at {angles[smallest.argmin()]:.2f} rad")
+    ax.set(xlabel="the angle that varies (rad)", ylabel="smallest singular value", ylim=(0, None))
+    pi_ticks(ax.xaxis, 4)
+    ax.legend(frameon=False)
+    alt = f"The smallest singular value of the Jacobian over an angle. {plain('; '.join(said))}."
+    return Picture(fig, alt, "Where a curve touches zero the arm is singular; a straight wrist alone is not enough.")

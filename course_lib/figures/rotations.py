@@ -1,115 +1,73 @@
-"""The pictures of notebook 1, rotations."""
+"""The figures of notebook 1, rotations. Each function returns a Picture: a figure with its words, for `show`."""
 
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.plots import pi_ticks
+from course_lib.figures.display import Picture
+from course_lib.figures.plots import in_columns, lines, pi_ticks
 from course_lib.figures.solids import Model, Part, scene
-from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
+from course_lib.figures.solids.meshes import arrow, ball, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, space_layout, sphere
+from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.rotations import exp_so3
 
 
-def rotations_on_sphere(samples, axis=0, camera=(1.2, -1.0, -1.1)):
-    """Return rotations drawn on spheres side by side: where each takes e_axis, with a short line for the next axis.
-
-    Parameters
-    ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
-    axis : int
-        0, 1 or 2. The short line has the direction in which the next axis goes.
-    camera : array_like, shape (3,)
-        The direction to the eye.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> fig = rotations_on_sphere({"one": np.eye(3)[None]}, axis=2)
-    >>> print(fig.data[-1].x, fig.data[-1].z)  # the image of e_z
-    [0.] [1.]
-    """
-    fig = go.Figure(layout=space_layout(list(samples), camera, distance=1.5))
-    for i, R in enumerate(samples.values()):
-        name = scene_name(i)
-        foot, tip = R[:, :, axis], R[:, :, axis] + 0.1 * R[:, :, (axis + 1) % 3]
-        fig.add_trace(go.Surface(**sphere(0.97), scene=name))
-        fig.add_traces(fixed_frame(name, 1.2))
-        fig.add_trace(segments(foot, tip, BLUE, 3, name))
-        fig.add_trace(points(foot, 0.9, BLACK, name))
-    return fig.update_annotations(font_size=16)
-
-
-def frames(rotations, view=(1.35, 1.1, 0.8)):
-    """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
-
-    Parameters
-    ----------
-    rotations : dict
-        {title: R (3, 3)}; a matrix that is no rotation deforms the drone.
-    view : array_like, shape (3,)
-        The direction to the eye.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> fig = frames({"start": np.eye(3), "stretched": 1.5 * np.eye(3)})
-    >>> [note.text for note in fig.layout.annotations]
-    ['start', 'stretched']
-    """
-    model = _drone_in_fixed_axes(1.0, 1.25)
-    share, height, drawn, scenes = 1 / len(rotations), 320, [], []
-    longest = max(1.3, *(np.linalg.norm(R, axis=0).max() for R in rotations.values()))
-    reach = np.concatenate([longest * np.eye(3), -1.1 * np.eye(3)])  # of every orientation: all to one scale
-    for i, R in enumerate(rotations.values()):
-        aspect = 700 * share / height
-        scenes.append(scene.fitted_scene(reach, view, aspect=aspect, fill=0.9, domain=(i * share, (i + 1) * share)))
-        drawn.append(model.trace(_with_orientation(R), scene_name(i)))
-        for name, colour, tip in zip("xyz", FRAME_COLOURS, np.asarray(R).T, strict=True):
-            drawn += scene.labels(
-                {name: tip}, scenes[-1], [tip * 0.9], colour=colour, aspect=aspect, scene=scene_name(i)
-            )
-    return go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(rotations)))
-
-
-def body_frame(R, view=(1.0, 1.3, 0.9)):
+def body_frame(R):
     """Return a drone with its frame b, coloured, in the fixed frame a, grey; the names of their axes beside them.
 
     Parameters
     ----------
-    R : array_like, shape (3, 3)
+    R : ndarray, shape (3, 3)
         The orientation of b relative to a.
-    view : array_like, shape (3,)
-        The direction to the eye.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> [word.text[0] for word in body_frame(np.eye(3)).data[1:3]]
-    ['x<sub>a</sub>', 'y<sub>a</sub>']
     """
     model, height = _drone_in_fixed_axes(1.15, 1.35), 420
     poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped
     frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
     seen = np.concatenate([model.placed(poses), *(tips for tips, _ in frames.values())])
-    settings = scene.fitted_scene(seen, view, aspect=aspect, fill=0.94)
+    settings = scene.fitted_scene(seen, (1.0, 1.3, 0.9), aspect=aspect)
     drawn = [model.trace(poses)]
     for frame, (tips, colours) in frames.items():
         for name, tip, colour in zip("xyz", tips, colours, strict=True):
             (word,) = scene.labels({name: tip}, settings, colour=colour, size=22, aspect=aspect, gap=0.035)
             drawn.append(word.update(text=[f"{name}<sub>{frame}</sub>"]))
-    return go.Figure(drawn, layout=scene.layout([settings], height=height))
+    axes = "; ".join(f"{name} along ({_numbers(R[:, k])})" for k, name in enumerate("xyz"))
+    return Picture(
+        go.Figure(drawn, layout=scene.layout([settings], height=height)),
+        f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates of a: {axes}.",
+        "Frame b is fixed to the drone (x red, ahead; y green; z blue, up), frame a (grey) to the room.",
+    )
+
+
+def frames(orientations):
+    """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
+
+    Parameters
+    ----------
+    orientations : dict
+        {title: R (3, 3)}; a matrix that is not a rotation deforms the drone.
+    """
+    model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
+    longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
+    reach = np.concatenate([max(1.3, longest) * np.eye(3), -1.1 * np.eye(3)])  # of all orientations: one scale
+    for i, (title, R) in enumerate(orientations.items()):
+        settings, aspect = scene.column(reach, (1.35, 1.1, 0.8), i, len(orientations), height=height, fill=0.9)
+        scenes.append(settings)
+        drawn.append(model.trace(_with_orientation(R), scene_name(i)))
+        look = {"aspect": aspect, "scene": scene_name(i)}
+        for name, colour, tip in zip("xyz", FRAME_COLOURS, R.T, strict=True):
+            drawn += scene.labels({name: tip}, settings, [tip * 0.9], colour=colour, **look)
+        lengths = np.linalg.norm(R, axis=0)
+        axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
+        stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
+        said.append(f"{title}: {axes}{stretched}")
+    alt = f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
+    caption = "The two products end in different orientations: the order counts."
+    if longest > 1.01:
+        caption = f"A rotation keeps all three axes at length one; here the longest grows to {longest:.2f}."
+    return Picture(
+        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(orientations))), alt, caption
+    )
 
 
 def _drone():
@@ -141,102 +99,132 @@ def _with_orientation(R):
     return [pose, np.eye(4)]
 
 
-def rotated_point(w, p, exp=exp_so3, view=(1.3, 1.0, 0.7)):
+def rotated_point(w, p, exp=exp_so3):
     """Return the path of the point p under exp(t w), t from 0 to 1, about the axis w.
 
     Parameters
     ----------
-    w : array_like, shape (3,)
+    w : ndarray, shape (3,)
         Rotation vector, radians.
-    p : array_like, shape (3,)
+    p : ndarray, shape (3,)
     exp : callable
         The exponential that computes the path: w -> R.
-    view : array_like, shape (3,)
-        The direction to the eye.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-
-    Examples
-    --------
-    >>> path = rotated_point([0, 0, np.pi / 2], [1, 0, 0]).data[1]
-    >>> print(np.round([path.x[-1], path.y[-1]], 3) + 0.0)
-    [0. 1.]
     """
-    path = np.array([exp(t * np.asarray(w)) @ p for t in np.linspace(0, 1, 60)])
-    n = w / np.linalg.norm(w)
+    path = np.array([exp(t * w) @ p for t in np.linspace(0, 1, 60)])
+    angle = np.linalg.norm(w)
+    n = w / angle
     arrows = [(VIOLET, 1.25 * n), (LIGHT_BLUE, path[0]), (X_RED, path[-1])]
     parts = [Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10)) for colour, tip in arrows]
-    parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
-    model = Model.of(parts)
-    vertices = model.placed([np.eye(4)])
-    settings = scene.fitted_scene(np.concatenate([vertices, path]), view, fill=0.88)
+    model = Model.of([*parts, *(Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3))])
+    settings = scene.fitted_scene(np.concatenate([model.placed([np.eye(4)]), path]), (1.3, 1.0, 0.7), fill=0.88)
     words = {"w": 1.25 * n, "p": 1.1 * path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
-    title = f"about the axis w by {np.linalg.norm(w):.2f} rad"
-    drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6, "scene"), *scene.labels(words, settings, path)]
-    return go.Figure(drawn, layout=scene.layout([settings], height=420, titles=[title]))
+    layout = scene.layout([settings], height=420, titles=[f"about the axis w by {angle:.2f} rad"])
+    drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6), *scene.labels(words, settings, path)]
+    plane = (
+        "in a plane perpendicular to it" if np.ptp(path @ n) < 1e-6 else "which leaves the plane perpendicular to it"
+    )
+    alt = f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {plane}."
+    caption = "The point keeps its height along the axis $w$ and its distance from it."
+    return Picture(go.Figure(drawn, layout=layout), alt, caption)
 
 
-def angle_histogram(samples):
-    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of uniform rotations.
-
-    Parameters
-    ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> fig = angle_histogram({"by pi": np.diag([1.0, -1, -1])[None]})
-    >>> print(round(fig.axes[0].patches[-1].get_height(), 2))  # the last bar holds all: 30 / pi
-    9.55
-    """
-    fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
-    a = np.linspace(0, np.pi, 200)
-    for ax, colour, (title, R) in zip(axes, COLOURS, samples.items(), strict=False):
-        cosine = np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1)
-        bars = {"color": colour, "alpha": 0.55, "label": f"{len(R)} draws"}
-        ax.hist(np.arccos(cosine), 30, range=(0, np.pi), density=True, **bars)
-        ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
-        ax.set(title=title, xlabel="rotation angle a (rad)")
-        pi_ticks(ax.xaxis, 4)
-        ax.legend(frameon=False, loc="upper left")
-    axes[0].set_ylabel("density (1/rad)")
-    return fig
-
-
-def height_histogram(samples):
-    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
+def series_errors(errors):
+    """Return how far sums of the exponential series are from a rotation.
 
     Parameters
     ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> [ax.get_title() for ax in height_histogram({"one": np.eye(3)[None]}).axes]
-    ['one']
+    errors : dict
+        {label: errors after 1, 2, ... terms}.
     """
-    fig, axes = plane_figure(4.2 * len(samples), 3.2, len(samples), sharey=True)
-    for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        for j, (colour, style) in enumerate(zip((BLACK, BLUE, RED), ("-", "--", ":"), strict=True)):
-            density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
-            ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
-        ax.axhline(0.5, color=GREY, linewidth=1)
-        ax.set(title=title, xlabel="height z of the image", xticks=[-1, -0.5, 0, 0.5, 1])
-        ax.legend(frameon=False)
-    axes[0].set_ylabel("density")
-    return fig
+    said = [
+        f"for {label} it is {e[0]:.2g} after one term, at most {max(e):.2g}, and {e[-1]:.1g} after {len(e)}"
+        for label, e in errors.items()
+    ]
+    terms = np.arange(1, 1 + len(next(iter(errors.values()))))
+    return Picture(
+        lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of $R^T R - I$"),
+        f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}.",
+        "The larger the angle, the larger the error at first, and the more terms are needed.",
+    )
+
+
+def log_errors(short_of_pi, errors):
+    """Return errors of logarithms near the angle pi.
+
+    Parameters
+    ----------
+    short_of_pi : array_like, shape (n,)
+        Pi minus the angle, radians.
+    errors : dict
+        {label: errors (n,)}, radians.
+    """
+    drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
+    said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
+    return Picture(
+        lines(short_of_pi, drawn, log="xy", xlabel=r"$\pi - a$ (rad)", ylabel="error (rad)"),
+        f"Errors of logarithms against pi minus the angle, both axes logarithmic. {'; '.join(said)}.",
+        "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit after digit.",
+    )
+
+
+def euler_rates(beta, smallest):
+    """Return the smallest singular value of the Euler rate matrix, shape (n,), against the pitch.
+
+    Parameters
+    ----------
+    beta : array_like, shape (n,)
+        Pitch, radians.
+    smallest : array_like, shape (n,)
+    """
+    top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
+    return Picture(
+        lines(beta, {"": smallest}, xlabel=r"pitch $\beta$ (rad)", ylabel="smallest singular value", parts_of_pi=4),
+        f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
+        f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock.",
+        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any rates of the angles.",
+    )
+
+
+def double_cover(angle, w, entry):
+    """Return an entry of a quaternion and one of a matrix against the angle of rotation.
+
+    Parameters
+    ----------
+    angle : array_like, shape (n,)
+        Radians.
+    w, entry : array_like, shape (n,)
+        The scalar of the quaternion, and the first entry of the matrix.
+    """
+    once = np.argmin(np.abs(angle - 2 * np.pi))
+    named = {"the scalar w of the quaternion": w, "the first entry of the matrix": entry}
+    said = [f"{name} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for name, v in named.items()]
+    labels = {"xlabel": "angle of rotation (rad)", "ylabel": "value"}
+    return Picture(
+        lines(angle, {"$w$": w, "$R_{00}$": entry}, parts_of_pi=1, **labels),
+        f"Two curves over {angle[-1] / 2 / np.pi:.2g} revolutions: {'; '.join(said)}.",
+        "The matrix repeats after $2\\pi$, the quaternion only after $4\\pi$.",
+    )
+
+
+def interpolation(t, angles):
+    """Return the angle from the start against t.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+    angles : dict
+        {label: angles (n,)}, radians.
+    """
+    said = []
+    for label, angle in angles.items():
+        bend = np.abs(angle - angle[-1] * t).max()
+        shape = f"differs from a straight line by up to {bend:.2g} rad" if bend > 1e-6 else "is a straight line"
+        said.append(f"{label} {shape}")
+    return Picture(
+        lines(t, angles, xlabel="t", ylabel="angle from the start (rad)"),
+        f"The angle from the start against t, by two methods: {'; '.join(said)}.",
+        "Slerp rotates at constant speed; the straight line, normalised, is slow at its ends and fast in the middle.",
+    )
 
 
 def nearest_on_circle(M, candidates):
@@ -247,16 +235,6 @@ def nearest_on_circle(M, candidates):
     M : ndarray, shape (2, 2)
     candidates : dict
         {name: R (2, 2)}, two at most.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> fig = nearest_on_circle(np.array([[0.9, -0.1], [0.2, 1.1]]), {"I": np.eye(2)})
-    >>> fig.axes[1].lines[0].get_ydata().round(4)  # the distance from M to I
-    array([0.2646])
     """
     fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
     circle = np.linspace(0, 2 * np.pi, 721)
@@ -281,4 +259,95 @@ def nearest_on_circle(M, candidates):
     pi_ticks(distance.xaxis, 8)
     distance.set(xlabel="angle of R (rad)", ylabel="distance from M (Frobenius norm)")
     distance.legend(frameon=False)
-    return fig
+    said = [f"{name} at {np.linalg.norm(M - R):.4f}" for name, R in candidates.items()]
+    alt = "Left, the columns of M and of two rotations in the unit circle, with the ellipse that M makes of it. Right, "
+    alt += f"the curve of distances from M to the rotations around, with two marks: {', '.join(said)}."
+    return Picture(fig, alt, "Only one of the two marks lies at the minimum of the curve.")
+
+
+def on_sphere(samples):
+    """Return rotations drawn on spheres side by side: where each takes e_x, with a short line along the image of e_y.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+    """
+    drawn, scenes, said = [], [], []
+    for i, (title, R) in enumerate(samples.items()):
+        name, height = scene_name(i), 420
+        reach = [*ball(np.zeros(3), 1.15).vertices, *1.4 * np.eye(3)]
+        scenes.append(scene.column(reach, (1.2, -1.0, -1.1), i, len(samples), height=height)[0])
+        foot = R[:, :, 0]
+        drawn += [go.Surface(**sphere(0.97), scene=name), *fixed_frame(name, 1.3)]
+        drawn += [segments(foot, foot + 0.1 * R[:, :, 1], BLUE, 3, name), points(foot, 0.9, BLACK, name)]
+        up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
+        said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
+    layout = scene.layout(scenes, height=height, titles=list(samples))
+    return Picture(
+        go.Figure(drawn, layout=layout).update_annotations(font_size=16),
+        f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}.",
+        "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike.",
+    )
+
+
+def angles(samples):
+    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of uniform rotations.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+    """
+    fig, axes = in_columns(samples, 4.2, 3.2, xlabel="rotation angle a (rad)", ylabel="density (1/rad)")
+    a, said = np.linspace(0, np.pi, 200), []
+    for ax, colour, (title, R) in zip(axes, COLOURS, samples.items(), strict=False):
+        cosine = np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1)
+        bars = {"color": colour, "alpha": 0.55, "label": f"{len(R)} draws"}
+        ax.hist(np.arccos(cosine), 30, range=(0, np.pi), density=True, **bars)
+        ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
+        pi_ticks(ax.xaxis, 4)
+        ax.legend(frameon=False, loc="upper left")
+        said.append(f"{title}: {np.mean(cosine > 0):.0%} are below a right angle")
+    alt = f"Histograms of the rotation angle, with the density (1 - cos a)/pi. {'; '.join(said)}."
+    caption = "Small angles are rare among uniform rotations; the naive sampler draws too many just above $\\pi/2$."
+    return Picture(fig, alt, caption)
+
+
+def heights(samples):
+    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
+
+    Parameters
+    ----------
+    samples : dict
+        {title: R (n, 3, 3)}.
+    """
+    fig, axes = in_columns(samples, 4.2, 3.2, xlabel="height z of the image", ylabel="density")
+    said = []
+    for ax, (title, R) in zip(axes, samples.items(), strict=True):
+        for j, (colour, style) in enumerate(zip((BLACK, BLUE, RED), ("-", "--", ":"), strict=True)):
+            density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
+            ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
+        ax.axhline(0.5, color=GREY, linewidth=1)
+        ax.set(xticks=[-1, -0.5, 0, 0.5, 1])
+        ax.legend(frameon=False)
+        said.append(f"{title}: the images of e_x, e_y, e_z have the mean heights {_numbers(R[:, 2].mean(0))}")
+    alt = f"Histograms of the heights of the images of the three axes, flat at one half if uniform. {'; '.join(said)}."
+    return Picture(fig, alt, "Right, every height is equally frequent, for all three axes; left, for none of them.")
+
+
+def _size_of_errors(errors):
+    """How large errors are, in words that rounding does not change."""
+    if max(errors) < 1e-12:
+        return "stays below 1e-12"
+    return f"rises to more than {next(bound for bound in ('1e-4', '1e-8', '1e-12') if max(errors) > float(bound))}"
+
+
+def _direction(v):
+    """The fixed axis that is nearest to the direction of v, in words."""
+    k = np.argmax(np.abs(v))
+    return f"along {'' if v[k] > 0 else 'minus '}{'xyz'[k]}"
+
+
+def _numbers(values):
+    return ", ".join(f"{value + 0.0:.2f}".replace("-0.00", "0.00") for value in values)

@@ -3,15 +3,8 @@
 from matplotlib.figure import Figure
 
 # Okabe and Ito's palette, the yellow left out: it is too pale for lines on white.
-BLUE, ORANGE, GREEN, PURPLE, SKY, RED, BLACK = (
-    "#0072B2",
-    "#E69F00",
-    "#009E73",
-    "#CC79A7",
-    "#56B4E9",
-    "#D55E00",
-    "#222222",
-)
+BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#E69F00", "#009E73", "#CC79A7"
+SKY, RED, BLACK = "#56B4E9", "#D55E00", "#222222"
 FRAME_COLOURS = (RED, GREEN, BLUE)  # of the x, y and z axis of a frame
 COLOURS = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY = "#8a8a8a"
@@ -26,31 +19,26 @@ PLOTLY_LAYOUT = {
 }
 
 
-def plane_figure(width, height, columns=1, **options):
-    """Return a matplotlib figure in the course's style, and its axes, which stand in one row.
+def plane_figure(width, height, columns=1, rows=1, **options):
+    """Return a matplotlib figure in the course's style, and its axes.
 
     Parameters
     ----------
     width, height : float
         Of the figure, in inches.
-    columns : int, optional
-        The number of axes.
+    columns, rows : int, optional
+        The number of axes beside and above each other.
     **options
         Passed to `matplotlib.figure.Figure.subplots`, such as sharey=True.
 
     Returns
     -------
     fig : matplotlib.figure.Figure
-    axes : ndarray of matplotlib.axes.Axes, shape (columns,)
-
-    Examples
-    --------
-    >>> fig, (left, right) = plane_figure(6, 3, columns=2)
-    >>> fig.get_size_inches().tolist()
-    [6.0, 3.0]
+    axes : ndarray of matplotlib.axes.Axes, shape (rows * columns,)
+        Row by row.
     """
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
-    axes = fig.subplots(1, columns, squeeze=False, **options)[0]
+    axes = fig.subplots(rows, columns, squeeze=False, **options).ravel()
     for ax in axes:
         ax.set_prop_cycle(color=COLOURS)
         ax.grid(color="#dddddd", linewidth=0.6)

@@ -1,192 +1,133 @@
-"""The pictures in space of notebook 3: circles of the subproblems, and paths of orientations on the sphere.
+"""The figures of notebook 3: circles of the subproblems in space; steps of a planar arm, what step size and damping do.
 
-Each function returns {"fig", "alt", "caption"}, for ``show(**...)``.
+Each function returns a Picture, for `show`. Axes are unit vectors, angles are in radians, lengths in metres, and
+dampings in square metres. `points_of` takes joint angles to an arm's points, base first: (..., joints + 1, 2).
 """
 
 import numpy as np
 import plotly.graph_objects as go
+from matplotlib.colors import TwoSlopeNorm
 
+from course_lib.figures.display import Picture
+from course_lib.figures.planar_arm import draw_arms
+from course_lib.figures.plots import STYLES, in_metres, legend_above, lines
 from course_lib.figures.solids import Model, Part, draw, scene
-from course_lib.figures.solids.meshes import arrow
-from course_lib.figures.solids.model import AXIS, VIOLET, coordinates
-from course_lib.figures.space import fixed_frame, line, name_at, points, sphere
-from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
+from course_lib.figures.solids.meshes import arrow, basis
+from course_lib.figures.solids.model import AXIS, VIOLET
+from course_lib.figures.space import coordinates, fixed_frame, line, name_at, points, sphere
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.rotations import exp_so3, log_so3
 
 CAMERA = np.array([1.3, 1.0, 0.7])
 _TO_EYE = CAMERA / np.linalg.norm(CAMERA)
 
 
+# ---- circles in space ----
+
+
 def rotated_onto(k, p, g, theta):
-    """Return the picture of subproblem 1: the circle of p about k, and R(k, theta) p beside g.
+    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside g.
 
     Parameters
     ----------
-    k, p, g : array_like, shape (3,)
-        A unit axis, the point that rotates, and the goal.
+    k, p, g : ndarray, shape (3,)
+        The axis, the point that rotates, and the goal.
     theta : float
-        The angle, in radians.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> rotated_onto([0, 0, 1], [1, 0, 0], [0, 2, 0], 1.5)["alt"][-36:]
-    'R p is 1.005 from g; p itself 2.236.'
-    >>> rotated_onto([0, 0, 1], [1, 0, 0], [0, 2, 0], np.pi / 2)["caption"][:26]
-    '$R\\\\,p$ is 1.000 m from $g$'
     """
-    k, p, g = (np.asarray(x, float) for x in (k, p, g))
-    end, reach = _rotated(k, theta, p), _reach([p, g])
-    drawn = [*_circle(k, p, BLUE), points([p, g], 6, BLACK, "scene"), points([end], 6, CRIMSON, "scene")]
-    drawn += [line([_foot(k, p), p], GREY, 3, "scene"), line([_foot(k, p), end], CRIMSON, 4, "scene")]
+    end, foot = _rotated(k, theta, p), (k @ p) * k
+    drawn = [_circle(k, p, BLUE), points([p, g], 6, BLACK), points([end], 6, CRIMSON)]
+    drawn += [line([foot, p], GREY, 3), line([foot, end], CRIMSON, 4)]
     gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
-    alt = f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}."
     nearest = min(np.linalg.norm(_rotated(k, t, p) - g) for t in np.linspace(-np.pi, np.pi, 721))
-    caption = (
-        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
-        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it."
-    )
     words = {BLACK: {"p": p, "g": g}, CRIMSON: {"R p": end}}
-    return {"fig": _scene({"k": k}, drawn, words, reach), "alt": alt, "caption": caption}
+    return Picture(
+        _scene({"k": k}, drawn, words, [p, g]),
+        f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}.",
+        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
+        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it.",
+    )
 
 
 def circles_meet(k1, k2, p1, p2, theta):
-    """Return the picture of subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
+    """Return subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
 
     Parameters
     ----------
-    k1, k2, p1, p2 : array_like, shape (3,)
-        Two unit axes, and the point that rotates about each.
+    k1, k2, p1, p2 : ndarray, shape (3,)
+        Two axes, and the point that rotates about each.
     theta : array_like, shape (m, 2)
-        The pairs of angles, in radians; points that they do not bring together are joined by a line.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> x, y, z = np.eye(3)
-    >>> circles_meet(z, x, x, z, [(np.pi / 2, -np.pi / 2)])["alt"][-28:]
-    'k2; they touch in one point.'
+        The pairs of angles; points that they do not bring together are joined by a line.
     """
-    reach = _reach([p1, p2])
-    drawn = [*_circle(k1, p1, BLUE), *_circle(k2, p2, GREEN)]
-    drawn += [points([p1], 6, BLUE, "scene"), points([p2], 6, GREEN, "scene")]
+    drawn = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN), points([p1], 6, BLUE), points([p2], 6, GREEN)]
     meetings = {}
     for i, (t1, t2) in enumerate(theta):
         first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
         if np.linalg.norm(first - second) < 1e-6:
             meetings[f"{i + 1}"] = first
-        drawn += [points([first, second], 6, CRIMSON, "scene"), line([first, second], CRIMSON, 5, "scene")]
+        drawn += [points([first, second], 6, CRIMSON), line([first, second], CRIMSON, 5)]
     many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(len(meetings), 2)]
-    alt = f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}."
-    caption = "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$."
     words = {BLUE: {"p1": p1}, GREEN: {"p2": p2}, CRIMSON: meetings}
-    return {"fig": _scene({"k1": k1, "k2": k2}, drawn, words, reach), "alt": alt, "caption": caption}
+    return Picture(
+        _scene({"k1": k1, "k2": k2}, drawn, words, [p1, p2]),
+        f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}.",
+        "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$.",
+    )
 
 
 def circle_and_sphere(k, p, g, d, theta):
-    """Return the picture of subproblem 3: the circle of p about k, and the sphere of radius d about g.
+    """Return subproblem 3: the circle of p about k, and the sphere of radius d about g.
 
     Parameters
     ----------
-    k, p, g : array_like, shape (3,)
-        A unit axis, the point that rotates, and the goal.
+    k, p, g : ndarray, shape (3,)
+        The axis, the point that rotates, and the goal.
     d : float
         The distance from the goal.
     theta : array_like, shape (m,)
-        The angles at which the circle pierces the sphere, in radians.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> x, y, z = np.eye(3)
-    >>> circle_and_sphere(z, x, x, 1.0, [np.pi / 3, -np.pi / 3])["alt"][-40:]
-    '1 about g at two points, marked 1 and 2.'
+        The angles at which the circle pierces the sphere.
     """
-    ball, reach = sphere(d), _reach([p, np.abs(g) + d])
+    ball, far = sphere(d), [p, np.abs(g) + d]
     for c, centre in zip("xyz", g, strict=True):
         ball[c] = np.round(ball[c] + centre, 3)
     ball |= {"opacity": 0.45, "colorscale": [[0, ORANGE], [1, ORANGE]]}
-    answers = _answers(k, p, theta)
-    drawn = [go.Surface(**ball), *_circle(k, p, BLUE), points([p], 6, BLACK, "scene")]
-    drawn += [points([g], 5, BLACK, "scene"), name_at(g + (d + 0.15 * reach) * _TO_EYE, "g", BLACK, "scene")]
-    drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
-    alt = f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}."
+    beside = g + (d + 0.15 * _reach(far)) * _TO_EYE
+    answers, dots = _answers(k, p, theta)
+    drawn = [go.Surface(**ball), *dots, points([g], 5, BLACK), name_at(beside, "g", BLACK)]
     away = np.linalg.norm([_rotated(k, t, p) - g for t in np.linspace(0, 2 * np.pi, 721)], axis=1)
-    found = [np.linalg.norm(_rotated(k, t, p) - g) for t in theta]
-    caption = (
+    found = [np.linalg.norm(end - g) for end in answers.values()]
+    return Picture(
+        _scene({"k": k}, drawn, {BLACK: {"p": p}, CRIMSON: answers}, far, ball=(g, d)),
+        f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}.",
         f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: {_listed(found)}. All "
-        f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$."
+        f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$.",
     )
-    words = {BLACK: {"p": p}, CRIMSON: answers}
-    return {"fig": _scene({"k": k}, drawn, words, reach, ball=(g, d)), "alt": alt, "caption": caption}
 
 
 def circle_and_plane(k, h, p, d, theta):
-    """Return the picture of subproblem 4: the circle of p about k, and the plane of the points at height d along h.
+    """Return subproblem 4: the circle of p about k, and the plane of the points at height d along h.
 
     Parameters
     ----------
-    k, h, p : array_like, shape (3,)
-        A unit axis, the direction of the height, and the point that rotates.
+    k, h, p : ndarray, shape (3,)
+        The axis, the direction of the height, of any length, and the point that rotates.
     d : float
         The height, h . R p = d.
     theta : array_like, shape (m,)
-        The angles at which the circle pierces the plane, in radians.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> x, y, z = np.eye(3)
-    >>> circle_and_plane(z, x, x, 1.0, [0.0])["alt"][-36:]
-    'lar to the direction h at one point.'
+        The angles at which the circle pierces the plane.
     """
-    n = h / np.linalg.norm(h)
-    a = np.cross(n, [1, 0, 0] if abs(n[0]) < 0.8 else [0, 1, 0])
-    a = a / np.linalg.norm(a)
-    b, middle, r = np.cross(n, a), d / np.linalg.norm(h) * n, 1.1 * np.linalg.norm(p)
+    a, b, n = basis(h)
+    middle, r = d / np.linalg.norm(h) * n, 1.1 * np.linalg.norm(p)
     corners = [middle + r * (i * a + j * b) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     x, y, z = np.round(corners, 3).T
-    reach = _reach([p, *corners])
     faces = {"i": [0, 0], "j": [1, 2], "k": [2, 3]}
     plane = go.Mesh3d(x=x, y=y, z=z, **faces, color=ORANGE, opacity=0.45, hoverinfo="skip")
-    answers = _answers(k, p, theta)
-    drawn = [plane, *_circle(k, p, BLUE), points([p], 6, BLACK, "scene")]
-    drawn += [points([*answers.values()], 6, CRIMSON, "scene")] if answers else []
-    alt = f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}."
-    found = [h @ _rotated(k, t, p) for t in theta]
-    caption = (
+    answers, dots = _answers(k, p, theta)
+    return Picture(
+        _scene({"k": k, "h": n}, [plane, *dots], {BLACK: {"p": p}, CRIMSON: answers}, [p, *corners]),
+        f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}.",
         "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value between its "
-        f"extremes twice. Here it is {_listed(found)}."
+        f"extremes twice. Here it is {_listed([h @ end for end in answers.values()])}.",
     )
-    words = {BLACK: {"p": p}, CRIMSON: answers}
-    return {"fig": _scene({"k": k, "h": n}, drawn, words, reach), "alt": alt, "caption": caption}
-
-
-def six_axis_arm(arm, q):
-    """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,) in radians.
-
-    Examples
-    --------
-    >>> from course_lib.arms import panda
-    >>> six_axis_arm(panda(), np.zeros(7))["alt"][:33]
-    'A solid arm with 7 dashed, number'
-    """
-    high = arm.fk(q)[2, 3]
-    alt = f"A solid arm with {arm.n} dashed, numbered joint axes; its flange is {high:.2f} m above the floor."
-    caption = "Axes 2 and 3 are parallel; axes 4, 5 and 6 meet in the wrist center."
-    return {"fig": draw(arm, q, axes=True, view=(0.6, 1.4, 0.5)), "alt": alt, "caption": caption}
 
 
 def orientation_paths(tracks, duration):
@@ -198,29 +139,20 @@ def orientation_paths(tracks, duration):
         Label to rotations, shape (n, 3, 3), evenly spaced in time, with the same first and last one.
     duration : float
         In seconds.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> orientation_paths({"still": np.array([np.eye(3), np.eye(3)])}, 1.0)["alt"][-54:]
-    'still on a path of length 0.00, at 0.00 to 0.00 rad/s.'
     """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
-    lengths, speeds = {}, []
+    said, speeds = [], []
     for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
-        drawn.append(
-            line(R[:, :, 0], colour, 7, "scene", dash).update(name=label.replace("omega", "ω"), showlegend=True)
-        )
+        track = line(R[:, :, 0], colour, 7, dash=dash)
+        drawn.append(track.update(name=label.replace("omega", "ω"), showlegend=True))
         step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
         length = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
-        lengths[label] = f"on a path of length {length:.2f}, at {step.min():.2f} to {step.max():.2f} rad/s"
-        speeds.append(label.replace("omega", "$\\omega$") + f", {step.min():.2f} to {step.max():.2f} rad/s")
+        range_of = f"{step.min():.2f} to {step.max():.2f} rad/s"
+        said.append(f"{label} on a path of length {length:.2f}, at {range_of}")
+        speeds.append(label.replace("omega", "$\\omega$") + f", {range_of}")
     ends = next(iter(tracks.values()))[[0, -1], :, 0]
-    drawn.append(points(ends, 6, BLACK, "scene"))
+    drawn.append(points(ends, 6, BLACK))
     shown = np.concatenate([_places(trace) for trace in drawn])
     settings = scene.fitted_scene(shown, np.add(middle, [0, 0, 0.3]), fill=0.88)  # the eye is in front of the paths
     taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
@@ -230,21 +162,20 @@ def orientation_paths(tracks, duration):
     legend = {"orientation": "h", "x": 0.5, "xanchor": "center", "y": 1.0, "yanchor": "bottom"}
     layout = {**scene.layout([settings], height=440), "showlegend": True, "legend": legend}
     layout["margin"] = {**layout["margin"], "t": 30}
-    fig = go.Figure(drawn, layout=layout).update_traces(selector={"showlegend": None}, showlegend=False)
-    said = "; ".join(f"{label} {told}" for label, told in lengths.items())
-    alt = f"Where e_x goes on the unit sphere, in motions between the same two orientations: {said}."
-    caption = (
+    return Picture(
+        go.Figure(drawn, layout=layout).update_traces(selector={"showlegend": None}, showlegend=False),
+        f"Where e_x goes on the unit sphere, in motions between the same two orientations: {'; '.join(said)}.",
         "With constant $\\omega$ every point runs on a circle about $\\omega$; with constant rates it does not. "
-        f"The bodies rotate at: {'; '.join(speeds)}."
+        f"The bodies rotate at: {'; '.join(speeds)}.",
     )
-    return {"fig": fig, "alt": alt, "caption": caption}
 
 
-def _scene(axes, drawn, words, reach, ball=((0, 0, 0), 0)):
+def _scene(axes, drawn, words, far, ball=((0, 0, 0), 0)):
     """A figure of what is drawn, with axes {name: direction} and words {colour: {word: point}} clear of all lines.
 
-    ball: centre and radius of a sphere that must not hide the words.
+    far: points that the axes should reach beyond. ball: centre and radius of a sphere that must not hide the words.
     """
+    reach = _reach(far)
     ends = {name: reach * np.asarray(k) for name, k in axes.items()}
     arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends.values()])
     taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
@@ -260,9 +191,7 @@ def _scene(axes, drawn, words, reach, ball=((0, 0, 0), 0)):
 
 def _in_front(at, settings, centre, radius):
     """Coordinates of points (n, 3), those behind a sphere moved towards the eye: they are seen at the same place."""
-    ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
-    metres = np.ptp(ranges[0]) / settings["aspectratio"]["x"]
-    towards = ranges.mean(1) + metres * np.array([settings["camera"]["eye"][c] for c in "xyz"]) - at
+    towards = scene.eye(settings) - at
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     centre = np.asarray(centre, float)
     along = ((centre - at) * towards).sum(1)
@@ -279,19 +208,18 @@ def _reach(far):
 
 
 def _rotated(k, theta, p):
-    return exp_so3(theta * np.asarray(k, float)) @ p
-
-
-def _foot(k, p):
-    return np.dot(k, p) * np.asarray(k)
+    return exp_so3(theta * k) @ p
 
 
 def _circle(k, p, colour):
-    return [line([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5, "scene")]
+    return line([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5)
 
 
 def _answers(k, p, theta):
-    return {f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}
+    """The points {number: R(k, theta) p}, and traces of the circle of p and of these points on it."""
+    answers = {f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}
+    dots = [points([*answers.values()], 6, CRIMSON)] if answers else []
+    return answers, [_circle(k, p, BLUE), points([p], 6, BLACK), *dots]
 
 
 def _listed(lengths):
@@ -299,4 +227,268 @@ def _listed(lengths):
 
 
 def _count(theta):
-    return {0: "no point", 1: "one point", 2: "two points, marked 1 and 2"}[len(theta)]
+    return ("no point", "one point", "two points, marked 1 and 2")[len(theta)]
+
+
+# ---- arms ----
+
+
+def six_axis_arm(arm, q):
+    """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,)."""
+    return Picture(
+        draw(arm, q, axes=True, view=(0.6, 1.4, 0.5)),
+        f"A solid arm with {arm.n} dashed, numbered joint axes; its flange is {arm.fk(q)[2, 3]:.2f} m above the floor.",
+        "Axes 2 and 3 are parallel; axes 4, 5 and 6 meet in the wrist center.",
+    )
+
+
+def joint_motion(motions):
+    """Return the joint motion that a step commands, {label: function of the bend}, over the bend of the last joint."""
+    bends = np.geomspace(0.003, 1, 60)
+    rows = {label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()}
+    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in rows.items())
+    caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
+    if len(rows) > 1:
+        caption = "The undamped step grows as one over the bend; the damped step stays small at every bend."
+    return Picture(
+        lines(bends, rows, log="xy", xlabel="bend of the last joint (rad)", ylabel="joint motion (rad)"),
+        f"The joint motion over the bend of the last joint, both logarithmic: {said}.",
+        caption,
+    )
+
+
+def largest_rates(inverse_rate_matrix):
+    """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
+
+    Parameters
+    ----------
+    inverse_rate_matrix : callable
+        From the three angles to the matrix (3, 3) that takes angular velocities to rates.
+    """
+    b2 = np.linspace(0.02, np.pi - 0.02, 301)
+    inverses = np.array([inverse_rate_matrix(np.array([0.4, x, 0.0])) for x in b2])
+    together, single = np.linalg.norm(inverses, 2, axis=(1, 2)), np.linalg.norm(inverses, axis=2).max(1)
+    rates = {"all three together": together, "largest single rate": single}
+    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.0f} rad/s" for label, y in rates.items())
+    middle = np.abs(b2 - np.pi / 4).argmin()
+    return Picture(
+        lines(b2, rates, log="y", parts_of_pi=4, xlabel=r"$b_2$ (rad)", ylabel="rates for 1 rad/s (rad/s)"),
+        f"The largest rates for an angular velocity of one, over b2, on a logarithmic axis: {said}.",
+        r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide. "
+        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s (together).",
+    )
+
+
+def columns_and_ellipse(points, J, scale=0.3):
+    """Return a planar arm, the columns of its Jacobian as arrows, and the manipulability ellipse.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n + 1, 2)
+        The arm, base first.
+    J : ndarray, shape (2, n)
+        The Jacobian of the tip's position.
+    scale : float, optional
+        Metres drawn for one metre of J.
+    """
+    fig, (ax,) = plane_figure(6.0, 4.6)
+    ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
+    tip = points[-1]
+    for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
+        ax.annotate("", tip + scale * column, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2})
+        ax.plot([], [], color=colour, linewidth=3, label=f"$J_{j + 1}$")
+    U, s, _ = np.linalg.svd(J)
+    t = np.linspace(0, 2 * np.pi, 121)
+    ax.plot(*(tip[:, None] + scale * U @ (s[:, None] * [np.cos(t), np.sin(t)])), color=BLACK, linewidth=1.5)
+    in_metres(ax)
+    ax.margins(0.12)
+    legend_above(fig, J.shape[1])
+    lengths = ", ".join(f"{length:.1f}" for length in np.linalg.norm(J, axis=0))
+    return Picture(
+        fig,
+        f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
+        f"{lengths} m show the Jacobian's columns; an ellipse with half axes of {s[0]:.1f} and {s[1]:.1f} m surrounds "
+        "the tip.",
+        "Each column is perpendicular to the line from its joint to the tip; the tip is fast along the ellipse.",
+    )
+
+
+def descents(runs, target, caption=""):
+    """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
+
+    Parameters
+    ----------
+    runs : dict
+        Label to arms, shape (n, links + 1, 2), one configuration a step, base first.
+    target : array_like, shape (2,)
+    caption : str, optional
+        What to notice.
+    """
+    fig, (plane, error) = plane_figure(9.6, 4.4, 2, width_ratios=[1, 1.1])
+    said, corners, lowest = [], [np.zeros((1, 2)), [target]], np.inf
+    for colour, style, (label, arms) in zip(COLOURS, 2 * STYLES, runs.items(), strict=False):
+        tips = arms[:, -1]
+        jumps = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > 1
+        if jumps:  # lines between jumps would hide everything
+            plane.plot(*tips.T, ".", color=colour, markersize=5, alpha=0.6)
+        else:
+            plane.plot(*tips.T, color=colour, linestyle=style, linewidth=2)
+            plane.plot(*arms[-1].T, "-o", color=colour, linewidth=5, markersize=7, markeredgecolor="white", alpha=0.5)
+            corners.append(arms[-1])
+        corners.append(tips)
+        miss = np.linalg.norm(tips - target, axis=-1)
+        lowest = min(lowest, miss.min())
+        error.plot(miss, color=colour, linestyle=style, linewidth=2, label=label.replace("alpha", r"$\alpha$"))
+        end = "less than a micrometre" if miss[-1] < 1e-6 else f"{miss[-1]:.2g} m"
+        said.append(f"{label}: {'jumps about and is' if jumps else 'ends'} {end} from it")
+    plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
+    (left, low), (right, high) = _window(corners, 0.2)
+    in_metres(plane, xlim=(left, right), ylim=(low, high))
+    error.set(xlabel="steps", ylabel="distance from the target (m)")
+    if lowest < error.get_ylim()[1] / 30:
+        error.set(yscale="log", ylim=(max(lowest, 1e-9) / 2, None))
+    if len(runs) > 1:
+        legend_above(fig, 1 if max(map(len, runs)) > 30 else len(runs))
+    x, y = target
+    alt = f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. {'; '.join(said)}."
+    return Picture(fig, alt, caption or "The arm is drawn as it ends; the cross is the target.")
+
+
+def _window(corners, margin):
+    """The lowest and the highest x and y of arrays of points (..., 2), with a margin around them."""
+    corners = np.concatenate([np.reshape(part, (-1, 2)) for part in corners])
+    return corners.min(0) - margin, corners.max(0) + margin
+
+
+def race(racers, points_of, target, near=0.01):
+    """Return the runs of several methods towards one target; the legend says how fast and how large their steps are.
+
+    Parameters
+    ----------
+    racers : dict
+        Label to joint angles, shape (steps + 1, joints).
+    points_of : callable
+    target : array_like, shape (2,)
+    near : float, optional
+        The distance at which the target counts as reached.
+    """
+    runs = {}
+    for label, path in racers.items():
+        arms = points_of(path)
+        miss = np.linalg.norm(arms[:, -1] - target, axis=-1)
+        largest = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
+        steps = f"{np.argmax(miss < near)} steps to {100 * near:g} cm" if (miss < near).any() else "never there"
+        runs[f"{label}: {steps}, at most {largest:.3g} rad"] = arms
+    return descents(runs, target, "Gauss-Newton jumps; the damped tip takes a smooth path.")
+
+
+def gains(epsilons, values):
+    """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
+
+    Parameters
+    ----------
+    epsilons : sequence of float
+        Dampings.
+    values : dict
+        Label to a singular value to point out.
+    """
+    s = np.linspace(0.01, 4.2, 300)
+    fig, (ax,) = plane_figure(7.2, 3.6)
+    ax.plot(s, 1 / s, color=BLACK, linewidth=1, label="no damping: $1/s$")
+    for colour, style, eps in zip(COLOURS, STYLES, epsilons, strict=False):
+        ax.plot(s, s / (s**2 + eps), color=colour, linestyle=style, linewidth=2, label=rf"$\epsilon$ = {eps:g} m$^2$")
+        if np.sqrt(eps) < s[-1]:
+            ax.plot(np.sqrt(eps), 1 / (2 * np.sqrt(eps)), "o", color=colour)
+    for label, value in values.items():
+        ax.axvline(value, color=GREY, linewidth=1)
+        name = f"${label[0]}_{label[1:]}$"
+        ax.annotate(name, (value, 2.05), xytext=(4, 0), textcoords="offset points", color=BLACK)
+    ax.set(ylim=(0, 2.2), xlabel="singular value $s$ of the Jacobian (m)", ylabel="joint step per error (rad/m)")
+    legend_above(fig, 4)
+    tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
+    return Picture(
+        fig,
+        "The joint step per metre of error, over the singular value. Without damping it grows without bound towards "
+        f"zero; with damping it rises from zero to a largest value, {tops}, and falls again.",
+        r"Each curve is highest at $s = \sqrt\epsilon$; below it the damping cuts the step, above it it hardly acts.",
+    )
+
+
+def step_map(alphas, epsilons, errors, largest, runs):
+    """Return the error after a run, for step sizes and dampings, with the limit 2 (1 + eps/s1^2).
+
+    Parameters
+    ----------
+    alphas, epsilons : array_like, shape (n,) and (m,)
+        Step sizes and dampings.
+    errors : ndarray, shape (n, m)
+    largest : float
+        The largest singular value at the target.
+    runs : sequence of (float, float)
+        The pairs (alpha, eps) to mark.
+    """
+    fig, (ax,) = plane_figure(7.2, 4.6)
+    levels = TwoSlopeNorm(-2, -8, 0.5)
+    decades = np.log10(np.maximum(errors.T, 1e-9))
+    image = ax.pcolormesh(alphas, epsilons, decades, cmap="RdBu_r", norm=levels, rasterized=True)
+    limit = 2 * (1 + np.array(epsilons) / largest**2)
+    ax.plot(limit, epsilons, color=BLACK, linewidth=2, label=r"$\alpha = 2(1 + \epsilon/s_1^2)$")
+    ax.plot(*np.transpose(runs), "o", color=BLACK, markerfacecolor="white", markersize=8, label="the report's runs")
+    ax.set(xscale="log", yscale="log", xlim=(alphas[0], alphas[-1]), ylim=(epsilons[0], epsilons[-1]))
+    ax.set(xlabel=r"step size $\alpha$", ylabel=r"damping $\epsilon$ (m$^2$)")
+    legend_above(fig, 2)
+    bar = fig.colorbar(image, ax=ax, label="distance from the target (m)", ticks=[0, -2, -4, -6, -8])
+    bar.ax.set_yticklabels(["1", "$10^{-2}$", "$10^{-4}$", "$10^{-6}$", "$10^{-8}$"])
+    left = np.asarray(alphas)[:, None] < limit
+    blue_left, blue_right = (100 * (errors[side] < 0.01).mean() for side in (left, ~left))
+    return Picture(
+        fig,
+        "A map of the distance after a run, over step size and damping, both logarithmic. Left of a black curve, the "
+        f"limit of the step size, {blue_left:.0f} % of it is blue, below a centimetre; right of it "
+        f"{blue_right:.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}.",
+        "Blue runs converge. Right of the black curve the steps are too large; at the left and at the top they are too "
+        "small.",
+    )
+
+
+def two_arms(paths, points_of, every=12):
+    """Return arms side by side, drawn at evenly spaced instants of their joint paths.
+
+    Parameters
+    ----------
+    paths : dict
+        Damping to joint angles, shape (n, joints).
+    points_of : callable
+    every : int, optional
+        One arm is drawn for so many of 60 instants.
+    """
+    arms = {}
+    for eps, path in paths.items():
+        gone = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
+        shares = np.linspace(0, gone[-1], 61)
+        even = np.array([np.interp(shares, gone, angle) for angle in np.transpose(path)]).T
+        arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(even)
+    folds = ", ".join(f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items())
+    return Picture(
+        draw_arms(arms, every, _window(arms.values(), 0.3)),
+        f"Arms between the same start and target, later ones darker. The last elbow bends at most by {folds}.",
+        "With much damping the tip swings out in a bow, and the joints move less.",
+    )
+
+
+def manipulability_along(dampings, values):
+    """Return the manipulability over the steps of runs with several dampings.
+
+    Parameters
+    ----------
+    dampings : array_like, shape (m,)
+    values : ndarray, shape (m, n)
+        One row a damping, one value a step, in square metres.
+    """
+    rows = {rf"$\epsilon$ = {eps:g} m²": row for eps, row in zip(dampings, values, strict=True)}
+    said = [f"epsilon = {e:g} m²: {min(row):.1f} to {max(row):.1f}" for e, row in zip(dampings, values, strict=True)]
+    return Picture(
+        lines(np.arange(values.shape[1]), rows, xlabel="steps", ylabel="manipulability (m²)"),
+        f"The manipulability (m²) over the steps. {'; '.join(said)}.",
+        "With little damping the curve settles within a few steps; with much damping it changes slowly.",
+    )

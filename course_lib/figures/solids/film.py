@@ -3,10 +3,12 @@
 import numpy as np
 import plotly.graph_objects as go
 
+from course_lib import rigid
 from course_lib.figures import moving
 from course_lib.figures.solids import scene as around
 from course_lib.rotations import log_so3
 
+_RATE = 20  # poses a second that a film holds
 _LAB_FRAMES = 20  # for JupyterLab, which plays vertices: 14 KB each for an arm
 _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 
@@ -31,32 +33,20 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
         The direction to the eye.
     height : int
         Pixels, without the controls.
-    ground : float or None
-        The height of the floor, metres; None for no floor.
+    ground : float
+        The height of the floor, metres.
 
     Returns
     -------
     plotly.graph_objects.Figure
         Lengths in millimetres. scripts/motion.js describes `layout.meta.course`.
-
-    Examples
-    --------
-    >>> from course_lib.arms import planar_arm
-    >>> from course_lib.figures.solids.draw import arm_model, link_poses
-    >>> arm, times = planar_arm([1, 1]), np.linspace(0, 2, 60)
-    >>> fig = film("elbow", arm_model(arm), link_poses(arm, np.outer(times, [0, 1])), times)
-    >>> len(fig.frames), len(fig.layout.meta["course"]["times"])  # JupyterLab plays the frames, a page all poses
-    (20, 60)
     """
-    poses, times = np.asarray(poses, float), np.asarray(times, float)
+    poses, times = _at_rate(np.asarray(poses, float), np.asarray(times, float))
     shown = np.unique(np.linspace(0, len(times) - 1, min(_LAB_FRAMES, len(times))).astype(int))
     vertices = model.placed(poses[shown])
-    everything = [vertices.reshape(-1, 3), np.asarray(points, float).reshape(-1, 3)]
-    still = list(still)
-    if ground is not None:
-        few = vertices[:, ::7].reshape(-1, 3)  # the shadow of all frames
-        still = [*around.floor(few, height=ground), *still]
-        everything.append(around.rim(few, ground))
+    few = vertices[:, ::7].reshape(-1, 3)  # the shadow of all frames
+    everything = [vertices.reshape(-1, 3), np.reshape(points, (-1, 3)), around.rim(few, ground)]
+    still = [*around.floor(few, height=ground), *still]
     settings = around.fitted_scene(np.concatenate(everything), view)
     fig = go.Figure([*still, model.trace(poses[0])], layout=around.layout([settings], height=height))
     _in_millimetres(fig)
@@ -64,12 +54,8 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     kind = "i2" if np.abs(vertices).max() < 32 else "i4"
     at = np.round(_MILLIMETRES * vertices + 3.1e-4).astype(kind)
     fig.frames = [
-        go.Frame(
-            data=[{"type": "mesh3d", **dict(zip("xyz", np.ascontiguousarray(v.T), strict=True))}],
-            traces=[trace],
-            name=str(i),
-        )
-        for i, v in enumerate(at)
+        go.Frame(data=[{"type": "mesh3d", "x": x, "y": y, "z": z}], traces=[trace], name=str(i))
+        for i, (x, y, z) in enumerate(np.ascontiguousarray(at.swapaxes(1, 2)))
     ]
     course = {
         "kind": "film",
@@ -84,6 +70,16 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     moving.add_controls(fig, times[shown], redraw=True)
     fig.layout.meta = {**fig.layout.meta, "movie": name, "course": course}
     return fig
+
+
+def _at_rate(poses, times):
+    """Poses and times of a film, evenly spaced, by screw motions between the samples that are given."""
+    seconds = times[-1] - times[0]
+    even = times[0] + seconds * np.linspace(0, 1, max(2, round(_RATE * seconds) + 1))
+    before = np.clip(np.searchsorted(times, even, side="right") - 1, 0, len(times) - 2)
+    share = (even - times[before]) / (times[before + 1] - times[before])
+    step = rigid.log_se3(rigid.inverse(poses[before]) @ poses[before + 1])
+    return poses[before] @ rigid.exp_se3(share[:, None, None] * step), even
 
 
 def _in_millimetres(fig):

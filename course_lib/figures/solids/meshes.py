@@ -11,15 +11,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Mesh:
-    """A mesh of triangles: vertices (m, 3) in metres, faces (k, 3) of their indices.
-
-    Examples
-    --------
-    >>> lifted = np.eye(4)
-    >>> lifted[2, 3] = 5.0
-    >>> print(Mesh(np.eye(3), np.array([[0, 1, 2]])).moved(lifted).vertices[0])
-    [1. 0. 5.]
-    """
+    """A mesh of triangles: vertices (m, 3) in metres, faces (k, 3) of their indices."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -30,28 +22,14 @@ class Mesh:
 
 
 def joined(meshes):
-    """Return one mesh of several.
-
-    Examples
-    --------
-    >>> two = joined([ball([0, 0, 0], 1.0), ball([3, 0, 0], 1.0)])
-    >>> print(two.vertices[:, 0].max().round(9), two.faces.max() + 1 == len(two.vertices))
-    4.0 True
-    """
+    """Return one mesh of several."""
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
     faces = [mesh.faces + start for mesh, start in zip(meshes, starts, strict=False)]
     return Mesh(np.concatenate([mesh.vertices for mesh in meshes]), np.concatenate(faces))
 
 
 def revolve(centre, axis, profile, n=14):
-    """Return the surface of revolution of a profile of (radius, height) about an axis through `centre`.
-
-    Examples
-    --------
-    >>> cylinder = revolve([0, 0, 1], [0, 0, 1], [(0.5, 0), (0.5, 2)], n=16)
-    >>> print(cylinder.vertices.min(0), cylinder.vertices.max(0))
-    [-0.5 -0.5  1. ] [0.5 0.5 3. ]
-    """
+    """Return the surface of revolution of a profile of (radius, height) about an axis through `centre`."""
     x, y, z = basis(axis)
     around = _circle(n)
     rings = [np.asarray(centre) + h * z + r * (around @ [x, y]) for r, h in profile]
@@ -59,25 +37,13 @@ def revolve(centre, axis, profile, n=14):
 
 
 def drum(centre, axis, radius, half, n=12, bevel=0.16):
-    """Return a cylinder with bevelled edges; `half` is half its height along the axis.
-
-    Examples
-    --------
-    >>> print(np.ptp(drum([0, 0, 0], [1, 0, 0], radius=0.1, half=0.2).vertices, axis=0).round(9))
-    [0.4 0.2 0.2]
-    """
+    """Return a cylinder with bevelled edges; `half` is half its height along the axis."""
     b = bevel * min(radius, half)
     return revolve(centre, axis, [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)], n)
 
 
 def ring(centre, axis, radius, half, n=12):
-    """Return a band of a slightly bulging cylinder, as it marks the seam between two links.
-
-    Examples
-    --------
-    >>> print(np.ptp(ring([0, 0, 0], [0, 0, 1], radius=0.1, half=0.02).vertices, axis=0).round(9))
-    [0.2  0.2  0.04]
-    """
+    """Return a band of a slightly bulging cylinder, as it marks the seam between two links."""
     return revolve(
         centre, axis, [(0.9 * radius, -half), (radius, -0.5 * half), (radius, 0.5 * half), (0.9 * radius, half)], n
     )
@@ -96,12 +62,6 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
         By how much the section is stretched along `side`.
     side : array_like, shape (3,), optional
         A direction across the curve at its beginning.
-
-    Examples
-    --------
-    >>> mesh = tube([[0, 0, 0], [0.5, 0, 0.5], [1, 0, 0.5]], 0.1)
-    >>> print(len(mesh.vertices), np.isfinite(mesh.vertices).all())
-    98 True
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -128,24 +88,12 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
 
 
 def capsule(start, end, radius, n=12):
-    """Return a straight tube with rounded ends from start to end.
-
-    Examples
-    --------
-    >>> print(np.ptp(capsule([0, 0, 0], [0, 0, 1], 0.1).vertices, axis=0).round(2))  # rounded at both ends
-    [0.2  0.2  1.19]
-    """
+    """Return a straight tube with rounded ends from start to end."""
     return tube([start, end], radius, 2, n)
 
 
 def box(low, high, bevel=0.15, power=4, n=12):
-    """Return a box between two corners whose vertical edges are rounded: a superellipse of that power, upright.
-
-    Examples
-    --------
-    >>> print(np.ptp(box([0, 0, 0], [1, 2, 3], n=16).vertices, axis=0).round(1))
-    [1. 2. 3.]
-    """
+    """Return a box between two corners whose vertical edges are rounded: a superellipse of that power, upright."""
     low, high = np.asarray(low, float), np.asarray(high, float)
     centre, half = (low + high) / 2, (high - low) / 2
     t = 2 * np.pi * (np.arange(n) + 0.5) / n
@@ -159,13 +107,7 @@ def box(low, high, bevel=0.15, power=4, n=12):
 
 
 def arrow(start, direction, length, radius, n=6):
-    """Return an arrow; its head is a quarter of it at most.
-
-    Examples
-    --------
-    >>> print(arrow([0, 0, 1], [0, 0, 1], length=2, radius=0.05).vertices[:, 2].max())
-    3.0
-    """
+    """Return an arrow; its head is a quarter of it at most."""
     neck, head = length - min(0.26 * length, 7 * radius), 2.3 * radius
     return revolve(
         start, direction, [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)], n
@@ -173,25 +115,13 @@ def arrow(start, direction, length, radius, n=6):
 
 
 def ball(centre, radius, n=12, rings=5):
-    """Return a sphere.
-
-    Examples
-    --------
-    >>> print(np.linalg.norm(ball([1, 2, 3], 0.5).vertices[:-2] - [1, 2, 3], axis=1).round(9).max())
-    0.5
-    """
+    """Return a sphere."""
     polar = np.linspace(0, np.pi, rings + 2)[1:-1]
     return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], n)
 
 
 def mug(radius=0.035, height=0.09, n=18):
-    """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle.
-
-    Examples
-    --------
-    >>> print(mug(height=0.09).vertices[:, 2].max().round(9), mug().vertices[:, 0].max() > 0.05)  # the handle
-    0.09 True
-    """
+    """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle."""
     wall = 0.9 * radius
     profile = [(0.93 * radius, 0), (radius, 0.04 * height), (radius, height), (wall, height), (wall, height)]
     cup = revolve(
@@ -203,14 +133,7 @@ def mug(radius=0.035, height=0.09, n=18):
 
 
 def basis(z, x=None):
-    """Return orthonormal x, y, z with the given z, and x as near to the given one as it can be.
-
-    Examples
-    --------
-    >>> x, y, z = basis([0, 0, 2], [1, 1, 5])
-    >>> print(x.round(4), y.round(4), z)
-    [0.7071 0.7071 0.    ] [-0.7071  0.7071  0.    ] [0. 0. 1.]
-    """
+    """Return orthonormal x, y, z with the given z, and x as near to the given one as it can be."""
     z = np.asarray(z, float) / np.linalg.norm(z)
     x = np.eye(3)[np.abs(z).argmin()] if x is None else np.asarray(x, float)
     x = x - z * (x @ z)

@@ -6,43 +6,21 @@ import numpy as np
 import plotly.graph_objects as go
 
 from course_lib.figures.solids.meshes import Mesh, joined
+from course_lib.figures.space import coordinates
 from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, RED
 
 AXIS = "#7a1fa2"  # of joint axes: darker than the purple of plots
 # Colours by index. In a mesh that is one number for each vertex, where a colour would take nine characters.
-PALETTE = [
-    "#d3d7db",
-    "#f07818",
-    "#5b6168",
-    "#f4f5f6",
-    "#2f3338",
-    "#b3b9bf",
-    "#6ea6cf",
-    RED,
-    GREEN,
-    BLUE,
-    CRIMSON,
-    AXIS,
-    GREY,
-]
+PALETTE = ["#d3d7db", "#f07818", "#5b6168", "#f4f5f6", "#2f3338", "#b3b9bf", "#6ea6cf"]
+PALETTE += [RED, GREEN, BLUE, CRIMSON, AXIS, GREY]
 SILVER, ORANGE, DARK, WHITE, BLACK, STEEL, LIGHT_BLUE, X_RED, Y_GREEN, Z_BLUE, MUG_RED, VIOLET, PLAIN = range(13)
 LIGHT = {"ambient": 0.48, "diffuse": 0.5, "specular": 0.22, "roughness": 0.4, "fresnel": 0.05}
 LAMP = {"x": 2000, "y": -3500, "z": 6000}  # above, to the right and in front of most cameras
-_DECIMALS = 4  # a tenth of a millimetre
-_OFF_TIES = 3.1e-7  # lengths of models are round numbers, which two machines would round up and down
 
 
 @dataclass(frozen=True)
 class Part:
-    """A mesh of one colour (an index into PALETTE) on the body of that number.
-
-    Examples
-    --------
-    >>> from course_lib.figures.solids.meshes import ball
-    >>> part = Part(body=2, colour=X_RED, mesh=ball([0, 0, 0], 0.1))
-    >>> PALETTE[part.colour] == RED
-    True
-    """
+    """A mesh of one colour (an index into PALETTE) on the body of that number."""
 
     body: int
     colour: int
@@ -59,19 +37,6 @@ class Model:
 
     vertices: (m, 3), each in the frame of its body. faces: (k, 3). colours, bodies: (m,), of each vertex; the
     vertices of a body stand together, in the order of the bodies.
-
-    Examples
-    --------
-    >>> from course_lib.figures.solids.meshes import ball
-    >>> model = Model.of([Part(1, WHITE, ball([0, 0, 0], 0.1)), Part(0, DARK, ball([0, 0, 0], 0.2))])
-    >>> model.counts, len(model.vertices)
-    ([62, 62], 124)
-    >>> lifted = np.eye(4)
-    >>> lifted[2, 3] = 1.0
-    >>> print(model.placed([np.eye(4), lifted])[:, 2].max().round(9))
-    1.08660254
-    >>> model.trace([np.eye(4), lifted]).type
-    'mesh3d'
     """
 
     vertices: np.ndarray
@@ -101,40 +66,8 @@ class Model:
     def trace(self, poses, scene="scene", **look):
         """Return the plotly mesh for poses (bodies, 4, 4)."""
         i, j, k = self.faces.T
-        return go.Mesh3d(
-            **coordinates(self.placed(poses)), i=i, j=j, k=k, scene=scene, **coloured(self.colours), **look
-        )
-
-
-def coloured(colours):
-    """Return the arguments of a Mesh3d whose vertices have these colours of the palette, in the one light.
-
-    Examples
-    --------
-    >>> coloured([WHITE, DARK])["intensity"]
-    [3, 2]
-    """
-    n = len(PALETTE)
-    scale = [[edge, colour] for i, colour in enumerate(PALETTE) for edge in (i / n, (i + 1) / n)]
-    return {
-        "intensity": colours,
-        "cmin": -0.5,
-        "cmax": n - 0.5,
-        "colorscale": scale,
-        "showscale": False,
-        "lighting": LIGHT,
-        "lightposition": LAMP,
-        "flatshading": False,
-        "hoverinfo": "skip",
-    }
-
-
-def coordinates(points):
-    """Return points (n, 3) as plotly's x, y and z, to a tenth of a millimetre, the same on every machine.
-
-    Examples
-    --------
-    >>> coordinates([[0, 0.12345678, 1]])
-    {'x': array([0.]), 'y': array([0.1235]), 'z': array([1.])}
-    """
-    return dict(zip("xyz", np.round(np.asarray(points, float) + _OFF_TIES, _DECIMALS).T, strict=True))
+        n = len(PALETTE)
+        scale = [[edge, colour] for i, colour in enumerate(PALETTE) for edge in (i / n, (i + 1) / n)]
+        look |= {"intensity": self.colours, "cmin": -0.5, "cmax": n - 0.5, "colorscale": scale, "showscale": False}
+        look |= {"lighting": LIGHT, "lightposition": LAMP, "flatshading": False, "hoverinfo": "skip"}
+        return go.Mesh3d(**coordinates(self.placed(poses)), i=i, j=j, k=k, scene=scene, **look)

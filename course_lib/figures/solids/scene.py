@@ -4,8 +4,9 @@ import numpy as np
 import plotly.graph_objects as go
 
 from course_lib.figures.solids.meshes import arrow, revolve
-from course_lib.figures.solids.model import AXIS, WHITE, X_RED, Part, coordinates
+from course_lib.figures.solids.model import WHITE, X_RED, Part
 from course_lib.figures.solids.shells import joint_points
+from course_lib.figures.space import coordinates, line, scene_name, words_at
 from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 
 _FIELD_OF_VIEW = np.tan(np.pi / 8)  # plotly's: 45 degrees from top to bottom
@@ -32,13 +33,6 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
     Returns
     -------
     dict
-
-    Examples
-    --------
-    >>> corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 3)])
-    >>> seen = projected(corners, fitted_scene(corners))
-    >>> print(np.abs(seen).max().round(2))  # fills 94 percent of the picture
-    0.94
     """
     points = np.asarray(points, float).reshape(-1, 3)
     low, high = points.min(0), points.max(0)
@@ -68,15 +62,7 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
 
 
 def projected(points, scene, aspect=1.0):
-    """Return where points (n, 3) are drawn: (n, 2), from -1 to 1 to the right and up, by a scene's settings.
-
-    Examples
-    --------
-    >>> settings = fitted_scene(np.eye(3), view=(1, 0, 0))
-    >>> origin, y, z = projected([[0, 0, 0], [0, 1, 0], [0, 0, 1]], settings)
-    >>> print(y - origin > 0.1, z - origin > 0.1)  # y to the right, z up
-    [ True False] [False  True]
-    """
+    """Return where points (n, 3) are drawn: (n, 2), from -1 to 1 to the right and up, by a scene's settings."""
     ranges = np.array([scene[f"{c}axis"]["range"] for c in "xyz"])
     ratio = np.array([scene["aspectratio"][c] for c in "xyz"])
     eye, centre = (np.array([scene["camera"][name][c] for c in "xyz"]) for name in ("eye", "center"))
@@ -86,51 +72,44 @@ def projected(points, scene, aspect=1.0):
 
 
 def camera_axes(view):
-    """Return the unit vectors to the right, up, and to the eye, as rows (3, 3).
-
-    Examples
-    --------
-    >>> print(camera_axes([1, 0, 0]))
-    [[0. 1. 0.]
-     [0. 0. 1.]
-     [1. 0. 0.]]
-    """
+    """Return the unit vectors to the right, up, and to the eye, as rows (3, 3)."""
     z = np.asarray(view, float) / np.linalg.norm(view)
     x = np.cross([0, 0, 1], z)
     x = x / np.linalg.norm(x)
     return np.array([x, np.cross(z, x), z])
 
 
-def layout(scenes, *, height=480, titles=()):
-    """Return the layout of a figure with these scenes side by side, each under its title.
+def column(points, view, i, n, *, height, fill=0.94):
+    """Return the settings of the i-th of n scenes side by side in a figure 700 pixels wide, and its aspect."""
+    aspect = 700 / n / height
+    return fitted_scene(points, view, aspect=aspect, fill=fill, domain=(i / n, (i + 1) / n)), aspect
 
-    Examples
-    --------
-    >>> layout([fitted_scene(np.eye(3))], titles=["a scene"])["annotations"][0]["text"]
-    'a scene'
-    """
-    names = ["scene" if i == 0 else f"scene{i + 1}" for i in range(len(scenes))]
+
+def eye(settings):
+    """Return the position (3,) of the camera of a scene's settings, in metres."""
+    ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
+    seen = np.array([settings["camera"]["eye"][c] for c in "xyz"])
+    return ranges.mean(1) + seen * np.ptp(ranges[0]) / settings["aspectratio"]["x"]
+
+
+def layout(scenes, *, height=480, titles=()):
+    """Return the layout of a figure with these scenes side by side, each under its title."""
     notes = []
     for i, title in enumerate(titles):
         at = {"x": (i + 0.5) / len(scenes), "y": 1, "xref": "paper", "yref": "paper", "yanchor": "bottom"}
         notes.append({"text": title, "showarrow": False, **at})
     margin = {"l": 0, "r": 0, "t": 30 if titles else 0, "b": 0}
     own = {"annotations": notes, "height": height, "margin": margin, "showlegend": False}
-    return {**PLOTLY_LAYOUT, **own, **dict(zip(names, scenes, strict=True))}
+    return {**PLOTLY_LAYOUT, **own, **{scene_name(i): settings for i, settings in enumerate(scenes)}}
 
 
-def floor(vertices, *, height=0.0, centre=None, radius=None, scene="scene", rings=11, around=32):
+def floor(vertices, *, height=0.0):
     """Return a round floor with the soft shadow of what stands above it, and its grid: two traces.
 
     vertices: (n, 3), of the bodies that cast the shadow; of a film, those of several frames.
-
-    Examples
-    --------
-    >>> disc, grid = floor(np.array([[0.0, 0, 0], [0.3, 0, 1]]))
-    >>> disc.type, grid.mode
-    ('mesh3d', 'lines')
     """
-    centre, radius = floor_size(vertices, centre, radius)
+    centre, radius = floor_size(vertices)
+    rings, around = 11, 32
     t = 2 * np.pi * np.arange(around) / around
     r = radius * np.linspace(0, 1, rings + 1)[1:, None]
     x = np.r_[centre[0], (centre[0] + r * np.cos(t)).ravel()]
@@ -145,35 +124,20 @@ def floor(vertices, *, height=0.0, centre=None, radius=None, scene="scene", ring
         showscale=False,
         lighting={"ambient": 1, "diffuse": 0, "specular": 0, "fresnel": 0},
         hoverinfo="skip",
-        scene=scene,
     )
-    return [disc, _grid(centre, radius, height, scene)]
+    return [disc, _grid(centre, radius, height)]
 
 
-def floor_size(vertices, centre=None, radius=None):
-    """Return centre (2,) and radius of the floor below vertices (n, 3).
-
-    Examples
-    --------
-    >>> centre, radius = floor_size(np.array([[0.0, 0, 0], [2, 0, 1]]))
-    >>> print(centre, radius)
-    [1. 0.] 1.12
-    """
+def floor_size(vertices):
+    """Return centre (2,) and radius of the floor below vertices (n, 3)."""
     low, high = vertices[:, :2].min(0), vertices[:, :2].max(0)
-    centre = (low + high) / 2 if centre is None else np.asarray(centre, float)
+    centre = (low + high) / 2
     reach = np.linalg.norm(vertices[:, :2] - centre, axis=1).max()
-    tall = np.ptp(vertices[:, 2])
-    return np.round(centre, 3), round(max(1.12 * reach, 0.3 * tall) if radius is None else radius, 3)
+    return np.round(centre, 3), round(max(1.12 * reach, 0.3 * np.ptp(vertices[:, 2])), 3)
 
 
 def rim(vertices, height=0.0):
-    """Return points (24, 3) on the edge of the floor below vertices, for the camera.
-
-    Examples
-    --------
-    >>> print(rim(np.array([[0.0, 0, 0], [2, 0, 1]])).max(0).round(2))
-    [2.12 1.12 0.  ]
-    """
+    """Return points (24, 3) on the edge of the floor below vertices, for the camera."""
     centre, radius = floor_size(vertices)
     t = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     return np.stack([centre[0] + radius * np.cos(t), centre[1] + radius * np.sin(t), np.full(24, height)], -1)
@@ -200,16 +164,6 @@ def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
         At the end to which the axis points.
     words : dict
         Where each number stands; axes on one line share one name, such as "1, 3, 5, 7".
-
-    Examples
-    --------
-    >>> from course_lib.arms import iiwa14
-    >>> from course_lib.figures.solids.draw import arm_model, link_poses
-    >>> arm = iiwa14()
-    >>> model, poses = arm_model(arm), link_poses(arm, np.zeros(7))
-    >>> dashes, heads, words = joint_axes(arm, poses, model.placed(poses), model.bodies)
-    >>> list(words), len(heads)
-    (['1, 3, 5, 7', '2', '4', '6'], 4)
     """
     moved = poses[1:]
     p = (moved[:, :3, :3] @ joint_points(arm)[..., None])[..., 0] + moved[:, :3, 3]
@@ -246,39 +200,14 @@ def _on_one_line(point, axis, other, direction, near):
     return parallel and np.linalg.norm(np.cross(axis, other - point)) < near
 
 
-def dashed(points, scene="scene"):
-    """Return the trace of the dashes of joint_axes.
-
-    Examples
-    --------
-    >>> dashed([[0, 0, 0], [0, 0, 1]]).mode
-    'lines'
-    """
-    look = {"color": AXIS, "width": 5}
-    return go.Scatter3d(**coordinates(points), mode="lines", line=look, hoverinfo="skip", scene=scene)
-
-
 def triad(body, pose, size, radius=None):
-    """Return the arrows along the x, y and z axis of a frame (4, 4), as Parts of a body: red, green, blue.
-
-    Examples
-    --------
-    >>> [part.colour - X_RED for part in triad(0, np.eye(4), 0.5)]  # red, green, blue
-    [0, 1, 2]
-    """
+    """Return the arrows along the x, y and z axis of a frame (4, 4), as Parts of a body: red, green, blue."""
     radius = 0.055 * size if radius is None else radius
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]
 
 
 def table(body, centre, radius, height=0.0, thickness=0.03):
-    """Return the edge of a round table under the floor of that size: a Part of a body that stands.
-
-    Examples
-    --------
-    >>> (part,) = table(1, [0.5, 0], radius=0.8)
-    >>> print(part.body, part.mesh.vertices.max(0)[:2].round(2))
-    1 [1.3 0.8]
-    """
+    """Return the edge of a round table under the floor of that size: a Part of a body that stands."""
     low, high, r = -thickness, -0.006 * radius, radius
     edge = [(0.97 * r, low), (r, low + 0.2 * thickness), (r, high), (0.99 * r, high)]
     return [Part(body, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))]
@@ -288,35 +217,24 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
     """Return words beside their points, moved in the picture so that they cover neither each other nor other points.
 
     words: {word: (3,)}. settings: the scene's, as fitted_scene returns them. taken: (n, 3), points to keep free.
-
-    Examples
-    --------
-    >>> settings = fitted_scene(np.eye(3))
-    >>> (words,) = labels({"x": np.array([1.0, 0, 0]), "y": np.array([0, 1.0, 0])}, settings)
-    >>> words.text
-    ('x', 'y')
     """
     if not words:
         return []
-    eye, centre = (np.array([settings["camera"][name][c] for c in "xyz"]) for name in ("eye", "center"))
-    right, up, _ = camera_axes(eye - centre)
+    at_eye, middle = eye(settings), eye({**settings, "camera": {"eye": settings["camera"]["center"]}})
+    right, up, _ = camera_axes(at_eye - middle)
+    step = gap * np.linalg.norm(at_eye - middle) * 2 * _FIELD_OF_VIEW
     metres = np.ptp(settings["xaxis"]["range"]) / settings["aspectratio"]["x"]
-    step = gap * metres * np.linalg.norm(eye - centre) * 2 * _FIELD_OF_VIEW
-    ranges = np.array([settings[f"{c}axis"]["range"] for c in "xyz"])
-    at_eye = ranges.mean(1) + eye * metres
     points = np.array(list(words.values()), float)
-    wide = [1 + 0.25 * (len(word) - 1) for word in words]
-    occupied = list(projected(points, settings, aspect))
-    if len(taken):
-        occupied += list(projected(np.asarray(taken), settings, aspect))
+    occupied = list(projected(np.concatenate([points, np.reshape(taken, (-1, 3))]), settings, aspect))
     placed = []
-    for i, point in enumerate(points):
+    for i, (word, point) in enumerate(zip(words, points, strict=True)):
+        wide = 1 + 0.25 * (len(word) - 1)
         best, where = -np.inf, point
         for far in (0.9, 1.3, 1.8):
             for t in np.arange(8) * np.pi / 4:
-                candidate = point + far * step * (wide[i] * np.cos(t) * right + np.sin(t) * up)
+                candidate = point + far * step * (wide * np.cos(t) * right + np.sin(t) * up)
                 at = projected(candidate[None], settings, aspect)[0]
-                others = np.array(occupied[:i] + occupied[i + 1 :] + placed + placed)
+                others = np.array(occupied[:i] + occupied[i + 1 :] + placed)
                 apart = min(np.linalg.norm(others - at, axis=1).min() if len(others) else 1, 2.2 * gap)
                 score = apart - 0.03 * far - 10 * max(0, np.abs(at).max() - 0.97)
                 if score > best + 1e-9:
@@ -324,18 +242,7 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
         placed.append(spot)
         # Towards the eye, so that no body hides it; where it is seen stays the same.
         points[i] = where + 0.12 * metres / np.linalg.norm(towards := at_eye - where) * towards
-    font = {"color": colour, "size": size}
-    return [
-        go.Scatter3d(
-            **coordinates(points),
-            mode="text",
-            textposition="middle center",
-            text=list(words),
-            textfont=font,
-            hoverinfo="skip",
-            scene=scene,
-        )
-    ]
+    return [words_at(points, words, colour, scene, size).update(textposition="middle center")]
 
 
 def _shade(vertices, x, y, radius):
@@ -360,7 +267,7 @@ def _disc_faces(rings, around):
     return np.concatenate(faces).T
 
 
-def _grid(centre, radius, height, scene):
+def _grid(centre, radius, height):
     step = next(s for s in (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 100, 1e9) if radius / s < 5)
     lines = []
     for c in range(2):
@@ -371,8 +278,7 @@ def _grid(centre, radius, height, scene):
                 if c:
                     ends = np.array([[centre[0] - half, t], [centre[0] + half, t]])
                 lines += [[*end, height] for end in ends] + [[np.nan] * 3]
-    look = {"color": _GRID, "width": 1.5}
-    return go.Scatter3d(**coordinates(lines), mode="lines", line=look, hoverinfo="skip", scene=scene)
+    return line(lines, _GRID, 1.5)
 
 
 def _xyz(values):

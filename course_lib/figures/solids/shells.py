@@ -14,14 +14,7 @@ _X, _Y, _Z = np.eye(3)
 
 
 def shell(arm):
-    """Return the Parts of an arm's bodies; the arm is recognized by its screw axes.
-
-    Examples
-    --------
-    >>> from course_lib.arms import ur5e
-    >>> sorted({part.body for part in shell(ur5e())})
-    [0, 1, 2, 3, 4, 5, 6]
-    """
+    """Return the Parts of an arm's bodies; the arm is recognized by its screw axes."""
     for known, parts in ((iiwa14, _iiwa), (panda, _panda), (ur5e, _ur5e)):
         if np.array_equal(known().screw_axes, arm.screw_axes):
             return parts(arm)
@@ -29,13 +22,7 @@ def shell(arm):
 
 
 def joint_points(arm):
-    """Return the points (n, 3) on the joint axes that are nearest to the joints' own frames, at q = 0.
-
-    Examples
-    --------
-    >>> print(joint_points(iiwa14())[:, 2])  # heights of the joints' frames
-    [0.   0.36 0.36 0.78 0.78 1.18 1.18]
-    """
+    """Return the points (n, 3) on the joint axes that are nearest to the joints' own frames, at q = 0."""
     w, v = arm.screw_axes[:, :3], arm.screw_axes[:, 3:]
     return np.cross(w, v) + (w * arm.home[:-1, :3, 3]).sum(-1, keepdims=True) * w
 
@@ -45,11 +32,6 @@ def gripper(body, tip, length=0.1034):
 
     tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along y. length: metres
     from the flange to there.
-
-    Examples
-    --------
-    >>> [part.body for part in gripper(7, np.eye(4))]
-    [7, 7]
     """
     s = length / 1.06
     plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(tip)
@@ -58,13 +40,7 @@ def gripper(body, tip, length=0.1034):
 
 
 def finger(body, side, length=0.1034):
-    """Return a finger whose pad lies at the origin of its frame, with the gripped object at its `side`: 1 for y > 0.
-
-    Examples
-    --------
-    >>> [part.body for part in finger(8, side=1)]
-    [8, 8]
-    """
+    """Return a finger whose pad lies at the origin of its frame, with the gripped object at its `side`: 1 for y > 0."""
     s = length / 1.06
     block = _between([-0.11 * s, 0, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s])
     pad = _between([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s])

@@ -3,7 +3,9 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib.figures.space import line, name_at, points, space_layout, sphere
+from course_lib.figures.solids import scene
+from course_lib.figures.solids.meshes import ball
+from course_lib.figures.space import line, name_at, points, sphere
 from course_lib.figures.style import BLUE, CRIMSON, GREEN, PURPLE
 from course_lib.figures.toys.toy import Toy
 from course_lib.rotations import exp_so3, rot_y, rot_z
@@ -54,7 +56,7 @@ def circles_toy(between=70, p1=50, p2=45):
     meet = [exp_so3(theta[0] * k1) @ v1 for theta in found.theta] if found.exact else []
     if meet:
         drawn.append(points(meet, 7, CRIMSON, "scene"))
-    layout = space_layout([""], (0.8, -1.1, 0.6), half=1.4, distance=1.4)
+    settings = scene.fitted_scene([*ball(np.zeros(3), 1.1).vertices, 1.6 * k1, 1.6 * k2], (0.8, -1.1, 0.6))
     alt = (
         "A sphere with two circles: of the point p1 about the axis k1 and of the point p2 about the axis k2. Sliders "
         f"move axes and points; at the start they {'meet' if meet else 'do not meet'}."
@@ -62,5 +64,9 @@ def circles_toy(between=70, p1=50, p2=45):
     caption = "The circles meet if the two angles together reach from one axis to the other, and not too far around."
     angles = {"between": between, "p1": p1, "p2": p2, **around}
     return Toy(
-        "circles", {"angles": angles}, go.Figure(drawn, layout={**layout, "annotations": []}), alt, caption=caption
+        "circles",
+        {"angles": angles},
+        go.Figure(drawn, layout=scene.layout([settings], height=420)),
+        alt,
+        caption=caption,
     )

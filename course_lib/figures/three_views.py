@@ -1,7 +1,9 @@
 """The dimensioned drawings of notebook 4: the iiwa and the UR5e in three views, for reading their screw axes."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
+from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY
 
 # Corners of each arm at joint angles zero, from the base to the flange, and its dimensions in millimetres: the view in
@@ -65,8 +67,6 @@ def three_views(name, arm):
     >>> len(three_views("iiwa", iiwa14())["fig"].axes)
     3
     """
-    from matplotlib.figure import Figure
-
     data = _ARMS[name]
     corners = np.array(data["corners"])
     size = np.ptp(corners, axis=0) + 2 * _MARGIN
@@ -79,7 +79,7 @@ def three_views(name, arm):
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
         _draw_view(ax, view, corners, arm, data)
     caption = "A cross is an arrow that points away from you, a dot one that points at you."
-    return {"fig": fig, "alt": _told(name, arm, data), "caption": caption}
+    return Picture(fig, _told(name, arm, data), caption)
 
 
 def _draw_view(ax, view, corners, arm, data):
