@@ -10,6 +10,7 @@ import numpy as np
 
 from course_lib import rigid, rotations
 from course_lib.figures import show
+from course_lib.figures.display import Picture
 
 # Both sides of every place where a formula may change: the ends, the series' limit at 0.3, the neighbourhood of pi.
 ANGLES = [1e-300, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.1, 0.29, 0.2999999, 0.3, 0.3000001, 1.0, np.pi / 2, 2.0]
@@ -174,10 +175,10 @@ FIGURE = "application/vnd.plotly.v1+json"
 
 
 def shown(fig):
-    """What show hands to the notebook: an object with data and metadata."""
+    """What show hands to the notebook of a figure or a Picture: an object with data and metadata."""
     with mock.patch("IPython.display.display") as display:
-        show(fig, alt=ALT)
-    (data,), options = display.call_args
+        show(fig, alt="" if isinstance(fig, Picture) else ALT)
+    (data,), options = display.call_args_list[0]
     assert options["raw"]
     return SimpleNamespace(data=data, metadata=options["metadata"])
 

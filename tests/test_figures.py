@@ -1,50 +1,199 @@
-"""show() and the pictures: words for every picture, numbers that do not depend on the machine, and the right data."""
+"""show() and every picture of the notebooks: words made from the data, numbers that do not depend on the machine."""
 
 import json
 from unittest import mock
 
 import numpy as np
 import pytest
-from helpers import ALT, FIGURE, assert_in_scene, shown, stored
+from helpers import ALT, FIGURE, shown, stored
 from matplotlib.figure import Figure
 
-from course_lib import rotations
-from course_lib.figures import lines, show
-from course_lib.figures import rotations as figures
-from course_lib.figures.solids.model import X_RED, Y_GREEN, Z_BLUE
+from course_lib import arms, rigid, rotations, trajectory
+from course_lib.figures import decomposition_ik as nb6
+from course_lib.figures import lines, panels, show, tables
+from course_lib.figures import panda_dh_ik as nb5
+from course_lib.figures import poe_kuka_iiwa as nb4
+from course_lib.figures import rigid_motion as nb2
+from course_lib.figures import rotations as nb1
+from course_lib.figures import subproblems_damped_ik as nb3
+from course_lib.figures.display import Picture
+from course_lib.figures.three_views import three_views
+
+X, Y, Z = np.eye(3)
+R = rotations.random_rotations(200, np.random.default_rng(0))
+TURN = rotations.rot_z(np.linspace(0, 1, 9))
+DRIVE = np.array([[0, 0, 0], [1, 0, 0.25], [2, 0, 0.5]])
+ARM = np.array([[[0, 0], [1.0, 0], [2, 0]], [[0, 0], [0, 1], [0, 2]]])
+SCREW = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
+T = np.array([0.0, 1, 2])
+IIWA, PANDA, GENERIC = arms.iiwa14(), arms.panda(), np.array([0.3, 0.5, 0, -1.2, 0, 0.8, 0])
+READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
+FRAMES = PANDA.frames(READY + np.linspace(0, 0.3, 3)[:, None])
+POINTS = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
+DOWN = np.column_stack([np.zeros(5), np.zeros(5), np.linspace(0.5, 0.1, 5)])
+ERRORS = np.array([[0.1, 0.4], [0.3, 0.2], [0.5, np.nan]])
+XY = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]])
+COST = {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7}
+ELBOWS = np.array([[0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
+
+
+def points_of(q):
+    return np.stack([0 * q, q], -2) @ np.ones((1, 2))
+
+
+# (function, its arguments, words that its alternative text or caption must contain)
+PICTURES = [
+    (nb1.body_frame, (np.eye(3),), "y along (0.00, 1.00, 0.00); z along (0.00, 0.00, 1.00)."),
+    (nb1.frames, ({"start": np.eye(3), "longer": 2 * np.eye(3)},), "here the longest grows to 2.00."),
+    (nb1.frames, ({"a": R[0]},), "the order counts"),
+    (nb1.rotated_point, (1.5 * Z, X + 0.5 * Z), "about the axis w by 1.50 rad to R p, along an arc in a plane"),
+    (nb1.rotated_point, (Z, X + Z, lambda w: rotations.exp_so3(w) * (1 + w[2])), "which leaves the plane"),
+    (nb1.series_errors, ({"0.1 rad": [1e-2, 1e-4, 1e-8]},),
+     "it is 0.01 after one term, at most 0.01, and 1e-08 after 3"),
+    (nb1.log_errors, ([1e-8, 1e-4], {"arccos": [1e-3, 1e-9], "library": [0, 1e-16]}),
+     "arccos rises to more than 1e-4; library stays below 1e-12"),
+    (nb1.euler_rates, ([-1.57, 0, 1.57], np.array([0, 1, 0])),
+     "is 1.00 at pitch 0.00 and falls to 0.00 at pitch -1.57"),
+    (nb1.double_cover, (np.pi * T, np.cos(np.pi * T / 2), np.cos(np.pi * T)),
+     "begins at 1 and is -1 after one revolution"),
+    (nb1.interpolation, (T / 2, {"slerp": T / 2, "other": T**2 / 4}),
+     "slerp is a straight line; other differs from a straight line by up to 0.25 rad"),
+    (nb1.nearest_on_circle, (np.diag([2.0, 1.0]), {"the nearest": np.eye(2)}), "the nearest at 1.0000."),
+    (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),
+    (nb1.angles, ({"none": np.eye(3)[None]},), "none: 100% are below a right angle"),
+    (nb1.heights, ({"none": np.eye(3)[None]},), "have the mean heights 0.00, 0.00, 1.00"),
+    (nb2.missed_dock, (DRIVE, DRIVE + 0.2 * Y), "at (2, 0.2), 0.20 m from there"),
+    (nb2.parking, (DRIVE, [1, 2, 1.57], [0.6, 1, 0.4], 0.6), "as near as 1.08 m to the middle"),
+    (nb2.body_movie, ("x", DRIVE, T), "2 s. A body outlined in red moves along a dashed blue path from (0, 0) "
+     "to (2, 0), rotating counter-clockwise by 0.50 rad."),
+    (nb2.longer_arc, (DRIVE, DRIVE * [1, 1, -9]), "rotating clockwise by 4.50 rad"),
+    (nb2.past_a_gate, ({"cubic": DRIVE * [1, 1, 0]},), "Cubic: from (0, 0) to (2, 0) over 2.0 m, without rotation"),
+    (nb2.straight_and_screw, ({"straight": DRIVE}, [0, 0]), "Distance from the pole: straight: 0.00 to 2.00 m."),
+    (nb2.euler_paths, ({"Euler": DRIVE[:, :2], "exact": DRIVE[:, :2] + [[0, 0.1]]},),
+     "ends at (2, 0), 0.10 m from the end of"),
+    (nb2.euler_errors, (np.array([0.5, 0.1]), np.array([0.7, 0.14])), "0.14 m for steps of 0.1 s, 0.7 m for 0.5"),
+    (nb2.travel_directions, ({"ahead": DRIVE * [1, 1, 0]},), "Ahead: from 0 to 0 degrees."),
+    (nb2.time_scalings, ([0, 1], {"linear": [[0, 1], [1, 1], [0, 0]]}), "velocity 1.00 at the start, up to 1.00"),
+    (nb2.end_velocities, ([0, 2], {"rest": [0, 1]}), 'from 0 to 1 in 2 s. "rest": between 0.00 and 1.00.'),
+    (nb2.arm_movie, ("x", ARM, [0, 1]), "An arm of 2 links moves; its tip draws a dashed blue curve from (2, 0)"),
+    (nb2.arm_paths, ({"one": ARM, "two": ARM},), "Two: the tip goes 2.83 m, (2, 0) to (0, 2)."),
+    (nb2.joint_tracks, ({"both": np.array([[0, 0], [1, 2]])},), "Both: joint 2 between 0.00 and 2.00 rad."),
+    (nb3.rotated_onto, (Z, X, 2 * Y, 1.5), "R p is 1.005 from g; p itself 2.236."),
+    (nb3.rotated_onto, (Z, X, 2 * Y, np.pi / 2), "$R\\,p$ is 1.000 m from $g$"),
+    (nb3.circles_meet, (Z, X, X, Z, [(np.pi / 2, -np.pi / 2)]), "they touch in one point"),
+    (nb3.circle_and_sphere, (Z, X, X, 1.0, [np.pi / 3, -np.pi / 3]), "radius 1 about g at two points, marked 1 and 2."),
+    (nb3.circle_and_plane, (Z, X, X, 1.0, [0.0]), "perpendicular to the direction h at one point."),
+    (nb3.orientation_paths, ({"still": TURN[[0, 0]]}, 1.0), "still on a path of length 0.00, at 0.00 to 0.00 rad/s."),
+    (nb3.six_axis_arm, (PANDA, np.zeros(7)), "A solid arm with 7 dashed, numbered joint axes"),
+    (nb3.joint_motion, ({"undamped": lambda bend: 1.2 / bend},), "undamped from 1.2 to 400 rad."),
+    (nb3.largest_rates, (lambda b: np.eye(3) / np.sin(b[1]),), "largest single rate from 1 to 50 rad/s."),
+    (nb3.columns_and_ellipse, (ARM[0], np.array([[0, 0], [2, 1]])),
+     "2 arrows of length 2.0, 1.0 m show the Jacobian's"),
+    (nb3.descents, ({"run": ARM}, [0, 2.0]), "run: jumps about and is less than a micrometre from it."),
+    (nb3.race, ({"one": T[:, None] / 2}, points_of, [1.0, 1.0]),
+     "one: 2 steps to 1 cm, at most 0.5 rad: ends less than"),
+    (nb3.gains, ([1.0], {"s1": 2.0}), "a largest value, 0.50 rad/m for 1 m², and falls again."),
+    (nb3.step_map, ([0.1, 9], [0.1, 1], np.array([[1e-4] * 2, [0.5] * 2]), 2.0, [(0.1, 1)]),
+     "100 % of it is blue, below a "
+     "centimetre; right of it 0 %. Circles mark 1 run."),
+    (nb3.two_arms, ({0.5: T[:, None] / 2}, points_of), "The last elbow bends at most by epsilon = 0.5 m²: 1.0 rad."),
+    (nb3.manipulability_along, ([2.0], np.array([[1.0, 2.0]])), "(m²) over the steps. epsilon = 2 m²: 1.0 to 2.0."),
+    (nb4.wrong_frame, ({"A": DOWN[:2] * 0, "B": DOWN}, 0.25), "One path goes through the table."),
+    (nb4.wrong_frame, ({"A": DOWN[:2] + Z, "B": DOWN + Z}, 0.05),
+     "B: the gripper moves by 40 cm. No path touches the table."),
+    (nb4.digits_lost, (lambda a: (1 - np.cos(a)) / a, lambda a: 0.55 * a), "in the library at most 1e-16."),
+    (nb4.screw_motion, (SCREW, np.zeros(3), Z), "rises by 0.60 m."),
+    (nb4.arm_with_axes, (arms.planar_arm([1, 1]),), "2 joints, which point along 1 +z, 2 +z."),
+    (nb4.arm_movie, (IIWA, trajectory.Trajectory(T, T[:, None] * GENERIC, 0 * T[:, None] * GENERIC)), "2.0 s: the"),
+    (nb4.plane_projections, (SCREW[:, :3, 3],), "it crosses itself: x-y"),
+    (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}), "space up to 0.00 m/s, body up to 1.00"),
+    (nb4.velocities_against_each_other, ({"space": R[0], "body": R[1]},), "a row for each of: space, body."),
+    (nb4.manipulability, ([0, 1], [0.1, 0.2]), "over time, between 0.100 and 0.200."),
+    (nb4.shares_of_the_limits, (IIWA, np.linspace(0, 1, 101)[:, None] * np.ones(7), (2,)), "q2 from 0.234 to 0.477"),
+    (nb4.singular_values, (IIWA, GENERIC, GENERIC * [1, 1, 1, 1, 1, 0, 1]), "q6 varies (wrist): least 0.11 at -0.08"),
+    (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
+    (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the table's top."),
+    (nb5.four_parameters, (0.8, 0.7, 0.6, 0.9),
+     "the length a = 0.8 m; about it, z2 is rotated against z1 by alpha = 40"),
+    (nb5.conventions, (FRAMES[0, :7], FRAMES[0, 1:], np.zeros(3)), "modified, 1 and 2 share an origin; 5 and 6 share"),
+    (nb5.matches, (POINTS, POINTS + np.diag([0, 0, 0.02]), np.eye(4), [2]), "point 2 to its place, 20 mm"),
+    (nb5.pick, (FRAMES, FRAMES[:, -1], np.full(3, 0.08), FRAMES[[0, 0, 0], 3], T, np.zeros(3)), "picture, 2 seconds"),
+    (nb5.descents, ({"slow": np.array([1, 0.5]), "fast": np.array([1, 1e-9])},),
+     "slow 0.5; fast below 1e-6 after step 1."),
+    (nb5.share_by_damping, ([0.01, 1.0], [0.7, 0.1]), "70%, at 0.01. At both ends it is 70% and 10%."),
+    (nb5.share_by_starts, (np.array([0.5, 0.6, 0.65]),), "50% with one start, 65% after 3 of them."),
+    (nb5.fastest_joint, ([0, 1], {"free": np.array([1.0, 30.0])}), "Its largest value: free 30 rad/s."),
+    (nb5.iterations, ({"a": np.array([3, 5]), "b": np.array([9])}, 10),
+     "a 2 targets, median 4; b 1 targets, median 9."),
+    (nb6.two_elbows, (ELBOWS, np.ones(2)), "Both elbows lead to the same position."),
+    (nb6.two_elbows, (ELBOWS, np.array([1.0, 1.1])), "they miss it by 10.0 and 10.0 cm."),
+    (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "same 3 positions"),
+    (nb6.clusters, ({"one": (ELBOWS, np.array([0, 1]))},), "one: q2 from 90 to 90 and -90 to -90 degrees in the"),
+    (nb6.percentiles, ({"all": np.array([[1.0, 3.0], [2.0, np.nan]])},), "all: half below 2, all below 3."),
+    (nb6.errors_in_the_report, (XY[:2], np.array([0.5, 2])), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
+    (nb6.errors_of_both, (XY, ERRORS), "2 queries in the plane, by size and colour. the better answer: half below"),
+    (nb6.convergence, (T[1:], {"affine": T[1:] ** 2}, {"affine": 2.0}), "affine falls with slope 2.0 to 4e+02."),
+    (nb6.by_bend, (np.array([0, 2, 10, 90]), np.array([0.1, 0.3, 0.02])), "largest, 0.30 cm, between 2 and 10"),
+    (nb6.costs, ({"a table": COST},), "a table: 240,000 bytes, 2e-03 m, 0.16 µs a query."),
+]  # fmt: skip  # one picture a line, but for long words
 
 
 @pytest.fixture(scope="module")
-def draws():
-    return rotations.random_rotations(200, np.random.default_rng(0))
+def made():
+    return [function(*arguments) for function, arguments, _ in PICTURES]
 
 
 @pytest.fixture(scope="module")
-def plain_outputs(draws):
-    return [shown(fig) for fig in plain_figures(draws)]
+def outputs(made):
+    return [shown(picture) for picture in made]
 
 
-@pytest.fixture(scope="module")
-def space_outputs(draws):
-    return [shown(fig) for fig in space_figures(draws)]
+def test_every_picture_says_what_its_data_say(made, outputs):
+    for picture, output, (function, _, words) in zip(made, outputs, PICTURES, strict=True):
+        assert words in picture.alt + picture.caption, function.__name__
+        assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == picture.alt
+        assert len(picture.alt) > 50
+        assert picture.alt.endswith(".")
+        assert picture.caption.endswith(".") or function.__name__.endswith("movie") or "?" in picture.caption
 
 
-def plain_figures(R):
-    return [
-        figures.angle_histogram({"a": R, "b": R}),
-        figures.height_histogram({"a": R}),
-        figures.nearest_on_circle(np.array([[0.3, 0.9], [0.8, 0.1]]), {"one": np.eye(2)}),
-        lines([1, 2], {"a": [1, 2], "b": [2, 3]}, xlabel="time (s)", ylabel="angle (rad)", log="xy"),
-    ]
+def test_students_get_plotly_alone_or_a_png(made, outputs):
+    for picture, output in zip(made, outputs, strict=True):
+        assert set(output.data) == {"image/png" if isinstance(picture.fig, Figure) else FIGURE, "text/plain"}
 
 
-def space_figures(R):
-    return [
-        figures.rotations_on_sphere({"a": R, "b": R}),
-        figures.frames({"a": R[0]}),
-        figures.body_frame(R[0]),
-        figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2])),
-    ]
+def test_plots_have_the_same_bytes_again_and_do_not_name_the_version_that_drew_them(outputs):
+    for output, (function, arguments, _) in list(zip(outputs, PICTURES, strict=True))[::3]:
+        if png := output.data.get("image/png"):
+            assert shown(function(*arguments)).data["image/png"] == png, function.__name__
+            assert b"Software" not in png
+
+
+def test_plots_name_every_axis(made):
+    plots = [p.fig for p, (f, *_) in zip(made, PICTURES, strict=True) if isinstance(p.fig, Figure) and f != three_views]
+    for fig in plots:
+        for ax in fig.axes:
+            beside = ax.get_shared_y_axes().get_siblings(ax)
+            below = ax.get_shared_x_axes().get_siblings(ax)
+            assert any(each.get_xlabel() for each in below) or ax.get_label() == "<colorbar>"
+            assert any(each.get_ylabel() for each in beside) or len(fig.axes) > 1
+
+
+def test_what_plotly_draws_lies_in_its_scene_and_the_last_bits_of_a_machine_do_not_reach_the_file(outputs):
+    for output, (function, arguments, _) in zip(outputs, PICTURES, strict=True):
+        if figure := output.data.get(FIGURE):
+            shaken = [a * (1 + 1e-15) if isinstance(a, np.ndarray) and a.dtype == float else a for a in arguments]
+            assert json.dumps(figure) == json.dumps(stored(function(*shaken))), function.__name__
+            for trace in figure["data"]:
+                scene = figure["layout"].get(trace.get("scene", "scene"), figure["layout"])
+                for c in "xyz" if "z" in trace else "xy":
+                    low, high = scene[f"{c}axis"]["range"]
+                    numbers = np.array(trace[c], float)
+                    assert low <= np.nanmin(numbers), function.__name__
+                    assert np.nanmax(numbers) <= high, function.__name__
+
+
+# ---- show ----
 
 
 @pytest.mark.parametrize("alt", ["", "short", None, 3])
@@ -53,11 +202,12 @@ def test_a_picture_without_words_is_refused(alt):
         show(Figure(), alt=alt)
 
 
-def test_a_caption_follows_its_figure_as_an_output_of_its_own(draws):
+def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words_replace_a_picture_s():
     words = "It rises by $\\pi$."
     with mock.patch("IPython.display.display") as display:
-        show(plain_figures(draws)[0], alt=ALT, caption=words)
-    (_, figure), (_, caption) = ((*call.args, call.kwargs["metadata"]) for call in display.call_args_list)
+        show(Picture(Figure(), "Words that are replaced", "Others"), alt=ALT, caption=words)
+    (data, figure), (_, caption) = ((*call.args, call.kwargs["metadata"]) for call in display.call_args_list)
+    assert data["text/plain"] == ALT
     assert "caption" not in figure
     assert caption == {"caption": words}
     assert display.call_args.args == ({"text/markdown": words, "text/plain": words},)
@@ -68,33 +218,6 @@ def test_a_caption_follows_its_figure_as_an_output_of_its_own(draws):
 def test_something_that_is_no_figure_is_refused():
     with pytest.raises(ValueError, match="fig must be a matplotlib or plotly figure; it is of type list"):
         show([1, 2], alt=ALT)
-
-
-def test_every_picture_carries_its_words(plain_outputs, space_outputs):
-    for output in plain_outputs + space_outputs:
-        assert output.data["text/plain"] == ALT
-        assert output.metadata["image/png"]["alt"] == ALT
-
-
-def test_students_get_plotly_alone_and_matplotlib_as_png(plain_outputs, space_outputs):
-    assert all(set(output.data) == {"image/png", "text/plain"} for output in plain_outputs)
-    assert all(set(output.data) == {FIGURE, "text/plain"} for output in space_outputs)
-
-
-def test_plain_pictures_have_the_same_bytes_again(draws, plain_outputs):
-    for fig, output in zip(plain_figures(draws), plain_outputs, strict=True):
-        assert shown(fig).data["image/png"] == output.data["image/png"]
-
-
-def test_plain_pictures_do_not_name_the_version_that_drew_them():
-    assert b"Software" not in shown(Figure()).data["image/png"]
-
-
-def test_plain_pictures_name_every_axis(draws):
-    for fig in plain_figures(draws):
-        axes = fig.axes
-        assert all(ax.get_xlabel() for ax in axes)
-        assert axes[0].get_ylabel()
 
 
 def test_numbers_are_rounded_and_zero_has_no_sign():
@@ -108,57 +231,56 @@ def test_numbers_are_rounded_and_zero_has_no_sign():
     assert trace["marker"]["size"] == 0.333333
 
 
-def test_the_last_bits_of_a_machine_do_not_reach_the_file(draws):
-    shaken = draws * (1 + 1e-15)
-    for one, two in zip(space_figures(draws), space_figures(shaken), strict=True):
-        assert json.dumps(stored(one)) == json.dumps(stored(two))
+# ---- plots and tables ----
 
 
-def test_nothing_lies_outside_its_scene(draws):
-    for fig in space_figures(draws):
-        assert_in_scene(stored(fig))
+def test_panels_hold_what_their_names_say_under_one_legend():
+    contents = {"one (m)": {"a": T, "b": 2 * T}, "two (m)": {"a": 3 * T, "b": 4 * T}}
+    fig = panels(T, contents, xlabel="time (s)", log="y")
+    for ax, (name, series) in zip(fig.axes, contents.items(), strict=True):
+        assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_yscale()) == ("time (s)", name, "log")
+        np.testing.assert_allclose([line.get_ydata() for line in ax.lines], list(series.values()))
+        assert ax.get_legend() is None
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b"]
 
 
-@pytest.mark.parametrize("axis", [0, 1, 2])
-def test_the_sphere_shows_where_the_axis_goes_and_which_way_the_next_one_went(draws, axis):
-    fig = figures.rotations_on_sphere({"a": draws}, axis=axis)
-    dots = next(t for t in fig.data if t.type == "scatter3d" and t.mode == "markers")
-    feet = np.stack([dots.x, dots.y, dots.z], -1)
-    np.testing.assert_allclose(feet, draws @ np.eye(3)[axis], atol=1e-3)
-    arrows = next(t for t in fig.data if t.type == "scatter3d" and len(t.x) == 3 * len(draws))
-    ends = np.stack([arrows.x, arrows.y, arrows.z], -1).reshape(-1, 3, 3)
-    np.testing.assert_allclose(10 * (ends[:, 1] - ends[:, 0]), draws @ np.eye(3)[(axis + 1) % 3], atol=2e-2)
+def test_ticks_are_parts_of_pi():
+    (ax,) = lines([0, 3.2], {"a": [0, 1]}, xlabel="angle (rad)", ylabel="x (m)", parts_of_pi=2).axes
+    assert [ax.xaxis.get_major_formatter()(x) for x in (-np.pi, 0, np.pi / 2)] == ["$-\\pi$", "$0$", "$\\pi/2$"]
 
 
-def test_the_histogram_is_a_density_of_the_angle(draws):
-    (ax,) = figures.angle_histogram({"a": draws}).axes
-    assert sum(bar.get_width() * bar.get_height() for bar in ax.patches) == pytest.approx(1)
-    angles = np.linalg.norm(rotations.log_so3(draws), axis=-1)
-    first = ax.patches[15]
-    inside = (angles >= first.get_x()) & (angles < first.get_x() + first.get_width())
-    assert first.get_height() == pytest.approx(inside.mean() / first.get_width())
+def test_tables_stand_in_columns(capsys):
+    tables.table(["mean (cm)", "answered"], {"one": (0.1256, "99.8%"), "the other": (2e-7, "100%")})
+    assert tables.compared({"a table": np.array([[0.5, np.nan]])}, np.array([[True, True]])) == {"a table": 0.5}
+    tables.reached({"a": (np.array([True, False]), np.array([7, 100])), "b": (np.array([False]), np.array([1]))})
+    tables.by_kind(np.array(["elbows mixed"] * 3 + ["fewer than 6 samples"]), np.array([[0.1, 7.0]] * 4))
+    tables.means({"one": np.array([0.1, 0.3, np.nan])})
+    tables.slopes({"affine": (2.0, 1.999)})
+    tables.dh_tables([[0, 0, 0.3]], [[0.1, np.pi / 2, 0.3]])
+    assert (
+        capsys.readouterr().out
+        == """\
+           mean (cm)  answered
+one             0.13     99.8%
+the other    < 1e-06      100%
+         mean (cm)  worst (cm)  answered  invented
+a table        0.5         0.5     50.0%         0
+   reached  iterations (median)
+a      50%                    7
+b       0%                    -
+                      queries  mean (cm)  worst (cm)
+elbows mixed              75%       3.55           7
+fewer than 6 samples      25%       3.55           7
+     mean (cm)  worst (cm)
+one       0.20        0.30
+        slope of the angle  of the position
+affine                2.00             2.00
+joint   modified: a    alpha     d   standard: a    alpha     d
+  1          0.0000       0° 0.300        0.1000      90° 0.300
+"""
+    )
 
 
-def test_the_nearest_rotation_sits_at_the_bottom_of_the_curve():
-    M = np.array([[0.3, 0.9], [0.8, 0.1]])
-    fig = figures.nearest_on_circle(M, {"nearest": rotations.nearest_so(M)})
-    marked, curve = fig.axes[1].lines
-    assert marked.get_ydata()[0] == pytest.approx(min(curve.get_ydata()), abs=1e-9)
-
-
-def test_the_rotated_point_is_drawn_by_the_function_it_is_given():
-    still = figures.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2]), lambda w: np.eye(3))
-    way = next(t for t in still.data if len(t.x) == 60)
-    assert np.ptp(way.x) == np.ptp(way.y) == np.ptp(way.z) == 0
-
-
-def test_the_arrows_of_the_body_frame_are_the_columns_of_its_matrix(draws):
-    fig = figures.body_frame(draws[0])
-    mesh = fig.data[0]
-    corners = np.stack([mesh.x, mesh.y, mesh.z], -1)
-    for colour, column in zip((X_RED, Y_GREEN, Z_BLUE), draws[0].T, strict=True):
-        arrow = corners[np.asarray(mesh.intensity) == colour]
-        tip = arrow[np.linalg.norm(arrow, axis=1).argmax()]
-        np.testing.assert_allclose(tip / np.linalg.norm(tip), column, atol=1e-3)
-    words = [word for trace in fig.data[1:] for word in trace.text]
-    assert words == [f"{axis}<sub>{frame}</sub>" for frame in "ab" for axis in "xyz"]
+def test_how_often_rounding_decides_is_said_in_words():
+    assert tables.mirrored(4, [120.0, 1, 2], [3.0, 1, 2]) == ("1 of 3", 2.0)
+    assert tables.mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2]) == ("about half", 2.5)

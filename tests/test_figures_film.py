@@ -17,6 +17,7 @@ from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa
 from course_lib.rotations import random_rotations
+from course_lib.trajectory import Trajectory
 
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"
 ARM = iiwa14()
@@ -84,7 +85,7 @@ def test_products_inverses_and_the_chain_are_the_librarys(motion):
 
 @pytest.fixture(scope="module")
 def figure():
-    return stored(poe_kuka_iiwa.arm_movie("iiwa", ARM, Q, TIMES))
+    return stored(poe_kuka_iiwa.arm_movie(ARM, Trajectory(TIMES, Q, 0 * Q)))
 
 
 @pytest.fixture(scope="module")

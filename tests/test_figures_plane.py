@@ -1,19 +1,15 @@
-"""Pictures in the plane: movies of bodies and arms, plain plots side by side, and that what they draw is true."""
-
-import json
+"""Pictures in the plane: movies of bodies and arms, paths, steps of an arm: what they draw is true."""
 
 import numpy as np
 import pytest
-from helpers import ALT, FIGURE, places, shown, stored
+from helpers import places, stored
 from matplotlib.colors import same_color
 from numpy.testing import assert_allclose
 
 from course_lib import rotations
 from course_lib.arms import planar_arm
-from course_lib.figures import damped_steps, mobile_robots, panels
-from course_lib.figures import planar_arm as arms
-from course_lib.figures import rigid_motion as bodies
-from course_lib.figures.moving import plane_layout
+from course_lib.figures import rigid_motion as figures
+from course_lib.figures import subproblems_damped_ik as steps
 from course_lib.figures.style import CRIMSON
 from course_lib.planar import interpolate_arm, interpolate_body
 
@@ -30,64 +26,11 @@ ERRORS = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
 CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
 
 
-def movies(shake=1.0):
-    return [bodies.body_movie("body", POSES * shake, TIMES)["fig"], arms.arm_movie("arm", POINTS * shake, TIMES)]
-
-
-def plain_figures():
-    ends = {"tip": POINTS[:, -1]}
-    return [
-        panels(
-            TIMES,
-            {"angle (rad)": {"a": TIMES, "b": -TIMES}, "rate (rad/s)": {"a": TIMES**2, "b": TIMES}},
-            xlabel="t (s)",
-        ),
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]})["fig"],
-        bodies.tracks(ends)["fig"],
-        mobile_robots.missed_dock(POSES, POSES[::-1])["fig"],
-        mobile_robots.parking(POSES, POSES[-1], (1, 2, 0.4), 0.6)["fig"],
-        bodies.joint_tracks({"joints": ANGLES, "back": ANGLES[::-1]})["fig"],
-        arms.arm_paths({"one": POINTS, "two": POINTS[::-1]}),
-        damped_steps.descents({"run": POINTS}, TARGET)["fig"],
-        damped_steps.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6})["fig"],
-        damped_steps.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, [(0.2, 2.0), (2.8, 2.0)])["fig"],
-    ]
-
-
-@pytest.fixture(scope="module")
-def plain_outputs():
-    return [shown(fig) for fig in plain_figures()]
+MOVIES = [stored(figures.body_movie("body", POSES, TIMES)), stored(figures.arm_movie("arm", POINTS, TIMES))]
 
 
 def drawn_lines(ax):
     return [np.transpose(line.get_data()) for line in ax.lines]
-
-
-def test_every_picture_is_shown_with_words_in_its_form(plain_outputs):
-    for output in plain_outputs:
-        assert set(output.data) == {"image/png", "text/plain"}
-    for output in map(shown, movies()):
-        assert set(output.data) == {FIGURE, "text/plain"}
-        assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == ALT
-
-
-def test_plain_pictures_have_the_same_bytes_again(plain_outputs):
-    for fig, output in zip(plain_figures(), plain_outputs, strict=True):
-        assert shown(fig).data["image/png"] == output.data["image/png"]
-
-
-def test_the_last_bits_of_a_machine_do_not_reach_the_file():
-    for one, two in zip(movies(), movies(shake=1 + 1e-15), strict=True):
-        assert json.dumps(stored(one)) == json.dumps(stored(two))
-
-
-def test_plain_pictures_name_every_axis_with_its_unit():
-    for fig in plain_figures():
-        shared = fig.axes[0].get_shared_y_axes()
-        for ax in fig.axes:
-            assert ax.get_xlabel().endswith((")", "steps", "step size $\\alpha$")) or ax.get_label() == "<colorbar>"
-            named = ax is fig.axes[0] or not shared.joined(ax, fig.axes[0])
-            assert ax.get_ylabel().endswith(")") == named, "a shared axis is named once"
 
 
 # ---- movies ----
@@ -95,7 +38,7 @@ def test_plain_pictures_name_every_axis_with_its_unit():
 
 @pytest.mark.parametrize("number", [0, 1])
 def test_a_movie_has_a_frame_and_a_label_for_each_time(number):
-    figure = stored(movies()[number])
+    figure = MOVIES[number]
     assert [frame["name"] for frame in figure["frames"]] == [str(i) for i in range(N)]
     (slider,), (menu,) = figure["layout"]["sliders"], figure["layout"]["updatemenus"]
     assert [step["label"] for step in slider["steps"]] == [f"{t:.2f}" for t in TIMES]
@@ -109,7 +52,7 @@ def test_a_movie_has_a_frame_and_a_label_for_each_time(number):
 
 @pytest.mark.parametrize(("number", "way"), [(0, POSES[:, :2]), (1, POINTS[:, -1])])
 def test_a_movie_shows_its_whole_path_and_begins_with_its_first_frame(number, way):
-    figure = stored(movies()[number])
+    figure = MOVIES[number]
     path, marks, mover = figure["data"]
     assert_allclose(places(path), way, atol=ROUNDED)
     assert_allclose(places(marks), way[[0, -1]] if number == 0 else [[0, 0]], atol=ROUNDED)
@@ -119,64 +62,42 @@ def test_a_movie_shows_its_whole_path_and_begins_with_its_first_frame(number, wa
 
 
 @pytest.mark.parametrize("number", [0, 1])
-def test_everything_in_a_movie_stays_in_the_scene_at_equal_scales(number):
-    figure = stored(movies()[number])
-    traces = figure["data"] + [trace for frame in figure["frames"] for trace in frame["data"]]
+def test_a_movie_stays_in_its_window_at_equal_scales(number):
+    layout = MOVIES[number]["layout"]
     for letter in "xy":
-        axis = figure["layout"][f"{letter}axis"]
-        low, high = axis["range"]
-        assert all(low < number < high for trace in traces for number in trace[letter])
-        assert axis["title"]["text"] == f"{letter} (m)"
-    assert (figure["layout"]["yaxis"]["scaleanchor"], figure["layout"]["yaxis"]["scaleratio"]) == ("x", 1)
+        low, high = layout[f"{letter}axis"]["range"]
+        assert all(low < x < high for frame in MOVIES[number]["frames"] for x in frame["data"][0][letter])
+        assert layout[f"{letter}axis"]["title"]["text"] == f"{letter} (m)"
+    assert (layout["yaxis"]["scaleanchor"], layout["yaxis"]["scaleratio"]) == ("x", 1)
 
 
 def test_the_body_stands_at_each_pose_with_its_nose_ahead():
-    frames = stored(movies()[0])["frames"]
+    frames = MOVIES[0]["frames"]
     for frame, (x, y, theta) in zip(frames, POSES, strict=True):
         ahead, left = np.array([np.cos(theta), np.sin(theta)]), np.array([-np.sin(theta), np.cos(theta)])
         corners = places(frame["data"][0])
         assert_allclose(corners, [x, y] + CORNERS[:, :1] * ahead + CORNERS[:, 1:] * left, atol=ROUNDED)
         nose = corners[np.argmax((corners - [x, y]) @ ahead)]
         assert_allclose(nose, [x, y] + 1.4 * ahead, atol=ROUNDED)
-        assert_allclose(bodies.outline([x, y, theta]), corners, atol=1e-9)
+        assert_allclose(figures.outline([x, y, theta]), corners, atol=1e-9)
 
 
 def test_the_arm_stands_at_its_angles_in_each_frame():
-    for frame, (first, second) in zip(stored(movies()[1])["frames"], ANGLES, strict=True):
+    for frame, (first, second) in zip(MOVIES[1]["frames"], ANGLES, strict=True):
         elbow = np.array([np.cos(first), np.sin(first)])
         tip = elbow + np.array([np.cos(first + second), np.sin(first + second)])
         assert_allclose(places(frame["data"][0]), [[0, 0], elbow, tip], atol=ROUNDED)
 
 
-def test_a_scene_may_stand_anywhere():
-    layout = plane_layout(2, centre=(3, -1), unit="mm")
-    assert (layout["xaxis"]["range"], layout["yaxis"]["range"]) == ([1, 5], [-3, 1])
-    assert layout["yaxis"]["title"]["text"] == "y (mm)"
-
-
 # ---- plain pictures ----
 
 
-def test_panels_hold_what_their_names_say_under_one_legend():
-    contents = {"one (m)": {"a": TIMES, "b": 2 * TIMES}, "two (m)": {"a": 3 * TIMES, "b": 4 * TIMES}}
-    fig = panels(TIMES, contents, xlabel="time (s)")
-    for ax, (name, series) in zip(fig.axes, contents.items(), strict=True):
-        assert (ax.get_xlabel(), ax.get_ylabel()) == ("time (s)", name)
-        assert_allclose(drawn_lines(ax), [np.stack([TIMES, y], -1) for y in series.values()])
-        assert ax.get_legend() is None
-    (legend,) = fig.legends
-    assert [text.get_text() for text in legend.get_texts()] == ["a", "b"]
-    log = panels(TIMES + 1, contents, xlabel="time (s)", log="y").axes
-    assert all((ax.get_xscale(), ax.get_yscale()) == ("linear", "log") for ax in log)
-
-
 def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
-    for ax, poses in zip(
-        bodies.body_paths({"one": POSES, "two": POSES[::-1]}, every=7)["fig"].axes, (POSES, POSES[::-1]), strict=True
-    ):
+    drawn = figures.past_a_gate({"one": POSES, "two": POSES[::-1]}).fig
+    for ax, poses in zip(drawn.axes, (POSES, POSES[::-1]), strict=True):
         way, *outlines = drawn_lines(ax)
         assert_allclose(way, poses[:, :2])
-        assert_allclose(outlines, [bodies.outline(poses[i]) for i in (0, 7, 14, 21, 28, 30)])
+        assert_allclose(outlines, [figures.outline(poses[i]) for i in (0, 16, 30)])
         alphas = [line.get_alpha() for line in ax.lines[1:]]
         assert alphas == sorted(alphas)
         assert alphas[-1] == 1
@@ -185,18 +106,18 @@ def test_body_paths_draw_the_outline_at_every_so_many_poses_and_the_last():
             assert np.abs(outline).max() < ax.get_xlim()[1] == ax.get_ylim()[1]
 
 
-def test_tracks_draw_what_they_are_given():
-    fig = bodies.tracks({"a": POSES[:, :2], "b": POINTS[:, -1]})["fig"]
-    (ax,) = fig.axes
-    a, b = drawn_lines(ax)
+def test_paths_by_euler_s_method_are_drawn_with_their_error():
+    fig = figures.euler_paths({"a": POSES[:, :2], "b": POINTS[:, -1]}).fig
+    a, b = drawn_lines(fig.axes[0])
     assert_allclose(a, POSES[:, :2])
     assert_allclose(b, POINTS[:, -1])
-    assert [text.get_text() for text in fig.legends[0].get_texts()] == ["a", "b"]
+    off = np.linalg.norm(POSES[-1, :2] - POINTS[-1, -1])
+    assert [text.get_text() for text in fig.legends[0].get_texts()] == [f"a: {off:.3f} m off", "b"]
 
 
 def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_where_it_is_believed():
     driven, believed = np.array([[0, 0, 0], [1, 0.5, np.pi / 2]]), np.array([[0, 0, 0], [1.1, 0.4, np.pi / 2]])
-    (ax,) = mobile_robots.missed_dock(driven, believed)["fig"].axes
+    (ax,) = figures.missed_dock(driven, believed).fig.axes
     assert_allclose(drawn_lines(ax)[0], driven[:, :2])
     assert_allclose(drawn_lines(ax)[1], believed[:, :2])
     circles = [patch for patch in ax.patches if hasattr(patch, "center")]
@@ -211,7 +132,7 @@ def test_the_dock_stands_before_the_robot_that_drove_to_it_and_the_other_robot_w
 
 def test_a_car_parks_beside_the_table_as_it_drove():
     poses = np.array([[0, 0, 0], [0.5, 0, 0], [1, 0.3, np.pi / 2]])
-    (ax,) = mobile_robots.parking(poses, [1, 2, np.pi / 2], [0.6, 1, 0.4], 0.5)["fig"].axes
+    (ax,) = figures.parking(poses, [1, 2, np.pi / 2], [0.6, 1, 0.4], 0.5).fig.axes
     assert_allclose(drawn_lines(ax)[0], poses[:, :2])
     circles = [patch for patch in ax.patches if hasattr(patch, "center")]
     assert_allclose([circles[0].center, circles[1].center], 2 * [[0.6, 1]])
@@ -221,12 +142,12 @@ def test_a_car_parks_beside_the_table_as_it_drove():
 
 
 def test_joint_tracks_draw_the_angles():
-    (ax,) = bodies.joint_tracks({"a": ANGLES})["fig"].axes
+    (ax,) = figures.joint_tracks({"a": ANGLES}).fig.axes
     assert_allclose(drawn_lines(ax), [ANGLES])
 
 
 def test_arm_paths_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
-    (ax,) = arms.arm_paths({"one": POINTS}, every=7).axes
+    (ax,) = figures.arm_paths({"one": POINTS}, every=7).fig.axes
     *postures, way = drawn_lines(ax)
     assert_allclose(postures, POINTS[[0, 7, 14, 21, 28, 30]])
     assert_allclose(way, POINTS[:, -1])
@@ -234,8 +155,8 @@ def test_arm_paths_draw_the_arm_at_every_so_many_instants_and_the_last_in_red():
 
 
 def test_descents_draw_tip_last_configuration_and_distance():
-    drawn = damped_steps.descents({"run": POINTS, "back": POINTS[::-1]}, TARGET)
-    plane, error = drawn["fig"].axes
+    drawn = steps.descents({"run": POINTS, "back": POINTS[::-1]}, TARGET)
+    plane, error = drawn.fig.axes
     tips, arm, tips_back, arm_back, goal = drawn_lines(plane)
     assert_allclose(tips, POINTS[:, -1])
     assert_allclose(arm, POINTS[-1])
@@ -248,21 +169,21 @@ def test_descents_draw_tip_last_configuration_and_distance():
     low, high = np.transpose([plane.get_xlim(), plane.get_ylim()])
     shown = np.concatenate([POINTS[:, -1], POINTS[-1], POINTS[0], [TARGET]])
     assert ((low < shown) & (shown < high)).all(), "everything drawn lies in the window"
-    assert f"run: ends {distances[-1]:.2g} m from it" in drawn["alt"]
+    assert f"run: ends {distances[-1]:.2g} m from it" in drawn.alt
 
 
 def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
     jumping = POINTS * np.where(np.arange(N) % 2, 1, -1)[:, None, None]
     closer = POINTS[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
-    drawn = damped_steps.descents({"jumps": jumping, "closer": closer}, POINTS[-1, -1])
-    plane, error = drawn["fig"].axes
+    drawn = steps.descents({"jumps": jumping, "closer": closer}, POINTS[-1, -1])
+    plane, error = drawn.fig.axes
     assert [line.get_linestyle() for line in plane.lines[:2]] == ["None", "--"]
     assert error.get_yscale() == "log"
-    assert "jumps: jumps about" in drawn["alt"]
+    assert "jumps: jumps about" in drawn.alt
 
 
 def test_gains_peak_at_the_root_of_the_damping():
-    (ax,) = damped_steps.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6})["fig"].axes
+    (ax,) = steps.gains([0.5, 2, 50], {"s2": 1.1, "s1": 2.6}).fig.axes
     lines = {line.get_label(): np.transpose(line.get_data()) for line in ax.lines}
     s, factor = lines["no damping: $1/s$"].T
     assert_allclose(factor, 1 / s)
@@ -278,7 +199,7 @@ def test_gains_peak_at_the_root_of_the_damping():
 
 def test_the_largest_rates_are_those_of_the_matrix_and_follow_the_text_s_formulas():
     b2 = np.linspace(0.02, np.pi - 0.02, 301)
-    (ax,) = damped_steps.largest_rates(lambda b: np.linalg.inv(wrist_rates(b)))["fig"].axes
+    (ax,) = steps.largest_rates(lambda b: np.linalg.inv(wrist_rates(b))).fig.axes
     together, single = (line.get_ydata() for line in ax.lines)
     assert_allclose(single, 1 / np.sin(b2))
     assert_allclose(together, 1 / np.sqrt(1 - np.abs(np.cos(b2))))
@@ -292,7 +213,7 @@ def wrist_rates(b):
 
 def test_the_step_map_shows_each_run_where_it_belongs_and_the_limit():
     runs = [(0.2, 2.0), (2.8, 2.0)]
-    ax, _ = damped_steps.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, runs)["fig"].axes
+    ax, _ = steps.step_map(ALPHAS, EPSILONS, ERRORS, LARGEST, runs).fig.axes
     (mesh,) = ax.collections
     assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
     corners = mesh.get_coordinates()  # of 5 rows and 7 columns of cells, each about its own run

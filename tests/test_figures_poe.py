@@ -1,21 +1,26 @@
 """The pictures of notebook 4: the arm is where forward kinematics puts it, in every frame."""
 
-import numpy as np
-from films import Film, assert_in_ranges
-from helpers import places, shown, stored
+from pathlib import Path
 
-from course_lib import rigid
-from course_lib.arms import iiwa14
+import numpy as np
+import pytest
+from films import Film, assert_in_ranges
+from helpers import places, stored
+
+from course_lib import rigid, trajectory
+from course_lib.arms import iiwa14, ur5e
 from course_lib.figures import poe_kuka_iiwa as figures
-from course_lib.figures import solids
+from course_lib.figures import solids, three_views
+from course_lib.trajectory import Trajectory
 
 ARM = iiwa14()
+ARMS = {"iiwa": ARM, "ur5e": ur5e()}
 Q = np.array([2.2, 0.7, 0, -1.3, 0, 0.5, 0]) + np.random.default_rng(1).uniform(-0.7, 0.7, (5, 7))
 TIMES = np.linspace(0, 2, 5)
 
 
 def movie():
-    return stored(figures.arm_movie("iiwa", ARM, Q, TIMES))
+    return stored(figures.arm_movie(ARM, Trajectory(TIMES, Q, 0 * Q)))
 
 
 def test_the_arm_is_where_forward_kinematics_puts_it():
@@ -41,8 +46,11 @@ def test_a_movie_in_space_is_redrawn_in_every_frame():
 
 
 def test_joint_axes_are_numbered_at_zero_and_elsewhere():
-    for q, names in ((None, ["1, 3, 5, 7", "2", "4", "6"]), (Q[0], list("1234567"))):
-        figure = stored(figures.arm_with_axes(ARM, q))
+    for drawn, names in (
+        (figures.arm_with_axes(ARM), ["1, 3, 5, 7", "2", "4", "6"]),
+        (solids.draw(ARM, Q[0], axes=True), list("1234567")),
+    ):
+        figure = stored(drawn)
         assert [name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]] == names
 
 
@@ -65,13 +73,44 @@ def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
             assert np.linalg.norm(mesh - tip, axis=1).min() < 1e-3
 
 
-def test_plain_pictures_show_the_pairs_that_their_axes_name():
+def test_plots_show_the_pairs_that_their_axes_name():
     path = np.random.default_rng(2).normal(size=(9, 3))
-    projections, pairs = figures.plane_projections(path), figures.against_each_other({"a": path, "b": 2 * path})
-    for fig, scale in ((projections, [1, 1, 1]), (pairs, [1, 1, 1, 2, 2, 2])):
-        assert set(shown(fig).data) == {"image/png", "text/plain"}
+    pairs = figures.velocities_against_each_other({"a": path, "b": 2 * path}).fig
+    for fig, scale in ((figures.plane_projections(path).fig, [1] * 3), (pairs, [1, 1, 1, 2, 2, 2])):
         for ax, factor in zip(fig.axes, scale, strict=True):
             names = [label.split()[0].strip("$")[-1] for label in (ax.get_xlabel(), ax.get_ylabel())]
             line = ax.lines[0]
             for name, numbers in zip(names, (line.get_xdata(), line.get_ydata()), strict=True):
                 np.testing.assert_allclose(numbers, factor * path[:, "xyz".index(name)])
+
+
+def test_a_figure_of_eight_crosses_itself_once_and_an_ellipse_does_not():
+    motion = trajectory.load(Path(__file__).parents[1] / "notebooks/data/iiwa_trajectory.csv")
+    alt = figures.plane_projections(ARM.fk(motion.q)[:, :3, 3]).alt
+    assert "x-y 1 times, x-z 1 times, y-z 0 times" in alt
+
+
+# ---- the dimensioned drawings ----
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_drawing_s_corners_lie_on_the_axes_and_end_at_the_flange(name):
+    arm, data = ARMS[name], three_views._ARMS[name]
+    corners = np.array(data["corners"])
+    np.testing.assert_allclose(corners[-1], arm.home[-1][:3, 3], atol=1e-12)
+    np.testing.assert_allclose(data["flange"], arm.home[-1][:3, :3], atol=1e-12)
+    for S in arm.screw_axes:
+        assert min(np.linalg.norm(np.cross(S[:3], corner) + S[3:]) for corner in corners) < 1e-12
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
+    data = three_views._ARMS[name]
+    lengths = np.abs(np.diff(np.array(data["corners"]), axis=0)).max(1)
+    drawn = [np.abs(np.subtract(end, start)).max() for _, start, end, _ in data["dimensions"]]
+    np.testing.assert_allclose(sorted(lengths), sorted(drawn), atol=1e-12)
+    fig, alt, _ = three_views.three_views(name, ARMS[name])
+    texts = [text.get_text() for ax in fig.axes for text in ax.texts]
+    for length in lengths:
+        assert f"{1000 * length:g}" in texts
+        assert f"{1000 * length:g} along" in alt

@@ -46,7 +46,7 @@ BESIDE = {
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES)["fig"]), COLOURED, BESIDE
+    return stored(body_movie("body", POSES, TIMES).fig), COLOURED, BESIDE
 
 
 @pytest.fixture(scope="module")

@@ -49,7 +49,8 @@ def frames(orientations):
     """
     model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
-    reach = np.concatenate([max(1.3, longest) * np.eye(3), -1.1 * np.eye(3)])  # of all orientations: one scale
+    # Of all orientations: one scale.
+    reach = np.concatenate([max(1.3, longest) * np.eye(3), -max(1.1, 0.85 * longest) * np.eye(3)])
     for i, (title, R) in enumerate(orientations.items()):
         settings, aspect = scene.column(reach, (1.35, 1.1, 0.8), i, len(orientations), height=height, fill=0.9)
         scenes.append(settings)

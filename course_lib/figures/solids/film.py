@@ -3,18 +3,17 @@
 import numpy as np
 import plotly.graph_objects as go
 
-from course_lib import rigid
 from course_lib.figures import moving
 from course_lib.figures.solids import scene as around
 from course_lib.rotations import log_so3
 
-_RATE = 20  # poses a second that a film holds
+_RATE, _MOST_POSES = 20, 600  # poses a second that a film holds, and all of them: between them bodies move along screws
 _LAB_FRAMES = 20  # for JupyterLab, which plays vertices: 14 KB each for an arm
 _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 
 
 def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0):
-    """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in some twenty frames.
+    """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in twenty frames.
 
     Parameters
     ----------
@@ -41,8 +40,9 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     plotly.graph_objects.Figure
         Lengths in millimetres. scripts/motion.js describes `layout.meta.course`.
     """
-    poses, times = _at_rate(np.asarray(poses, float), np.asarray(times, float))
-    shown = np.unique(np.linspace(0, len(times) - 1, min(_LAB_FRAMES, len(times))).astype(int))
+    kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
+    poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]
+    shown = _evenly(len(times), _LAB_FRAMES)
     vertices = model.placed(poses[shown])
     few = vertices[:, ::7].reshape(-1, 3)  # the shadow of all frames
     everything = [vertices.reshape(-1, 3), np.reshape(points, (-1, 3)), around.rim(few, ground)]
@@ -72,14 +72,9 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
     return fig
 
 
-def _at_rate(poses, times):
-    """Poses and times of a film, evenly spaced, by screw motions between the samples that are given."""
-    seconds = times[-1] - times[0]
-    even = times[0] + seconds * np.linspace(0, 1, max(2, round(_RATE * seconds) + 1))
-    before = np.clip(np.searchsorted(times, even, side="right") - 1, 0, len(times) - 2)
-    share = (even - times[before]) / (times[before + 1] - times[before])
-    step = rigid.log_se3(rigid.inverse(poses[before]) @ poses[before + 1])
-    return poses[before] @ rigid.exp_se3(share[:, None, None] * step), even
+def _evenly(n, most):
+    """The numbers of at most so many of n samples, the first and the last among them."""
+    return np.unique(np.linspace(0, n - 1, min(n, max(most, 2))).astype(int))
 
 
 def _in_millimetres(fig):
