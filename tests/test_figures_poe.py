@@ -1,5 +1,6 @@
 """The pictures of notebook 4: the arm is where forward kinematics puts it, in every frame."""
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -114,3 +115,12 @@ def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
     for length in lengths:
         assert f"{1000 * length:g}" in texts
         assert f"{1000 * length:g} along" in alt
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_no_word_of_the_drawing_covers_another(name):
+    fig = three_views.three_views(name, ARMS[name]).fig
+    fig.draw_without_rendering()
+    boxes = [text.get_window_extent() for ax in fig.axes for text in ax.texts if text.get_text()]
+    assert len(boxes) > 20
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))

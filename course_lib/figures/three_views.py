@@ -1,5 +1,7 @@
 """The dimensioned drawings of notebook 4: the iiwa and the UR5e in three views, for reading their screw axes."""
 
+import itertools
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -31,7 +33,7 @@ _ARMS = {
             (-0.8172, -0.2329, 0.0628),
         ],
         "dimensions": [
-            (_SIDE, (0, 0), (0, 0.1625), 0.18),
+            (_SIDE, (0, 0), (0, 0.1625), -0.12),
             (_SIDE, (-0.425, 0.1625), (0, 0.1625), 0.14),
             (_SIDE, (-0.8172, 0.1625), (-0.425, 0.1625), 0.14),
             (_SIDE, (-0.8172, 0.0628), (-0.8172, 0.1625), -0.12),
@@ -42,12 +44,12 @@ _ARMS = {
     },
 }
 _VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the end")}
-_MARGIN = 0.24  # metres around the arm in each view
+_MARGIN = 0.22  # metres around the arm in each view
 _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direction that points at the viewer
 
 
 def three_views(name, arm):
-    """Return a dimensioned drawing of an arm at joint angles zero, from above, from the side and from the end.
+    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, from above, from the end.
 
     Parameters
     ----------
@@ -55,17 +57,6 @@ def three_views(name, arm):
         "iiwa" or "ur5e".
     arm : SerialArm
         Whose screw axes are drawn.
-
-    Returns
-    -------
-    dict
-        "fig", "alt" and "caption", for show.
-
-    Examples
-    --------
-    >>> from course_lib.arms import iiwa14
-    >>> len(three_views("iiwa", iiwa14())["fig"].axes)
-    3
     """
     data = _ARMS[name]
     corners = np.array(data["corners"])
@@ -73,106 +64,114 @@ def three_views(name, arm):
     layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE], [_TOP], [_END]]
     widths = [size[_VIEWS[view][0]] for view in layout[0]]
     heights = [size[_VIEWS[row[0]][1]] for row in layout]
-    scale = 6.4 / sum(widths) if name == "ur5e" else 3.4
-    size = (scale * sum(widths) + 1.2, scale * sum(heights) + 0.8)
+    scale = 3.6 if name == "iiwa" else 5.0  # inches for a metre
+    size = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
-        _draw_view(ax, view, corners, arm, data)
+        _View(ax, view, corners, 0.14 / scale).draw(arm, data)
     caption = "A cross is an arrow that points away from you, a dot one that points at you."
     return Picture(fig, _told(name, arm, data), caption)
 
 
-def _draw_view(ax, view, corners, arm, data):
-    i, j, k, words = _VIEWS[view]
-    ax.plot(corners[:, i], corners[:, j], color="#c9d3dc", linewidth=11, solid_capstyle="round", zorder=1)
-    ax.plot(corners[:, i], corners[:, j], color=GREY, linewidth=1, zorder=2)
-    straight = np.ptp(corners[:, [i, j]]) == 0  # seen along the arm: its base frame is drawn beside it
-    taken = _draw_frame(ax, (-0.17, -0.15) if straight else (0, 0), np.eye(3), (i, j), "s", 0.1)
-    if (data["flange"] != np.eye(3)).any():
-        taken += _draw_frame(ax, corners[-1][[i, j]], data["flange"], (i, j), "b", 0.12)
-    elif not straight:
-        x, y = corners[-1][[i, j]]
-        ax.text(x, y + 0.19, "b, parallel to s", fontsize=9, style="italic", ha="center")
-    seen = {}
-    for number, S in enumerate(arm.screw_axes, 1):
-        omega, point = S[:3], _on_link(S, corners)
-        colour = FRAME_COLOURS[int(np.abs(omega).argmax())]
-        at = point[[i, j]]
-        if abs(omega[k]) > 0.9:
-            towards = omega[k] * _TOWARDS[view] > 0
-            _draw_end_on(ax, at, towards, colour)
-            seen.setdefault((*at.round(3), 0, 0), []).append((number, colour))
-        else:
-            direction = omega[[i, j]]
-            ax.annotate(
-                "",
-                at + 0.13 * direction,
-                at - 0.07 * direction,
-                arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.6, "linestyle": "-"},
-                zorder=4,
-            )
-            taken += [at + along * direction for along in np.linspace(-0.07, 0.13, 6)]
-            seen.setdefault((*(at + 0.13 * direction).round(3), *direction), []).append((number, colour))
-    for (x, y, dx, dy), numbers in seen.items():
-        text = ", ".join(str(number) for number, _ in numbers)
-        beside = _free_spot(np.array([x, y]), np.array([dx, dy]), taken) if dx or dy else None
-        where = beside if beside is not None else (x + 0.02 + 0.03 * len(numbers), y + 0.05)
-        taken.append(np.array(where))
-        ax.text(*where, text, color=numbers[0][1], fontweight="bold", ha="center", va="center")
-    for where, start, end, beside in data["dimensions"]:
-        if where == view:
-            _draw_dimension(ax, np.array(start), np.array(end), beside)
-    ax.set(aspect="equal", xlabel=f"{'xyz'[i]}", ylabel=f"{'xyz'[j]}", title=words, xticks=[], yticks=[])
-    low, high = corners.min(0) - _MARGIN, corners.max(0) + _MARGIN
-    ax.set(xlim=(low[i], high[i]), ylim=(low[j], high[j]))
-    ax.spines[:].set_visible(False)
+class _View:
+    """One view of an arm: its lines first, then words where no line is; `letter` is the height of a word in metres."""
 
+    def __init__(self, ax, view, corners, letter):
+        self.ax, self.view, self.corners, self.letter = ax, view, corners, letter
+        self.i, self.j, self.k, title = _VIEWS[view]
+        self.flat = corners[:, [self.i, self.j]]
+        self.taken, self.words = [], []  # points (2,) on lines; (text, tip of its arrow, direction, look)
+        low, high = self.flat.min(0) - _MARGIN, self.flat.max(0) + _MARGIN
+        ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        ax.spines[:].set_visible(False)
 
-def _on_link(S, corners):
-    """The point of a screw axis at which its joint is drawn: the last corner of the arm that lies on it."""
-    off = [np.linalg.norm(np.cross(S[:3], corner) + S[3:]) for corner in corners[:-1]]
-    return corners[max(i for i, distance in enumerate(off) if distance < 1e-9)]
+    def draw(self, arm, data):
+        for look in ({"color": "#c9d3dc", "linewidth": 11}, {"color": GREY, "linewidth": 1}):
+            self.ax.plot(*self.flat.T, solid_capstyle="round", **look)
+        for start, end in itertools.pairwise(self.flat):
+            for side in np.array([[0.5, 0], [-0.5, 0], [0, 0.5], [0, -0.5]]) * self.letter:  # the arm is as wide
+                self.cover(start + side, end + side)
+        for view, start, end, beside in data["dimensions"]:
+            if view == self.view:
+                self.dimension(np.array(start), np.array(end), beside)
+        self.joints(arm)
+        straight = np.ptp(self.flat) == 0  # seen along the arm: its base frame is drawn beside it
+        self.frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), "s", 0.085)
+        if (data["flange"] != np.eye(3)).any():
+            self.frame(self.flat[-1], data["flange"], "b", 0.17)
+        elif not straight:
+            self.words.append(("b, parallel to s", self.flat[-1] + [0, 0.16], np.array([0, 1]), {"style": "italic"}))
+        for word in self.words:
+            self.write(*word)
 
+    def cover(self, start, end):
+        self.taken += list(start + np.linspace(0, 1, 12)[:, None] * (end - start))
 
-def _draw_end_on(ax, at, towards, colour):
-    ax.plot(*at, "o", markersize=11, markerfacecolor="white", markeredgecolor=colour, markeredgewidth=1.8, zorder=5)
-    ax.plot(*at, "." if towards else "x", color=colour, markersize=6, markeredgewidth=1.8, zorder=6)
+    def arrow(self, start, end, colour, **look):
+        self.ax.annotate("", end, start, arrowprops={"color": colour, "shrinkA": 0, "shrinkB": 0, **look}, zorder=4)
+        self.cover(start, end)
 
+    def joints(self, arm):
+        """The arrows of the joint axes; a dot or a cross for one that is seen end-on."""
+        numbers = {}
+        for number, S in enumerate(arm.screw_axes, 1):
+            at, omega = self.on_link(S)[[self.i, self.j]], S[:3]
+            colour = FRAME_COLOURS[int(np.abs(omega).argmax())]
+            along = omega[[self.i, self.j]].round(9) + 0.0
+            tip = at + 0.13 * along
+            if along.any():
+                self.arrow(at - 0.07 * along, tip, colour, arrowstyle="-|>", linewidth=1.6)
+            else:
+                towards = omega[self.k] * _TOWARDS[self.view] > 0
+                look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
+                self.ax.plot(*at, "o", markersize=11, markerfacecolor="white", **look)
+                self.ax.plot(*at, "." if towards else "x", markersize=6, **look)
+                t = np.arange(8) * np.pi / 4
+                self.taken += list(at + 0.55 * self.letter * np.stack([np.cos(t), np.sin(t)], -1))
+            numbers.setdefault((*tip.round(3), *along, colour), []).append(str(number))
+        for (x, y, dx, dy, colour), group in numbers.items():
+            look = {"color": colour, "weight": "bold", "size": 10}
+            self.words.append((", ".join(group), np.array([x, y]), np.array([dx, dy]), look))
 
-def _free_spot(tip, direction, taken):
-    """Where an arrow's number stands: beyond its tip if nothing is drawn there, otherwise beside it."""
-    across = np.array([-direction[1], direction[0]])
-    spots = [tip + 0.035 * direction]
-    spots += [tip - back * direction + side * across for back in (0.01, 0.09) for side in (0.045, -0.045)]
-    return max(spots, key=lambda spot: min(0.034, np.linalg.norm(np.array(taken) - spot, axis=1).min()))
+    def on_link(self, S):
+        """The point of a screw axis at which its joint is drawn: the last corner of the arm that lies on it."""
+        off = [np.linalg.norm(np.cross(S[:3], corner) + S[3:]) for corner in self.corners[:-1]]
+        return self.corners[max(i for i, distance in enumerate(off) if distance < 1e-9)]
 
+    def frame(self, origin, R, name, size):
+        for axis, colour in enumerate(FRAME_COLOURS):
+            along = R[[self.i, self.j], axis]
+            if along.any():
+                self.arrow(origin, origin + size * along, colour, arrowstyle="->", linewidth=1.2)
+                self.words.append(("xyz"[axis], origin + size * along, along, {"color": colour}))
+        self.words.append((name, origin, np.array([-0.7, -0.7]), {"style": "italic", "size": 11}))
 
-def _draw_frame(ax, origin, R, plane, name, size):
-    """Draw a frame's axes and letters; return the points that they cover."""
-    covered = []
-    for axis, colour in enumerate(FRAME_COLOURS):
-        direction = R[list(plane), axis]
-        if np.abs(direction).max() > 0.5:
-            tip = origin + size * direction
-            ax.annotate("", tip, origin, arrowprops={"arrowstyle": "->", "color": colour, "linewidth": 1.2}, zorder=7)
-            ax.text(*(origin + 1.3 * size * direction), "xyz"[axis], color=colour, fontsize=9, ha="center", va="center")
-            covered += [origin + along * size * direction for along in (0.25, 0.5, 0.75, 1, 1.3)]
-    x, y = origin
-    ax.text(x - 0.045, y - 0.05, name, color=BLACK, fontsize=11, style="italic")
-    return [*covered, np.array([x - 0.025, y - 0.035])]
+    def dimension(self, start, end, beside):
+        vertical = abs(end[0] - start[0]) < 1e-9
+        offset = np.array([beside, 0]) if vertical else np.array([0, beside])
+        for point in (start, end):
+            self.ax.plot(*zip(point + 0.3 * offset, point + 1.1 * offset, strict=True), color=BLACK, linewidth=0.5)
+            self.cover(point + 0.3 * offset, point + 1.1 * offset)
+        self.arrow(start + offset, end + offset, BLACK, arrowstyle="<->", linewidth=0.8)
+        away = offset / np.abs(offset).max() if vertical else np.array([0, 1])
+        text = f"{1000 * np.abs(end - start).max():g}"
+        self.words.append((text, (start + end) / 2 + offset, away, {}))
 
-
-def _draw_dimension(ax, start, end, beside):
-    vertical = abs(end[0] - start[0]) < 1e-9
-    offset = np.array([beside, 0]) if vertical else np.array([0, beside])
-    for point in (start, end):
-        ax.plot(*zip(point, point + 1.1 * offset, strict=True), color=BLACK, linewidth=0.5)
-    style = {"arrowstyle": "<->", "color": BLACK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", end + offset, start + offset, arrowprops=style)
-    length = 1000 * np.abs(end - start).max()
-    middle = (start + end) / 2 + offset * (1.12 if vertical else 1.0)
-    place = {"va": "center", "ha": "left" if beside > 0 else "right"} if vertical else {"va": "bottom", "ha": "center"}
-    ax.text(*middle, f"{length:g}", fontsize=9, **place)
+    def write(self, text, tip, along, look):
+        """Write a word beyond the tip of its arrow if nothing is drawn there, otherwise where there is most room."""
+        h, wide = self.letter, 0.3 * self.letter * len(text)
+        angle = np.arctan2(along[1], along[0]) if along.any() else np.pi / 4
+        turns = angle + np.pi / 8 * np.array([0, 1, -1, 2, -2, 3, -3, 4, -4, 6, -6, 8])
+        spots = [
+            tip + (h * far + wide * abs(np.cos(turn))) * np.array([np.cos(turn), np.sin(turn)])
+            for far in (0.8, 1.2, 1.6)
+            for turn in turns
+        ]
+        across = np.linspace(-wide, wide, 3 + len(text) // 2)[:, None] * [1, 0]
+        gaps = [np.linalg.norm((spot + across)[:, None] - self.taken, axis=-1).min() for spot in spots]
+        best = spots[int(np.argmax(np.minimum(gaps, 0.78 * h) - 1e-3 * h * np.arange(len(spots))))]
+        self.taken += list(best + across)
+        self.ax.text(*best, text, ha="center", va="center", **{"size": 9, "color": BLACK} | look)
 
 
 def _told(name, arm, data):
@@ -195,20 +194,6 @@ def _told(name, arm, data):
 
 
 def direction(vector):
-    """Return the coordinate axis along which a vector points, in words.
-
-    Parameters
-    ----------
-    vector : array_like, shape (3,)
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> direction([0, -1, 0])
-    '-y'
-    """
+    """Return the coordinate axis along which a vector (3,) points, in words, such as "-y"."""
     axis = int(np.abs(vector).argmax())
     return f"{'-' if vector[axis] < 0 else '+'}{'xyz'[axis]}"
