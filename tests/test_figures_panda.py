@@ -61,14 +61,6 @@ def test_frames_with_one_origin_are_named_together():
     assert names == [["1, 2", "3", "4", "5, 6", "7"], ["1", "2", "3", "4, 5", "6", "7"]]
 
 
-def test_histograms_count_every_target():
-    counts = {"one": np.array([1, 1, 99, 100, 362]), "two": np.array([50])}
-    fig = figures.iterations(counts, 100).fig
-    for ax, (title, taken) in zip(fig.axes, counts.items(), strict=True):
-        assert sum(bar.get_height() for bar in ax.patches) == len(taken)
-        assert ax.get_title() == title
-
-
 def test_the_mug_is_drawn_at_the_registered_pose_and_the_rejected_match_is_marked():
     template = np.random.default_rng(2).uniform([-0.03, -0.03, 0.015], [0.03, 0.03, 0.075], (7, 3))
     T = rigid.transform(rotations.rot_z(0.4), [0.4, 0.1, 0.6])

@@ -74,17 +74,6 @@ def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
             assert np.linalg.norm(mesh - tip, axis=1).min() < 1e-3
 
 
-def test_plots_show_the_pairs_that_their_axes_name():
-    path = np.random.default_rng(2).normal(size=(9, 3))
-    pairs = figures.velocities_against_each_other({"a": path, "b": 2 * path}).fig
-    for fig, scale in ((figures.plane_projections(path).fig, [1] * 3), (pairs, [1, 1, 1, 2, 2, 2])):
-        for ax, factor in zip(fig.axes, scale, strict=True):
-            names = [label.split()[0].strip("$")[-1] for label in (ax.get_xlabel(), ax.get_ylabel())]
-            line = ax.lines[0]
-            for name, numbers in zip(names, (line.get_xdata(), line.get_ydata()), strict=True):
-                np.testing.assert_allclose(numbers, factor * path[:, "xyz".index(name)])
-
-
 def test_a_figure_of_eight_crosses_itself_once_and_an_ellipse_does_not():
     motion = trajectory.load(Path(__file__).parents[1] / "notebooks/data/iiwa_trajectory.csv")
     alt = figures.plane_projections(ARM.fk(motion.q)[:, :3, 3]).alt

@@ -11,7 +11,7 @@ from course_lib.figures import subproblems_damped_ik as figures
 from course_lib.figures.solids.model import X_RED, Y_GREEN, Z_BLUE
 from course_lib.figures.solids.scene import projected
 from course_lib.figures.style import BLACK, BLUE, CRIMSON, GREEN, GREY, ORANGE
-from course_lib.rotations import exp_so3, log_so3, nearest_so, random_rotations
+from course_lib.rotations import exp_so3, random_rotations
 
 ROUNDED = 2e-3  # pictures keep thousandths
 EZ, EX = np.eye(3)[[2, 0]]
@@ -190,22 +190,6 @@ def test_the_sphere_shows_where_e_x_goes_and_which_way_e_y():
     arrows = next(t for t in drawn if t.type == "scatter3d" and len(t.x) == 3 * len(DRAWS))
     ends = np.stack([arrows.x, arrows.y, arrows.z], -1).reshape(-1, 3, 3)
     assert_allclose(10 * (ends[:, 1] - ends[:, 0]), DRAWS[:, :, 1], atol=2e-2)
-
-
-def test_the_histogram_is_a_density_of_the_angle():
-    (ax,) = nb1.angles({"a": DRAWS}).fig.axes
-    assert sum(bar.get_width() * bar.get_height() for bar in ax.patches) == pytest.approx(1)
-    angles = np.linalg.norm(log_so3(DRAWS), axis=-1)
-    first = ax.patches[15]
-    inside = (angles >= first.get_x()) & (angles < first.get_x() + first.get_width())
-    assert first.get_height() == pytest.approx(inside.mean() / first.get_width())
-
-
-def test_the_nearest_rotation_sits_at_the_bottom_of_the_curve():
-    M = np.array([[0.3, 0.9], [0.8, 0.1]])
-    fig = nb1.nearest_on_circle(M, {"nearest": nearest_so(M)}).fig
-    marked, curve = fig.axes[1].lines
-    assert marked.get_ydata()[0] == pytest.approx(min(curve.get_ydata()), abs=1e-9)
 
 
 def test_the_rotated_point_is_drawn_by_the_function_it_is_given():

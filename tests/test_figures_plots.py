@@ -1,0 +1,169 @@
+"""Plots draw the numbers that they are given: lines, dots, arms, histograms."""
+
+import numpy as np
+import pytest
+from matplotlib.colors import same_color
+from numpy.testing import assert_allclose
+
+from course_lib import rotations
+from course_lib.arms import planar_arm
+from course_lib.figures import decomposition_ik as nb6
+from course_lib.figures import panda_dh_ik as nb5
+from course_lib.figures import poe_kuka_iiwa as nb4
+from course_lib.figures import rigid_motion as nb2
+from course_lib.figures import rotations as nb1
+from course_lib.figures import subproblems_damped_ik as nb3
+from course_lib.figures.style import CRIMSON
+from course_lib.planar import interpolate_arm, interpolate_body
+
+N = 31
+POSES = interpolate_body([-7, -5, 2.6], [6, 5, -2.2], N)
+ANGLES = interpolate_arm([0.1, 0.2], [np.pi - 0.2, np.pi / 2], N)
+ARM = planar_arm([1, 1]).frames(ANGLES)[..., :2, 3]
+TARGET = np.array([-1.9, 1.1])
+SPACE = np.random.default_rng(2).normal(size=(9, 3))
+ALPHAS, EPSILONS = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5)
+ERRORS = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
+RUNS = [(0.2, 2.0), (2.8, 2.0)]
+ELBOWS = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
+STEPS = np.arange(N)
+S = np.linspace(0.01, 4.2, 300)
+COSTS = {"table": {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7}}
+COSTS["formula"] = {"bytes": 16, "mean_error": 2e-16, "seconds": 1e-7}
+
+
+def wrist_rates(b):
+    """The columns of Ry(b1) Rx(b2) Ry(b3): the axes of its rates."""
+    first = rotations.rot_y(b[0])
+    return np.column_stack([[0, 1, 0], first[:, 0], (first @ rotations.rot_x(b[1]))[:, 1]])
+
+
+def over(x, *series):
+    return [np.stack([x, y], -1) for y in series]
+
+
+B2 = np.linspace(0.02, np.pi - 0.02, 301)
+DRIVEN, BELIEVED = POSES, POSES + np.array([[0.1, 0.2, 0]])
+MISS = np.hypot(*(ARM[:, -1] - TARGET).T)
+DESCENT = nb3.descents({"run": ARM, "back": ARM[::-1]}, TARGET)
+# (picture, which of its panels, the points of the lines that it draws first)
+LINES = {
+    "outlines": (nb2.past_a_gate({"a": POSES}), 0, [POSES[:, :2], *(nb2.outline(POSES[i]) for i in (0, 16, 30))]),
+    "Euler": (nb2.euler_paths({"a": POSES[:, :2], "b": ARM[:, -1]}), 0, [POSES[:, :2], ARM[:, -1]]),
+    "dock": (nb2.missed_dock(DRIVEN, BELIEVED), 0, [DRIVEN[:, :2], BELIEVED[:, :2]]),
+    "car": (nb2.parking(DRIVEN, [1, 2, 1.6], [0.6, 1, 0.4], 0.5), 0, [DRIVEN[:, :2]]),
+    "joints": (nb2.joint_tracks({"a": ANGLES}), 0, [ANGLES]),
+    "arm": (nb2.arm_paths({"a": ARM}, 7), 0, [*ARM[[0, 7, 14, 21, 28, 30]], ARM[:, -1]]),
+    "descent": (DESCENT, 0, [ARM[:, -1], ARM[-1], ARM[::-1, -1], ARM[0], [TARGET]]),
+    "distance": (DESCENT, 1, over(STEPS, MISS, MISS[::-1])),
+    "gains": (nb3.gains([0.5, 50], {}), 0, [*over(S, 1 / S, S / (S**2 + 0.5)), [[0.5**0.5, 0.5**0.5]]]),
+    "rates": (nb3.largest_rates(lambda b: np.linalg.inv(wrist_rates(b))), 0,
+              over(B2, 1 / np.sqrt(1 - np.abs(np.cos(B2))), 1 / np.sin(B2))),
+    "map": (nb3.step_map(ALPHAS, EPSILONS, ERRORS, 2.5, RUNS), 0,
+            [np.stack([2 * (1 + EPSILONS / 2.5**2), EPSILONS], -1), RUNS]),
+    "elbows": (nb6.two_elbows(ELBOWS, np.ones(2)), 0, [[[0, 0], [1, 0], [1, 1]], [[0, 0], [0, 1], [1, 1]], [[1, 1]]]),
+    "costs": (nb6.costs(COSTS), 0, [[[240000, 2e-3]], [[16, 2e-16]]]),
+    "from above": (nb4.plane_projections(SPACE), 0, [SPACE[:, :2]]),
+    "from the side": (nb4.plane_projections(SPACE), 1, [SPACE[:, [0, 2]]]),
+    "velocities": (nb4.velocities_against_each_other({"a": SPACE, "b": 2 * SPACE}), 5, [2 * SPACE[:, [1, 2]]]),
+    "components": (nb4.velocities_over_time(np.arange(9), {"a": SPACE}), 0, over(np.arange(9), *SPACE.T)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LINES)
+def test_lines_go_through_their_data_and_lie_in_the_panel(name):
+    picture, panel, expected = LINES[name]
+    ax = picture.fig.axes[panel]
+    low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
+    for line, points in zip(ax.lines, expected, strict=False):
+        assert_allclose(np.transpose(line.get_data()), points, atol=1e-9)
+        assert ((low <= points) & (points <= high)).all() or name in ("gains", "map")
+
+
+def test_later_bodies_are_darker_and_the_last_arm_is_red():
+    alphas = [line.get_alpha() for line in LINES["outlines"][0].fig.axes[0].lines[1:]]
+    assert alphas == sorted(alphas)
+    assert alphas[-1] == 1
+    arms = LINES["arm"][0].fig.axes[0].lines[:-1]
+    assert [same_color(line.get_color(), CRIMSON) for line in arms] == 5 * [False] + [True]
+
+
+@pytest.mark.parametrize(("name", "stands"), [("dock", POSES[-1]), ("car", [1, 2, 1.6])])
+def test_the_dock_is_before_the_robot_that_stands_in_it(name, stands):
+    (ax,) = LINES[name][0].fig.axes
+    robots = [patch for patch in ax.patches if hasattr(patch, "center") and patch.radius < 0.3]
+    assert_allclose([robots[0].center, robots[4].center], DRIVEN[[0, -1], :2])
+    (dock,) = [patch.get_xy()[:4] for patch in ax.patches if not hasattr(patch, "center")]
+    ahead = np.array([np.cos(stands[2]), np.sin(stands[2])])
+    assert ((dock - stands[:2]) @ ahead > robots[0].radius).all()
+    assert abs((dock.mean(0) - stands[:2]) @ [-ahead[1], ahead[0]]) < 1e-9
+    if name == "dock":
+        assert_allclose(robots[-1].center, BELIEVED[-1, :2])
+        assert same_color(robots[-1].get_edgecolor(), CRIMSON)
+
+
+def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
+    jumping = ARM * np.where(STEPS % 2, 1, -1)[:, None, None]
+    closer = ARM[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
+    fig, alt, _ = nb3.descents({"jumps": jumping, "closer": closer}, ARM[-1, -1])
+    assert [line.get_linestyle() for line in fig.axes[0].lines[:2]] == ["None", "--"]
+    assert fig.axes[1].get_yscale() == "log"
+    assert "jumps: jumps about" in alt
+
+
+def test_the_step_map_shows_each_run_in_a_cell_of_its_own():
+    (mesh,) = LINES["map"][0].fig.axes[0].collections
+    assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
+    corners, centres = mesh.get_coordinates(), np.stack(np.meshgrid(ALPHAS, EPSILONS), -1)
+    assert ((corners[:-1, :-1] < centres) & (centres < corners[1:, 1:])).all()
+
+
+def offsets(ax):
+    """The positions of the dots of every scatter plot in a panel."""
+    return [np.asarray(dots.get_offsets()) for dots in ax.collections]
+
+
+def test_samples_are_drawn_twice_and_neighbouring_cells_differ():
+    cell = np.stack(np.meshgrid(range(4), range(4)), -1).reshape(-1, 2)
+    xy = (cell + 0.5) / 4
+    plain, by_cell = nb6.samples(xy, cell, np.zeros(2), np.ones(2), 4).fig.axes
+    assert_allclose([*offsets(plain), *offsets(by_cell)], [xy, xy])
+    colour = by_cell.collections[0].get_facecolors().reshape(4, 4, 4)  # row, column
+    assert (colour[1:] != colour[:-1]).any(-1).all()
+    assert (colour[:, 1:] != colour[:, :-1]).any(-1).all()
+    edges = {float(line.get_xdata()[0]) for line in by_cell.lines if line.get_xdata()[0] == line.get_xdata()[1]}
+    assert edges == {0, 0.25, 0.5, 0.75, 1}
+
+
+def test_each_cluster_has_its_marker_at_each_of_its_samples():
+    q, labels = np.deg2rad([[10, 20], [30, -40], [50, 60.0]]), np.array([0, 1, 0])
+    one, two = (offsets(ax) for ax in nb6.clusters({"one": (q, labels), "two": (-q, 1 - labels)}).fig.axes)
+    assert_allclose(np.concatenate([*one, two[0]]), [[10, 20], [50, 60], [30, -40], [-30, 40]])
+
+
+def test_larger_errors_are_larger_and_darker_and_the_better_answer_is_separated_from_the_worse():
+    xy, off = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]]), np.array([[0.1, 12], [0.3, 0.2], [0.5, np.nan]])
+    for ax, error in zip(nb6.errors_of_both(xy, off).fig.axes, ([0.1, 0.2], [12, 0.3]), strict=False):
+        (dots,) = ax.collections
+        assert_allclose(dots.get_offsets(), xy[:2])
+        assert_allclose(dots.get_array(), np.minimum(error, 10))
+        assert (np.sign(np.diff(dots.get_sizes())) == np.sign(np.diff(error))).all()
+
+
+def test_histograms_count_every_sample():
+    R = rotations.random_rotations(200, np.random.default_rng(0))
+    (ax,) = nb1.angles({"a": R}).fig.axes
+    assert sum(bar.get_width() * bar.get_height() for bar in ax.patches) == pytest.approx(1)
+    angles, bar = np.linalg.norm(rotations.log_so3(R), axis=-1), ax.patches[15]
+    inside = (angles >= bar.get_x()) & (angles < bar.get_x() + bar.get_width())
+    assert bar.get_height() == pytest.approx(inside.mean() / bar.get_width())
+    counts = {"one": np.array([1, 1, 99, 100, 362]), "two": np.array([50])}
+    for ax, (title, taken) in zip(nb5.iterations(counts, 100).fig.axes, counts.items(), strict=True):
+        assert sum(bar.get_height() for bar in ax.patches) == len(taken)
+        assert ax.get_title() == title
+
+
+def test_the_nearest_rotation_is_at_the_lowest_point_of_the_curve():
+    M = np.array([[0.3, 0.9], [0.8, 0.1]])
+    marked, curve = nb1.nearest_on_circle(M, {"nearest": rotations.nearest_so(M)}).fig.axes[1].lines
+    assert marked.get_ydata()[0] == pytest.approx(min(curve.get_ydata()), abs=1e-9)
