@@ -13,7 +13,7 @@ from course_lib import rigid
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
 from course_lib.figures import solids
 from course_lib.figures.solids import meshes, scene, shells
-from course_lib.figures.solids.model import PALETTE, X_RED, Part
+from course_lib.figures.solids.model import AXIS, PALETTE, X_RED, Part
 from course_lib.rotations import random_rotations
 
 NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
@@ -144,6 +144,15 @@ def test_axes_on_one_line_share_a_name():
     _, heads, words = scene.joint_axes(arm, poses, model.placed(poses), model.bodies)
     assert list(words) == ["1, 3, 5, 7", "2", "4", "6"]
     assert len(heads) == 4
+
+
+def test_the_numbers_of_joint_axes_stand_on_no_axis():
+    figure = solids.draw(ARMS["random 6"], np.full(6, 0.4), axes=True)
+    lines = [trace for trace in figure.data if trace.type == "scatter3d"]
+    dashes, numbers = next(t for t in lines if t.line.color == AXIS), next(t for t in lines if t.mode == "text")
+    settings = figure.layout.scene.to_plotly_json()
+    ends, words = (scene.projected(places(trace.to_plotly_json()), settings) for trace in (dashes, numbers))
+    assert np.nanmin(np.linalg.norm(words[:, None] - ends, axis=-1)) > 0.05
 
 
 def test_labels_do_not_overlap_even_if_their_points_do():

@@ -77,13 +77,16 @@ def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=
         corner = rigid.transform(np.eye(3), [*beside, ground])
         parts += around.triad(0, corner, 0.17 * size)
     traces, points, words = around.floor(vertices, height=ground), [around.rim(vertices, ground)], {}
+    taken = whole[::12]
     if axes:
         dashes, heads, words = around.joint_axes(arm, poses, whole, full.bodies, beyond=0.15 * size)
         traces.append(line(dashes, AXIS, 5))
-        points += [np.array(list(words.values())), dashes[~np.isnan(dashes[:, 0])]]
+        ends = dashes[~np.isnan(dashes[:, 0])]
+        taken = np.concatenate([taken, ends])
+        points += [ends, np.array(list(words.values()))]
         parts += [Part(0, VIOLET, head) for head in heads]  # body 0 stands: these are where they are drawn
     model = arm_model(arm, parts)
     points.append(model.placed(poses))
     settings = around.fitted_scene(np.concatenate(points), view)
-    traces += [model.trace(poses), *around.labels(words, settings, whole[::12], colour=AXIS)]
+    traces += [model.trace(poses), *around.labels(words, settings, taken, colour=AXIS)]
     return go.Figure(traces, layout=around.layout([settings], height=height))
