@@ -30,7 +30,7 @@ def swing():
 
 
 @pytest.mark.parametrize(("movie", "true"), [
-    (lambda: rigid_motion.body_movie("moving", POSES, TIMES)["fig"], np.linspace(POSES[0], POSES[-1], 21)[:, :2]),
+    (lambda: rigid_motion.body_movie("moving", POSES, TIMES).fig, np.linspace(POSES[0], POSES[-1], 21)[:, :2]),
     (swing, CENTRES),
 ], ids=["in the plane", "in space"])  # fmt: skip
 def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, true, tmp_path, monkeypatch, capsys):

@@ -60,7 +60,7 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
     write(course / "notebooks", "01_small.ipynb", new_code_cell("print(6 * 7)"))
     made(course, "notebooks", f"NOTEBOOKS={path}")
     assert '"42\\n"' in (course / path).read_text()
-    movie = rigid_motion.body_movie("body", np.eye(2, 3), [0, 0.2])["fig"]
+    movie = rigid_motion.body_movie("body", np.eye(2, 3), [0, 0.2]).fig
     write(course / "notebooks", "01_small.ipynb", cell(output({FIGURE: stored(movie)})))
     assert "build/animations/body.gif" in made(course, "animations", f"NOTEBOOKS={path}")
     assert (course / "build/animations/body.gif").read_bytes().startswith(b"GIF89a")
