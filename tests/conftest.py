@@ -19,8 +19,8 @@ settings.register_profile("course", derandomize=True, database=None, deadline=No
 settings.load_profile("course")
 
 
-BANK = Path(__file__).parent / "wrong_answers"
-collect_ignore = ["wrong_answers"]  # some are called test_..., as the exercises are in which a test is written
+BANK = Path(__file__).parent / "answers"
+collect_ignore = ["answers"]  # some are called test_..., as the exercises are in which a test is written
 ABOUT_AN_EXERCISE = ("test_bank.py", "test_exercise_cells.py", "test_mutants.py", "test_release_leaks.py")
 ABOUT_A_NOTEBOOK = (*ABOUT_AN_EXERCISE, "test_notebooks.py", "test_release_runs.py")
 
@@ -167,7 +167,7 @@ def pytest_terminal_summary(terminalreporter):
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (
-        ("bank", "checks against the bank of answers", "wrong answers refused,called by name,right ones accepted"),
+        ("bank", "checks against answers", "right ones accepted,wrong ones refused,mistakes refused by name"),
         ("mutants", "checks against mutants of the solutions", "mutants,tried,accepted,of these different"),
     ):
         rows = sorted({tuple(row) for name, row in recorded if name == kind})

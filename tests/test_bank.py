@@ -1,15 +1,15 @@
-"""Each check against a bank of answers as students write them, and against the mistakes that it predicts itself.
+"""Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows no formula.
 
-tests/wrong_answers/<notebook>/<exercise>.py holds functions. Those called right_... are to be accepted. Those called
-wrong_... are to be refused, and the first line of their docstring is a phrase of the name that the check gives the
-mistake, or the type of the error they end in, or "unnamed" if no known mistake is to be claimed.
+tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called right_... are to be accepted:
+three at least, different in method or form. Those called wrong_... are to be refused; the first line of their docstring
+is a phrase of the name that the check gives the mistake, the type of the error they end in, or "unnamed" if no known
+mistake is to be claimed. The mistakes of the exercise itself, which stand below its check, are refused and named.
 
 SEEDS=50 in the environment tries fifty seeds of the cases instead of two.
 """
 
 import importlib
 import importlib.util
-import json
 import os
 import textwrap
 from dataclasses import replace
@@ -18,14 +18,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from remembering import remembering
 
-from course_lib.checks.answer_types import NOT_A_NUMBER
-from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, attempt, judge
+from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, judge
+from course_lib.checks.naming import predict
 from course_lib.checks.notebook import describe
-from course_lib.checks.wire import NotPlain, Seed, to_json
 
-BANK = Path(__file__).parent / "wrong_answers"
+BANK = Path(__file__).parent / "answers"
 FILES = sorted(BANK.glob("*/*.py"))  # by their names, so that nothing is imported that is not asked for
 SEEDS = [PUBLIC_SEED, 7, *range(10_000, 10_000 + int(os.environ.get("SEEDS", 2)) - 2)]
 MOST_LINES = 24  # of a message
@@ -33,14 +31,32 @@ MOST_LINES = 24  # of a message
 each_exercise = pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
 
 
+@cache
 def exercise_of(path):
-    package = importlib.import_module(f"course_lib.checks.{path.parent.name}")
-    return remembering(getattr(package, path.stem).exercise)
+    """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be changed."""
+    module = importlib.import_module(f"course_lib.checks.exercises.{path.parent.name}.{path.stem}")
+    exercise = module.EXERCISE
+    return exercise if exercise.cases is None else replace(exercise, cases=_drawn_once(exercise.cases))
+
+
+def _drawn_once(cases):
+    drawn = {}
+
+    def draw(rng):
+        state = repr(rng.bit_generator.state)
+        if state not in drawn:
+            drawn[state] = cases(rng)
+            for argument in (argument for case in drawn[state] for argument in case):
+                if isinstance(argument, np.ndarray):
+                    argument.flags.writeable = False
+        return list(drawn[state])
+
+    return draw
 
 
 @cache
 def answers(path):
-    """The bank of one exercise: {name: function}."""
+    """Return the answers to one exercise: {name: function}."""
     spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -74,82 +90,65 @@ def complaints(name, function, verdict):
 
 
 @each_exercise
-def test_right_answers_are_accepted_and_wrong_ones_refused_by_name(path, record_property):
+def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property):
     """The row recorded here is shown in the summary of the test run; see conftest.py."""
-    exercise, found, named = exercise_of(path), [], 0
+    exercise, found = exercise_of(path), []
     for name, function in answers(path).items():
-        verdicts = [judge(exercise, Here(function), seed) for seed in SEEDS]
-        for seed, verdict in zip(SEEDS, verdicts, strict=True):
+        for seed in SEEDS:
+            verdict = judge(exercise, Here(function), seed)
             found += [f"seed {seed}: {complaint}" for complaint in complaints(name, function, verdict)]
-        named += name.startswith("wrong_") and all(called(verdict) != "unnamed" for verdict in verdicts)
     assert not found, "\n".join(found)
-    wrong = sum(name.startswith("wrong_") for name in answers(path))
-    right = len(answers(path)) - wrong
-    record_property("bank", (path.parent.name, exercise.name, str(wrong), str(named), str(right)))
-    bank = f"tests/wrong_answers/{path.parent.name}/{path.name}"
-    assert wrong >= 4, f"{bank} holds {wrong} answers wrong_...: four at least"
-    assert right >= 3, f"{bank} holds {right} answers right_...: three at least"
-    enough = named >= 0.8 * wrong or hasattr(exercise, "versions")  # a test that is too weak has no name
-    assert enough, f"the check calls {named} of {wrong} wrong answers by a name: 80 % at least"
+    right = sum(name.startswith("right_") for name in answers(path))
+    counts = (right, len(answers(path)) - right, len(exercise.mistakes))
+    record_property("bank", (path.parent.name, exercise.name, *map(str, counts)))
+    assert right >= 3, f"tests/answers/{path.parent.name}/{path.name} holds {right} answers right_...: three at least"
 
 
-class Predicted:
-    """Stands for a student who makes one mistake of the check's own list, and is right where it says nothing.
+def made_by(mistake, answer, exercise):
+    """Return the function of a student who makes this mistake, and is right where it does not apply; and its use.
 
-    It is asked the cases that the exercise remembers, not copies of them: what a mistake predicts of each is computed
-    once, for this student and for every verdict.
+    The second function returns in how many cases the mistake spoke.
     """
+    spoke = []
 
-    def __init__(self, answer, exercise, right):
-        self.answer, self.right, self.speaks = answer, right, False
-        self.cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
+    def student(*case):
+        value = predict(answer, case)
+        if value is None:
+            return exercise.library(*case)
+        spoke.append(True)
+        if mistake.part is None:
+            return value
+        whole = np.array(exercise.library(*case), float)
+        whole[mistake.part] = value
+        return whole
 
-    def reply(self, questions, consult=None):
-        with np.errstate(all="ignore"):
-            predicted = [self._predicted(case) for case in self.cases]
-        self.speaks = any(predicted)
-        answers = [answer or self.right(k) for k, answer in enumerate(predicted)]
-        return json.dumps({"answers": answers, "calls": []})
-
-    def _predicted(self, case):
-        value = attempt(self.answer, *case)
-        try:
-            return None if value is None else told(value)
-        except NotPlain:
-            return None
-
-
-def told(value):
-    return {"value": to_json(value), "changed": []}
-
-
-def rightly(exercise):
-    """Return a function of a case's position: the library's answer, computed once."""
-    cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
-
-    @cache
-    def right(k):
-        real = [np.random.default_rng(a.number) if isinstance(a, Seed) else a for a in cases[k]]
-        return told(exercise.library(*real))
-
-    return right
+    return student, lambda: len(spoke)
 
 
 @each_exercise
-def test_each_mistake_is_refused_and_named_itself_or_by_the_one_that_shadows_it(path):
-    exercise = replace(exercise_of(path), forbidden=(), through="")
-    right, found = rightly(exercise), []
-    for mistake in (*exercise.mistakes, *(p.mistake for p in exercise.properties if p.mistake)):
+def test_each_mistake_is_refused_and_called_by_its_name(path):
+    exercise, found = replace(exercise_of(path), forbidden=(), through=""), []
+    for mistake in exercise.mistakes:
         for k, answer in enumerate(mistake.answers):
-            student = Predicted(answer, exercise, right)
-            verdict = judge(exercise, student)
-            if not student.speaks:
-                found.append(f'"{mistake.name}", answer {k}: no case shows it')
-            elif verdict.state == RIGHT:
-                found.append(f'"{mistake.name}", answer {k}: is right')
-            elif called(verdict) not in (mistake.name, mistake.shadowed_by, NOT_A_NUMBER.name):
-                found.append(f'"{mistake.name}", answer {k}: is called "{called(verdict)}"')
+            for seed in SEEDS:
+                student, spoke = made_by(mistake, answer, exercise)
+                verdict = judge(exercise, Here(student), seed)
+                about = f'seed {seed}: "{mistake.name}", answer {k}'
+                if not spoke():
+                    found.append(f"{about}: no case shows it")
+                elif verdict.state == RIGHT:
+                    found.append(f"{about}: is right")
+                elif verdict.mistake is not mistake:
+                    found.append(f'{about}: is called "{called(verdict)}"')
     assert not found, "\n".join(found)
+
+
+@each_exercise
+def test_a_mistake_that_no_function_predicts_is_met_by_an_answer(path):
+    exercise = exercise_of(path)
+    met = [judge(exercise, Here(f)).mistake for name, f in answers(path).items() if name.startswith("wrong_")]
+    never = [known.name for known in exercise.mistakes if known.seen and not known.answers and known not in met]
+    assert not never, f"no answer of tests/answers/{path.parent.name}/{path.name} is called: {'; '.join(never)}"
 
 
 @each_exercise
@@ -182,8 +181,8 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
 
 
 @pytest.mark.parametrize("notebook", sorted({path.parent.name for path in FILES}))
-def test_exercises_their_modules_and_their_banks_have_the_same_names(notebook):
-    package = importlib.import_module(f"course_lib.checks.{notebook}")
-    names = [check.exercise.name for check in package.CHECKS]
-    assert list(package.EXERCISES) == names
+def test_exercises_their_modules_and_their_answers_have_the_same_names(notebook):
+    module = importlib.import_module(f"course_lib.checks.{notebook}")
+    names = [check.exercise.name for check in module.CHECKS]
+    assert list(module.EXERCISES) == names
     assert {path.stem for path in FILES if path.parent.name == notebook} == set(names)

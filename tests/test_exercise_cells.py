@@ -9,7 +9,7 @@ import pytest
 from exercise_cells import graded, missing_of
 
 ROOT = Path(__file__).parents[1]
-BANK = sorted((ROOT / "tests/wrong_answers").glob("*/*.py"))
+BANK = sorted((ROOT / "tests/answers").glob("*/*.py"))
 
 
 @cache

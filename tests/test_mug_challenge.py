@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib import rigid, rotations
 from course_lib.checks import panda_dh_ik as check
-from course_lib.checks.panda_dh_ik import challenge
+from course_lib.checks.exercises.panda_dh_ik import challenge
 
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 T_FG = rigid.transform(rotations.rot_z(-np.pi / 4), [0, 0, 0.1034])

@@ -6,7 +6,7 @@ from scipy.stats import kstest
 
 from course_lib import rotations
 from course_lib.checks import rotations as check
-from course_lib.checks.rotations.sampling import angle_p_value, arvo, axis_p_value, trace_p_value
+from course_lib.checks.exercises.rotations.sampling import angle_p_value, arvo, axis_p_value, trace_p_value
 
 MANY = 20_000
 

@@ -78,7 +78,8 @@ def numbers(shape_of, known=None, gaps=False, nan=None):
         vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
         if array.shape != shape and not vectors:
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
-            raise Unreadable(reason, _named(known, array, case))
+            mistake = _named(known, array, case)
+            raise Unreadable(reason, mistake, unspecific=mistake is OTHER_FORM)
         return _finite(array, gaps, nan and nan(*case)).reshape(shape)
 
     return reader

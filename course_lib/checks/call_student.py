@@ -23,7 +23,7 @@ from course_lib.checks.adapters import ADAPTERS
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-_MOST_CALLS = 500  # of candidates, in one answer
+_MOST_CALLS = 5_000  # of candidates, in one answer
 _MOST_WARNING = 300  # letters of a warning or an error's message
 
 

@@ -1,121 +1,27 @@
 """Exercises and how their answers are judged, independent of where the student's function runs."""
 
 import json
-import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from course_lib.checks import call_student
 from course_lib.checks.call_student import CPU_SECONDS
+from course_lib.checks.errors import explain_error
+from course_lib.checks.mistake import Mistake, Mistakes
+from course_lib.checks.naming import Naming, attempt, predict, same
 from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
 
-UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
-
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"
 
-
-def same(value, predicted, *arguments, tolerance=1e-6):
-    """Return whether two answers are equal within a tolerance for rounding.
-
-    Parameters
-    ----------
-    value, predicted : array_like
-        Complex numbers, and anything that is not numbers, are equal to nothing.
-    *arguments
-        Of the case; not used. See `alike` of an Exercise.
-    tolerance : float, optional
-        Absolute, and relative to the size of `predicted`.
-
-    Returns
-    -------
-    bool
-
-    Examples
-    --------
-    >>> same([1, 2], [1, 2 + 1e-9]), same([1, 2], [[1, 2]])
-    (True, False)
-    """
-    try:
-        if np.iscomplexobj(value):
-            return False
-        value, predicted = np.asarray(value, float), np.asarray(predicted, float)
-    except (TypeError, ValueError, OverflowError):
-        return False
-    if value.shape != predicted.shape:
-        return False
-    if not np.isfinite(predicted).all():
-        return np.allclose(value, predicted, rtol=tolerance, atol=tolerance)
-    # As np.allclose has it, in a third of the time: a verdict compares an answer with hundreds of predictions.
-    with np.errstate(invalid="ignore", over="ignore"):
-        return bool((np.abs(value - predicted) <= tolerance + tolerance * np.abs(predicted)).all())
-
-
-class Mistake:
-    """A known mistake, called by its name.
-
-    Parameters
-    ----------
-    name : str
-        "R^T is returned" and the like, to follow "It looks as if".
-    hint : str
-        What to think about.
-    *answers : callable
-        Each answer(*arguments) is what somebody making this mistake would return; None for arguments to which the
-        mistake does not apply. Several answers are variants of one mistake.
-    seen : callable, optional
-        seen(value, *arguments): whether an answer shows the mistake, if no formula predicts it.
-    alike : callable, optional
-        alike(value, predicted, *arguments): whether a value is what was predicted; otherwise that of the exercise.
-    shadowed_by : str
-        The name of the mistake that explains these answers first, because both predict the same.
-
-    Examples
-    --------
-    >>> wrong = lambda angle: np.sin(np.deg2rad(angle))  # what somebody making this mistake would return
-    >>> slip = Mistake("the angle is taken for degrees", "Angles are in radians.", wrong)
-    >>> slip
-    Mistake('the angle is taken for degrees')
-    >>> float(slip.answers[0](90.0))
-    1.0
-    """
-
-    def __init__(self, name, hint, *answers, seen=None, alike=None, shadowed_by=""):
-        self.name, self.hint, self.answers = name, hint, answers
-        self.seen, self.alike, self.shadowed_by = seen, alike, shadowed_by
-
-    def __repr__(self):
-        return f"Mistake({self.name!r})"
-
-    def explains_all(self, exercise, cases, values, failing):
-        """Return whether one variant predicts all wrong answers, and contradicts none of the others."""
-        return any(
-            all(self._predicts(answer, exercise, values[i], cases[i]) for i in failing)
-            and all(
-                self._predicts(answer, exercise, value, case) is not False
-                for value, case in zip(values, cases, strict=True)
-            )
-            for answer in self.answers
-        )
-
-    def explains(self, exercise, cases, values, failing):
-        """Return whether the mistake accounts for the wrong answers, whatever the other answers are."""
-        if self.seen is not None and all(attempt(self.seen, values[i], *cases[i]) for i in failing):
-            return True
-        return any(
-            all(self._predicts(answer, exercise, values[i], cases[i]) for i in failing) for answer in self.answers
-        )
-
-    def _predicts(self, answer, exercise, value, case):
-        """Return whether the variant predicts this value; None if it does not apply to this case."""
-        predicted = attempt(answer, *case)
-        if predicted is None:
-            return None
-        return bool(attempt(self.alike or exercise.alike, value, predicted, *case))
+FORGOTTEN_RETURN = Mistake(
+    "the function returns None: a return is missing, or returns nothing for this input",
+    "Look at every branch of the function: does each end in `return`, with a value of the kind that the task asks for?",
+)
 
 
 @dataclass(frozen=True)
@@ -129,8 +35,8 @@ class Property:
     holds : callable
         holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at all answers together
         and returns the position of the first wrong one, or None.
-    seen : callable, optional
-        seen(value, *arguments): what was seen instead, in words.
+    says : callable, optional
+        says(value, *arguments): a sentence on what was found instead.
     where : callable, optional
         where(*arguments): whether the property applies to this case.
     across : bool
@@ -148,7 +54,7 @@ class Property:
 
     text: str
     holds: Callable
-    seen: Callable | None = None
+    says: Callable | None = None
     where: Callable | None = None
     across: bool = False
     mistake: Mistake | None = None
@@ -163,9 +69,9 @@ class Property:
         return [i for i in asked if not attempt(self.holds, values[i], *cases[i])]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Exercise:
-    """One task of a notebook.
+    """One task of a notebook. Its mistakes stand below it, as functions with the decorator `EXERCISE.mistake`.
 
     Parameters
     ----------
@@ -181,8 +87,6 @@ class Exercise:
         Unreadable.
     properties : tuple of Property
         In the order in which they are examined.
-    mistakes : tuple of Mistake
-        In the order in which they are tried.
     hints : tuple of str
         In steps; the last one may give the formula.
     library : callable
@@ -197,13 +101,21 @@ class Exercise:
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
     broken : callable, optional
         If the task is to find a bug: a function that answers as the broken code does, None included.
+    tries_arguments : bool
+        Whether to try the right answer for changed arguments, as it is done for every exercise; False where
+        `library` is slow.
+    mistakes : Mistakes
+        In the order in which they are tried; the decorators `mistake` and `seen` fill it.
 
     Examples
     --------
     >>> twice = Property("the answer is 2 x", lambda value, x: value == 2 * x)
-    >>> squared = Mistake("x is squared", "What is twice x?", lambda x: x**2)
     >>> cases, read = lambda rng: [(2.0,), (3.0,)], lambda value, x: value
-    >>> double = Exercise("double", 1, ("x",), cases, read, (twice,), (squared,), hints=())
+    >>> double = Exercise("double", 1, ("x",), cases, read, (twice,), hints=())
+    >>> @double.mistake
+    ... def squared(x):
+    ...     '''x is squared. What is twice x?'''
+    ...     return x**2
     >>> judge(double, Here(lambda x: x * x)).mistake
     Mistake('x is squared')
     """
@@ -214,7 +126,6 @@ class Exercise:
     cases: Callable
     returns: Callable
     properties: tuple[Property, ...]
-    mistakes: tuple[Mistake, ...]
     hints: tuple[str, ...]
     library: Callable | None = None
     forbidden: tuple[str, ...] = ()
@@ -222,6 +133,18 @@ class Exercise:
     errors: tuple[tuple[str, str, Mistake], ...] = ()
     alike: Callable = same
     broken: Callable | None = None
+    tries_arguments: bool = True
+    mistakes: Mistakes = field(default_factory=Mistakes)
+
+    @property
+    def mistake(self):
+        """The decorator of a function that answers as a student does who makes this mistake; see Mistakes.add."""
+        return self.mistakes.add
+
+    @property
+    def seen(self):
+        """The decorator of a function(value, *arguments) that recognises a mistake; see Mistakes.add_seen."""
+        return self.mistakes.add_seen
 
     def questions(self, rng):
         """Return the cases, and a function that answers calls of candidates; here None. See WriteTest."""
@@ -231,7 +154,7 @@ class Exercise:
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:
-            return self._named_before(first, cases, answers) or no_answer(self, cases[first], **answers[first]["error"])
+            return self._named_before(first, cases, answers) or self._ended(first, cases, answers)
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)
@@ -243,15 +166,49 @@ class Exercise:
         for position, case in enumerate(cases):
             try:
                 values[position] = self.returns(values[position], *case)
-            except Unreadable as wrong_kind:
+            except Unreadable as other_kind:
                 named = self._named_before(position, cases, answers)
-                return named or Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake, case, values[position])
+                return named or self._of_other_form(position, cases, answers, other_kind)
         for wanted in self.properties:
             failing = wanted.failing(cases, values)
             if failing:
-                return _wrong(self, wanted, cases, values, failing)
+                return self._wrong(wanted, cases, answers, values, failing)
         note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
         return Verdict(self, RIGHT, note=note)
+
+    def _ended(self, position, cases, answers):
+        """Return the Verdict on answers of which this one ended in an error."""
+        error = answers[position]["error"]
+        verdict = no_answer(self, cases[position], **error)
+        credit = 0 if error["type"] == "NotAllowed" else self._credit(cases, answers)
+        if credit and verdict.state == NOT_ATTEMPTED:
+            return Verdict(self, WRONG, "no case is left unwritten.", case=cases[position], credit=credit)
+        return replace(verdict, credit=credit)
+
+    def _of_other_form(self, position, cases, answers, other_kind):
+        value, mistake = answers[position]["value"], other_kind.mistake
+        if other_kind.unspecific:
+            mistake = Naming(self, cases, []).of_other_form(position, value) or mistake
+        credit = self._credit(cases, answers)
+        return Verdict(self, WRONG, str(other_kind), mistake, cases[position], value, credit=credit)
+
+    def _wrong(self, wanted, cases, answers, values, failing):
+        case, value = cases[failing[0]], values[failing[0]]
+        found = attempt(wanted.says, value, *case) if wanted.says else None
+        reason = f"{wanted.text}." + (f" {found}" if found else "")
+        mistake = Naming(self, cases, values).mistake(failing) or wanted.mistake
+        return Verdict(self, WRONG, reason, mistake, case, value, credit=self._credit(cases, answers))
+
+    def _credit(self, cases, answers):
+        """Return the partial credit: points of the properties that hold wherever they apply, whatever else is wrong."""
+        earned = 0
+        for part in self.properties:
+            if part.points:
+                about = [k for k, case in enumerate(cases) if part.where is None or part.where(*case)]
+                values = [attempt(self.returns, answers[k].get("value"), *cases[k]) for k in about]
+                missing = any(value is None for value in values)
+                earned += 0 if missing or part.failing([cases[k] for k in about], values) else part.points
+        return min(earned, self.points - 1)
 
     def _named_before(self, position, cases, answers):
         """Return the Verdict on the cases before this one if it names a mistake of the exercise, else None.
@@ -262,22 +219,19 @@ class Exercise:
         return replace(before, credit=0) if before and before.mistake in self.mistakes else None
 
     def _is_unchanged(self, cases, values):
-        pairs = [(attempt(self.broken, *case), value) for case, value in zip(cases, values, strict=True)]
+        pairs = [(predict(self.broken, case), value) for case, value in zip(cases, values, strict=True)]
         return all(broken is None if value is None else same(value, broken) for broken, value in pairs)
 
 
 class Unreadable(ValueError):
     """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake.
 
-    Examples
-    --------
-    >>> str(Unreadable("the answer is a number. Yours is a list.", FORGOTTEN_RETURN))
-    'the answer is a number. Yours is a list.'
+    unspecific: whether a mistake that explains the shape may take the place of this one.
     """
 
-    def __init__(self, reason, mistake):
+    def __init__(self, reason, mistake, unspecific=False):
         super().__init__(reason)
-        self.mistake = mistake
+        self.mistake, self.unspecific = mistake, unspecific
 
 
 @dataclass(frozen=True)
@@ -302,12 +256,6 @@ class Verdict:
         The names of the notebook's functions that the answer uses, as the student's process reports them.
     blames : str
         The name of another exercise that the answer calls and that is not right yet.
-
-    Examples
-    --------
-    >>> from course_lib.checks.rotations.compose import EXERCISE
-    >>> Verdict(EXERCISE, RIGHT).points == EXERCISE.points, Verdict(EXERCISE, WRONG, credit=1).points
-    (True, 1)
     """
 
     exercise: Exercise
@@ -328,14 +276,7 @@ class Verdict:
 
 
 class Here:
-    """A student's function in this process, for the checks in the notebook.
-
-    Examples
-    --------
-    >>> from course_lib.checks.rotations.compose import EXERCISE
-    >>> judge(EXERCISE, Here(None)).state
-    'not attempted yet'
-    """
+    """A student's function in this process, for the checks in the notebook."""
 
     def __init__(self, function):
         self.function = function
@@ -362,12 +303,6 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     Returns
     -------
     Verdict
-
-    Examples
-    --------
-    >>> from course_lib.checks.rotations.compose import EXERCISE
-    >>> judge(EXERCISE, Here(lambda *arguments: None)).mistake
-    Mistake('the function returns None: a return is missing, or returns nothing for this input')
     """
     cases, consult = exercise.questions(np.random.default_rng(seed))
     asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
@@ -385,27 +320,16 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
 
 
 def with_blame(verdict, others):
-    """Return a verdict with the name of the first function that it blames.
-
-    Parameters
-    ----------
-    verdict : Verdict
-    others : iterable of Verdict
-        On the functions that the answer calls.
-
-    Returns
-    -------
-    Verdict
-
-    Examples
-    --------
-    >>> from course_lib.checks.rotations import compose, rotate_point
-    >>> wrong, helper = Verdict(rotate_point.exercise, WRONG), Verdict(compose.exercise, WRONG)
-    >>> with_blame(wrong, [helper]).blames
-    'compose'
-    """
+    """Return a verdict with the name of the first function that it blames; others: Verdicts on those it calls."""
     first = next((other.exercise.name for other in others if other.state != RIGHT), "")
     return replace(verdict, blames=first)
+
+
+def no_answer(exercise, case, type, message, line="", source="", cell=""):
+    """Return the Verdict on a call that ended in an error; see errors.explain_error."""
+    state, reason, mistake, shows_case = explain_error(exercise, type, message, line, source, cell)
+    states = {"waits": NOT_ATTEMPTED, "wrong": WRONG, "error": ERROR}
+    return Verdict(exercise, states[state], reason, mistake, case if shows_case else None)
 
 
 def _claim(answer, arguments):
@@ -423,155 +347,3 @@ def _changed(exercise, name, case, value):
         f"The caller still needs its {name}. Work on a copy: {name} = np.array({name}).",
     )
     return Verdict(exercise, WRONG, f"your function leaves {name} as it was.", mistake, case, value)
-
-
-def _wrong(exercise, wanted, cases, values, failing):
-    case, value = cases[failing[0]], values[failing[0]]
-    seen = attempt(wanted.seen, value, *case) if wanted.seen else None
-    reason = f"{wanted.text}." + (f" {seen}" if seen else "")
-    mistake = _named(exercise, wanted, cases, values, failing)
-    earned = sum(each.points for each in exercise.properties if each.points and not each.failing(cases, values))
-    return Verdict(exercise, WRONG, reason, mistake, case, value, credit=min(earned, exercise.points - 1))
-
-
-def _named(exercise, wanted, cases, values, failing):
-    """The mistake that accounts for every answer, else one that accounts for those in which `wanted` fails."""
-    for known in exercise.mistakes:
-        if known.explains_all(exercise, cases, values, failing):
-            return known
-    if not isinstance(values[failing[0]], bool):  # a few True or False fit many mistakes by chance
-        for known in exercise.mistakes:
-            if known.explains(exercise, cases, values, failing):
-                return known
-    return wanted.mistake
-
-
-def no_answer(exercise, case, type, message, line="", source="", cell=""):
-    """Return the Verdict on a call that ended in an error.
-
-    Parameters
-    ----------
-    exercise : Exercise
-    case : tuple
-        The arguments of the call.
-    type, message : str
-        Of the exception.
-    line, source, cell : str, optional
-        The number and the text of the student's last line that ran, and the function whose cell holds it if that is
-        another one.
-
-    Returns
-    -------
-    Verdict
-
-    Examples
-    --------
-    >>> from course_lib.checks.rotations.compose import EXERCISE
-    >>> print(no_answer(EXERCISE, None, "NameError", "name 'B' is not defined", "2", "return B").reason)
-    Line 2 of its cell, `return B`, raises NameError: name 'B' is not defined
-    """
-    call = f"{exercise.name}({', '.join(exercise.arguments)})"
-    if type == "NotImplementedError":
-        return Verdict(exercise, NOT_ATTEMPTED, _waits(exercise.name, message))
-    if type == "NotPlain":
-        return Verdict(exercise, WRONG, f"the answer is numbers, booleans, arrays or lists. Yours is {message}.")
-    if type == "NotAllowed":
-        mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
-        return Verdict(exercise, WRONG, "your own lines compute the answer.", mistake)
-    if type == "TimeUp":
-        return Verdict(exercise, ERROR, f"{call} took {message}. Does a loop never end?", case=case)
-    if type == "KeyboardInterrupt":
-        return Verdict(exercise, ERROR, f"{call} was interrupted.")
-    if type == "NoNumber":
-        reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
-        return Verdict(exercise, WRONG, reason, ANOTHER_SYMBOL)
-    where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
-    said = f"{type}: {message}" if message else type
-    known = (mistake for kind, words, mistake in (*exercise.errors, *ERRORS) if kind == type and words in message)
-    shown = None if exercise.through else case  # the function was not given the numbers of the case
-    reason = f"{where if source else f'Calling {call} raises'} {said}"
-    return Verdict(exercise, ERROR, reason, next(known, None), shown)
-
-
-def _waits(name, message):
-    """Return what to write first if the function calls another exercise that is not written yet; else ""."""
-    found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
-    if found is None or found[1] == name:
-        return ""
-    return f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this check again."
-
-
-def attempt(formula, *arguments):
-    """Return the value of a formula, or None if it raises, because answers may be numbers of any size.
-
-    Parameters
-    ----------
-    formula : callable
-    *arguments
-
-    Returns
-    -------
-    object or None
-
-    Examples
-    --------
-    >>> attempt(lambda x: 1 / x, 0) is None
-    True
-    """
-    try:
-        return formula(*arguments)
-    except (ValueError, IndexError, ArithmeticError):
-        return None
-
-
-ANOTHER_SYMBOL = Mistake(
-    "a symbol made elsewhere stands in the answer",
-    "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
-)
-FORGOTTEN_RETURN = Mistake(
-    "the function returns None: a return is missing, or returns nothing for this input",
-    "Look at every branch of the function: does each end in `return`, with a value of the kind that the task asks for?",
-)
-_NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
-_LIST_FOR_ARRAY = Mistake(
-    "a list is taken for an array", "np.array(x, float) makes an array of a list: arrays can be added and multiplied."
-)
-_ARRAY_FOR_NUMBER = Mistake(
-    "an array is taken for one number",
-    "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
-)
-_NUMBER_FOR_ARRAY = Mistake(
-    "a number is taken for an array or a list",
-    "A number has no entries to index or to loop over. numpy's functions work on numbers and on arrays.",
-)
-_NOT_FINITE = Mistake(
-    "something was divided by zero, and the result, nan or infinity, is used further",
-    "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
-)
-ERRORS = (  # that occur in any exercise; an exercise's own are tried first
-    (
-        "UFuncTypeError",
-        "Cannot cast",
-        Mistake("decimals are added to an array of whole numbers", "np.array(x, float) makes one that holds decimals."),
-    ),
-    ("TypeError", "'list' and 'list'", _LIST_FOR_ARRAY),
-    ("TypeError", "can't multiply sequence by non-int", _LIST_FOR_ARRAY),
-    *(
-        ("TypeError", f"'{kind}' object is not {use}", _NUMBER_FOR_ARRAY)
-        for kind in ("float", "int", "numpy.float64")
-        for use in ("iterable", "subscriptable")
-    ),
-    ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
-    ("TypeError", "operand type(s) for ^", _NO_POWER),
-    ("TypeError", "bitwise_xor", _NO_POWER),
-    ("TypeError", "only 0-dimensional arrays can be converted", _ARRAY_FOR_NUMBER),
-    ("TypeError", "only length-1 arrays can be converted", _ARRAY_FOR_NUMBER),
-    ("TypeError", "only size-1 arrays can be converted", _ARRAY_FOR_NUMBER),
-    ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
-    ("ValueError", "must be finite; ", _NOT_FINITE),
-    (
-        "ValueError",
-        "matmul",
-        Mistake("two arrays whose shapes do not fit are multiplied by @", "Print the .shape of both."),
-    ),
-)

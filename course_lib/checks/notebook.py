@@ -3,7 +3,6 @@
 import functools
 import html
 import importlib
-import importlib.util
 import os
 
 import numpy as np
@@ -26,35 +25,30 @@ _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
 
 
-def namespace(package, exercises):
+def namespace(module, exercises, predictions):
     """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list, "progress": Progress}.
 
     Parameters
     ----------
-    package : str
-        The package of the notebook's checks. Its module of the same name as an exercise holds that Exercise as
-        EXERCISE; its module `questions`, if there is one, holds the predictions as PREDICTIONS.
+    module : str
+        The notebook's module in course_lib.checks. The folder of the same name in `exercises` has a module for each
+        exercise, which holds it as EXERCISE.
     exercises : tuple of str
         The names of the exercises, in the order of the notebook.
+    predictions : tuple of Prediction
 
     Returns
     -------
     dict
-
-    Examples
-    --------
-    >>> names = namespace("course_lib.checks.rotations", ("compose", "exp_so3"))
-    >>> names["exp_so3"]
-    the check of exp_so3: call it as check.exp_so3(exp_so3), or check.exp_so3.hint()
     """
-    checks = [Check(importlib.import_module(f"{package}.{name}").EXERCISE) for name in exercises]
-    asked = f"{package}.questions"
-    found = importlib.import_module(asked).PREDICTIONS if importlib.util.find_spec(asked) else ()
-    predictions = [Predict(prediction) for prediction in found]
+    folder = module.replace("course_lib.checks.", "course_lib.checks.exercises.")
+    checks = [Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises]
     for check in checks:
         check.siblings = checks
-    names = {check.exercise.name: check for check in checks} | {each.prediction.name: each for each in predictions}
-    return names | {"CHECKS": checks, "PREDICTIONS": predictions, "progress": Progress(checks, predictions)}
+    names = {check.exercise.name: check for check in checks}
+    asked = {prediction.name: Predict(prediction) for prediction in predictions}
+    progress = Progress(checks, list(asked.values()))
+    return names | asked | {"CHECKS": checks, "progress": progress}
 
 
 class Check:
@@ -73,7 +67,7 @@ class Check:
 
     Examples
     --------
-    >>> from course_lib.checks.rotations.compose import EXERCISE
+    >>> from course_lib.checks.exercises.rotations.compose import EXERCISE
     >>> check = Check(EXERCISE)
     >>> callable(check.library), check.verdict.state
     (True, 'not attempted yet')
@@ -166,7 +160,7 @@ class Predict:
 
     Examples
     --------
-    >>> from course_lib.checks.rotations.questions import PREDICTIONS
+    >>> from course_lib.checks.exercises.rotations.questions import PREDICTIONS
     >>> Predict(PREDICTIONS[0])
     a prediction: choose by check.drift.predict("a"), and so on
     """

@@ -39,19 +39,17 @@ class Version:
     function : callable
         Called with arrays; it may raise ValueError.
     right : bool
-
-    Examples
-    --------
-    >>> Version("that raises where it should answer", lambda x: 1 / x).right
-    False
+    example : bool
+        Whether the task shows it as an example: a test that misjudges it earns nothing.
     """
 
     kind: str
     function: Callable
     right: bool = False
+    example: bool = False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WriteTest(Exercise):
     """An exercise whose answer is a test of other functions.
 
@@ -61,15 +59,12 @@ class WriteTest(Exercise):
         At least three right and six wrong ones.
     shapes : tuple of tuple of int
         The shape of each argument that a candidate takes, which is an array of real numbers.
-
-    Examples
-    --------
-    >>> from course_lib.checks.exercise import Here, judge
-    >>> from course_lib.checks.rotations.test_log_so3 import EXERCISE
-    >>> print(judge(EXERCISE, Here(lambda log: True)).mistake.name)
-    your test accepts everything
     """
 
+    cases: None = None
+    returns: None = None
+    properties: tuple = ()
+    hints: tuple[str, ...] = ()
     versions: tuple[Version, ...] = ()
     shapes: tuple[tuple[int, ...], ...] = ()
 
@@ -110,7 +105,8 @@ class WriteTest(Exercise):
         said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = ALWAYS_FALSE if len(refused) == n_right and not missed else always
-        credit = min(int(share * self.points), self.points - 1)
+        failed_example = any(version.example for version in (*refused, *missed))
+        credit = 0 if failed_example else min(round(share * self.points), self.points - 1)
         return Verdict(self, WRONG, said, always, credit=credit)
 
     def _consultant(self, order):

@@ -232,6 +232,13 @@ def series_cut(right, matrix):
     )
 
 
+def partial_sum(M, terms):
+    """Return the sum of so many terms of the exponential series of M; None if it has converged."""
+    total = sum(itertools.accumulate(range(1, terms), lambda term, k: term @ M / k, initial=np.eye(len(M))))
+    following = sum(itertools.accumulate(range(1, terms + 1), lambda term, k: term @ M / k, initial=np.eye(len(M))))
+    return None if np.allclose(total, following, rtol=1e-11, atol=1e-11) else total
+
+
 def few_digits(right):
     """Return the mistake of an answer that is nearly right; to be tried first.
 

@@ -4,7 +4,7 @@ import ast
 
 import nbformat
 
-from course_lib.checks.exercise import UNWRITTEN
+from course_lib.checks.errors import UNWRITTEN
 from course_lib.pack.notebooks import tidy
 from course_lib.pack.release import PROMPT, ReleaseError
 

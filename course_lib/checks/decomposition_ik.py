@@ -1,0 +1,69 @@
+"""Checks of notebook 6, inverse kinematics by cells: ``from course_lib.checks import decomposition_ik as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "dh_symbolic",
+    "fk_2r",
+    "ik_2r",
+    "test_ik_2r",
+    "cell_index",
+    "split_branches",
+    "fit_cells",
+    "predict",
+    "number_distance",
+    "approximation_error",
+    "convergence_slope",
+    "branch_by_sign",
+    "fit_square",
+    "predict_square",
+    "quadratic_terms",
+    "newton_step",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "one_elbow",
+        "b",
+        {
+            "a": "K-means never leaves a cluster empty: it was asked for two, and it returns two.",
+            "b": "Two clusters were asked for, and it finds two. It does not report how many clouds there are.",
+            "c": "K-means raises an error only if there are fewer samples than clusters.",
+        },
+    ),
+    Prediction(
+        "edge_slope",
+        "c",
+        {
+            "a": "That holds inside, where the inverse has a Taylor series. At the edge its derivative is infinite.",
+            "b": "That is how the error of q2 falls. The position suffers less, because a stretched arm moves "
+            "outwards in second order only.",
+            "c": "The error of q2 falls like the root of h only, and near the stretched arm the position follows "
+            "with the square of that: like h.",
+        },
+    ),
+    Prediction(
+        "average",
+        "b",
+        {
+            "a": "Nothing tells the network that there are two solutions. It was fitted by squared errors, and the "
+            "mean of both has the least.",
+            "b": "The least squared error belongs to the mean of the two: q2 near 0, the stretched arm. It is no "
+            "solution, although each of the two is.",
+            "c": "A network always returns numbers, for positions out of reach too. That is a part of the problem.",
+        },
+    ),
+    Prediction(
+        "one_step",
+        "b",
+        {
+            "a": "A method that converges linearly would do that. Newton's method uses the derivative.",
+            "b": "The error after the step is about the square of the error before it, here up to a factor near 1: "
+            "0.003 squared is about 1e-5 m.",
+            "c": "One step inverts a linear function exactly, and the forward kinematics is not linear.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))

@@ -1,0 +1,86 @@
+"""Explain the errors in which a call of the student's function ends."""
+
+import re
+
+from course_lib.checks.mistake import Mistake
+
+UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
+
+_ANOTHER_SYMBOL = Mistake(
+    "a symbol made elsewhere stands in the answer",
+    "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
+)
+_NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
+_LIST_FOR_ARRAY = Mistake(
+    "a list is taken for an array", "np.array(x, float) makes an array of a list: arrays can be added and multiplied."
+)
+_ARRAY_FOR_NUMBER = Mistake(
+    "an array is taken for one number",
+    "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
+)
+_NUMBER_FOR_ARRAY = Mistake(
+    "a number is taken for an array or a list",
+    "A number has no entries to index or to loop over. numpy's functions work on numbers and on arrays.",
+)
+_WHOLE_NUMBERS = Mistake(
+    "decimals are added to an array of whole numbers", "np.array(x, float) makes one that holds decimals."
+)
+_SHAPES = Mistake("two arrays whose shapes do not fit are multiplied by @", "Print the .shape of both.")
+_NOT_FINITE = Mistake(
+    "something was divided by zero, and the result, nan or infinity, is used further",
+    "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
+)
+_KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
+    ("UFuncTypeError", "Cannot cast", _WHOLE_NUMBERS),
+    ("TypeError", "'list' and 'list'|can't multiply sequence by non-int", _LIST_FOR_ARRAY),
+    ("TypeError", r"'(float|int|numpy\.float64)' object is not (iterable|subscriptable)", _NUMBER_FOR_ARRAY),
+    ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
+    ("TypeError", r"operand type\(s\) for \^|bitwise_xor", _NO_POWER),
+    ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
+    ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
+    ("ValueError", "must be finite; ", _NOT_FINITE),
+    ("ValueError", "matmul", _SHAPES),
+)
+
+
+def explain_error(exercise, kind, message, line="", source="", cell=""):
+    """Return what an error says of an answer: ("waits", "wrong" or "error", reason, Mistake or None, show the case).
+
+    Parameters
+    ----------
+    exercise : Exercise
+    kind, message : str
+        The name of the exception's type, and its text.
+    line, source, cell : str, optional
+        The number and the text of the student's last line that ran, and the function whose cell holds it if that is
+        another one.
+    """
+    call = f"{exercise.name}({', '.join(exercise.arguments)})"
+    if kind == "NotImplementedError":
+        return "waits", _waits(exercise.name, message), None, False
+    if kind == "NotPlain":
+        return "wrong", f"the answer is numbers, booleans, arrays or lists. Yours is {message}.", None, False
+    if kind == "NotAllowed":
+        mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
+        return "wrong", "your own lines compute the answer.", mistake, False
+    if kind == "TimeUp":
+        return "error", f"{call} took {message}. Does a loop never end?", None, True
+    if kind == "KeyboardInterrupt":
+        return "error", f"{call} was interrupted.", None, False
+    if kind == "NoNumber":
+        reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
+        return "wrong", reason, _ANOTHER_SYMBOL, False
+    where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
+    said = f"{kind}: {message}" if message else kind
+    own = [(type_, re.escape(words), mistake) for type_, words, mistake in exercise.errors]
+    known = (mistake for type_, words, mistake in (*own, *_KNOWN) if type_ == kind and re.search(words, message))
+    shows_case = not exercise.through  # otherwise the function was not given the numbers of the case
+    return "error", f"{where if source else f'Calling {call} raises'} {said}", next(known, None), shows_case
+
+
+def _waits(name, message):
+    """Return what to write first if the function calls another exercise that is not written yet; else ""."""
+    found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
+    if found is None or found[1] == name:
+        return ""
+    return f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this check again."

@@ -1,0 +1,89 @@
+"""test_ik_2r: write the test. Candidates are right and wrong versions of ik_2r."""
+
+import numpy as np
+
+from course_lib.checks.exercises.decomposition_ik.shared import solutions
+from course_lib.checks.write_test import Version, WriteTest
+
+_REACH = 2 + 1e-9
+
+
+def closed_form(xy):
+    """Return both solutions (2, 2) for a position (2,), nan out of reach."""
+    return solutions(xy) if np.linalg.norm(xy) < _REACH else np.full((2, 2), np.nan)
+
+
+def _changed(change):
+    return lambda xy: change(closed_form(xy), xy)
+
+
+def _by_circles(xy):
+    """Return the same from the two points where circles around the base and the tip meet: the elbows."""
+    r = np.linalg.norm(xy)
+    if not 0 < r < _REACH:
+        return closed_form(xy)
+    side = np.sqrt(max(1 - r**2 / 4, 0)) * np.array([xy[1], -xy[0]]) / r
+    found = []
+    for elbow in (xy / 2 + side, xy / 2 - side):
+        first = np.arctan2(elbow[1], elbow[0])
+        second = np.arctan2(*(xy - elbow)[::-1])
+        found.append([first, np.angle(np.exp(1j * (second - first)))])
+    return np.array(found)
+
+
+def _with_q1(q1):
+    return _changed(lambda q, xy: np.column_stack([q1(q, xy), q[:, 1]]))
+
+
+def _right(kind, ik):
+    return Version(kind, ik, right=True)
+
+
+_ELBOWS = "that gives one elbow twice"
+_SIGN = "with a wrong sign"
+
+EXERCISE = WriteTest(
+    name="test_ik_2r",
+    points=2,
+    arguments=("ik_2r",),
+    cases=lambda rng: [],
+    returns=None,
+    properties=(),
+    mistakes=(),
+    hints=(
+        "You need no right version to compare with: fk_2r says where a solution leads.",
+        "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
+        "four quadrants.",
+        "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m exactly, where nothing is "
+        "nan; and slightly nearer than 2 m, where both rows lead to xy.",
+    ),
+    shapes=((2,),),
+    versions=(
+        _right("that is as in the text", closed_form),
+        _right("that intersects two circles", _by_circles),
+        _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
+        _right("that returns a list", _changed(lambda q, xy: q.tolist())),
+        Version("with its rows in the other order", _changed(lambda q, xy: q[::-1])),
+        Version(_ELBOWS, _changed(lambda q, xy: q[[0, 0]])),
+        Version(_ELBOWS, _changed(lambda q, xy: q[[1, 1]])),
+        Version(_SIGN, _changed(lambda q, xy: q * [1, -1])),
+        Version(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
+        Version("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
+        Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
+        Version("that is wrong only for x < 0", _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0))),
+        Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
+        Version("that answers out of reach", solutions),
+        Version(
+            "that answers out of reach",
+            lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else solutions(xy) * [np.nan, 1],
+        ),
+        Version(
+            "that has no answer on the edge",
+            _changed(lambda q, xy: q if np.linalg.norm(xy) < 2 - 1e-12 else q * np.nan),
+        ),
+        Version(
+            "that is wrong only near the edge",
+            _changed(lambda q, xy: q if np.linalg.norm(xy) < 1.98 else q * [1, 0]),
+        ),
+    ),
+)

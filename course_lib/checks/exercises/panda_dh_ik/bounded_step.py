@@ -1,0 +1,130 @@
+"""bounded_step: joint velocities within bounds that come closest to an end-effector velocity."""
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, panda_jacobian
+from course_lib.checks.vocabulary import away_from_zero, remembered
+
+_AFTERWARDS = (
+    "If one joint is at its bound, the others can do part of its work: the bounds belong into the minimization."
+)
+_FLAT = np.array([[1.0, 1, 0], [0, 1, 1]])
+
+
+def _stacked(J, v, eps):
+    n = J.shape[1]
+    return np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n))
+
+
+def _free(J, v, bound, eps):
+    return np.linalg.lstsq(*_stacked(J, v, eps))[0]
+
+
+@remembered
+def right(J, v, bound, eps):
+    """Return the right answer, by scipy's solver for linear least squares with bounds."""
+    return lsq_linear(*_stacked(J, v, eps), bounds=(-bound, bound), method="bvls", tol=1e-14).x
+
+
+def _cost(q_dot, J, v, bound, eps):
+    return ((J @ q_dot - v) ** 2).sum() + eps * (q_dot**2).sum()
+
+
+def _case(rng, J, bound, eps):
+    """Return a case in which some joints are at their bounds, some are not, and clipping afterwards is worse."""
+    while True:
+        case = J, np.round(rng.uniform(-1, 1, len(J)), 2), bound, eps
+        best, clipped = right(*case), np.clip(_free(*case), -bound, bound)
+        at_bound = np.abs(best) > bound - 1e-9
+        if at_bound.any() and not at_bound.all() and _cost(clipped, *case) > 1.02 * _cost(best, *case) + 1e-4:
+            return case
+
+
+def _cases(rng):
+    drawn = [
+        _case(rng, away_from_zero(rng, (m, n)), bound, eps)
+        for m, n, bound, eps in ((2, 3, 0.3, 0.01), (2, 4, 0.2, 0.3))
+    ]
+    q = np.round(rng.uniform(LOW, HIGH, (2, 7)), 2)
+    drawn += [_case(rng, panda_jacobian(each), bound, 0.01) for each, bound in zip(q, (0.5, 0.8), strict=True)]
+    free = [(_FLAT, np.array([0.3, 0.2]), 1.0, 0.1), (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02)]
+    return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]
+
+
+def _alike(answer, predicted, *case):
+    return np.shape(answer) == np.shape(predicted) and np.allclose(answer, predicted, atol=1e-4)
+
+
+def _scaled(J, v, bound, eps):
+    q_dot = _free(J, v, bound, eps)
+    return q_dot * min(1, bound / np.abs(q_dot).max(initial=1e-9))
+
+
+def _shorter(J, v, bound, eps):
+    q_dot = _free(J, v, bound, eps)
+    return q_dot * min(1, bound / max(np.linalg.norm(q_dot), 1e-9))
+
+
+def _one_sided(J, v, bound, eps):
+    return lsq_linear(*_stacked(J, v, eps), bounds=(0, bound), method="bvls").x
+
+
+EXERCISE = Exercise(
+    name="bounded_step",
+    points=2,
+    arguments=("J", "v", "bound", "eps"),
+    cases=_cases,
+    returns=numbers(lambda J, *rest: (J.shape[1],)),
+    properties=(
+        Property(
+            "no joint is faster than `bound`",
+            lambda q_dot, J, v, bound, eps: np.abs(q_dot).max() <= bound + 1e-6,
+            says=lambda q_dot, J, v, bound, eps: f"Your fastest joint has {np.abs(q_dot).max():.4g}.",
+        ),
+        Property(
+            "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
+            lambda q_dot, *case: _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-5) + 1e-7,
+            says=lambda q_dot, *case: (
+                f"With yours it is {_cost(q_dot, *case):.6g}; {_cost(right(*case), *case):.6g} is possible."
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake("the bounds are ignored", "They belong into the minimization.", _free),
+        Mistake(
+            "the best step without bounds is clipped afterwards",
+            _AFTERWARDS,
+            lambda J, v, bound, eps: np.clip(_free(J, v, bound, eps), -bound, bound),
+        ),
+        Mistake("the best step without bounds is scaled down afterwards", _AFTERWARDS, _scaled, _shorter),
+        Mistake("joints move in one direction only", "A joint may move in both directions.", _one_sided),
+        Mistake(
+            "the damping is left out",
+            "eps |q_dot|^2 belongs to what is minimized: rows of its own below J.",
+            lambda J, v, bound, eps: right(J, v, bound, 1e-12),
+        ),
+        Mistake(
+            "eps stands for its square root",
+            "A row r of the stacked matrix adds (r q_dot)^2: what is the square root of eps q_dot^2?",
+            lambda J, v, bound, eps: right(J, v, bound, eps**2),
+        ),
+        Mistake("the answer has the wrong sign", "J q_dot is to be v.", lambda *case: -right(*case)),
+        Mistake("no joint moves", "0 is within the bounds, but not the best.", lambda J, *rest: np.zeros(J.shape[1])),
+        Mistake(
+            "bound is halved or doubled",
+            "Each joint may reach bound in either direction.",
+            lambda J, v, bound, eps: right(J, v, bound / 2, eps),
+            lambda J, v, bound, eps: right(J, v, 2 * bound, eps),
+        ),
+    ),
+    hints=(
+        "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more rows than J has.",
+        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x - b|^2 within bounds.",
+        "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), bounds=(-bound, bound)).x",
+    ),
+    library=right,
+    alike=_alike,
+)

@@ -1,0 +1,152 @@
+"""propagate_arm: a plan of joint velocities; a bug is to be found."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercises.rigid_motion.propagate_body import drawn_case
+from course_lib.checks.exercises.rigid_motion.shared import FINE, follow, form, lengths, same_rows, size_of, steps
+from course_lib.checks.exercises.rigid_motion.shared_mistakes import step_mistakes
+from course_lib.planar import propagate_arm
+
+ARM = (True, True)  # both columns are angles
+
+
+def _cases(rng):
+    origin, quarter = np.zeros(2), np.pi / 4
+    first, second = (1.0, 0.0), (0.0, 1.0)
+    simple = [
+        ([0, 0], [((1, 0), 0.25)], 0.1),
+        (origin, [(second, 0.5)], 0.25),
+        (np.array([1.0, 2.0]), [(first, 0.5)], 0.25),
+        (np.array([0.5, -1.0]), [((2.0, -1.0), 0.35)], 0.1),
+        (origin, [(first, 0.3)], 1.0),
+        (origin, [(first, 0.2005)], 0.1),
+        (origin, [(first, 0.2995)], 0.1),
+        (np.array([1, 2]), [((1, 1), 1)], 0.5),
+    ]
+    rounding = ((0.3, 0.1), (0.9, 0.3), (1.0, 0.1), (1.1, 0.1), (2.1, 0.3))  # a hair above or below a multiple
+    sums = [(origin, [(first, duration)], dt) for duration, dt in rounding]
+    several = [
+        (origin, [(first, 0.25), (second, 0.1)], 0.1),
+        ([0.0, 0.0], [((quarter, 0), 1.0), ((0, quarter), 1.0), ((quarter, quarter), 1.0)], 0.3),
+        (np.array([3.0, -3.0]), [((2.0, -2.0), 0.5)], 0.25),
+    ]
+    return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
+
+
+def _errors(angles, start, plan, dt):
+    velocities, h = steps(plan, dt)
+    return size_of(np.diff(angles, axis=0) - velocities * h[:, None], ARM).max(axis=1)
+
+
+def _wrong_step(angles, *case):
+    k = int(np.argmax(_errors(angles, *case) > FINE))
+    velocities, h = steps(*case[1:])
+    return (
+        f"Step {k + 1} is {h[k]:.4g} s long, with {format_tuple(velocities[k])} rad/s, so it goes from "
+        f"{format_tuple(angles[k])} to {format_tuple(angles[k] + velocities[k] * h[k])}. "
+        f"Yours goes to {format_tuple(angles[k + 1])}."
+    )
+
+
+def _with(change):
+    """The step with another velocity."""
+    return follow(lambda angles, velocity, h: angles + change(velocity) * h)
+
+
+def _assigned(start, plan, dt, time_of=lambda elapsed, h, duration: elapsed):
+    """The angle is the velocity times a time, and is not added to what was: as the broken code has it."""
+    angles = [np.array(start, float)]
+    for velocity, duration in plan:
+        for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
+            angles.append(np.array(velocity, float) * time_of(elapsed, h, duration))
+    return np.array(angles)
+
+
+def _elapsed_twice(start, plan, dt):
+    """The time since the pair's beginning where the length of the step belongs."""
+    angles = [np.array(start, float)]
+    for velocity, duration in plan:
+        for elapsed in np.cumsum(lengths(duration, dt)):
+            angles.append(angles[-1] + np.array(velocity, float) * elapsed)
+    return np.array(angles)
+
+
+EXERCISE = Exercise(
+    name="propagate_arm",
+    points=1,
+    arguments=("start", "plan", "dt"),
+    cases=_cases,
+    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case),
+    properties=(
+        *form(ARM),
+        Property(
+            "in each step each joint angle grows by its velocity times the length of the step",
+            lambda angles, *case: _errors(angles, *case).max() < FINE,
+            says=_wrong_step,
+        ),
+    ),
+    mistakes=(
+        *step_mistakes(ARM, propagate_arm, lambda angles, velocity, h: angles + velocity * h),
+        Mistake(
+            "the angles are assigned where they should be added",
+            "The joints had angles before the step. Where do they enter?",
+            lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: h),
+            lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: duration),
+        ),
+        Mistake(
+            "the time since the pair began is counted from the row before",
+            "Either the angles at the pair's beginning and the time since then, or the row before and one step.",
+            _elapsed_twice,
+        ),
+        Mistake(
+            "start is not added after the first row",
+            "The angles go on from those of the row before.",
+            lambda *case: np.array([case[0], *propagate_arm([0, 0], *case[1:])[1:]]),
+        ),
+        Mistake(
+            "the joints are swapped",
+            "A row is (theta1, theta2), and (w1, w2) their velocities.",
+            _with(lambda w: w[::-1]),
+            lambda *case: propagate_arm(*case)[:, ::-1],
+        ),
+        Mistake(
+            "the first joint's velocity moves the second angle too",
+            "theta2 is measured from the first link: it grows by w2 alone.",
+            _with(np.cumsum),
+        ),
+        Mistake("both joints move with w1", "The second one has w2.", _with(lambda w: w[[0, 0]])),
+        Mistake("the second joint does not move", "It moves with w2.", _with(lambda w: w * [1, 0])),
+        Mistake("the first joint does not move", "It moves with w1.", _with(lambda w: w * [0, 1])),
+        Mistake(
+            "degrees and radians are mixed up",
+            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
+            _with(np.deg2rad),
+            _with(np.rad2deg),
+            lambda *case: np.rad2deg(propagate_arm(*case)),
+        ),
+        Mistake(
+            "the velocities are not multiplied by the length of the step",
+            "rad/s times s is rad: w * h.",
+            follow(lambda angles, velocity, h: angles + velocity),
+        ),
+        Mistake(
+            "the velocities have the opposite sign", "A positive velocity lets the angle grow.", _with(lambda w: -w)
+        ),
+    ),
+    library=propagate_arm,
+    broken=_assigned,
+    alike=same_rows(ARM),
+    hints=(
+        "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle jump?",
+        "An angle after a step is the angle before it, plus velocity times the length of the step.",
+        "theta = theta + np.array(velocity) * h for each h of step_lengths(duration, dt), and a row after each step.",
+    ),
+    forbidden=(
+        "course_lib.planar.propagate_arm",
+        "course_lib.planar.propagate_body",
+        "course_lib.planar.propagate_body_exact",
+    ),
+)

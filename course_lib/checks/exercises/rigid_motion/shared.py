@@ -1,0 +1,274 @@
+"""What exercises of notebook 2 share: paths of a body from start to goal, and plans of velocities.
+
+The right path is known except for half a revolution, which is as short in either direction. So the properties speak of
+the other cases first, and no mistake says anything of half a revolution.
+"""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.planar import wrap_angle
+
+BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
+REVOLUTION = 2 * np.pi
+FINE = 1e-9
+MATRICES = Mistake("the matrices of the poses are returned", "A row is (x, y, theta), read from the matrix T.")
+
+
+def cubic(u):
+    """Return the time scaling from rest to rest."""
+    return u * u * (3 - 2 * u)
+
+
+def scaling(n):
+    """Return n values of the cubic time scaling, from 0 to 1."""
+    return cubic(np.linspace(0, 1, n))
+
+
+def straight(start, change, s):
+    """Return the rows start + s change."""
+    return np.array(start, float) + np.asarray(s)[:, None] * change
+
+
+def size(start, goal):
+    """Return the size of the numbers in a case, for tolerances."""
+    return 1 + np.abs([start, goal]).max()
+
+
+def deviation(rows, wanted):
+    """Return the largest difference between rows and those wanted, revolutions aside.
+
+    Examples
+    --------
+    >>> round(float(deviation([[0, 0, np.pi]], [[0, 0.1, -np.pi]])), 12)
+    0.1
+    """
+    apart = np.asarray(rows) - wanted
+    return np.abs(np.where(BODY, wrap_angle(apart), apart)).max()
+
+
+def same_path(rows, predicted, start, goal, n):
+    """Return whether an answer is the path that a mistake predicts."""
+    same_shape = np.shape(rows) == np.shape(predicted)
+    return same_shape and deviation(rows, predicted) <= 1e-6 * size(start, goal)
+
+
+def close(rows, wanted, start, goal):
+    """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi in the angle."""
+    return deviation(rows, wanted) <= 1e-9 * size(start, goal)
+
+
+def change(start, goal):
+    """Return the change from start to goal, the angle along the shorter arc.
+
+    Examples
+    --------
+    >>> change([0, 0, 3], [1, 0, -3])
+    array([1.        , 0.        , 0.28318531])
+    """
+    apart = np.subtract(goal, start).astype(float)
+    return np.where(BODY, wrap_angle(apart), apart)
+
+
+def one_arc_is_shorter(start, goal, n):
+    """Return whether the angles are less than half a revolution apart, so that one arc is the shorter."""
+    return abs(change(start, goal)[2]) < np.pi - 1e-9
+
+
+def half_a_revolution(start, goal, n):
+    """Return whether the angles are half a revolution apart, so that both arcs are equally long."""
+    return not one_arc_is_shorter(start, goal, n)
+
+
+def known(answer):
+    """The answer of a mistake, None for half a revolution."""
+    return lambda *case: answer(*case) if one_arc_is_shorter(*case) else None
+
+
+def read_path(value, *case):
+    """Return an answer as n rows (x, y, theta)."""
+    hint = "np.linspace(0, 1, n) has n numbers, the first 0 and the last 1."
+
+    def form(array, start, goal, n):
+        if array.shape == (3, n):
+            return Mistake("rows and columns are swapped", "Each row is one pose. The transpose, .T, has it so.")
+        if array.shape == (n, 3, 3):
+            return MATRICES
+        if array.shape == (n + 1, 3):
+            return Mistake("there is one pose too many", f"n counts the first and the last too. {hint}")
+        if array.shape == (n - 1, 3):
+            return Mistake("one pose is missing", f"Both ends belong to the path. {hint}")
+        return None
+
+    return numbers(lambda start, goal, n: (n, 3), form)(value, *case)
+
+
+ENDS = tuple(
+    Property(
+        f"the {word} pose is {name}",
+        lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], start, goal),
+        says=lambda rows, start, goal, n, k=k: f"Yours is {format_array(rows[k])}.",
+        where=one_arc_is_shorter,
+    )
+    for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
+)
+
+
+def _on_the_shorter_arc(rows, start, goal, n):
+    """Return whether theta never leaves the shorter arc between the ends."""
+    angle = change(start, goal)[2]
+    ahead = np.copysign(1.0, angle) * (rows[:, 2] - start[2])
+    return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() <= abs(angle) + 1e-6
+
+
+SHORTER_ARC = Property(
+    "theta takes the shorter arc from start to goal",
+    _on_the_shorter_arc,
+    says=lambda rows, start, goal, n: f"From {start[2]:.4g} that is a rotation by {change(start, goal)[2]:.4g} rad.",
+    where=one_arc_is_shorter,
+)
+
+
+def on_a_line(rows, start, goal, n):
+    """Return whether x and y lie on the straight line from start to goal."""
+    p, q = np.asarray(start, float)[:2], np.asarray(goal, float)[:2]
+    length = np.linalg.norm(q - p)
+    ahead = (q - p) / length if length else np.zeros(2)
+    aside = rows[:, :2] - p
+    along = np.clip(aside @ ahead, 0, length)
+    return np.linalg.norm(aside - along[:, None] * ahead, axis=1).max() <= 1e-9 * size(start, goal)
+
+
+def timed(right, fits=close):
+    """Return the properties that each row is on time; right(start, goal, s, angle): the right rows for any angle."""
+    text = "at evenly spaced u from 0 to 1, the part s = 3 u^2 - 2 u^3 of the change is made"
+
+    def path(start, goal, n, sign=1):
+        return right(start, goal, scaling(n), sign * change(start, goal)[2])
+
+    def seen(rows, start, goal, n):
+        missed = [deviation(*pair) for pair in zip(rows, path(start, goal, n), strict=True)]
+        k = int(np.argmax(np.array(missed) > 1e-9 * size(start, goal)))
+        u = k / (n - 1)
+        return f"The row with index {k} belongs to u = {u:.4g}, and s is {cubic(u):.4g} there."
+
+    def holds(rows, start, goal, n):
+        return fits(rows, path(start, goal, n), start, goal)
+
+    def in_either_direction(rows, start, goal, n):
+        return any(fits(rows, path(start, goal, n, sign), start, goal) for sign in (1, -1))
+
+    return (
+        Property(text, holds, seen, where=one_arc_is_shorter),
+        Property(f"for half a revolution, in either direction: {text}", in_either_direction, where=half_a_revolution),
+    )
+
+
+def lengths(duration, dt):
+    """Return the lengths of the steps of one pair: dt each, the last one shorter if it must be.
+
+    Examples
+    --------
+    >>> lengths(0.25, 0.1)
+    array([0.1 , 0.1 , 0.05])
+    """
+    whole = int(np.ceil(duration / dt - 1e-6)) - 1
+    return np.append(np.full(whole, dt), duration - whole * dt)
+
+
+def steps(plan, dt):
+    """Return the velocities (n, k) and the lengths (n,) of all steps of a plan."""
+    each = [(velocity, h) for velocity, duration in plan for h in lengths(duration, dt)]
+    return np.array([velocity for velocity, _ in each], float), np.array([h for _, h in each])
+
+
+def follow(move, lengths=lengths):
+    """Return the answer of somebody who goes from row to row by move(row, velocity, h), in steps of these lengths."""
+
+    def answer(start, plan, dt):
+        rows = [np.array(start, float)]
+        for velocity, duration in plan:
+            for h in lengths(duration, dt):
+                rows.append(move(rows[-1], np.array(velocity, float), h))
+        return np.array(rows)
+
+    return answer
+
+
+def rotated(theta, v):
+    """Return the vectors v (..., 2), rotated by theta (...)."""
+    c, s = np.cos(theta), np.sin(theta)
+    return np.stack([c * v[..., 0] - s * v[..., 1], s * v[..., 0] + c * v[..., 1]], -1)
+
+
+def size_of(difference, angles):
+    """Return how large differences of rows are, revolutions aside. angles: for each column whether it is an angle."""
+    many = np.abs(difference) >= 1e6  # no revolutions are counted in 1e200
+    revolutions = np.where(many, 0, np.round(difference / REVOLUTION))
+    return np.abs(difference - np.where(angles, REVOLUTION * revolutions, 0))
+
+
+def near(rows, others, angles, tolerance=1e-6):
+    """Return whether two arrays of rows are the same but for whole revolutions of their angles."""
+    rows, others = np.asarray(rows), np.asarray(others)
+    if rows.shape != others.shape:
+        return False
+    return bool((size_of(rows - others, angles) <= tolerance * max(1, np.abs(others).max(initial=0))).all())
+
+
+def same_rows(angles):
+    """Return whether answers are the rows that a mistake predicts, as `alike` of an exercise."""
+    return lambda rows, predicted, *case: near(rows, predicted, angles)
+
+
+def _ends(plan, dt):
+    ends = [f"{end:.4g}" for end in np.cumsum(steps(plan, dt)[1])]
+    return ", ".join(ends if len(ends) < 8 else [*ends[:3], "...", *ends[-2:]])
+
+
+def form(angles):
+    """Return the properties that come first: the start stands in the first row, and each step has a row."""
+    return (
+        Property(
+            "the first row is start",
+            lambda rows, start, plan, dt: near(rows[:1], [start], angles, FINE),
+            says=lambda rows, *case: f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row.",
+        ),
+        Property(
+            "after start there is one row for each step",
+            lambda rows, start, plan, dt: len(rows) == 1 + len(steps(plan, dt)[1]),
+            says=lambda rows, start, plan, dt: (
+                f"The steps end at {_ends(plan, dt)} s, so with start there are {1 + len(steps(plan, dt)[1])} rows. "
+                f"Yours has {len(rows)}."
+            ),
+        ),
+    )
+
+
+def goes_straight(start, plan, dt):
+    """Return whether a plan has no rotation, and no rest.
+
+    Examples
+    --------
+    >>> goes_straight(None, [((1, 0, 0), 2.0)], 0.1)
+    True
+    """
+    return all(velocity[2] == 0 and np.any(velocity) for velocity, _ in plan)
+
+
+def _lengths_covered(rows, plan, dt):
+    speeds = np.linalg.norm(steps(plan, dt)[0][:, :2], axis=1)
+    return np.linalg.norm(np.diff(rows[:, :2], axis=0), axis=1) / speeds
+
+
+STEP_LENGTHS = Property(
+    "each step is dt long, and the last one of a pair is shorter if it must be to end on time",
+    lambda rows, start, plan, dt: np.abs(_lengths_covered(rows, plan, dt) - steps(plan, dt)[1]).max() < FINE,
+    says=lambda rows, start, plan, dt: (
+        f"By the distance covered, yours are {format_tuple(_lengths_covered(rows, plan, dt))} s long; "
+        f"they should be {format_tuple(steps(plan, dt)[1])}."
+    ),
+    where=goes_straight,
+)

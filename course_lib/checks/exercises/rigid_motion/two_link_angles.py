@@ -1,0 +1,167 @@
+"""two_link_angles: the inverse kinematics of the arm with two links of one metre, both elbows."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import angle_gap
+
+_ABOVE_ONE = Mistake(
+    "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
+    "np.clip(cosine, -1, 1) before arccos. A root of 1 - cosine^2 needs the same.",
+)
+_ONE = Mistake("only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below.")
+
+
+def _cases(rng):
+    ordinary = [[1.0, 1.0], [1.8, 0.4], [-1.0, 1.0], [-0.5, -1.2], [0.3, -0.4]]
+    radii, angles = rng.uniform(0.3, 1.8, 4), rng.uniform(-np.pi, np.pi, 4)
+    drawn = np.round(np.stack([radii * np.cos(angles), radii * np.sin(angles)], 1), 2)
+    beyond = np.nextafter(2, 3)  # by rounding, as tips are that a program has computed
+    edge = [[2.0, 0.0], [0.0, -2.0], [beyond, 0.0], [0.0, beyond], [-beyond, 0.0]]
+    return [(np.array(tip, float),) for tip in [*ordinary, *drawn, [0.0, 1.0], [1, 0], *edge]]
+
+
+def _tips(angles):
+    along = np.cumsum(angles, -1)
+    return np.stack([np.cos(along).sum(-1), np.sin(along).sum(-1)], -1)
+
+
+def _bend(tip):
+    return np.arccos(np.clip((tip[0] ** 2 + tip[1] ** 2 - 2) / 2, -1, 1))
+
+
+def _right(tip, bend=_bend, first=None):
+    """Both solutions; first(tip, theta2) is another formula of theta1."""
+    first = first or (lambda tip, two: np.arctan2(tip[1], tip[0]) - np.arctan2(np.sin(two), 1 + np.cos(two)))
+    two = bend(np.asarray(tip, float))
+    return np.array([[first(tip, sign * two), sign * two] for sign in (1, -1)])
+
+
+def _off(angles, tip):
+    return np.abs(_tips(angles) - tip).max(-1)
+
+
+def _same(value, predicted, *case):
+    """Return whether the solutions are the same, in either order and up to multiples of 2 pi."""
+    value, predicted = np.asarray(value), np.asarray(predicted)
+    if value.shape != predicted.shape:
+        return False
+    return min(angle_gap(value, predicted), angle_gap(value[::-1], predicted)) < 1e-6
+
+
+def _straight(tip):
+    return np.hypot(*tip) > 2 - 1e-9
+
+
+def _with_bend(inverse, cosine):
+    """Both solutions with theta2 = inverse(cosine(squared distance)), and theta1 as it belongs to that."""
+    return lambda tip: _right(tip, lambda tip: inverse(np.clip(cosine(tip[0] ** 2 + tip[1] ** 2), -1, 1)))
+
+
+def _with_first(first):
+    """Both solutions with another theta1: first(tip, theta2)."""
+    return lambda tip: _right(tip, first=first)
+
+
+_LINK = "Draw the triangle of base, elbow and tip: where in it does theta2 stand?"
+
+EXERCISE = Exercise(
+    name="two_link_angles",
+    points=3,
+    arguments=("tip",),
+    cases=_cases,
+    returns=numbers(lambda tip: (2, 2), {(2,): _ONE}, nan=lambda tip: _ABOVE_ONE if _straight(tip) else None),
+    properties=(
+        Property(
+            "with the angles of either row the arm's tip is at `tip`",
+            lambda angles, tip: _off(angles, tip).max() < 1e-7,
+            says=lambda angles, tip: (
+                f"It should be at {format_tuple(tip)}. With your rows it is at {format_tuple(_tips(angles)[0])} "
+                f"and at {format_tuple(_tips(angles)[1])}."
+            ),
+            points=1,
+        ),
+        Property(
+            "the two rows are different solutions: the elbow is bent to one side and to the other",
+            lambda angles, tip: angle_gap(angles[:1], angles[1:]) > 1e-3,
+            says=lambda angles, tip: f"Yours have theta2 = {angles[0, 1]:.4g} and {angles[1, 1]:.4g}.",
+            where=lambda tip: not _straight(tip),
+            mistake=Mistake(
+                "the same elbow is returned twice", "The cosine does not tell the sign of theta2: both occur."
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "theta1 is the same for both elbows",
+            "If the elbow bends to the other side, the first link points somewhere else too.",
+            lambda tip: _right(tip) * [[1, 1], [0, 1]] + [[0, 0], [_right(tip)[0, 0], 0]],
+            lambda tip: _right(tip) * [[0, 1], [1, 1]] + [[_right(tip)[1, 0], 0], [0, 0]],
+        ),
+        Mistake(
+            "theta1 is the direction of the tip",
+            "The first link points beside the tip, unless the arm is stretched out: by which angle?",
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0])),
+        ),
+        Mistake(
+            "the correction of theta1 has its sign changed",
+            "If the elbow bends to the left, the first link points to the right of the tip.",
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) + np.arctan2(np.sin(two), 1 + np.cos(two))),
+        ),
+        Mistake(
+            "arctan is used, which does not tell a direction from its opposite",
+            "arctan(y / x) is the same for (x, y) and (-x, -y).",
+            _with_first(lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2))),
+        ),
+        Mistake(
+            "x and y are swapped in arctan2",
+            "np.arctan2 takes y first.",
+            _with_first(lambda tip, two: np.arctan2(tip[0], tip[1]) - np.arctan2(np.sin(two), 1 + np.cos(two))),
+        ),
+        Mistake(
+            "theta2 is the angle inside the triangle",
+            _LINK,
+            lambda tip: _right(tip, lambda tip: np.pi - _bend(tip)),
+            lambda tip: np.array([[_right(tip)[k, 0], sign * (np.pi - _bend(tip))] for k, sign in ((0, 1), (1, -1))]),
+        ),
+        Mistake(
+            "the law of cosines has a wrong number, or the distance where its square belongs",
+            "The squared distance is x^2 + y^2 = 1 + 1 + 2 cos(theta2). Check: for [1, 1], cos(theta2) = 0.",
+            _with_bend(np.arccos, lambda d: (np.sqrt(d) - 2) / 2),
+            _with_bend(np.arccos, lambda d: d - 2),
+            _with_bend(np.arccos, lambda d: (d - 1) / 2),
+            _with_bend(np.arccos, lambda d: d / 2),
+            _with_bend(np.arccos, lambda d: (d - 2) / 4),
+        ),
+        Mistake(
+            "arcsin is used where arccos belongs",
+            "The law of cosines gives a cosine.",
+            _with_bend(np.arcsin, lambda d: (d - 2) / 2),
+        ),
+        Mistake(
+            "theta1 is corrected by the whole of theta2",
+            "In the triangle with two equal sides, the angle at the base is half of the bend.",
+            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) - two),
+        ),
+        Mistake(
+            "theta2 is measured from the x axis of the world",
+            "It is measured from the first link.",
+            lambda tip: np.cumsum(_right(tip), -1),
+        ),
+        Mistake("the two angles are swapped", "A row is (theta1, theta2).", lambda tip: _right(tip)[:, ::-1]),
+        Mistake("rows and columns are swapped", "One solution a row.", lambda tip: _right(tip).T),
+        Mistake("the angles are in degrees", "Angles are in radians.", lambda tip: np.rad2deg(_right(tip))),
+    ),
+    library=_right,
+    hints=(
+        "Base, elbow and tip form a triangle with two sides of 1 m. The law of cosines, with the squared distance "
+        "x^2 + y^2 = 2 + 2 cos(theta2), gives the cosine of theta2, and so theta2 up to its sign.",
+        "Seen from the first link, the tip is at (1 + cos theta2, sin theta2). Its direction from there, plus theta1, "
+        "is its direction from the world. At the edge of the reach the cosine may exceed 1 by rounding: np.clip.",
+        "theta1 = arctan2(y, x) - arctan2(sin theta2, 1 + cos theta2), once with each sign of theta2.",
+    ),
+    alike=_same,
+    forbidden=("course_lib.ik.solve",),
+)

@@ -1,0 +1,175 @@
+"""euler_angles: roll, pitch and yaw out of a rotation matrix, at gimbal lock too."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import in_degrees, same_angles
+from course_lib.rotations import rot_x, rot_y, rot_z
+
+
+def _matrix(alpha, beta, gamma):
+    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
+
+
+def _right(R):
+    cosine = np.hypot(R[0, 0], R[1, 0])
+    beta = np.arctan2(-R[2, 0], cosine)
+    if cosine < 1e-8:
+        return np.array([0.0, beta, np.arctan2(-R[0, 1], R[1, 1])])
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), beta, np.arctan2(R[1, 0], R[0, 0])])
+
+
+def _locked(sign, alpha, gamma):
+    """Rz(gamma) Ry(sign pi/2) Rx(alpha) with exact zeros."""
+    return np.array(
+        [[0.0, -np.sin(gamma), sign * np.cos(gamma)], [0.0, np.cos(gamma), sign * np.sin(gamma)], [-sign, 0.0, 0.0]]
+    ) @ rot_x(alpha)
+
+
+def _cases(rng):
+    alpha, gamma = rng.choice([-1, 1], 2) * rng.uniform(1.7, 2.9, 2)
+    named = [(0.3, 0.0, 0.0), (0.0, 0.3, 0.0), (0.0, 0.0, 0.3), (0.5, -0.4, 1.1), (2.5, 1.0, -2.0), (-2.0, -1.2, 3.0)]
+    named += [(alpha, 0.8, gamma), (-gamma, -0.8, alpha), (3.0, 0.2, 0.1), (0.1, 0.2, 3.0)]
+    near = [(alpha, sign * (np.pi / 2 - short), gamma) for sign in (1, -1) for short in (1e-2, 3e-4, 1e-5)]
+    exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4), np.eye(3)]
+    # What a product of rotations has instead of the zeros at gimbal lock
+    noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
+    return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *exact, _locked(1, alpha, gamma) + noise]]
+
+
+def _lock(R):
+    return np.hypot(R[0, 0], R[1, 0]) < 1e-8
+
+
+def _gap(angles, R):
+    return np.abs(_matrix(*angles) - R).max()
+
+
+def _away(answer):
+    """The answer away from gimbal lock; there it is right."""
+    return lambda R: _right(R) if _lock(R) else np.asarray(answer(R), float)
+
+
+def _swapped(i, j):
+    order = [0, 1, 2]
+    order[i], order[j] = j, i
+    return _away(lambda R: _right(R)[order])
+
+
+EXERCISE = Exercise(
+    name="euler_angles",
+    points=3,
+    arguments=("R",),
+    cases=_cases,
+    returns=numbers(lambda R: (3,), gaps=True),
+    library=_right,
+    alike=lambda value, predicted, R: same_angles(value, predicted, tolerance=1e-5),
+    properties=(
+        Property(
+            "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",
+            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
+            says=lambda angles, R: (
+                f"The largest difference is {_gap(angles, R):.2g}." if np.isfinite(angles).all() else ""
+            ),
+            where=lambda R: not _lock(R),
+        ),
+        Property(
+            "beta lies between -pi/2 and pi/2",
+            lambda angles, R: abs(angles[1]) <= np.pi / 2 + 1e-6,
+            mistake=Mistake(
+                "the other triple of angles is returned, with beta beyond pi/2",
+                "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) is asked?",
+            ),
+        ),
+        Property(
+            "the angles give R again at gimbal lock too",
+            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
+            says=lambda angles, R: (
+                f"cos(beta) = 0 here: R[0, 0] is {R[0, 0]:.2g}, R[1, 0] is {R[1, 0]:.2g}, which is rounding."
+            ),
+            mistake=Mistake(
+                "at gimbal lock the angles are read from entries that are zero there",
+                "Put alpha = 0 and beta = pi/2 into the product: which entries still depend on gamma?",
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "alpha and gamma are swapped",
+            "alpha is the angle about x, gamma about z. The answer is (alpha, beta, gamma).",
+            _swapped(0, 2),
+        ),
+        Mistake("beta has the wrong sign", "R[2, 0] is -sin(beta).", _away(lambda R: _right(R) * [1, -1, 1])),
+        Mistake(
+            "the angles are those of R^T, or have all their signs changed",
+            "Multiply the three matrices on paper, and compare the entries with the transpose.",
+            _away(lambda R: _right(R.T)),
+            _away(lambda R: -_right(R)),
+        ),
+        Mistake(
+            "the angles are those of the other order, Rx Ry Rz",
+            "Here R = Rz(gamma) Ry(beta) Rx(alpha): multiply it out.",
+            _away(lambda R: -_right(R.T)),
+        ),
+        Mistake(
+            "arctan takes a quotient: it cannot tell an angle from the opposite one",
+            "arctan(y / x) lies between -pi/2 and pi/2. numpy has a function that takes y and x apart.",
+            _away(lambda R: [np.arctan(R[2, 1] / R[2, 2]), _right(R)[1], np.arctan(R[1, 0] / R[0, 0])]),
+            _away(lambda R: [_right(R)[0], _right(R)[1], np.arctan(R[1, 0] / R[0, 0])]),
+            _away(lambda R: [np.arctan(R[2, 1] / R[2, 2]), *_right(R)[1:]]),
+        ),
+        Mistake(
+            "the arguments of arctan2 are swapped",
+            "The sine comes first: arctan2(y, x).",
+            _away(lambda R: [np.arctan2(R[2, 2], R[2, 1]), _right(R)[1], np.arctan2(R[0, 0], R[1, 0])]),
+        ),
+        Mistake(
+            "arcsin or arccos is used for alpha or gamma",
+            "They know half of the circle only. Sine and cosine together tell the angle.",
+            _away(lambda R: [np.arcsin(np.clip(R[2, 1] / np.cos(_right(R)[1]), -1, 1)), *_right(R)[1:]]),
+            _away(lambda R: [*_right(R)[:2], np.arcsin(np.clip(R[1, 0] / np.cos(_right(R)[1]), -1, 1))]),
+            _away(
+                lambda R: [
+                    np.arcsin(np.clip(R[2, 1] / np.cos(_right(R)[1]), -1, 1)),
+                    _right(R)[1],
+                    np.arcsin(np.clip(R[1, 0] / np.cos(_right(R)[1]), -1, 1)),
+                ]
+            ),
+            _away(lambda R: [*_right(R)[:2], np.arccos(np.clip(R[0, 0] / np.cos(_right(R)[1]), -1, 1))]),
+        ),
+        in_degrees(_right),
+        Mistake(
+            "at gimbal lock the remaining angle has the wrong sign",
+            "Check it with Rz(0.4) Ry(pi/2).",
+            lambda R: np.array([0.0, _right(R)[1], -_right(R)[2]]) if _lock(R) else None,
+        ),
+        Mistake(
+            "the case beta = -pi/2 is treated like beta = pi/2",
+            "With alpha = 0, which entries depend on the sign of beta, and which do not?",
+            lambda R: np.array([0.0, np.pi / 2, _right(R)[2]]) if _lock(R) else None,
+        ),
+        Mistake(
+            "at gimbal lock all of the rest is set to zero",
+            "One angle may be chosen freely. The other then follows from R.",
+            lambda R: np.array([0.0, _right(R)[1], 0.0]) if _lock(R) else None,
+        ),
+        Mistake(
+            "near gimbal lock the formula for the exact lock is used too soon",
+            "Its error is about cos(beta): how small has that to be for 1e-6?",
+            seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1,
+        ),
+        Mistake(
+            "beta is given with the cosine taken for the sine",
+            "R[2, 0] is -sin(beta).",
+            _away(lambda R: [_right(R)[0], np.arccos(-R[2, 0]), _right(R)[2]]),
+        ),
+    ),
+    hints=(
+        "Multiply Rz(gamma) Ry(beta) Rx(alpha) out: the first column and the last row are simple.",
+        "R[2, 0] = -sin(beta), R[1, 0] / R[0, 0] = tan(gamma), R[2, 1] / R[2, 2] = tan(alpha). np.arctan2 sees the "
+        "signs; for beta, np.hypot(R[0, 0], R[1, 0]) is the cosine.",
+        "If that cosine is below 1e-8: alpha = 0, gamma = np.arctan2(-R[0, 1], R[1, 1]).",
+    ),
+    forbidden=("scipy.spatial.transform.Rotation",),
+)

@@ -1,0 +1,119 @@
+"""exp_so3: from axis and angle to the matrix."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import orthogonality_error, partial_sum, unit
+from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
+
+
+def _cases(rng):
+    named = [[0, 0, np.pi / 2], [0, np.pi / 2, 0], [np.pi / 2, 0, 0], [-1.0, 0, 0], [0, -1.0, 0], [0, 0, -1.0]]
+    lengths = [0.5, 2.0, np.pi, 5.0, 3.1e-4, 1e-5, 1e-9, 1e-12]
+    return [(np.array(w),) for w in named] + [(size * unit(rng),) for size in lengths] + [(np.zeros(3),)]
+
+
+EXERCISE = Exercise(
+    name="exp_so3",
+    points=2,
+    arguments=("w",),
+    cases=_cases,
+    returns=numbers(lambda w: (3, 3), gaps=True),
+    library=exp_so3,
+    properties=(
+        Property(
+            "R is a rotation: R^T R = I and det R = 1",
+            lambda R, w: orthogonality_error(R) < 1e-9 and np.linalg.det(R) > 0,
+            says=lambda R, w: f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}.",
+        ),
+        Property("the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9)),
+        Property(
+            "R rotates by the angle |w|, counter-clockwise about w",
+            lambda R, w: np.abs(R - exp_so3(w)).max() < 1e-9,
+            says=lambda R, w: f"The trace of R should be 1 + 2 cos |w| = {np.trace(exp_so3(w)):.4g}.",
+        ),
+        Property(
+            "small rotations keep their digits: for a tiny w, R - I is nearly [w]",
+            lambda R, w: np.abs(R - np.eye(3) - hat(w)).max() <= 1e-2 * np.linalg.norm(w),
+            where=lambda w: 0 < np.linalg.norm(w) < 1e-3,
+        ),
+    ),
+    hints=(
+        "The angle is a = |w|, the unit axis n = w / a.",
+        "At a = 0 there is no axis: treat that case first, before you divide.",
+        "R = I + sin(a) [n] + (1 - cos(a)) [n]^2, with [n] = hat(n) and the matrix product for the square.",
+    ),
+    forbidden=("course_lib.rotations.exp_so3", "course_lib.rigid.exp_se3", "scipy.spatial.transform.Rotation"),
+)
+
+
+def _formula(w, sine=np.sin, versine=lambda a: 1 - np.cos(a), N=None):
+    a = np.linalg.norm(w)
+    if a == 0:
+        return np.eye(3)
+    N = hat(w / a) if N is None else N
+    return np.eye(3) + sine(a) * N + versine(a) * N @ N
+
+
+@EXERCISE.mistake
+def small_angles_lost(w):
+    """small angles are lost. Which is the only rotation vector that has no axis?"""
+    return np.eye(3) if np.linalg.norm(w) < 1e-3 else exp_so3(w)
+
+
+@EXERCISE.mistake
+def zero_divided(w):
+    """w = 0 is divided by its length, which is 0. What does no rotation do to a point?"""
+    return _formula(w) if w.any() else np.full((3, 3), np.nan)
+
+
+@EXERCISE.mistake
+def length_not_divided_out(w):
+    """w is not divided by its length before [w] is formed. Rodrigues' formula contains a unit axis n."""
+    return _formula(w, N=hat(w))
+
+
+@EXERCISE.mistake
+def squared_length(w):
+    """the square of the length stands for the length. w . w is |w|^2: the angle is its root."""
+    return _formula(w / np.linalg.norm(w) * (w @ w))
+
+
+@EXERCISE.mistake
+def sign_in_hat(w):
+    """[n] has a wrong sign in one entry. [n] is skew-symmetric: [n]^T = -[n]."""
+    N = hat(w / np.linalg.norm(w))
+    N[1, 2] *= -1
+    return _formula(w, N=N)
+
+
+@EXERCISE.mistake(versine=(lambda a: 0, lambda a: np.cos(a) - 1, np.cos, lambda a: np.sin(a / 2) ** 2))
+def versine_wrong(w, versine):
+    """the factor of [n]^2 is not 1 - cos(a). It is 0 at a = 0, 2 at a half turn, and moves p towards the axis."""
+    return _formula(w, versine=versine)
+
+
+@EXERCISE.mistake
+def brackets_missing(w):
+    """brackets are missing around 1 - cos(a). The product binds before the difference."""
+    return _formula(w, versine=lambda a: -np.cos(a)) + 1
+
+
+@EXERCISE.mistake(terms=range(2, 21))
+def series_cut(w, terms):
+    """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
+    return partial_sum(hat(w), terms)
+
+
+@EXERCISE.mistake
+def square_entry_by_entry(w):
+    """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
+    a, N = np.linalg.norm(w), hat(w / np.linalg.norm(w))
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N
+
+
+@EXERCISE.mistake(order=(1, -1))
+def rotations_in_a_row(w, order):
+    """the rotations about x, y and z are multiplied. There is one rotation, about the axis w itself."""
+    return np.linalg.multi_dot([rot_z(w[2]), rot_y(w[1]), rot_x(w[0])][::order])

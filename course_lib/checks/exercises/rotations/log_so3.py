@@ -1,0 +1,235 @@
+"""log_so3: from the matrix to axis and angle. The given code takes a rotation by 180 degrees for none."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.vocabulary import doubled, halved, in_degrees, negated, unit
+from course_lib.rotations import exp_so3, hat, log_so3
+
+_DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # just beyond -1 and 1, and just below 1
+
+
+def _leaning(rng):
+    """A unit vector far from the coordinate axes: what is wrong only near an axis is not hidden."""
+    return np.roll([0.6, 0.64, 0.48], rng.integers(3)) * rng.choice([-1, 1], size=3)
+
+
+def _cases(rng):
+    angles = [np.pi / 2, 0.5, 2.0, 3.0]
+    small = [3.1e-4, 1e-5, 1e-9]
+    nearly_half = [np.pi - 3.1e-4, np.pi - 1e-5, np.pi - 1e-9]
+    named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
+    half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
+    half += [
+        2 * np.outer(n, n) - np.eye(3) for n in (_leaning(rng), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
+    ]
+    # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is not quite symmetric.
+    rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
+    rotating = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
+    return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
+
+
+def _angle(R):
+    return np.linalg.norm(log_so3(R))
+
+
+def _between(low, high):
+    return lambda R: low < _angle(R) < high
+
+
+def _half_turn(R):
+    return _angle(R) > np.pi - 1e-8
+
+
+def _alike(value, predicted, R):
+    """Relative to the angle; at 180 degrees up to the sign."""
+    angle = _angle(R) or 1.0
+    signs = (1, -1) if _half_turn(R) else (1,)
+    return any(same(np.ravel(value) / angle, sign * np.ravel(predicted) / angle) for sign in signs)
+
+
+def _gap(w, R):
+    return np.abs(exp_so3(w) - R).max()
+
+
+def _skew_part(R):
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+
+
+def _given(R):
+    """Return what the given code answers."""
+    skew = _skew_part(R)
+    sine = np.linalg.norm(skew)
+    return np.arctan2(sine, (np.trace(R) - 1) / 2) / sine * skew if sine > 1e-12 else skew
+
+
+def _scaled(scale):
+    """Return the answer of somebody whose vector has the right direction and a length scale(angle)."""
+    return lambda R: log_so3(R) * scale(_angle(R)) / (_angle(R) or 1)
+
+
+def _at_half_turns(answer):
+    return lambda R: answer(R) if _half_turn(R) else None
+
+
+_NO_ANSWER = Mistake(
+    "something is divided by zero, or arccos is asked outside [-1, 1]",
+    "Rounding may take the trace just above 3 or below -1. And at the identity and at 180 degrees the sine is 0.",
+)
+
+
+def _short_of_pi(R):
+    """Return how far the angle is from pi, in words."""
+    short = np.pi - _angle(R)
+    return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
+
+
+EXERCISE = Exercise(
+    name="log_so3",
+    points=3,
+    arguments=("R",),
+    cases=_cases,
+    returns=numbers(lambda R: (3,), gaps=True),
+    library=log_so3,
+    broken=_given,
+    alike=_alike,
+    properties=(
+        Property(
+            "the exponential of the answer is R again",
+            lambda w, R: _gap(w, R) < 1e-6,
+            says=lambda w, R: f"The angle of R is {_angle(R):.6g} rad; |w| of your answer is {np.linalg.norm(w):.6g}.",
+            where=_between(1e-3, np.pi - 1e-3),
+        ),
+        Property(
+            "the angle |w| is the smallest one, between 0 and pi",
+            lambda w, R: np.linalg.norm(w) <= np.pi + 1e-6,
+            where=_between(1e-3, np.pi - 1e-3),
+            mistake=Mistake(
+                "the longer of the two rotations is taken", "The angle 2 pi - a about the opposite axis is smaller."
+            ),
+        ),
+        Property(
+            "small angles keep their digits",
+            lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-5 * _angle(R),
+            where=_between(1e-6, 1e-3),
+            mistake=Mistake(
+                "digits are lost at small angles",
+                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot.",
+            ),
+        ),
+        Property(
+            "tiny angles keep their digits too",
+            lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-3 * _angle(R),
+            where=_between(1e-12, 1e-6),
+            mistake=Mistake(
+                "digits are lost at small angles",
+                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot.",
+            ),
+        ),
+        Property(
+            "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
+            lambda w, R: _gap(w, R) < 1e-4 and np.linalg.norm(w) <= np.pi + 1e-4,
+            says=lambda w, R: f"The angle of R is {_short_of_pi(R)}. exp of your answer is off by {_gap(w, R):.2g}.",
+            where=lambda R: np.pi - 1e-3 < _angle(R) <= np.pi and (np.trace(R) - 1) / 2 >= -1,
+        ),
+        Property(
+            "for R = I the rotation vector is 0",
+            lambda w, R: np.abs(w).max() < 1e-9,
+            where=lambda R: np.array_equal(R, np.eye(3)),
+            mistake=Mistake("the identity is given an axis", "Its angle is 0, so angle times axis is 0 for any axis."),
+        ),
+        Property(
+            "every R that is a rotation to rounding has a logarithm",
+            lambda w, R: _gap(w, R) < 1e-4,
+            says=lambda w, R: f"The trace of R is {np.trace(R):.17g}.",
+            mistake=_NO_ANSWER,
+        ),
+    ),
+    mistakes=(
+        Mistake(_NO_ANSWER.name, _NO_ANSWER.hint, seen=lambda w, R: not np.isfinite(w).all()),
+        Mistake(
+            "small angles are cut off to zero",
+            "A small rotation is not the identity. Which formula divides by nothing that is small?",
+            seen=lambda w, R: not w.any() and 0 < _angle(R) < 0.1,
+        ),
+        Mistake(
+            "a rotation by 180 degrees is taken for none",
+            "At angle pi, R equals R^T, and R - R^T contains nothing. What does R + I contain there?",
+            _at_half_turns(lambda R: np.zeros(3)),
+            seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3,
+        ),
+        Mistake(
+            "at 180 degrees the signs of the axis's entries do not fit together",
+            "The diagonal of n n^T contains squares only. Where do the products of two entries stand?",
+            _at_half_turns(lambda R: np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0))),
+            seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6),
+        ),
+        Mistake(
+            "near 180 degrees the formula for exactly 180 degrees is used too soon",
+            "It is exact at pi only. How far from pi is its error below 1e-4?",
+            seen=lambda w, R: (
+                1e-7 < np.pi - _angle(R) < 1e-3 and 1e-6 < np.linalg.norm(np.abs(w) - np.abs(log_so3(R))) < 1e-2
+            ),
+        ),
+        Mistake(
+            "near 180 degrees the angle or its sine has lost its digits",
+            "sin(a) is small there, and a rounded angle has a rounded sine. Which formula needs no sine of the angle?",
+            seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R),
+        ),
+        Mistake(
+            "at 180 degrees the answer is not pi times the unit axis",
+            "Which entries of R hold the axis there, and how long is the vector that you take?",
+            seen=lambda w, R: _half_turn(R),
+        ),
+        negated(
+            log_so3,
+            "the sign is wrong: this is the logarithm of R^T",
+            "[n] has n1 in row 3, column 2. Which entry of R - R^T is that?",
+        ),
+        Mistake(
+            "the unit axis is returned, without the angle", "The vector's length is the angle.", _scaled(lambda a: 1.0)
+        ),
+        in_degrees(log_so3),
+        Mistake(
+            "the skew part of R is taken for its logarithm", "(R - R^T)/2 is sin(a) [n], not a [n].", _scaled(np.sin)
+        ),
+        Mistake(
+            "the division by sin(a) is missing", "(R - R^T)/2 is sin(a) [n], not [n].", _scaled(lambda a: a * np.sin(a))
+        ),
+        doubled(log_so3, "a factor 1/2 is missing", "R - R^T is 2 sin(a) [n]."),
+        halved(log_so3, "the factor 1/2 occurs twice", "R - R^T is 2 sin(a) [n]."),
+        Mistake(
+            "the angle is wrong beyond 90 degrees",
+            "arcsin gives the same angle for a and pi - a. Which part of R tells them apart?",
+            _scaled(lambda a: min(a, np.pi - a)),
+        ),
+        Mistake(
+            "the angle is computed from the trace with a wrong constant",
+            "The trace is 1 + 2 cos(a): solve it for a.",
+            *(
+                _scaled(lambda a, cosine=cosine: np.arccos(np.clip(cosine(1 + 2 * np.cos(a)), -1, 1)))
+                for cosine in (
+                    lambda t: t / 2 - 1,
+                    lambda t: t - 1,
+                    lambda t: t / 2,
+                    lambda t: (t + 1) / 2,
+                    lambda t: (t - 1) / 3,
+                )
+            ),
+        ),
+    ),
+    hints=(
+        "Run the given code at np.diag([1.0, -1.0, -1.0]). What is the skew part there, and which line decides?",
+        "At 180 degrees R = 2 n n^T - I, so every column of R + I is a multiple of n. One of them may be 0: take the "
+        "longest.",
+        "So, if the skew part is (nearly) zero and the trace is negative: take the longest column of R + I, divide it "
+        "by its length, multiply it by pi.",
+    ),
+    forbidden=(
+        "course_lib.rotations.log_so3",
+        "course_lib.rotations.matrix_to_quaternion",
+        "course_lib.rigid.log_se3",
+        "scipy.spatial.transform.Rotation",
+    ),
+)

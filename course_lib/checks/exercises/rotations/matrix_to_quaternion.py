@@ -1,0 +1,127 @@
+"""matrix_to_quaternion: from a rotation matrix to a unit quaternion, near 180 degrees too."""
+
+from itertools import permutations
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import doubled, halved, same_up_to_sign
+from course_lib.rotations import exp_so3, matrix_to_quaternion
+
+
+def _cases(rng):
+    quarter = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
+    half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
+    half.append(np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, -1]]))
+    random = rng.normal(size=(2, 3))
+    generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
+    # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly 0, and 0
+    leaning = [np.roll([0.8, 0.48, 0.36], k) * rng.choice([-1, 1], size=3) for k in range(3)]
+    near = [exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning]
+    # about axes in the coordinate planes, for which one of x, y, z is 0
+    flat = [sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j] for i, j in permutations(range(3), 2) for sign in (1, -1)]
+    exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
+    middling = [exp_so3(2.1 * n) for n in flat]
+    wide = [exp_so3(3.0 * e) for e in np.eye(3)]  # w is small, and two other entries are 0
+    return [(R,) for R in [*quarter, *generic, np.eye(3), *wide, *middling, *near, *half, *exact]]
+
+
+def _right_up_to_sign(q, R):
+    right = matrix_to_quaternion(R)
+    return min(np.abs(q - right).max(), np.abs(q + right).max()) < 1e-6
+
+
+def _near_half_turn(R):
+    return np.trace(R) < -1 + 1e-6
+
+
+def _each(factors):
+    return lambda R: matrix_to_quaternion(R) * factors
+
+
+EXERCISE = Exercise(
+    name="matrix_to_quaternion",
+    points=3,
+    arguments=("R",),
+    cases=_cases,
+    returns=numbers(lambda R: (4,), gaps=True),
+    library=matrix_to_quaternion,
+    alike=same_up_to_sign,
+    properties=(
+        Property(
+            "q, or -q, is the quaternion of R",
+            _right_up_to_sign,
+            says=lambda q, R: (
+                f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {np.trace(R):.6g}, so w^2 = (1 + trace) / 4 is "
+                f"{(1 + np.trace(R)) / 4:.2g}."
+            ),
+            where=lambda R: not _near_half_turn(R),
+        ),
+        Property(
+            "q, or -q, is the quaternion of R, near 180 degrees too",
+            _right_up_to_sign,
+            says=lambda q, R: f"w^2 = (1 + trace) / 4 is {(1 + np.trace(R)) / 4:.2g} here.",
+            mistake=Mistake(
+                "near 180 degrees an entry that is nearly 0 serves as the divisor",
+                "Which of the four squares can never be small together?",
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "the order is (x, y, z, w)",
+            "Here a quaternion is (w, x, y, z), with the scalar first.",
+            lambda R: np.roll(matrix_to_quaternion(R), -1),
+        ),
+        Mistake(
+            "the signs of x, y, z do not fit together",
+            "The diagonal gives squares only. The signs come from the products of two entries.",
+            lambda R: np.abs(matrix_to_quaternion(R)),
+            seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6),
+        ),
+        Mistake(
+            "the conjugate is returned: the quaternion of R^T",
+            "Compare the order of the differences with 4 w x = R21 - R12.",
+            _each([1, -1, -1, -1]),
+        ),
+        doubled(matrix_to_quaternion, hint="The four sums are 4 w^2, 4 x^2, ...: what is the root of 4?"),
+        halved(matrix_to_quaternion),
+        Mistake(
+            "the vector part has another factor than the scalar",
+            "The products are 4 w x, 4 w y, 4 w z: by what do you divide them, and which factor remains?",
+            *(_each([1, c, c, c]) for c in (0.25, 0.5, 2, 4, -0.5, -2)),
+        ),
+        Mistake("the angle is not halved", "A rotation by a has w = cos(a/2).", lambda R: _axis_and_angle(R, 1.0)),
+        Mistake(
+            "a square is returned without its root",
+            "The diagonal of R gives squares.",
+            lambda R: np.array([matrix_to_quaternion(R)[0] ** 2, *matrix_to_quaternion(R)[1:]]),
+            lambda R: matrix_to_quaternion(R) ** 2,
+        ),
+        Mistake(
+            "an entry of q that is nearly 0 serves as the divisor",
+            "Any of w, x, y, z can be small, but not all of them at once. Which one is a safe divisor?",
+            seen=lambda q, R: not np.isfinite(q).all() or _near_half_turn(R) or np.linalg.norm(q) < 0.99,
+        ),
+    ),
+    hints=(
+        "The diagonal of R gives the four squares. At least one of them is 1/4 or more.",
+        "Take the root of the largest square; the three products that contain this entry give the others.",
+        "For example, if x is the largest: x = sqrt(1 + R00 - R11 - R22) / 2, w = (R21 - R12) / (4 x), "
+        "y = (R10 + R01) / (4 x), z = (R02 + R20) / (4 x).",
+    ),
+    forbidden=(
+        "course_lib.rotations.matrix_to_quaternion",
+        "course_lib.rotations.log_so3",
+        "scipy.spatial.transform.Rotation",
+    ),
+)
+
+
+def _axis_and_angle(R, share):
+    """(cos b, sin b n) with b = share * angle; for a quaternion the share is 1/2."""
+    q = matrix_to_quaternion(R)
+    sine = np.linalg.norm(q[1:])
+    angle = 2 * np.arctan2(sine, q[0])
+    return np.array([np.cos(share * angle), *(np.sin(share * angle) * q[1:] / (sine or 1))])

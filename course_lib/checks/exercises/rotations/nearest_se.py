@@ -1,0 +1,141 @@
+"""nearest_se: the pose nearest to a damaged one."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.rotations.shared import (
+    damaged_rotations,
+    distances,
+    gram_schmidt,
+    is_rotation,
+    last_column_negated,
+    ones,
+    polar,
+)
+from course_lib.checks.vocabulary import pose
+from course_lib.rigid import nearest_se
+from course_lib.rotations import nearest_so, random_rotations
+
+
+def _damaged_pose(M, p):
+    return pose(M, p[: len(M)], *(0.1 * np.arange(1, len(M) + 2)))
+
+
+def _cases(rng):
+    p = rng.normal(size=3)
+    good = [pose(random_rotations(1, rng)[0], p), np.eye(3), np.eye(4)]
+    return [(T,) for T in [_damaged_pose(M, p) for M in damaged_rotations(rng)] + good]
+
+
+def _is_pose(T):
+    return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
+
+
+def _corrected(T, block=nearest_so, translation=lambda R, p: p, row=lambda row: np.eye(len(row))[-1]):
+    """T put together from a new block, translation and row."""
+    R = block(T[:-1, :-1])
+    return pose(R, translation(R, T[:-1, -1]), *row(T[-1]))
+
+
+EXERCISE = Exercise(
+    name="nearest_se",
+    points=2,
+    arguments=("T",),
+    cases=_cases,
+    returns=numbers(np.shape),
+    library=nearest_se,
+    properties=(
+        Property(
+            "the last row is (0, ..., 0, 1)",
+            lambda X, T: np.abs(X[-1] - np.eye(len(T))[-1]).max() < 1e-9,
+            mistake=Mistake("the last row is not that of a pose", "Does it depend on T at all?"),
+        ),
+        Property(
+            "the translation (the last column) stays as it is",
+            lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < 1e-9,
+            mistake=Mistake("the translation is changed", "Only the block and the last row need repair."),
+        ),
+        Property(
+            "the block is a rotation",
+            lambda X, T: is_rotation(X[:-1, :-1]),
+            mistake=Mistake("the block is not a rotation", "Which of your functions makes a rotation of a matrix?"),
+        ),
+        Property("a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < 1e-9, where=_is_pose),
+        Property(
+            "the block is the rotation nearest to that of T",
+            lambda X, T: np.linalg.norm(X - nearest_se(T)) < 1e-6,
+            says=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "the last row stays as it came", "Does it depend on T at all?", lambda T: _corrected(T, row=lambda row: row)
+        ),
+        Mistake(
+            "only the last entry of the last row is repaired",
+            "What are the others in a pose?",
+            lambda T: _corrected(T, row=lambda row: [*row[:-1], 1.0]),
+        ),
+        Mistake(
+            "T is divided by its last entry",
+            "That scales the translation. Only the block and the row are repaired.",
+            lambda T: _corrected(T / T[-1, -1]),
+            lambda T: _corrected(T / T[-1, -1], row=lambda row: row),
+        ),
+        Mistake(
+            "the translation is lost",
+            "The last column stays as it is.",
+            lambda T: _corrected(T, translation=lambda R, p: 0 * p),
+        ),
+        Mistake(
+            "the translation is rotated with the block",
+            "The last column stays as it is.",
+            lambda T: _corrected(T, translation=lambda R, p: R @ p),
+            lambda T: _corrected(T, translation=lambda R, p: R.T @ p),
+        ),
+        Mistake(
+            "the inverse pose is returned",
+            "Keep the block and the translation: no transpose, no minus.",
+            lambda T: _corrected(T, lambda M: nearest_so(M).T, lambda R, p: -R @ p),
+        ),
+        Mistake(
+            "the whole of T is made a rotation",
+            "Only its upper left block is one.",
+            lambda T: polar(T, *ones(T), np.linalg.det(polar(T))),
+            polar,
+        ),
+        Mistake(
+            "the block is returned as it came",
+            "Which of your functions makes a rotation of a matrix?",
+            lambda T: _corrected(T, np.copy),
+            np.copy,
+        ),
+        Mistake(
+            "the last column of U V^T is negated",
+            "That is a rotation, but not the nearest. Your nearest_so does better.",
+            lambda T: _corrected(T, last_column_negated),
+        ),
+        Mistake(
+            "the block stays a reflection where det < 0",
+            "Your nearest_so returns rotations only.",
+            lambda T: _corrected(T, polar),
+        ),
+        Mistake(
+            "the block is transposed",
+            "Compare it with the block of T: which of the two is near it?",
+            lambda T: _corrected(T, lambda M: nearest_so(M).T),
+        ),
+        Mistake(
+            "the columns of the block are made orthogonal one after the other",
+            "That favours the first column. Your nearest_so treats all alike.",
+            lambda T: _corrected(T, gram_schmidt),
+        ),
+    ),
+    hints=(
+        "Three parts: the block T[:-1, :-1], the translation T[:-1, -1], the last row. Which of them need repair?",
+        "With n = len(T) - 1 the same lines serve SE(2) and SE(3).",
+        "Start from np.eye(len(T)); put nearest_so of the block and the translation into it.",
+    ),
+    forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
+)

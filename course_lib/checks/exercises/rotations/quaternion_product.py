@@ -1,0 +1,135 @@
+"""quaternion_product: one rotation after another, by quaternions."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.rotations.shared import CONJUGATE, hamilton_product
+from course_lib.checks.vocabulary import argument_returned, arguments_swapped, entry_by_entry, negated
+from course_lib.rotations import quaternion_to_matrix, random_quaternions
+
+
+def _cases(rng):
+    half = np.sqrt(0.5)
+    about_x, about_z, none = [half, half, 0, 0], [half, 0, 0, half], [1.0, 0, 0, 0]
+    named = [(about_z, about_x), (about_x, about_z), (about_x, none), (none, about_z)]
+    named += [([0.0, 1, 0, 0], [0.0, 0, 1, 0]), ([0.0, 0, 0, 1], [0.0, 0, 0, 1])]
+    drawn = random_quaternions(8, rng).reshape(4, 2, 4)
+    return [(np.array(p), np.array(q)) for p, q in [*named, *drawn, ([0.0, 1, 2, 3], drawn[0][0])]]
+
+
+# In entry k of the product, p[j] q[6 - k - j] has a minus, or a plus.
+_PLUS, _MINUS = ((1, 3), (2, 1), (3, 2)), ((1, 2), (2, 3), (3, 1))
+
+
+def _term(p, q, dot=-1, cross=1, first=1, second=1):
+    """The product with other factors of its terms."""
+    v = first * p[0] * q[1:] + second * q[0] * p[1:] + cross * np.cross(p[1:], q[1:])
+    return np.array([p[0] * q[0] + dot * (p[1:] @ q[1:]), *v])
+
+
+EXERCISE = Exercise(
+    name="quaternion_product",
+    points=1,
+    arguments=("p", "q"),
+    cases=_cases,
+    returns=numbers(lambda p, q: (4,)),
+    library=hamilton_product,
+    properties=(
+        Property(
+            "the length of the product is the product of the lengths",
+            lambda pq, p, q: abs(np.linalg.norm(pq) - np.linalg.norm(p) * np.linalg.norm(q)) < 1e-9,
+            says=lambda pq, p, q: (
+                f"|p| |q| is {np.linalg.norm(p) * np.linalg.norm(q):.4g}; yours {np.linalg.norm(pq):.4g}."
+            ),
+        ),
+        Property(
+            "the matrix of p q is the product of the two matrices",
+            lambda pq, p, q: np.allclose(
+                quaternion_to_matrix(pq), quaternion_to_matrix(p) @ quaternion_to_matrix(q), atol=1e-9
+            ),
+            where=lambda p, q: abs(np.linalg.norm(p) - 1) < 1e-9,
+        ),
+        Property(
+            "p q = (w1 w2 - v1 . v2, w1 v2 + w2 v1 + v1 x v2)",
+            lambda pq, p, q: np.allclose(pq, hamilton_product(p, q), atol=1e-9),
+        ),
+    ),
+    mistakes=(
+        arguments_swapped(
+            hamilton_product,
+            name="p and q are swapped",
+            hint="v1 x v2 is not v2 x v1: whose vector comes first?",
+        ),
+        Mistake(
+            "the cross product is missing, or has the wrong sign",
+            "Without it the order of the factors would not matter. What is i j?",
+            lambda p, q: _term(p, q, cross=0),
+        ),
+        Mistake(
+            "the dot product has the wrong sign",
+            "What is i i? The scalar of that product is -1.",
+            lambda p, q: _term(p, q, dot=1),
+        ),
+        Mistake(
+            "the dot product is missing",
+            "What is i i? The scalar of that product is not 0.",
+            lambda p, q: _term(p, q, dot=0),
+        ),
+        Mistake(
+            "a term of the vector part is missing",
+            "The vector part has three terms.",
+            lambda p, q: _term(p, q, first=0),
+            lambda p, q: _term(p, q, second=0),
+            lambda p, q: _term(p, q, first=0, second=0),
+        ),
+        Mistake(
+            "each vector part meets its own scalar",
+            "w1 multiplies v2, and w2 multiplies v1.",
+            lambda p, q: np.array(
+                [p[0] * q[0] - p[1:] @ q[1:], *(p[0] * p[1:] + q[0] * q[1:] + np.cross(p[1:], q[1:]))]
+            ),
+        ),
+        entry_by_entry(
+            lambda p, q: p * q,
+            name="p and q are multiplied entry by entry",
+            hint="Every entry of p meets every one of q.",
+        ),
+        Mistake(
+            "one term of the cross product has the wrong sign",
+            "Each entry of v1 x v2 is a difference of two products.",
+            *(lambda p, q, k=k, j=j: hamilton_product(p, q) + 2 * np.eye(4)[k] * p[j] * q[6 - k - j] for k, j in _PLUS),
+            *(
+                lambda p, q, k=k, j=j: hamilton_product(p, q) - 2 * np.eye(4)[k] * p[j] * q[6 - k - j]
+                for k, j in _MINUS
+            ),
+        ),
+        Mistake(
+            "the product is divided by its length",
+            "The product of two unit quaternions has length one by itself; others keep their lengths.",
+            lambda p, q: hamilton_product(p, q) / np.linalg.norm(hamilton_product(p, q)),
+        ),
+        Mistake("p and q are added", "The product has products of entries.", lambda p, q: p + q),
+        Mistake(
+            "a factor is conjugated",
+            "The product takes p and q as they are.",
+            lambda p, q: hamilton_product(p * CONJUGATE, q),
+            lambda p, q: hamilton_product(p, q * CONJUGATE),
+            lambda p, q: hamilton_product(p, q) * CONJUGATE,
+        ),
+        Mistake(
+            "the entries are taken as (x, y, z, w)",
+            "Here a quaternion is (w, x, y, z), with the scalar first.",
+            lambda p, q: np.roll(hamilton_product(np.roll(p, 1), np.roll(q, 1)), -1),
+            lambda p, q: np.roll(hamilton_product(p, q), -1),
+        ),
+        negated(hamilton_product),
+        argument_returned(0, "p is returned without q"),
+        argument_returned(1, "q is returned without p"),
+    ),
+    hints=(
+        "Split p into w1 = p[0] and v1 = p[1:], and q likewise.",
+        "The scalar has two terms, the vector part three. np.cross is the cross product.",
+        "np.array([w, *v]) puts the scalar w1 w2 - v1 . v2 before the vector w1 v2 + w2 v1 + v1 x v2.",
+    ),
+)

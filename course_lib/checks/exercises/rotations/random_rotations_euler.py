@@ -1,0 +1,136 @@
+"""random_rotations_euler: the naive sampler, which has to be naive in the published manner."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.rotations.sampling import (
+    CIRCLE,
+    DRAWS,
+    LEVEL,
+    ROTATIONS,
+    TIED,
+    cases,
+    cells_p_value,
+    has_gaps,
+    many,
+    nearly_uniform,
+    of_many,
+    tied,
+    uniform,
+)
+from course_lib.rotations import rot_x, rot_y, rot_z
+
+
+def _right(n, rng):
+    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
+
+
+def _angles(R):
+    """(alpha, beta, gamma) of R = Rz(gamma) Ry(beta) Rx(alpha), beta in [-pi/2, pi/2].
+
+    With beta beyond pi/2, alpha + pi, pi - beta and gamma + pi are read off, which are the same rotation: what is
+    uniform and independent stays so. So beta from [0, pi/2) alone gives the same distribution, and is right too.
+    """
+    return (
+        np.arctan2(R[:, 2, 1], R[:, 2, 2]),
+        np.arcsin(np.clip(-R[:, 2, 0], -1, 1)),
+        np.arctan2(R[:, 1, 0], R[:, 0, 0]),
+    )
+
+
+_RANGES = [CIRCLE, (0, np.pi / 2), CIRCLE]
+
+
+def _signs(R, i, j):
+    """Return which signs R[i, j] has among the draws: (any negative, any positive)."""
+    return bool(R[:, i, j].min() < -1e-12), bool(R[:, i, j].max() > 1e-12)
+
+
+_BOTH, _NEVER_POSITIVE, _NEVER_NEGATIVE = (True, True), (True, False), (False, True)
+
+
+def _one_axis_twice(R):
+    """R = Rz Ry Rz has cos(beta) in one corner, R = Rx Ry Rx in the other."""
+    return any(uniform(np.arccos(np.clip(R[:, i, i], -1, 1)), 0, np.pi) for i in (0, 2))
+
+
+def _in_one_half(R):
+    alpha, _, gamma = _angles(R)
+    return not has_gaps(alpha, *CIRCLE) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
+
+
+EXERCISE = Exercise(
+    name="random_rotations_euler",
+    points=1,
+    arguments=("n", "rng"),
+    cases=cases,
+    returns=numbers(lambda n, rng: (n, 3, 3)),
+    library=_right,
+    properties=(
+        ROTATIONS,
+        *DRAWS,
+        Property(
+            "beta is drawn from [0, pi], so R[2, 0] = -sin(beta) is never positive",
+            lambda R, n, rng: R[:, 2, 0].max() <= 1e-12,
+            says=lambda R, n, rng: f"The share of positive ones is {np.mean(R[:, 2, 0] > 1e-12):.2f}.",
+            where=many,
+        ),
+        Property(
+            "beta is drawn uniformly",
+            lambda R, n, rng: uniform(_angles(R)[1], 0, np.pi / 2),
+            where=many,
+            mistake=Mistake("beta is not uniform in [0, pi]", "What does rng.random(n) have to be multiplied by?"),
+        ),
+        Property(
+            "alpha and gamma are drawn uniformly from the full circle",
+            lambda R, n, rng: all(uniform(_angles(R)[i], *CIRCLE) for i in (0, 2)),
+            where=many,
+            mistake=Mistake(
+                "alpha or gamma is not uniform on the full circle", "What does rng.random(n) have to be multiplied by?"
+            ),
+        ),
+        Property(
+            "the three angles are drawn independently",
+            lambda R, n, rng: cells_p_value(_angles(R), _RANGES, (6, 4, 6)) > LEVEL,
+            where=many,
+            mistake=TIED,
+        ),
+    ),
+    mistakes=(
+        Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(_angles(R), _RANGES))),
+        Mistake("alpha and gamma are drawn from half the circle", "Only beta ends at pi.", seen=of_many(_in_one_half)),
+        Mistake(
+            "the factors stand in the other order, Rx Ry Rz",
+            "The rotation about x is the first to act: on which side does it stand?",
+            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE),
+        ),
+        Mistake(
+            "the rotations are transposed: their signs are those of R^T",
+            "Check the signs of the sines in your Rx, Ry, Rz.",
+            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE),
+        ),
+        Mistake(
+            "the sine in Ry has the other sign",
+            "Ry by 90 degrees takes e_z to e_x.",
+            seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE),
+        ),
+        Mistake(
+            "the first and the last rotation are about the same axis, as in Rz Ry Rz",
+            "Each axis occurs once.",
+            seen=of_many(_one_axis_twice),
+        ),
+        Mistake(
+            "beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees",
+            "The task takes beta from [0, pi), in radians.",
+            seen=of_many(lambda R: nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)),
+        ),
+    ),
+    hints=(
+        "Draw alpha, beta, gamma as three arrays of n numbers.",
+        "rng.random(n) is uniform in [0, 1): scale it by 2 pi, pi, 2 pi.",
+        "rot_x, rot_y and rot_z take arrays of angles; the first to act stands on the right: Rz(gamma) Ry(beta) "
+        "Rx(alpha).",
+    ),
+)

@@ -1,0 +1,210 @@
+"""What the checks of random rotations share: they judge by what is drawn, not by how."""
+
+import itertools
+
+import numpy as np
+
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.wire import Seed
+
+LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
+MANY = 20_000
+CIRCLE = (-np.pi, np.pi)
+
+
+def cases(rng):
+    """Return the arguments of a sampler: a few draws, the same again, others, and many."""
+    first, second, third = (Seed(int(s)) for s in rng.integers(2**31, size=3))
+    return [(3, first), (3, first), (3, second), (1, first), (MANY, third)]
+
+
+def many(n, rng):
+    """Return whether this is the case of many draws, which the tests of a distribution need."""
+    return n == MANY
+
+
+def of_many(seen):
+    """Return a Mistake's seen(value, n, rng) that looks at the case of many draws only."""
+    return lambda value, n, rng: n == MANY and bool(seen(value))
+
+
+DRAWS = (
+    Property(
+        "the same seed draws the same again",
+        lambda values, cases: None if np.array_equal(values[0], values[1]) else 1,
+        across=True,
+        mistake=Mistake(
+            "the numbers do not come from rng",
+            "Neither numpy.random nor a new generator knows the seed: every number comes from the rng passed in.",
+        ),
+    ),
+    Property(
+        "another seed draws something else",
+        lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
+        across=True,
+        mistake=Mistake(
+            "a generator is made inside the function", "Use the rng that is passed in; it is made by whoever calls."
+        ),
+    ),
+    Property(
+        "n draws are n different ones",
+        lambda value, n, rng: n < 2 or not np.allclose(value[0], value[1]),
+        mistake=Mistake("one draw is repeated n times", "Each of the n needs numbers of its own."),
+    ),
+)
+
+ROTATIONS = Property(
+    "every matrix is a rotation",
+    lambda R, n, rng: np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max() < 1e-9 and np.linalg.det(R).min() > 0,
+    says=lambda R, n, rng: (
+        f"The determinants lie between {np.linalg.det(R).min():.3g} and {np.linalg.det(R).max():.3g}, the largest "
+        f"entry of R^T R - I is {np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max():.2g}."
+    ),
+    mistake=Mistake(
+        "the matrices are not orthogonal",
+        "Matrix products of rotations are rotations; their sums, and products entry by entry (*), are not.",
+    ),
+)
+
+TIED = Mistake(
+    "the same draw serves for several of the three numbers",
+    "They are independent: each needs random numbers of its own.",
+)
+
+
+def _against_uniform(values, low, high):
+    from scipy.stats import kstest
+
+    return kstest(values, "uniform", args=(low, high - low), method="asymp")
+
+
+def uniform(values, low, high):
+    """Return whether the values are uniformly distributed from low to high."""
+    return _against_uniform(values, low, high).pvalue > LEVEL
+
+
+def nearly_uniform(values, low, high):
+    """Return whether they are but for a few percent, as an angle over many revolutions."""
+    return _against_uniform(values, low, high).statistic < 0.05
+
+
+def _counts(columns, ranges, bins):
+    """Return how many draws fall in each cell: columns holds one array for each coordinate."""
+    return np.histogramdd(np.stack(columns, -1), bins=bins, range=ranges)[0]
+
+
+def cells_p_value(columns, ranges, bins):
+    """Return the chi-square p-value of coordinates that are to be uniform and independent."""
+    from scipy.stats import chisquare
+
+    return chisquare(_counts(columns, ranges, bins).ravel()).pvalue
+
+
+def has_gaps(values, low, high):
+    """Return whether part of the range from low to high is never drawn."""
+    return (_counts([values], [(low, high)], 12) == 0).any()
+
+
+def tied(columns, ranges):
+    """Return whether two coordinates depend on each other: few pairs occur of those that each alone allows."""
+
+    def occupied(i, j):
+        drawn = _counts([columns[i], columns[j]], [ranges[i], ranges[j]], 24) > 0
+        return drawn.sum() / (drawn.any(0).sum() * drawn.any(1).sum())
+
+    return any(occupied(i, j) < 0.4 for i, j in itertools.combinations(range(len(columns)), 2))
+
+
+def angles_of(R):
+    """Return the rotation angles (n,) of R (n, 3, 3), between 0 and pi."""
+    return np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1))
+
+
+def angle_p_value(R):
+    """Return the Kolmogorov-Smirnov p-value of the rotation angles against their density (1 - cos a)/pi."""
+    from scipy.stats import kstest
+
+    return kstest(angles_of(R), lambda a: (a - np.sin(a)) / np.pi, method="asymp").pvalue
+
+
+def axis_p_value(R, axis):
+    """Return the chi-square p-value of where e_axis lands, counted in 10 x 12 cells of equal area."""
+    from scipy.stats import chisquare
+
+    x, y, z = R[:, :, axis].T
+    counts, _, _ = np.histogram2d(z, np.arctan2(y, x), bins=[10, 12], range=[[-1, 1], [-np.pi, np.pi]])
+    return chisquare(counts.ravel()).pvalue
+
+
+def trace_p_value(R):
+    """Return the p-value of the mean of tr(R)^2, which has mean 1 and variance 2 for uniform R."""
+    from scipy.stats import norm
+
+    squares = np.trace(R, axis1=1, axis2=2) ** 2
+    return 2 * norm.sf(abs(squares.mean() - 1) / np.sqrt(2 / len(R)))
+
+
+ARVO_RANGES = [(0, 1), CIRCLE, CIRCLE]
+
+
+def arvo(R):
+    """Return (z, phi, theta) of R = (2 V V^T - I) Rz(theta): for uniform rotations uniform and independent."""
+    x, y, z = R[:, 0, 2], R[:, 1, 2], np.clip((1 - R[:, 2, 2]) / 2, 0, 1)
+    phi = np.arctan2(y, x)
+    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], -1)
+    image = 2 * V * (V * R[:, :, 0]).sum(-1, keepdims=True) - R[:, :, 0]  # of e_x under Rz(theta)
+    return z, phi, np.arctan2(image[:, 1], image[:, 0])
+
+
+def uniform_rotations(matrices):
+    """Return the properties of uniform rotations; matrices(value): the rotations of an answer."""
+    return (
+        Property(
+            "the angles follow the density (1 - cos a)/pi",
+            lambda value, n, rng: angle_p_value(matrices(value)) > LEVEL,
+            where=many,
+        ),
+        *(
+            Property(
+                f"the images of e_{name} are uniform on the sphere",
+                lambda value, n, rng, axis=axis: axis_p_value(matrices(value), axis) > LEVEL,
+                where=many,
+            )
+            for axis, name in enumerate("xyz")
+        ),
+        Property(
+            "the mean of tr(R)^2 is 1",
+            lambda value, n, rng: trace_p_value(matrices(value)) > LEVEL,
+            says=lambda value, n, rng: f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}.",
+            where=many,
+        ),
+        Property(
+            "where e_z lands is independent of the rotation about it",
+            lambda value, n, rng: cells_p_value(arvo(matrices(value)), ARVO_RANGES, 6) > LEVEL,
+            where=many,
+        ),
+    )
+
+
+def uniform_euler_angles(R):
+    """Return whether an entry of R is the sine or cosine of a uniform angle; for uniform R the entry is uniform."""
+    return any(uniform(np.arcsin(np.clip(np.abs(R[:, i, j]), 0, 1)), 0, np.pi / 2) for i in range(3) for j in range(3))
+
+
+def uniform_angle(R):
+    """Return whether the rotation angle is uniform; for uniform R its density is (1 - cos a)/pi."""
+    return uniform(angles_of(R), 0, np.pi)
+
+
+EULER = ("Euler angles are drawn uniformly", "Uniform angles are not uniform rotations: near gimbal lock they crowd.")
+AXIS_AND_ANGLE = (
+    "axis and angle are drawn uniformly",
+    "That gives too many small angles: their density must be (1 - cos a)/pi.",
+)
+GAPS = ("an angle does not cover the full circle", "Both angles go from 0 to 2 pi.")
+LIBRARY_SAMPLERS = (
+    "course_lib.rotations.random_rotations",
+    "course_lib.rotations.random_quaternions",
+    "scipy.spatial.transform.Rotation",
+    "scipy.stats.special_ortho_group",
+)

@@ -1,0 +1,163 @@
+"""slerp: from one orientation to another at constant angular velocity, along the shorter arc."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.rotations.shared import CONJUGATE, hamilton_product
+from course_lib.checks.vocabulary import same_up_to_sign, unit
+from course_lib.rotations import nearest_quaternion, random_quaternions
+
+
+def _power(q, t):
+    """q^t: the rotation about the same axis by t times the angle; q with w >= 0."""
+    sine = np.linalg.norm(q[1:])
+    half = t * np.arctan2(sine, q[0])
+    return np.array([np.cos(half), *(np.sin(half) / sine * q[1:] if sine > 0 else t * q[1:])])
+
+
+def _shorter(q0, q1):
+    return q1 if q0 @ q1 >= 0 else -q1
+
+
+def _along(q0, q1, t):
+    """Along the arc from q0 to this very q1, of whatever length."""
+    return hamilton_product(q0, _power(hamilton_product(q0 * CONJUGATE, q1), t))
+
+
+def slerp(q0, q1, t):
+    """Return the unit quaternion at the fraction t of the arc from q0 to q1 or -q1, whichever is nearer."""
+    return _along(q0, _shorter(q0, q1), t)
+
+
+def _about(n, angle):
+    return np.array([np.cos(angle / 2), *(np.sin(angle / 2) * n)])
+
+
+def _apart(rng, angle, sign=1):
+    q0 = random_quaternions(1, rng)[0]
+    return q0, sign * hamilton_product(q0, _about(unit(rng), angle))
+
+
+def _cases(rng):
+    x, z = np.eye(3)[0], np.eye(3)[2]
+    pairs = [(_about(z, 0), _about(z, np.pi / 2), 0.5), (_about(x, 0.2), _about(x, 1.4), 0.25)]
+    pairs += [(*_apart(rng, angle), t) for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.5, 0.6))]
+    pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
+    pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-6), 0.4), (*_apart(rng, 1e-9), 0.5)]
+    q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
+    return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
+
+
+def _nlerp(q0, q1, t):
+    return nearest_quaternion((1 - t) * q0 + t * q1)
+
+
+def _weighted(q0, q1, a, t):
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
+
+
+def _angle_of(q0, q1):
+    return 2 * np.arccos(np.clip(abs(q0 @ q1), 0, 1))
+
+
+EXERCISE = Exercise(
+    name="slerp",
+    points=2,
+    arguments=("q0", "q1", "t"),
+    cases=_cases,
+    returns=numbers(lambda q0, q1, t: (4,), gaps=True),
+    library=slerp,
+    alike=same_up_to_sign,
+    properties=(
+        Property(
+            "the answer has length one",
+            lambda q, q0, q1, t: abs(np.linalg.norm(q) - 1) < 1e-9,
+            says=lambda q, q0, q1, t: f"Its length is {np.linalg.norm(q):.6g}.",
+            where=lambda q0, q1, t: _angle_of(q0, q1) > 1e-3,
+        ),
+        Property(
+            "the angle from q0 is t times the angle from q0 to q1, along the shorter arc",
+            lambda q, q0, q1, t: min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < 1e-9,
+            says=lambda q, q0, q1, t: (
+                f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is {_angle_of(q0, q):.4g} rad "
+                f"from q0. q0 . q1 is {q0 @ q1:.4g}."
+            ),
+            where=lambda q0, q1, t: _angle_of(q0, q1) > 1e-3,
+        ),
+        Property(
+            "two nearly equal or equal rotations are no exception",
+            lambda q, q0, q1, t: min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < 1e-9,
+            says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
+            mistake=Mistake(
+                "the sine of a very small angle, or of 0, is the divisor",
+                "For nearly equal quaternions the arc is nearly straight: which simpler formula is good enough there?",
+            ),
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "nearly equal rotations are taken for equal",
+            "The arc is short, but t still divides it.",
+            seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3,
+        ),
+        Mistake(
+            "the longer arc is taken",
+            "q1 and -q1 are the same rotation: which of them is nearer to q0?",
+            lambda q0, q1, t: _along(q0, q1, t),
+        ),
+        Mistake(
+            "the quaternions are mixed on the straight line and normalised",
+            "The points are evenly spaced on the chord, not on the arc: near its middle the rotation is faster.",
+            lambda q0, q1, t: _nlerp(q0, _shorter(q0, q1), t),
+            lambda q0, q1, t: _nlerp(q0, q1, t),
+        ),
+        Mistake(
+            "the quaternions are mixed on the straight line",
+            "The chord runs inside the sphere: its points have length below one.",
+            lambda q0, q1, t: (1 - t) * q0 + t * _shorter(q0, q1),
+            lambda q0, q1, t: (1 - t) * q0 + t * q1,
+        ),
+        Mistake("t runs from q1 to q0", "At t = 0 the answer is q0.", lambda q0, q1, t: slerp(q0, q1, 1 - t)),
+        Mistake(
+            "t is not used", "At t = 0 the answer is q0, at t = 1 it is q1.", lambda q0, q1, t: q1, lambda q0, q1, t: q0
+        ),
+        Mistake(
+            "the angle between the quaternions is doubled or halved",
+            "The angle on the sphere, arccos(q0 . q1), is half of the angle between the rotations.",
+            lambda q0, q1, t: slerp(q0, q1, 2 * t),
+            lambda q0, q1, t: slerp(q0, q1, t / 2),
+        ),
+        Mistake(
+            "the rotation from q0 to q1 is applied on the wrong side, or backwards",
+            "q0 (q0* q1) = q1: on which side does the relative rotation stand?",
+            lambda q0, q1, t: hamilton_product(_power(hamilton_product(q0 * CONJUGATE, _shorter(q0, q1)), t), q0),
+            lambda q0, q1, t: slerp(q0, q1, -t),
+        ),
+        Mistake(
+            "the angle belongs to -q1, the weights to q1",
+            "If q0 . q1 is negative, q1 itself changes its sign, not only the cosine.",
+            lambda q0, q1, t: _weighted(q0, q1, np.arccos(min(abs(q0 @ q1), 1)), t) if q0 @ q1 < 0 else None,
+        ),
+        Mistake(
+            "q1 is taken for a direction at right angles to q0",
+            "cos and sin are the weights of two quaternions at right angles. q0 and q1 are not.",
+            lambda q0, q1, t: (
+                np.cos(t * (a := np.arccos(min(abs(q0 @ q1), 1)))) * q0 + np.sin(t * a) * _shorter(q0, q1)
+            ),
+        ),
+        Mistake(
+            "the division by the sine is missing",
+            "At t = 1 the answer is q1: what do the two weights have to be there?",
+            lambda q0, q1, t: (
+                np.sin((1 - t) * (a := np.arccos(np.clip(abs(q0 @ q1), 0, 1)))) * q0 + np.sin(t * a) * _shorter(q0, q1)
+            ),
+        ),
+    ),
+    hints=(
+        "On the sphere, the angle phi between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
+        "The two weights are sin((1 - t) phi) and sin(t phi), both divided by sin(phi).",
+        "If sin(phi) is nearly 0, (1 - t) q0 + t q1 does.",
+    ),
+    forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),
+)

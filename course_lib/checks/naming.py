@@ -1,0 +1,304 @@
+"""Find the name of a mistake: those of the exercise first, then those that are tried for every exercise."""
+
+import copy
+import itertools
+
+import numpy as np
+
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.wire import Seed
+
+_FEW = 3  # numbers that differ: fewer agree with some transform by chance
+
+
+def same(value, predicted, *arguments, tolerance=1e-6):
+    """Return whether two answers are equal within a tolerance, absolute and relative to the size of `predicted`.
+
+    Complex numbers, and anything that is not numbers, are equal to nothing. The arguments of the case are not used; see
+    `alike` of an Exercise.
+    """
+    try:
+        if np.iscomplexobj(value):
+            return False
+        value, predicted = np.asarray(value, float), np.asarray(predicted, float)
+    except (TypeError, ValueError, OverflowError):
+        return False
+    if value.shape != predicted.shape:
+        return False
+    if not np.isfinite(predicted).all():
+        return np.allclose(value, predicted, rtol=tolerance, atol=tolerance, equal_nan=True)
+    with np.errstate(invalid="ignore", over="ignore"):
+        return bool((np.abs(value - predicted) <= tolerance + tolerance * np.abs(predicted)).all())
+
+
+def attempt(formula, *arguments):
+    """Return the value of a formula, or None if it raises: answers, and mistakes, may be numbers of any size."""
+    try:
+        return formula(*arguments)
+    except Exception:
+        return None
+
+
+def predict(answer, case):
+    """Return what a student with this mistake answers: None where the function raises, or does not apply."""
+    return attempt(answer, *(_given(argument) for argument in case))
+
+
+def _given(argument):
+    return np.random.default_rng(argument.number) if isinstance(argument, Seed) else copy.deepcopy(argument)
+
+
+class Naming:
+    """The answers to all cases of an exercise, compared with what its mistakes predict.
+
+    Parameters
+    ----------
+    exercise : Exercise
+    cases : list of tuple
+    values : list
+        The answers, as the exercise reads them.
+    """
+
+    def __init__(self, exercise, cases, values):
+        self.exercise, self.cases, self.values = exercise, cases, values
+        self._rights = {}
+
+    def mistake(self, failing):
+        """Return the Mistake that accounts for the wrong answers, those at the positions `failing`, or None.
+
+        One that explains all answers is preferred to one that explains the failing ones only; a few True or False fit
+        many mistakes by chance, so these must explain all.
+        """
+        own = self.exercise.mistakes
+        found = next((known for known in own if self._explains(known, failing, everywhere=True)), None)
+        found = found or next((known for known in everyday(self) if self._explains_enough(known, failing)), None)
+        if found is None and not isinstance(self.values[failing[0]], bool):
+            found = next((known for known in own if self._explains(known, failing)), None)
+        return found or (FEW_DIGITS if self._nearly_right(failing) else None)
+
+    def _nearly_right(self, failing):
+        """Return whether most answers are wrong, and each of them is right to its first digits."""
+        if 2 * len(failing) < len(self.cases) or isinstance(self.values[failing[0]], bool):
+            return False
+        return all(attempt(_close, self.values[i], self.right(i)) for i in failing)
+
+    def of_other_form(self, position, value):
+        """Return the Mistake of an answer of another shape than asked for, or None."""
+        right = self.right(position)
+        if right is None or not isinstance(value, (np.ndarray, list, tuple, int, float)):
+            return None
+        forms = ((Mistake(name, hint), attempt(change, right)) for name, hint, change in _OTHER_FORMS)
+        return next((mistake for mistake, form in forms if form is not None and same(value, form)), None)
+
+    def right(self, position):
+        """Return the library's answer to a case as an array of floats; None if it is not one."""
+        if position not in self._rights:
+            library = self.exercise.library
+            answer = predict(library, self.cases[position]) if library else None
+            self._rights[position] = attempt(np.asarray, answer, float) if answer is not None else None
+        return self._rights[position]
+
+    def _explains(self, mistake, failing, everywhere=False):
+        if mistake.seen is not None and all(
+            attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing
+        ):
+            return True
+        others = set(range(len(self.values))) - set(failing) if everywhere else ()
+        return any(
+            all(self._predicts(mistake, answer, i) for i in failing)
+            and all(self._predicts(mistake, answer, i) is not False for i in others)
+            for answer in mistake.answers
+        )
+
+    def _explains_enough(self, mistake, failing):
+        """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
+        numbers = [self.values[i] for i in failing]
+        if len({str(number) for number in numbers}) * np.size(numbers[0]) < _FEW:
+            return False
+        return self._explains(mistake, failing, everywhere=True)
+
+    def _predicts(self, mistake, answer, position):
+        """Return whether a variant predicts the answer to a case; None if it does not apply there."""
+        case, value = self.cases[position], self.values[position]
+        predicted = predict(answer, case)
+        if predicted is None:
+            return None
+        alike, right = mistake.alike or self.exercise.alike, self.right(position)
+        if mistake.part is not None:
+            alike, value = same, np.asarray(value)[mistake.part]
+            right = right[mistake.part]
+        if alike is not same or right is None or not same(predicted, right, tolerance=1e-3):
+            return bool(attempt(alike, value, predicted, *case))
+        # The prediction is close to the right answer: the answer must be much closer to the one than to the other.
+        between = np.abs(np.asarray(predicted, float) - right).max(initial=0)
+        if between <= 1e-13 * max(1, np.abs(right).max(initial=0)):
+            return None
+        return same(value, predicted) and bool(np.abs(value - np.asarray(predicted, float)).max() <= 0.1 * between)
+
+
+def everyday(naming):
+    """Yield the Mistakes that are tried for every exercise: transforms of the right answer, and of the arguments."""
+    exercise, values = naming.exercise, naming.values
+    if isinstance(values[0], bool):
+        for always in (True, False):
+            yield Mistake(f"the answer is always {always}", _ALWAYS, lambda *case, always=always: always)
+        return
+    if len({str(value) for value in values}) == 1:
+        yield Mistake("the answer is the same for every input", _SAME, lambda *case: values[0])
+    if exercise.library is None or naming.right(0) is None:
+        return
+    for name, hint, change in _OF_THE_ANSWER:
+        yield Mistake(name, hint, _changed(exercise.library, change))
+    yield Mistake(*_WHOLE, _changed(exercise.library, np.trunc, where=_has_whole_numbers))
+    if not exercise.tries_arguments:
+        return
+    for (i, one), (j, other) in itertools.combinations(enumerate(exercise.arguments), 2):
+        yield Mistake(f"{one} and {other} have changed places", _ORDER, _asked(exercise.library, _swapped(i, j)))
+    for k, argument in enumerate(exercise.arguments):
+        yield Mistake(f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k]))
+        for name, hint, change in _OF_AN_ARGUMENT:
+            yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
+
+
+def _close(value, right):
+    return np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
+
+
+def _changed(right, change, where=lambda case: True):
+    """Return a function that answers with the right answer changed, where that makes a difference."""
+
+    def answer(*case):
+        exact = np.asarray(right(*case), float)
+        other = change(exact) if where(case) else exact
+        return None if other.shape != exact.shape or np.allclose(other, exact, rtol=1e-9, atol=1e-12) else other
+
+    return answer
+
+
+def _asked(right, change):
+    """Return a function that answers rightly, but to changed arguments; None where these are the same."""
+
+    def answer(*case):
+        other = change(case)
+        return None if other is None else _unless_equal(np.asarray(right(*other), float), right(*case))
+
+    return answer
+
+
+def _unless_equal(other, exact):
+    return None if other.shape != np.shape(exact) or np.allclose(other, exact, rtol=1e-9, atol=1e-12) else other
+
+
+def _swapped(i, j):
+    def change(case):
+        case = list(case)
+        case[i], case[j] = case[j], case[i]
+        return case
+
+    return change
+
+
+def _at(k, change):
+    def changed(case):
+        return [change(_numbers(argument)) if i == k else argument for i, argument in enumerate(case)]
+
+    return changed
+
+
+def _numbers(argument):
+    """Return a float, or an array of numbers; raises for arguments that are neither."""
+    if not isinstance(argument, (float, np.ndarray)) or np.asarray(argument).dtype.kind not in "fi":
+        raise TypeError("not numbers to compute with")
+    return argument
+
+
+def _has_whole_numbers(case):
+    return any(isinstance(argument, np.ndarray) and argument.dtype.kind == "i" for argument in case)
+
+
+def _transposed(M):
+    return _of_dimension(M, 2).T
+
+
+def _inverse(M):
+    return np.linalg.inv(_of_dimension(M, 2))
+
+
+def _reversed(x):
+    return _of_dimension(np.asarray(x), 1)[::-1]
+
+
+def _halves_swapped(x):
+    if np.ndim(x) not in (1, 2) or len(x) % 2 or len(x) < 4:
+        raise ValueError("no halves")
+    return np.roll(x, len(x) // 2, axis=0)
+
+
+def _of_dimension(x, n):
+    if np.ndim(x) != n:
+        raise ValueError(f"not of {n} dimensions")
+    return x
+
+
+_ALWAYS = "Print each comparison for the case above, and return what it gives."
+_ORDER = "Compare the order of the arguments with the task."
+_RETURN = "Return the result."
+_SAME = "Where does your function use its arguments?"
+_RADIANS = "Angles are in radians throughout."
+_SIGN = "Compare the sign with an example that you can do by hand."
+_ROWS = "Rows and columns have changed places."
+_FACTOR = "Look for a factor 2."
+_FRAMES = "Which frame do you start from, and in which do you end?"
+_HALVES = "Compare the order of the entries with the task: which three come first?"
+
+_WHOLE = (
+    "digits after the point are cut off",
+    "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has room for digits.",
+)
+
+FEW_DIGITS = Mistake(
+    "the answer is right to its first digits only",
+    "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is np.pi.",
+)
+
+_OF_THE_ANSWER = (
+    ("the answer is the transpose of what it should be", _ROWS, _transposed),
+    ("the sign of the answer is changed", _SIGN, np.negative),
+    ("the answer is the inverse of what it should be", _FRAMES, _inverse),
+    ("the answer is twice what it should be", _FACTOR, lambda x: 2 * x),
+    ("the answer is half of what it should be", _FACTOR, lambda x: x / 2),
+    ("the answer is in degrees", _RADIANS, np.rad2deg),
+    ("the answer is converted from degrees to radians", _RADIANS, np.deg2rad),
+    ("the entries of the answer are in reverse order", "Compare the order of the entries with the task.", _reversed),
+    ("the two halves of the answer have changed places", _HALVES, _halves_swapped),
+    ("the answer is without its signs", "Which line loses the sign?", np.abs),
+)
+
+_OF_AN_ARGUMENT = (
+    ("{} is taken for degrees", _RADIANS, np.deg2rad),
+    ("{} is converted to degrees", _RADIANS, np.rad2deg),
+    ("the sign of {} is changed", _SIGN, np.negative),
+    ("the answer is that for the transpose of {}", _ROWS, _transposed),
+    ("the answer is that for the inverse of {}", _FRAMES, _inverse),
+    ("{} is doubled", _FACTOR, lambda x: 2 * x),
+    ("{} is halved", _FACTOR, lambda x: x / 2),
+    ("the entries of {} are in reverse order", "Compare the order of the entries with the task.", _reversed),
+    ("the two halves of {} have changed places", _HALVES, _halves_swapped),
+    ("{} is without its signs", "Which line loses the sign?", np.abs),
+    ("{} is not used: the answer is that for 0", _SAME, np.zeros_like),
+)
+
+_OTHER_FORMS = (
+    ("only the first item is returned", "Collect the results of all items, and return them together.", lambda x: x[0]),
+    ("only the last item is returned", "Is the result overwritten in each pass of the loop?", lambda x: x[-1]),
+    ("rows and columns have changed places", "Compare the shape with the task.", _transposed),
+    ("only the upper left block is returned", "The last row and column belong to the answer.", lambda x: x[:-1, :-1]),
+    ("only the last column is returned", "The whole matrix is asked for.", lambda x: x[:-1, -1]),
+    ("the last row is missing", "The whole matrix is asked for.", lambda x: x[:-1]),
+    ("only the first half is returned", "Both halves are asked for.", lambda x: x[: len(x) // 2]),
+    ("only the second half is returned", "Both halves are asked for.", lambda x: x[len(x) // 2 :]),
+    ("the last item is missing", "How many items are there, both ends included?", lambda x: x[:-1]),
+    ("the first item is missing", "How many items are there, both ends included?", lambda x: x[1:]),
+    ("the answer is flattened", "Keep the rows.", np.ravel),
+    ("there is one pair of brackets too many", "Print your answer and its np.shape.", lambda x: x[None]),
+)

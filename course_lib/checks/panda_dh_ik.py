@@ -1,0 +1,81 @@
+"""Checks of notebook 5, inverse kinematics by DH parameters: ``from course_lib.checks import panda_dh_ik as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "dh_modified",
+    "dh_standard",
+    "standard_table",
+    "find_signs",
+    "panda_fk",
+    "geometric_jacobian",
+    "pose_error",
+    "test_pose_error",
+    "descent_step",
+    "ik_step_dls",
+    "weighted_step",
+    "panda_ik",
+    "reached_targets",
+    "null_space_step",
+    "bounded_step",
+    "follow_velocity",
+    "fit_rotation",
+    "register_points",
+    "good_matches",
+    "grasp_pose",
+    "straight_path",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "one_sign",
+        "c",
+        {
+            "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
+            "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
+            "c": "Yes: all beyond joint 1 is rotated by 180 degrees about a horizontal line, so above becomes below.",
+        },
+    ),
+    Prediction(
+        "pairing",
+        "b",
+        {
+            "a": "At the target both errors are 0, so it can stop there. Before that, they differ in direction.",
+            "b": "Yes: near the target the wrong error still leads downhill often enough, if the steps are tiny. Long "
+            "steps follow the wrong direction far.",
+            "c": "Both methods use the error as a direction. Which of them trusts it over a longer distance?",
+        },
+    ),
+    Prediction(
+        "near_and_far",
+        "a",
+        {
+            "a": "Yes: a success rate says as much about the targets as about the method. Always state both.",
+            "b": "The method is the same, but on the path to a far target it meets more limits and local minima.",
+            "c": "Near targets need few small steps. What should stop a descent there?",
+        },
+    ),
+    Prediction(
+        "singular",
+        "c",
+        {
+            "a": "The target moves smoothly, but one direction needs ever faster joints close to the singularity.",
+            "b": "At the singularity itself a direction is missing. Just before it, what is 1 / s for a small s?",
+            "c": "Yes: 1 / s grows without bound. Damping replaces it by s / (s^2 + eps), and pays by leaving "
+            "the path.",
+        },
+    ),
+    Prediction(
+        "two_outliers",
+        "b",
+        {
+            "a": "With one wrong match that works. Two that agree with each other pull the fit to their side.",
+            "b": "Yes: the largest residual belongs to whoever disagrees with the fit, and two wrong matches shape the "
+            "fit.",
+            "c": "Least squares weighs large residuals most: it does not average wrong matches away.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))

@@ -1,0 +1,85 @@
+"""Checks of notebook 4, product of exponentials: ``from course_lib.checks import poe_kuka_iiwa as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "hat_se3",
+    "rotation_about",
+    "exp_se3",
+    "adjoint",
+    "test_adjoint",
+    "read_iiwa",
+    "screw_axes",
+    "read_ur5e",
+    "ur5e_home",
+    "forward_kinematics",
+    "tool_positions",
+    "space_jacobian",
+    "body_screws",
+    "body_jacobian",
+    "singular_configurations",
+    "lost_direction",
+    "wrench_in_space",
+    "holding_torques",
+    "twist_in_frames",
+    "first_bad_row",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "wheel",
+        "c",
+        {
+            "a": "The axle stands still, but v is not its velocity: v belongs to the point at the origin of the frame.",
+            "b": "That is the speed of a point of the rim. v belongs to the point of the wheel, imagined large, that "
+            "is at the origin now.",
+            "c": "The point at the origin is 1 m from the axle, so it moves at 2 m/s. No part of the wheel need "
+            "be there.",
+        },
+    ),
+    Prediction(
+        "tiny",
+        "b",
+        {
+            "a": "That holds only for a near 1. 1 - cos(a) is a difference of two numbers near 1, so it loses digits: "
+            "at a = 1e-4 about eight are right, and here none.",
+            "b": "Below 1e-8, cos(a) is 1 for a computer, and 1 - cos(a) is 0: that part of p is lost altogether.",
+            "c": "Rounding does not raise an error, and nothing is divided by 0 here: the wrong number looks "
+            "like any other.",
+        },
+    ),
+    Prediction(
+        "last_joint",
+        "a",
+        {
+            "a": "Column i depends on the joints before joint i only. No column comes after the last one.",
+            "b": "Column 7 is the axis of joint 7, and a joint does not move its own axis.",
+            "c": "Joint 7 moves the end-effector, but the space Jacobian says where the axes are, not the "
+            "end-effector.",
+        },
+    ),
+    Prediction(
+        "straight_wrist",
+        "a",
+        {
+            "a": "With axes 5 and 7 on one line, one of the two joints adds nothing. But there are seven joints, and "
+            "the rank stays 6 as long as the other six axes are independent.",
+            "b": "That would be so for an arm with six joints. This one is redundant: the seventh joint "
+            "replaces the lost one.",
+            "c": "Two columns become equal. That costs at most one rank, and not even that here.",
+        },
+    ),
+    Prediction(
+        "after_a_round",
+        "b",
+        {
+            "a": "The end-effector is back, but many joint angles give the same position: four degrees of "
+            "freedom are left.",
+            "b": "At each instant the smallest joint velocity is chosen. Nothing makes these choices add up to zero.",
+            "c": "The joint velocities are continuous, and so are the angles: nothing jumps.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))

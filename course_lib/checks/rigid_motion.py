@@ -1,0 +1,65 @@
+"""Checks of notebook 2, rigid motion: ``from course_lib.checks import rigid_motion as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "wrap_angle",
+    "test_wrap_angle",
+    "cubic_time_scaling",
+    "interpolate_body",
+    "exp_se2",
+    "log_se2",
+    "interpolate_body_screw",
+    "step_lengths",
+    "propagate_body",
+    "propagate_body_exact",
+    "arm_frames",
+    "propagate_arm",
+    "two_link_angles",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "unwrapped",
+        "c",
+        {
+            "a": "It would, if the program knew that angles are periodic. It subtracts two numbers: -2.2 - 2.6 = -4.8.",
+            "b": "Both names of a direction are the same pose, so the motion ends where it should. The question is "
+            "how it gets there.",
+            "c": "The difference of the numbers is -4.8 rad, so the body rotates clockwise, along the longer arc, and "
+            "arrives at the very same pose.",
+        },
+    ),
+    Prediction(
+        "pole",
+        "b",
+        {
+            "a": "That would be so for half a revolution: then start and goal lie opposite each other about the pole.",
+            "b": "The less the body rotates, the farther away the pole. Without rotation the arc becomes a straight "
+            "line, and there is no pole.",
+            "c": "The start does move. The pole is a point that stays where it is.",
+        },
+    ),
+    Prediction(
+        "half_step",
+        "a",
+        {
+            "a": "Each step's error shrinks to a quarter, but there are twice as many steps: half remains.",
+            "b": "That holds for the error of one step, and there are twice as many of them.",
+            "c": "It does become smaller: the direction is out of date for a shorter time.",
+        },
+    ),
+    Prediction(
+        "joint_line",
+        "b",
+        {
+            "a": "Straight in joint space is not straight in the plane: the tip's position depends on the angles by "
+            "sines and cosines.",
+            "b": "Both joints rotate, and the tip is carried along by both: a curve, longer than the straight line.",
+            "c": "That would be so if only the first joint moved. The elbow changes the distance from the base.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))

@@ -1,0 +1,77 @@
+"""Checks of notebook 1, rotations: ``from course_lib.checks import rotations as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "rotate_point",
+    "compose",
+    "exp_so3",
+    "test_log_so3",
+    "log_so3",
+    "euler_angles",
+    "quaternion_product",
+    "quaternion_to_matrix",
+    "matrix_to_quaternion",
+    "slerp",
+    "nearest_so",
+    "nearest_quaternion",
+    "nearest_se",
+    "is_valid",
+    "random_rotations_euler",
+    "random_rotations",
+    "random_quaternions",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "drift",
+        "c",
+        {
+            "a": "A thousand errors of half a percent do not stay half a percent: each product stretches what the one "
+            "before has stretched.",
+            "b": "That adds the errors up, 1 + 1000 * 0.0049. But each factor multiplies the length reached so far.",
+            "c": "1.0049 to the power 1000 is 133: errors of factors multiply.",
+        },
+    ),
+    Prediction(
+        "order",
+        "a",
+        {
+            "a": "In Rz Rx, the factor Rx stands next to the point and acts first, about the fixed x axis, which "
+            "leaves x alone. Rz then takes x to y.",
+            "b": "That is the other product, Rx Rz: there z acts first and takes x to y, and x takes that y to z.",
+            "c": "Rx leaves its own axis where it is, but then Rz moves it.",
+        },
+    ),
+    Prediction(
+        "lock",
+        "b",
+        {
+            "a": "All three angles changed, but at pitch pi/2 they do not count one by one. Look at alpha - gamma.",
+            "b": "At pitch pi/2 only alpha - gamma counts, and it is 0.2 both times: one degree of freedom is lost.",
+            "c": "The pitch is exactly pi/2 here, so the two matrices are equal: not only nearly, or in a limit.",
+        },
+    ),
+    Prediction(
+        "cover",
+        "b",
+        {
+            "a": "That holds for the matrix. But the quaternion contains the cosine and sine of half the angle.",
+            "b": "cos(pi) = -1: after one revolution the quaternion is at -q, which stands for the same rotation.",
+            "c": "It would be so after 180 degrees: cos(pi/2) = 0.",
+        },
+    ),
+    Prediction(
+        "rare",
+        "c",
+        {
+            "a": "That share would be right if the angle were uniform: 10 of 180 degrees. But its density is nearly 0 "
+            "for small angles.",
+            "b": "That is the share of a cap of 10 degrees on an ordinary sphere. Rotations have one dimension more.",
+            "c": "There is little room near the identity: the share grows as the third power of the angle.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))

@@ -1,0 +1,78 @@
+"""Checks of notebook 3, subproblems: ``from course_lib.checks import subproblems_damped_ik as check``."""
+
+from course_lib.checks.notebook import namespace
+from course_lib.checks.prediction import Prediction
+
+EXERCISES = (
+    "subproblem1",
+    "subproblem2",
+    "test_subproblem2",
+    "subproblem4",
+    "subproblem3",
+    "wrist_sides",
+    "euler_yxy",
+    "arm_angles",
+    "six_axis_ik",
+    "rate_matrix",
+    "inverse_rate_matrix",
+    "planar_jacobian",
+    "lm_step",
+    "solve_lm",
+    "step_limit",
+)
+
+PREDICTIONS = (
+    Prediction(
+        "circles",
+        "a",
+        {
+            "a": "Yes. Along the arc from k1 to k2 the two circles reach 30 and 30 degrees far; 10 degrees remain "
+            "between them.",
+            "b": "They would touch if the two angles added up to the 70 degrees between the axes. 30 + 30 is less.",
+            "c": "For that the circles have to overlap: their angles would have to add up to more than 70 degrees.",
+        },
+    ),
+    Prediction(
+        "wrist_rates",
+        "c",
+        {
+            "a": "One joint has to follow a direction that is nearly lost. Look at the determinant, -sin b2.",
+            "b": "The largest rate is inversely proportional to sin b2, not to its square root.",
+            "c": "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate, and most of their "
+            "motion cancels.",
+        },
+    ),
+    Prediction(
+        "race",
+        "b",
+        {
+            "a": "It takes few steps once it is near. But what does its first step do from here, with s2 near zero?",
+            "b": "Yes: it is the only one of the three whose step is bounded and that is fast in both directions.",
+            "c": "Its step size has to suit the largest singular value; in the direction of the smallest one it is "
+            "then slow.",
+        },
+    ),
+    Prediction(
+        "too_large",
+        "b",
+        {
+            "a": "Overshooting by less than the error itself would converge. At 2.8 the factor of s1 is below -1.",
+            "b": "Yes: near the target each step multiplies the error along s1 by less than -1. It cannot grow "
+            "forever, because the tip stays within 4 m of the base.",
+            "c": "The damping bounds each step, so the joint angles do not grow without bound. But bounded steps need "
+            "not converge.",
+        },
+    ),
+    Prediction(
+        "paths",
+        "c",
+        {
+            "a": "For the joints, yes. The path of the tip gets longer: with strong damping it is no longer straight.",
+            "b": "For the joints the opposite holds: strong damping saves joint motion.",
+            "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
+            "measure.",
+        },
+    ),
+)
+
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS))
