@@ -41,7 +41,7 @@ class Judge:
     """Says of a mutant whether it lives. Neither the name of its mistake nor what it calls matters here."""
 
     def __init__(self, exercise, space):
-        self.exercise, self.space = replace(exercise, mistakes=(), forbidden=()), space
+        self.exercise, self.space = replace(exercise, mistakes=[], forbidden=()), space
         self.seconds = 60
 
     def bounded_by(self, source):

@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib import rotations
 from course_lib.checks.answer_types import boolean, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import negated, orthogonality_error
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import orthogonality_error
 from course_lib.checks.write_test import Version, WriteTest
 
 
@@ -13,11 +13,6 @@ def right(M):
     """Return the rotation nearest to M."""
     U, _, Vt = np.linalg.svd(M)
     U[:, -1] *= np.linalg.det(U @ Vt)
-    return U @ Vt
-
-
-def reflections_stay(M):
-    U, _, Vt = np.linalg.svd(M)
     return U @ Vt
 
 
@@ -32,11 +27,18 @@ NEAREST_SO = Exercise(
         Property("det R is 1", lambda R, M: np.linalg.det(R) > 0),
         Property("no rotation is nearer", lambda R, M: np.allclose(R, right(M))),
     ),
-    mistakes=(Mistake("a reflection stays one", "Look at det.", reflections_stay), negated(right)),
     hints=("Take the singular value decomposition.", "U diag(1, 1, det(U V^T)) V^T."),
     library=rotations.nearest_so,
     forbidden=("course_lib.rotations.nearest_so",),
 )
+
+
+@NEAREST_SO.mistake
+def reflections_stay(M):
+    """a reflection stays one. Look at det."""
+    U, _, Vt = np.linalg.svd(M)
+    return U @ Vt
+
 
 IS_SMALL = Exercise(
     name="is_small",
@@ -45,10 +47,16 @@ IS_SMALL = Exercise(
     cases=lambda rng: [(0.5, 1.0), (1.0, 0.5), (rng.uniform(0.1, 0.9), 1.0), (-2.0, 1.0)],
     returns=boolean,
     properties=(Property("it is True if |x| <= tol, else False", lambda said, x, tol: said == (abs(x) <= tol)),),
-    mistakes=(Mistake("the sign of x is forgotten", "Take abs(x).", lambda x, tol: x <= tol),),
     hints=("Compare.", "abs(x) <= tol."),
     library=lambda x, tol: abs(x) <= tol,
 )
+
+
+@IS_SMALL.mistake
+def sign_forgotten(x, tol):
+    """the sign of x is forgotten. Take abs(x)."""
+    return x <= tol
+
 
 DOUBLE = Exercise(  # its cell holds broken code: it adds where it should multiply
     name="double",
@@ -57,7 +65,6 @@ DOUBLE = Exercise(  # its cell holds broken code: it adds where it should multip
     cases=lambda rng: [(np.array([1.0, 3.0]),), (rng.normal(size=2),)],
     returns=numbers(np.shape),
     properties=(Property("the answer is twice x", lambda y, x: np.allclose(y, 2 * x)),),
-    mistakes=(),
     hints=("Try x = 3.", "2 * x."),
     library=lambda x: 2 * x,
     broken=lambda x: x + 2,
@@ -73,10 +80,6 @@ TEST_LOG = WriteTest(
     name="test_log",
     points=4,
     arguments=("log",),
-    cases=None,
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=("Take rotations whose logarithm you know.", "Compare exp(log(R)) with R, at half a turn too."),
     shapes=((3, 3),),
     versions=(
