@@ -38,18 +38,19 @@ class Mistakes(list):
     The first sentence of a function's docstring is the mistake's name, the rest is the hint.
     """
 
-    def add(self, function=None, *, part=None, alike=None, **variants):
+    def add(self, function=None, *, seen=None, part=None, alike=None, **variants):
         """Add the mistake of a function that answers as a student does who makes it; see Mistake.
 
         A keyword of another name lists the variants of a mistake: `terms=(2, 3)` calls the function with terms=2 and
-        with terms=3.
+        with terms=3. With `seen`, which recognises the mistake, the function need not predict the very answers: it
+        is the wrong answer on which the check is tested.
         """
         if function is None:
-            return functools.partial(self.add, part=part, alike=alike, **variants)
+            return functools.partial(self.add, seen=seen, part=part, alike=alike, **variants)
         answers = [function]
         for keyword, values in variants.items():
             answers = [functools.partial(each, **{keyword: value}) for each in answers for value in values]
-        self.append(Mistake(*words(function), *answers, part=part, alike=alike))
+        self.append(Mistake(*words(function), *answers, seen=seen, part=part, alike=alike))
         return function
 
     def add_seen(self, function):
