@@ -3,11 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import any_rotation, argument_returned, entry_by_entry, transposed
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import any_rotation
 from course_lib.rotations import rot_x, rot_y, rot_z
-
-_OTHER = {"world": "body", "body": "world"}
 
 
 def _right(R, step, frame):
@@ -21,6 +19,10 @@ def _cases(rng):
     return [(R, step, frame) for R, step in pairs for frame in ("world", "body")]
 
 
+def _agrees(new, R, step, frame):
+    return np.allclose(new, _right(R, step, frame), atol=1e-9)
+
+
 EXERCISE = Exercise(
     name="compose",
     points=1,
@@ -31,47 +33,14 @@ EXERCISE = Exercise(
     properties=(
         Property(
             'about the world\'s axes (frame = "world"), every point of the rotated body is rotated by step',
-            lambda new, R, step, frame: np.allclose(new, _right(R, step, frame), atol=1e-9),
+            _agrees,
             where=lambda R, step, frame: frame == "world",
         ),
         Property(
             'about the body\'s own axes (frame = "body"), step is made before R carries everything along',
-            lambda new, R, step, frame: np.allclose(new, _right(R, step, frame), atol=1e-9),
+            _agrees,
             where=lambda R, step, frame: frame == "body",
         ),
-    ),
-    mistakes=(
-        Mistake(
-            "world and body are swapped",
-            "The factor next to the point acts first, about the axes in which the point is given.",
-            lambda R, step, frame: _right(R, step, _OTHER[frame]),
-        ),
-        Mistake(
-            "the frame makes no difference",
-            "Compare both orders for rotations by 90 degrees about z and about x: they end differently.",
-            lambda R, step, frame: step @ R,
-            lambda R, step, frame: R @ step,
-        ),
-        transposed(
-            _right, "the transpose, which is the inverse, is returned", "Neither R nor step has to be transposed."
-        ),
-        Mistake(
-            "one of the two is transposed",
-            "Neither R nor step has to be transposed.",
-            lambda R, step, frame: _right(R, step.T, frame),
-            lambda R, step, frame: _right(R.T, step, frame),
-        ),
-        Mistake(
-            "R stands on both sides of step",
-            "R step R^T is step as seen from the world. What is missing to make it the new orientation?",
-            lambda R, step, frame: R @ step @ R.T,
-            lambda R, step, frame: R @ step @ R.T if frame == "body" else step @ R,
-            lambda R, step, frame: R.T @ step @ R,
-        ),
-        entry_by_entry(lambda R, step, frame: R * step),
-        Mistake("the matrices are added", "Rotations follow one another as products.", lambda R, step, frame: R + step),
-        argument_returned(0, "R is returned without the new rotation"),
-        argument_returned(1, "step is returned without R"),
     ),
     hints=(
         "Let p be a point of the body, in the body's coordinates. In the world's coordinates it is R p.",
@@ -79,3 +48,29 @@ EXERCISE = Exercise(
         'frame "world": step R; frame "body": R step.',
     ),
 )
+
+
+@EXERCISE.mistake
+def world_and_body_swapped(R, step, frame):
+    """world and body are swapped. The factor next to the point acts first, about the axes in which the point is
+    given."""
+    return R @ step if frame == "world" else step @ R
+
+
+@EXERCISE.mistake(order=(1, -1))
+def frame_not_used(R, step, frame, order):
+    """the frame makes no difference. Compare both orders for rotations by 90 degrees about z and about x."""
+    first, second = (R, step)[::order]
+    return first @ second
+
+
+@EXERCISE.mistake
+def on_both_sides_for_the_body(R, step, frame):
+    """R stands on both sides of step if the frame is the body. Which of the two acts first on a point of the body?"""
+    return step @ R if frame == "world" else R @ step @ R.T
+
+
+@EXERCISE.mistake
+def entry_by_entry(R, step, frame):
+    """* works entry by entry. In numpy the product of matrices is @."""
+    return R * step

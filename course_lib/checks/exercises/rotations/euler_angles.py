@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import in_degrees, same_angles
+from course_lib.checks.vocabulary import any_rotation, same_angles
 from course_lib.rotations import rot_x, rot_y, rot_z
 
 
@@ -33,9 +33,14 @@ def _cases(rng):
     named += [(alpha, 0.8, gamma), (-gamma, -0.8, alpha), (3.0, 0.2, 0.1), (0.1, 0.2, 3.0)]
     near = [(alpha, sign * (np.pi / 2 - short), gamma) for sign in (1, -1) for short in (1e-2, 3e-4, 1e-5)]
     exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4), np.eye(3)]
-    # What a product of rotations has instead of the zeros at gimbal lock
+    # What products of rotations have instead of the zeros, and of the -1, at gimbal lock
     noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
-    return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *exact, _locked(1, alpha, gamma) + noise]]
+    short = _locked(1, alpha, gamma) + noise
+    short[2, 0] = np.nextafter(-1, 0)
+    A = any_rotation(rng)
+    computed = [A @ (A.T @ _locked(sign, alpha, gamma)) for sign in (1, -1)]
+    locked = [*exact, _locked(1, alpha, gamma) + noise, short, *computed]
+    return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *locked]]
 
 
 def _lock(R):
@@ -44,17 +49,6 @@ def _lock(R):
 
 def _gap(angles, R):
     return np.abs(_matrix(*angles) - R).max()
-
-
-def _away(answer):
-    """The answer away from gimbal lock; there it is right."""
-    return lambda R: _right(R) if _lock(R) else np.asarray(answer(R), float)
-
-
-def _swapped(i, j):
-    order = [0, 1, 2]
-    order[i], order[j] = j, i
-    return _away(lambda R: _right(R)[order])
 
 
 EXERCISE = Exercise(
@@ -94,77 +88,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "alpha and gamma are swapped",
-            "alpha is the angle about x, gamma about z. The answer is (alpha, beta, gamma).",
-            _swapped(0, 2),
-        ),
-        Mistake("beta has the wrong sign", "R[2, 0] is -sin(beta).", _away(lambda R: _right(R) * [1, -1, 1])),
-        Mistake(
-            "the angles are those of R^T, or have all their signs changed",
-            "Multiply the three matrices on paper, and compare the entries with the transpose.",
-            _away(lambda R: _right(R.T)),
-            _away(lambda R: -_right(R)),
-        ),
-        Mistake(
-            "the angles are those of the other order, Rx Ry Rz",
-            "Here R = Rz(gamma) Ry(beta) Rx(alpha): multiply it out.",
-            _away(lambda R: -_right(R.T)),
-        ),
-        Mistake(
-            "arctan takes a quotient: it cannot tell an angle from the opposite one",
-            "arctan(y / x) lies between -pi/2 and pi/2. numpy has a function that takes y and x apart.",
-            _away(lambda R: [np.arctan(R[2, 1] / R[2, 2]), _right(R)[1], np.arctan(R[1, 0] / R[0, 0])]),
-            _away(lambda R: [_right(R)[0], _right(R)[1], np.arctan(R[1, 0] / R[0, 0])]),
-            _away(lambda R: [np.arctan(R[2, 1] / R[2, 2]), *_right(R)[1:]]),
-        ),
-        Mistake(
-            "the arguments of arctan2 are swapped",
-            "The sine comes first: arctan2(y, x).",
-            _away(lambda R: [np.arctan2(R[2, 2], R[2, 1]), _right(R)[1], np.arctan2(R[0, 0], R[1, 0])]),
-        ),
-        Mistake(
-            "arcsin or arccos is used for alpha or gamma",
-            "They know half of the circle only. Sine and cosine together tell the angle.",
-            _away(lambda R: [np.arcsin(np.clip(R[2, 1] / np.cos(_right(R)[1]), -1, 1)), *_right(R)[1:]]),
-            _away(lambda R: [*_right(R)[:2], np.arcsin(np.clip(R[1, 0] / np.cos(_right(R)[1]), -1, 1))]),
-            _away(
-                lambda R: [
-                    np.arcsin(np.clip(R[2, 1] / np.cos(_right(R)[1]), -1, 1)),
-                    _right(R)[1],
-                    np.arcsin(np.clip(R[1, 0] / np.cos(_right(R)[1]), -1, 1)),
-                ]
-            ),
-            _away(lambda R: [*_right(R)[:2], np.arccos(np.clip(R[0, 0] / np.cos(_right(R)[1]), -1, 1))]),
-        ),
-        in_degrees(_right),
-        Mistake(
-            "at gimbal lock the remaining angle has the wrong sign",
-            "Check it with Rz(0.4) Ry(pi/2).",
-            lambda R: np.array([0.0, _right(R)[1], -_right(R)[2]]) if _lock(R) else None,
-        ),
-        Mistake(
-            "the case beta = -pi/2 is treated like beta = pi/2",
-            "With alpha = 0, which entries depend on the sign of beta, and which do not?",
-            lambda R: np.array([0.0, np.pi / 2, _right(R)[2]]) if _lock(R) else None,
-        ),
-        Mistake(
-            "at gimbal lock all of the rest is set to zero",
-            "One angle may be chosen freely. The other then follows from R.",
-            lambda R: np.array([0.0, _right(R)[1], 0.0]) if _lock(R) else None,
-        ),
-        Mistake(
-            "near gimbal lock the formula for the exact lock is used too soon",
-            "Its error is about cos(beta): how small has that to be for 1e-6?",
-            seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1,
-        ),
-        Mistake(
-            "beta is given with the cosine taken for the sine",
-            "R[2, 0] is -sin(beta).",
-            _away(lambda R: [_right(R)[0], np.arccos(-R[2, 0]), _right(R)[2]]),
-        ),
-    ),
     hints=(
         "Multiply Rz(gamma) Ry(beta) Rx(alpha) out: the first column and the last row are simple.",
         "R[2, 0] = -sin(beta), R[1, 0] / R[0, 0] = tan(gamma), R[2, 1] / R[2, 2] = tan(alpha). np.arctan2 sees the "
@@ -173,3 +96,51 @@ EXERCISE = Exercise(
     ),
     forbidden=("scipy.spatial.transform.Rotation",),
 )
+
+
+@EXERCISE.mistake
+def alpha_and_gamma_swapped(R):
+    """alpha and gamma are swapped. alpha is the angle about x, gamma about z. The answer is (alpha, beta, gamma)."""
+    return None if _lock(R) else _right(R)[::-1]
+
+
+@EXERCISE.mistake
+def beta_negated(R):
+    """beta has the wrong sign. R[2, 0] is -sin(beta)."""
+    return None if _lock(R) else _right(R) * [1, -1, 1]
+
+
+@EXERCISE.mistake(of=(lambda R: _right(R.T), lambda R: -_right(R), lambda R: -_right(R.T)))
+def other_product(R, of):
+    """the angles are those of another product: of R^T, or of Rx Ry Rz. Multiply the three matrices on paper, and
+    compare the entries."""
+    return None if _lock(R) else of(R)
+
+
+@EXERCISE.mistake(which=((0,), (2,), (0, 2)))
+def arctan(R, which):
+    """arctan takes a quotient: it cannot tell an angle from the opposite one. It lies between -pi/2 and pi/2. numpy
+    has a function that takes y and x apart."""
+    angles = _right(R)
+    for k in which:
+        angles[k] = np.arctan(np.tan(angles[k]))
+    return None if _lock(R) else angles
+
+
+@EXERCISE.mistake
+def lock_set_to_zero(R):
+    """at gimbal lock all of the rest is set to zero. One angle may be chosen freely. The other then follows from R."""
+    return np.array([0.0, _right(R)[1], 0.0]) if _lock(R) else None
+
+
+@EXERCISE.mistake(change=([1, 1, -1], [1, -1, 1]))
+def lock_sign(R, change):
+    """at gimbal lock an angle has the wrong sign. Check it with Rz(0.4) Ry(pi/2), and with Ry(-pi/2)."""
+    return _right(R) * change if _lock(R) else None
+
+
+@EXERCISE.mistake(seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1)
+def lock_too_soon(R):
+    """near gimbal lock the formula for the exact lock is used too soon. Its error is about cos(beta): how small has
+    that to be for 1e-6?"""
+    return np.array([0.0, _right(R)[1], np.arctan2(-R[0, 1], R[1, 1])]) if np.hypot(R[0, 0], R[1, 0]) < 0.02 else None

@@ -75,23 +75,11 @@ def length_not_divided_out(w):
 
 
 @EXERCISE.mistake
-def squared_length(w):
-    """the square of the length stands for the length. w . w is |w|^2: the angle is its root."""
-    return _formula(w / np.linalg.norm(w) * (w @ w))
-
-
-@EXERCISE.mistake
 def sign_in_hat(w):
     """[n] has a wrong sign in one entry. [n] is skew-symmetric: [n]^T = -[n]."""
     N = hat(w / np.linalg.norm(w))
     N[1, 2] *= -1
     return _formula(w, N=N)
-
-
-@EXERCISE.mistake(versine=(lambda a: 0, lambda a: np.cos(a) - 1, np.cos, lambda a: np.sin(a / 2) ** 2))
-def versine_wrong(w, versine):
-    """the factor of [n]^2 is not 1 - cos(a). It is 0 at a = 0, 2 at a half turn, and moves p towards the axis."""
-    return _formula(w, versine=versine)
 
 
 @EXERCISE.mistake

@@ -3,123 +3,91 @@
 import numpy as np
 
 from course_lib.checks.answer_types import boolean
-from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.rotations.is_valid_mistakes import (
-    LOOSE,
-    MISTAKES,
-    NEARLY_ONE,
-    SHAPE_IGNORED,
-    SIZE_ASSUMED,
-    TIGHT,
-    has_form,
-    is_valid,
-    plane_rotation,
-    row_error,
-)
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import orthogonality_error, pose, unit
-from course_lib.rotations import random_rotations
+from course_lib.rotations import exp_so3, nearest_quaternion, random_rotations
+
+TIGHT, LOOSE = 1e-9, 0.01
+NEARLY_ONE = 1 + 4e-6  # off by more than TIGHT, and by less than numpy's own relative tolerance of 1e-5
+_SHAPES = {"rotation": ((2, 2), (3, 3)), "pose": ((3, 3), (4, 4)), "quaternion": ((4,), (4, 1))}
 
 
-def _unit_columns(cosine):
-    """A 2x2 matrix with columns of length one at an angle with the given cosine."""
-    return np.array([[1.0, cosine], [0.0, np.sqrt(1 - cosine**2)]])
+def has_form(X, kind):
+    """Return whether X has a shape that its kind may have."""
+    return X.shape in _SHAPES[kind]
 
 
-def _in_space(M):
-    """The 3x3 matrix that does what M does, and leaves z as it is."""
-    R = np.eye(3)
-    R[:2, :2] = M
+def _is_rotation(R, tol):
+    return has_form(R, "rotation") and orthogonality_error(R) <= tol and abs(np.linalg.det(R) - 1) <= tol
+
+
+def row_error(T):
+    """Return the difference of the last row from (0, ..., 0, 1)."""
+    return T[-1] - np.eye(T.shape[1])[-1]
+
+
+def is_valid(X, kind, tol):
+    """Return whether X is what its kind says, within tol."""
+    if not has_form(X, kind):
+        return False
+    if kind == "quaternion":
+        return abs(np.linalg.norm(X) - 1) <= tol
+    if kind == "pose":
+        return _is_rotation(X[:-1, :-1], tol) and np.abs(row_error(X)).max() <= tol
+    return _is_rotation(X, tol)
+
+
+def plane_rotation(angle):
+    """Return the rotation of the plane by an angle."""
+    return exp_so3([0.0, 0.0, angle])[:2, :2]
+
+
+def _unit_columns(cosine, size=2):
+    """A matrix with columns of length one, the first two at an angle with the given cosine."""
+    R = np.eye(size)
+    R[:2, 1] = cosine, np.sqrt(1 - cosine**2)
     return R
 
 
 def _rotations(rng):
     R, flat = random_rotations(1, rng)[0], plane_rotation(2.0)
     stretched = plane_rotation(0.5) @ np.diag([1.003, 1.0])
+    tight = [flat, R, plane_rotation(np.pi), np.diag([1.0, 1.0, -1.0]), np.diag([1.0, -1.0]), -R, 2 * R]
+    tight += [np.diag([2.0, 0.5, 1.0]), _unit_columns(0.6), np.zeros((3, 3))]
+    tight += [R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0]), np.eye(4), R[:, :2], R[:2], R[0]]
     # every entry of R^T R - I is 0.007, all of them together more than 0.01; so it is for R R^T too
-    within = R @ np.diag([1.0035, 1.0035, 1 / 1.0035])
-    return [
-        (flat, TIGHT),
-        (R, TIGHT),
-        (plane_rotation(np.pi), TIGHT),
-        (np.diag([1.0, 1.0, -1.0]), TIGHT),
-        (np.diag([1.0, -1.0]), TIGHT),
-        (-R, TIGHT),
-        (np.diag([2.0, 0.5, 1.0]), TIGHT),
-        (2 * R, TIGHT),
-        (_unit_columns(0.6), TIGHT),
-        (np.zeros((3, 3)), TIGHT),
-        (stretched, LOOSE),
-        (stretched, 1e-4),
-        (within, LOOSE),
-        (R @ np.diag([1.02, 1 / 1.02, 1.0]), LOOSE),
-        (np.diag([0.991, 1.0045, 1.0045]), LOOSE),
-        (_unit_columns(-0.08), LOOSE),
-        (_in_space(_unit_columns(-0.08)), LOOSE),
-        (plane_rotation(0.5) @ np.diag([1.0, -0.997]), LOOSE),
-        (R @ np.diag([1.0, 1.0, -0.997]), LOOSE),
-        (R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0]), TIGHT),
-        (np.eye(4), TIGHT),
-        (R[:, :2], TIGHT),
-        (R[:2], TIGHT),
-        (R[0], TIGHT),
-    ]
+    loose = [stretched, R @ np.diag([1.0035, 1.0035, 1 / 1.0035]), R @ np.diag([1.02, 1 / 1.02, 1.0])]
+    loose += [np.diag([0.991, 1.0045, 1.0045]), _unit_columns(-0.08), _unit_columns(-0.08, 3)]
+    loose += [plane_rotation(0.5) @ np.diag([1.0, -0.997]), R @ np.diag([1.0, 1.0, -0.997])]
+    return tight, loose, [stretched]
 
 
 def _poses(rng):
     R, flat, p = random_rotations(1, rng)[0], plane_rotation(0.5), 10 * unit(rng)
-    return [
-        (pose(flat, p[:2]), TIGHT),
-        (pose(R, p), TIGHT),
-        (pose(-R, p), TIGHT),
-        (pose(R @ np.diag([2.0, 0.5, 1.0]), p), TIGHT),
-        (pose(R, p, 0.3, -0.3, 0.0, 1.0), TIGHT),
-        (pose(flat, 0 * p[:2], -0.3, 0.0, 1.0), TIGHT),
-        (pose(R, p, 0.0, 0.0, 0.0, 2.0), TIGHT),
-        (pose(flat, p[:2], 0.0, 0.0, 0.5), TIGHT),
-        (pose(R, p, 0.0, 0.0, 0.0, -1.0), TIGHT),
-        (pose(R, p, 0.0, 0.0, 0.0, NEARLY_ONE), TIGHT),
-        (pose(flat, p[:2], 0.004, 0.0, 1.0), LOOSE),
-        (pose(flat, p[:2], 0.004, 0.0, 1.0), 1e-4),
-        # the mean of the row's errors and its length are within tol, the largest error is not; and the reverse
-        (pose(R, p, 0.012, 0.0, 0.0, 1.0), LOOSE),
-        (pose(R, p, 0.009, 0.009, 0.009, 1.0), LOOSE),
-        (pose(R @ np.diag([1.003, 1.0, 1.0]), p), LOOSE),
-        (pose(R @ np.diag([1.003, 1.0, 1.0]), p), 1e-4),
-        (np.eye(2), TIGHT),
-        (np.eye(5), TIGHT),
-        (pose(R, p)[:3], TIGHT),
-        (np.eye(3, 4), TIGHT),
-    ]
+    tight = [pose(flat, p[:2]), pose(R, p), pose(-R, p), pose(R @ np.diag([2.0, 0.5, 1.0]), p)]
+    tight += [pose(R, p, 0.3, -0.3, 0.0, 1.0), pose(flat, 0 * p[:2], -0.3, 0.0, 1.0), pose(flat, p[:2], 0.0, 0.0, 0.5)]
+    tight += [pose(R, p, 0.0, 0.0, 0.0, last) for last in (2.0, -1.0, NEARLY_ONE)]
+    tight += [np.eye(2), np.eye(5), pose(R, p)[:3], np.eye(3, 4)]
+    both = [pose(flat, p[:2], 0.004, 0.0, 1.0), pose(R @ np.diag([1.003, 1.0, 1.0]), p)]
+    # the mean of the row's errors and its length are within tol, the largest error is not; and the reverse
+    return tight, [*both, pose(R, p, 0.012, 0.0, 0.0, 1.0), pose(R, p, 0.009, 0.009, 0.009, 1.0)], both
 
 
 def _quaternions(rng):
-    q = rng.normal(size=4)
-    q /= np.linalg.norm(q)
-    return [
-        (np.array([1.0, 0, 0, 0]), TIGHT),
-        (q, TIGHT),
-        (-q, TIGHT),
-        (q[:, None], TIGHT),
-        (np.array([1.0, 1, 0, 0]), TIGHT),
-        (np.array([0.5, 0.5, 0.0, 0.0]), TIGHT),
-        (2 * q[:, None], TIGHT),
-        (np.zeros(4), TIGHT),
-        (1.008 * q, LOOSE),
-        (1.004 * q, LOOSE),
-        (0.992 * q, LOOSE),
-        (1.008 * q, 1e-4),
-        (0.992 * q[:, None], 1e-4),
-        (NEARLY_ONE * q, TIGHT),
-        (np.array([1.0, 0, 0]), TIGHT),
-        (q[None, :], TIGHT),
-        (q.reshape(2, 2), TIGHT),
-        (0.5 * np.eye(4), TIGHT),
-    ]
+    q = nearest_quaternion(rng.normal(size=4))
+    tight = [np.array([1.0, 0, 0, 0]), q, -q, q[:, None], np.array([1.0, 1, 0, 0]), np.array([0.5, 0.5, 0.0, 0.0])]
+    tight += [2 * q[:, None], np.zeros(4), NEARLY_ONE * q, np.array([1.0, 0, 0]), q[None, :], q.reshape(2, 2)]
+    return [*tight, 0.5 * np.eye(4)], [1.008 * q, 1.004 * q, 0.992 * q], [1.008 * q, 0.992 * q[:, None]]
 
 
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
-    return [(X, kind, tol) for kind, pairs in drawn.items() for X, tol in pairs]
+    return [
+        (X, kind, tol)
+        for kind, parts in drawn.items()
+        for each, tol in zip(parts, (TIGHT, LOOSE, 1e-4), strict=True)
+        for X in each
+    ]
 
 
 def _errors(ok, X, kind, tol):
@@ -145,6 +113,11 @@ def _says(kind, text):
     )
 
 
+_SHAPE_IGNORED = Mistake(
+    "the shape is ignored, or one size is assumed",
+    "Test X.shape first: a rotation is 2x2 or 3x3, a pose 3x3 or 4x4. For any other shape the answer is False.",
+)
+
 EXERCISE = Exercise(
     name="is_valid",
     points=3,
@@ -153,22 +126,10 @@ EXERCISE = Exercise(
     returns=boolean,
     library=is_valid,
     properties=(
-        Property(
-            "what is valid to rounding is accepted",
-            lambda ok, X, kind, tol: ok,
-            where=lambda X, kind, tol: is_valid(X, kind, min(tol, TIGHT)),
-        ),
-        Property(
-            "an array of another shape is refused",
-            lambda ok, X, kind, tol: not ok,
-            where=lambda X, kind, tol: not has_form(X, kind),
-            mistake=SHAPE_IGNORED,
-        ),
         _says("rotation", '"rotation": every entry of R^T R is within tol of I, and det R within tol of 1'),
         _says("pose", '"pose": the upper left block is a rotation, and each entry of the last row is within tol'),
         _says("quaternion", '"quaternion": |q| is within tol of 1'),
     ),
-    mistakes=MISTAKES,
     hints=(
         "First the shape. A rotation is 2x2 or 3x3, a pose 3x3 or 4x4; a quaternion has the shape (4,) or (4, 1).",
         "A rotation: R^T R = I within tol, entry by entry, and a determinant that tells it from a mirror. A pose "
@@ -178,7 +139,75 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.rotations.is_so", "course_lib.rigid.is_se", "course_lib.rotations.is_quaternion"),
     errors=(
-        ("LinAlgError", "must be square", SHAPE_IGNORED),
-        ("ValueError", "could not be broadcast together", SIZE_ASSUMED),
+        ("LinAlgError", "must be square", _SHAPE_IGNORED),
+        ("ValueError", "could not be broadcast together", _SHAPE_IGNORED),
     ),
 )
+
+# A mistake answers for one kind only, and with `only` says nothing of the others.
+
+
+def _only(kind, X, asked, test):
+    return bool(has_form(X, kind) and test(X)) if asked == kind else None
+
+
+def _entries(R):
+    return R.T @ R - np.eye(len(R))
+
+
+def _upright(R, tol):
+    return abs(np.linalg.det(R) - 1) <= tol
+
+
+_ENOUGH = {"det within tol": _upright, "det positive": lambda R, tol: np.linalg.det(R) > 0, "": lambda R, tol: True}
+
+
+@EXERCISE.mistake(shape=[shape for shapes in _SHAPES.values() for shape in shapes])
+def one_shape_alone(X, kind, tol, shape):
+    """one shape alone is accepted. Rotations and poses may be those of the plane or of space; quaternions may be
+    flat or a column."""
+    return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
+
+
+@EXERCISE.mistake(det=(lambda d, tol: True, lambda d, tol: abs(abs(d) - 1) <= tol))
+def reflections_accepted(X, kind, tol, det):
+    """of a rotation only R^T R = I is asked. A mirror has R^T R = I too. What tells it from a rotation?"""
+    return _only("rotation", X, kind, lambda R: orthogonality_error(R) <= tol and det(np.linalg.det(R), tol))
+
+
+@EXERCISE.mistake(about=_SHAPES)
+def negative_errors_pass(X, kind, tol, about):
+    """a negative error always passes. An error of -0.5 is as wrong as 0.5."""
+    tests = {
+        "rotation": lambda R: _entries(R).max() <= tol and _upright(R, tol),
+        "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and row_error(T).max() <= tol,
+        "quaternion": lambda q: np.linalg.norm(q) - 1 <= tol,
+    }
+    return _only(about, X, kind, tests[about])
+
+
+@EXERCISE.mistake(about=_SHAPES)
+def relative_tolerance(X, kind, tol, about):
+    """a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own. Which keyword of theirs
+    sets it to zero?"""
+    tests = {
+        "rotation": lambda R: (
+            np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and np.isclose(np.linalg.det(R), 1, atol=tol)
+        ),
+        "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and np.allclose(T[-1], np.eye(len(T))[-1], atol=tol),
+        "quaternion": lambda q: np.isclose(np.linalg.norm(q), 1, atol=tol),
+    }
+    return _only(about, X, kind, tests[about])
+
+
+@EXERCISE.mistake(size=(lambda q: 1, lambda q: np.sum(q**2), np.sum, lambda q: np.sum(np.abs(q))))
+def other_length(X, kind, tol, size):
+    """the length of a quaternion is ignored, or is not the root of the sum of the squares. Within a tolerance the
+    square is not the same."""
+    return _only("quaternion", X, kind, lambda q: abs(size(q) - 1) <= tol)
+
+
+@EXERCISE.mistake(about=_SHAPES, fixed=(1e-12, 1e-8, 1e-6, 1e-5, 1e-3, 1e-2))
+def tol_not_used(X, kind, tol, about, fixed):
+    """tol is not used. Compare each error with the tolerance you are given, not with a fixed one."""
+    return _only(about, X, kind, lambda X: is_valid(X, kind, fixed))

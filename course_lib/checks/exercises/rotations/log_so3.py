@@ -4,29 +4,25 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.vocabulary import doubled, halved, in_degrees, negated, unit
+from course_lib.checks.vocabulary import unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
 _DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # just beyond -1 and 1, and just below 1
 
 
-def _leaning(rng):
-    """A unit vector far from the coordinate axes: what is wrong only near an axis is not hidden."""
-    return np.roll([0.6, 0.64, 0.48], rng.integers(3)) * rng.choice([-1, 1], size=3)
-
-
 def _cases(rng):
-    angles = [np.pi / 2, 0.5, 2.0, 3.0]
+    def leaning():  # far from the coordinate axes: what is wrong only near an axis is not hidden
+        return np.roll([0.6, 0.64, 0.48], rng.integers(3)) * rng.choice([-1, 1], size=3)
+
     small = [3.1e-4, 1e-5, 1e-9]
     nearly_half = [np.pi - 3.1e-4, np.pi - 1e-5, np.pi - 1e-9]
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
-    half += [
-        2 * np.outer(n, n) - np.eye(3) for n in (_leaning(rng), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
-    ]
+    half += [2 * np.outer(n, n) - np.eye(3) for n in (leaning(), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))]
     # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is not quite symmetric.
     rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
-    rotating = [exp_so3(a * unit(rng)) for a in angles] + [exp_so3(a * _leaning(rng)) for a in (*small, *nearly_half)]
+    rotating = [exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0, 3.0)]
+    rotating += [exp_so3(a * leaning()) for a in (*small, *nearly_half)]
     return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
 
 
@@ -64,26 +60,17 @@ def _given(R):
     return np.arctan2(sine, (np.trace(R) - 1) / 2) / sine * skew if sine > 1e-12 else skew
 
 
-def _scaled(scale):
-    """Return the answer of somebody whose vector has the right direction and a length scale(angle)."""
-    return lambda R: log_so3(R) * scale(_angle(R)) / (_angle(R) or 1)
-
-
-def _at_half_turns(answer):
-    return lambda R: answer(R) if _half_turn(R) else None
-
-
-_NO_ANSWER = Mistake(
-    "something is divided by zero, or arccos is asked outside [-1, 1]",
-    "Rounding may take the trace just above 3 or below -1. And at the identity and at 180 degrees the sine is 0.",
-)
-
-
 def _short_of_pi(R):
     """Return how far the angle is from pi, in words."""
     short = np.pi - _angle(R)
     return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
 
+
+_DIGITS_LOST = Mistake(
+    "small angles lose their digits, or all of them",
+    "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot. And a small rotation is not "
+    "the identity: which formula divides by nothing that is small?",
+)
 
 EXERCISE = Exercise(
     name="log_so3",
@@ -111,21 +98,9 @@ EXERCISE = Exercise(
         ),
         Property(
             "small angles keep their digits",
-            lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-5 * _angle(R),
-            where=_between(1e-6, 1e-3),
-            mistake=Mistake(
-                "digits are lost at small angles",
-                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot.",
-            ),
-        ),
-        Property(
-            "tiny angles keep their digits too",
-            lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-3 * _angle(R),
-            where=_between(1e-12, 1e-6),
-            mistake=Mistake(
-                "digits are lost at small angles",
-                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot.",
-            ),
+            lambda w, R: np.linalg.norm(w - log_so3(R)) <= (1e-5 if _angle(R) > 1e-6 else 1e-3) * _angle(R),
+            where=_between(1e-12, 1e-3),
+            mistake=_DIGITS_LOST,
         ),
         Property(
             "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
@@ -137,86 +112,11 @@ EXERCISE = Exercise(
             "for R = I the rotation vector is 0",
             lambda w, R: np.abs(w).max() < 1e-9,
             where=lambda R: np.array_equal(R, np.eye(3)),
-            mistake=Mistake("the identity is given an axis", "Its angle is 0, so angle times axis is 0 for any axis."),
         ),
         Property(
             "every R that is a rotation to rounding has a logarithm",
             lambda w, R: _gap(w, R) < 1e-4,
             says=lambda w, R: f"The trace of R is {np.trace(R):.17g}.",
-            mistake=_NO_ANSWER,
-        ),
-    ),
-    mistakes=(
-        Mistake(_NO_ANSWER.name, _NO_ANSWER.hint, seen=lambda w, R: not np.isfinite(w).all()),
-        Mistake(
-            "small angles are cut off to zero",
-            "A small rotation is not the identity. Which formula divides by nothing that is small?",
-            seen=lambda w, R: not w.any() and 0 < _angle(R) < 0.1,
-        ),
-        Mistake(
-            "a rotation by 180 degrees is taken for none",
-            "At angle pi, R equals R^T, and R - R^T contains nothing. What does R + I contain there?",
-            _at_half_turns(lambda R: np.zeros(3)),
-            seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3,
-        ),
-        Mistake(
-            "at 180 degrees the signs of the axis's entries do not fit together",
-            "The diagonal of n n^T contains squares only. Where do the products of two entries stand?",
-            _at_half_turns(lambda R: np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0))),
-            seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6),
-        ),
-        Mistake(
-            "near 180 degrees the formula for exactly 180 degrees is used too soon",
-            "It is exact at pi only. How far from pi is its error below 1e-4?",
-            seen=lambda w, R: (
-                1e-7 < np.pi - _angle(R) < 1e-3 and 1e-6 < np.linalg.norm(np.abs(w) - np.abs(log_so3(R))) < 1e-2
-            ),
-        ),
-        Mistake(
-            "near 180 degrees the angle or its sine has lost its digits",
-            "sin(a) is small there, and a rounded angle has a rounded sine. Which formula needs no sine of the angle?",
-            seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R),
-        ),
-        Mistake(
-            "at 180 degrees the answer is not pi times the unit axis",
-            "Which entries of R hold the axis there, and how long is the vector that you take?",
-            seen=lambda w, R: _half_turn(R),
-        ),
-        negated(
-            log_so3,
-            "the sign is wrong: this is the logarithm of R^T",
-            "[n] has n1 in row 3, column 2. Which entry of R - R^T is that?",
-        ),
-        Mistake(
-            "the unit axis is returned, without the angle", "The vector's length is the angle.", _scaled(lambda a: 1.0)
-        ),
-        in_degrees(log_so3),
-        Mistake(
-            "the skew part of R is taken for its logarithm", "(R - R^T)/2 is sin(a) [n], not a [n].", _scaled(np.sin)
-        ),
-        Mistake(
-            "the division by sin(a) is missing", "(R - R^T)/2 is sin(a) [n], not [n].", _scaled(lambda a: a * np.sin(a))
-        ),
-        doubled(log_so3, "a factor 1/2 is missing", "R - R^T is 2 sin(a) [n]."),
-        halved(log_so3, "the factor 1/2 occurs twice", "R - R^T is 2 sin(a) [n]."),
-        Mistake(
-            "the angle is wrong beyond 90 degrees",
-            "arcsin gives the same angle for a and pi - a. Which part of R tells them apart?",
-            _scaled(lambda a: min(a, np.pi - a)),
-        ),
-        Mistake(
-            "the angle is computed from the trace with a wrong constant",
-            "The trace is 1 + 2 cos(a): solve it for a.",
-            *(
-                _scaled(lambda a, cosine=cosine: np.arccos(np.clip(cosine(1 + 2 * np.cos(a)), -1, 1)))
-                for cosine in (
-                    lambda t: t / 2 - 1,
-                    lambda t: t - 1,
-                    lambda t: t / 2,
-                    lambda t: (t + 1) / 2,
-                    lambda t: (t - 1) / 3,
-                )
-            ),
         ),
     ),
     hints=(
@@ -233,3 +133,67 @@ EXERCISE = Exercise(
         "scipy.spatial.transform.Rotation",
     ),
 )
+
+
+@EXERCISE.mistake(seen=lambda w, R: not np.isfinite(w).all())
+def outside_the_domain(R):
+    """something is divided by zero, or arccos is asked outside [-1, 1]. Rounding may take the trace just above 3 or
+    below -1, and at the identity and at 180 degrees the sine is 0."""
+    a = np.arccos((np.trace(R) - 1) / 2)
+    return a / np.sin(a) * _skew_part(R)
+
+
+@EXERCISE.mistake(seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3)
+def half_turn_taken_for_none(R):
+    """a rotation by 180 degrees is taken for none. At angle pi, R equals R^T, and R - R^T contains nothing. What
+    does R + I contain there?"""
+    return np.zeros(3) if _half_turn(R) else log_so3(R)
+
+
+@EXERCISE.mistake(seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6))
+def signs_at_half_turns(R):
+    """at 180 degrees the signs of the axis's entries do not fit together. The diagonal of n n^T contains squares
+    only. Where do the products of two entries stand?"""
+    return np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0)) if _half_turn(R) else log_so3(R)
+
+
+@EXERCISE.mistake(column=range(3), seen=lambda w, R: _half_turn(R))
+def half_turn_wrong(R, column):
+    """at 180 degrees the answer is not pi times the unit axis. Which entries of R hold the axis there, how long is
+    the vector that you take, and may it be 0?"""
+    return np.pi * (R + np.eye(3))[:, column] / 2 if _half_turn(R) else log_so3(R)
+
+
+@EXERCISE.mistake(seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R))
+def inaccurate_near_half_turns(R):
+    """near 180 degrees the answer is too inaccurate. There sin(a) is small and a rounded angle has a rounded sine;
+    and the formula for 180 degrees itself is exact at pi only."""
+    return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
+
+
+@EXERCISE.mistake
+def transposed(R):
+    """the sign is wrong: this is the logarithm of R^T. [n] has n1 in row 3, column 2. Which entry of R - R^T is
+    that?"""
+    return -log_so3(R)
+
+
+@EXERCISE.mistake(power=(1, 2))
+def sine_wrong(R, power):
+    """a factor sin(a) is left over, or taken for a. (R - R^T)/2 is sin(a) [n]: the answer is a n."""
+    a = _angle(R)
+    return log_so3(R) / (a or 1) * (np.sin(a) if power == 1 else a * np.sin(a))
+
+
+@EXERCISE.mistake
+def arcsin(R):
+    """the angle is wrong beyond 90 degrees. arcsin gives the same angle for a and pi - a. Which part of R tells them
+    apart?"""
+    return log_so3(R) / (_angle(R) or 1) * min(_angle(R), np.pi - _angle(R))
+
+
+@EXERCISE.mistake(cosine=(lambda t: t / 2 - 1, lambda t: t - 1, lambda t: t / 2, lambda t: (t + 1) / 2))
+def trace_wrong(R, cosine):
+    """the angle is computed from the trace with a wrong constant. The trace is 1 + 2 cos(a): solve it for a."""
+    a = np.arccos(np.clip(cosine(np.trace(R)), -1, 1))
+    return log_so3(R) / (_angle(R) or 1) * a

@@ -5,8 +5,8 @@ from itertools import permutations
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import doubled, halved, same_up_to_sign
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
 
 
@@ -36,10 +36,6 @@ def _near_half_turn(R):
     return np.trace(R) < -1 + 1e-6
 
 
-def _each(factors):
-    return lambda R: matrix_to_quaternion(R) * factors
-
-
 EXERCISE = Exercise(
     name="matrix_to_quaternion",
     points=3,
@@ -62,47 +58,6 @@ EXERCISE = Exercise(
             "q, or -q, is the quaternion of R, near 180 degrees too",
             _right_up_to_sign,
             says=lambda q, R: f"w^2 = (1 + trace) / 4 is {(1 + np.trace(R)) / 4:.2g} here.",
-            mistake=Mistake(
-                "near 180 degrees an entry that is nearly 0 serves as the divisor",
-                "Which of the four squares can never be small together?",
-            ),
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "the order is (x, y, z, w)",
-            "Here a quaternion is (w, x, y, z), with the scalar first.",
-            lambda R: np.roll(matrix_to_quaternion(R), -1),
-        ),
-        Mistake(
-            "the signs of x, y, z do not fit together",
-            "The diagonal gives squares only. The signs come from the products of two entries.",
-            lambda R: np.abs(matrix_to_quaternion(R)),
-            seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6),
-        ),
-        Mistake(
-            "the conjugate is returned: the quaternion of R^T",
-            "Compare the order of the differences with 4 w x = R21 - R12.",
-            _each([1, -1, -1, -1]),
-        ),
-        doubled(matrix_to_quaternion, hint="The four sums are 4 w^2, 4 x^2, ...: what is the root of 4?"),
-        halved(matrix_to_quaternion),
-        Mistake(
-            "the vector part has another factor than the scalar",
-            "The products are 4 w x, 4 w y, 4 w z: by what do you divide them, and which factor remains?",
-            *(_each([1, c, c, c]) for c in (0.25, 0.5, 2, 4, -0.5, -2)),
-        ),
-        Mistake("the angle is not halved", "A rotation by a has w = cos(a/2).", lambda R: _axis_and_angle(R, 1.0)),
-        Mistake(
-            "a square is returned without its root",
-            "The diagonal of R gives squares.",
-            lambda R: np.array([matrix_to_quaternion(R)[0] ** 2, *matrix_to_quaternion(R)[1:]]),
-            lambda R: matrix_to_quaternion(R) ** 2,
-        ),
-        Mistake(
-            "an entry of q that is nearly 0 serves as the divisor",
-            "Any of w, x, y, z can be small, but not all of them at once. Which one is a safe divisor?",
-            seen=lambda q, R: not np.isfinite(q).all() or _near_half_turn(R) or np.linalg.norm(q) < 0.99,
         ),
     ),
     hints=(
@@ -119,9 +74,43 @@ EXERCISE = Exercise(
 )
 
 
-def _axis_and_angle(R, share):
-    """(cos b, sin b n) with b = share * angle; for a quaternion the share is 1/2."""
+def _vector_over_w(R):
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+
+def _is_divided_by_little(q, R):
+    """Whether the vector part has the direction of R - R^T, and not the right length."""
+    if not np.isfinite(q).all():
+        return True
+    along = _vector_over_w(R)
+    parallel = np.abs(np.cross(q[1:], along)).max() < 1e-6 * np.linalg.norm(q[1:]) * np.linalg.norm(along)
+    return bool(along.any() and parallel and abs(np.linalg.norm(q) - 1) > 1e-6)
+
+
+@EXERCISE.mistake(seen=lambda q, R: _near_half_turn(R) and _is_divided_by_little(q, R))
+def divided_by_w(R):
+    """an entry of q that is nearly 0 serves as the divisor. Any of w, x, y, z can be small, but not all of them at
+    once. Which one is a safe divisor?"""
+    w = np.sqrt(max(1 + np.trace(R), 0)) / 2
+    return np.array([w, *(_vector_over_w(R) / (4 * w))])
+
+
+@EXERCISE.mistake
+def scalar_last(R):
+    """the order is (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
+    return np.roll(matrix_to_quaternion(R), -1)
+
+
+@EXERCISE.mistake(seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6))
+def signs_lost(R):
+    """the signs of w, x, y, z do not fit together. The diagonal gives squares only. The signs come from the products
+    of two entries."""
+    return np.abs(matrix_to_quaternion(R))
+
+
+@EXERCISE.mistake
+def angle_not_halved(R):
+    """the angle is not halved. A rotation by a has w = cos(a/2)."""
     q = matrix_to_quaternion(R)
-    sine = np.linalg.norm(q[1:])
-    angle = 2 * np.arctan2(sine, q[0])
-    return np.array([np.cos(share * angle), *(np.sin(share * angle) * q[1:] / (sine or 1))])
+    half, sine = np.arctan2(np.linalg.norm(q[1:]), q[0]), np.linalg.norm(q[1:])
+    return np.array([np.cos(2 * half), *(np.sin(2 * half) * q[1:] / (sine or 1))])

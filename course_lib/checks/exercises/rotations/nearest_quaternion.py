@@ -3,11 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import few_digits, negated
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.rotations import nearest_quaternion
-
-_CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
 
 def _cases(rng):
@@ -39,53 +36,39 @@ EXERCISE = Exercise(
             lambda u, q: np.abs(u - _right(q)).max() < 1e-9,
         ),
     ),
-    mistakes=(
-        Mistake(
-            "a small number is added to the length",
-            "No quaternion here has length 0: divide by the length itself.",
-            seen=lambda u, q: 1e-12 < np.linalg.norm(q) / np.linalg.norm(u) - np.linalg.norm(q) < 1e-6,
-        ),
-        few_digits(_right),
-        Mistake(
-            "q is divided by something else than its length",
-            "The length is the root of the sum of the squares.",
-            lambda q: np.ravel(q) / np.sum(q**2),
-            lambda q: np.ravel(q) / np.sum(q),
-            lambda q: np.ravel(q) / np.sum(np.abs(q)),
-            lambda q: np.ravel(q) / np.max(np.abs(q)),
-            lambda q: np.ravel(q) / np.max(q),
-            lambda q: np.ravel(q) * np.linalg.norm(q),
-            lambda q: np.ravel(q) / np.sqrt(np.linalg.norm(q)),
-        ),
-        negated(_right, hint="-q is the same rotation, but it lies on the far side of the sphere: it is not nearest."),
-        Mistake(
-            "the sign is changed if w < 0",
-            "q and -q are the same rotation, but they are not equally near: the answer points in the direction of q.",
-            lambda q: _right(q) * (1 if np.ravel(q)[0] >= 0 else -1),
-        ),
-        Mistake(
-            "the conjugate or the inverse is returned",
-            "Only the length is to change.",
-            lambda q: _right(q) * _CONJUGATE,
-            lambda q: np.ravel(q) * _CONJUGATE / np.sum(q**2),
-        ),
-        Mistake("q is returned as it came", "What is its length?", np.ravel),
-        Mistake(
-            "the signs of the entries are lost",
-            "The direction stays as it is: each entry keeps its sign.",
-            lambda q: np.abs(_right(q)),
-        ),
-        Mistake(
-            "only the vector part is made a unit vector",
-            "All four entries together have length one.",
-            lambda q: np.array([np.ravel(q)[0], *(np.ravel(q)[1:] / (np.linalg.norm(np.ravel(q)[1:]) or 1))]),
-        ),
-        Mistake(
-            "w is chosen so that the length becomes one",
-            "That changes the direction. All four entries change by the same factor.",
-            lambda q: np.array([np.sqrt(max(0, 1 - np.sum(np.ravel(q)[1:] ** 2))), *np.ravel(q)[1:]]),
-        ),
-    ),
     hints=("The direction stays, the length becomes 1.", "Divide by np.linalg.norm(q), which works for (4, 1) too."),
     forbidden=("course_lib.rotations.nearest_quaternion",),
 )
+
+
+@EXERCISE.mistake(seen=lambda u, q: 1e-12 < np.linalg.norm(q) / np.linalg.norm(u) - np.linalg.norm(q) < 1e-6)
+def small_number_added(q):
+    """a small number is added to the length. No quaternion here has length 0: divide by the length itself."""
+    return np.ravel(q) / (np.linalg.norm(q) + 1e-9)
+
+
+@EXERCISE.mistake(size=(lambda q: q @ q, np.sum, lambda q: np.sum(np.abs(q)), lambda q: np.max(np.abs(q))))
+def other_divisor(q, size):
+    """q is divided by something else than its length. The length is the root of the sum of the squares."""
+    return np.ravel(q) / size(np.ravel(q))
+
+
+@EXERCISE.mistake
+def scalar_made_positive(q):
+    """the sign is changed if w < 0. q and -q are the same rotation, but they are not equally near to q."""
+    return _right(q) * (1 if np.ravel(q)[0] >= 0 else -1)
+
+
+@EXERCISE.mistake
+def vector_only(q):
+    """only the vector part is made a unit vector. All four entries together have length one."""
+    w, *v = np.ravel(q)
+    return np.array([w, *(np.array(v) / (np.linalg.norm(v) or 1))])
+
+
+@EXERCISE.mistake
+def scalar_adapted(q):
+    """w is chosen so that the length becomes one. That changes the direction. All four entries change by the same
+    factor."""
+    v = np.ravel(q)[1:]
+    return np.array([np.sqrt(max(0, 1 - v @ v)), *v])

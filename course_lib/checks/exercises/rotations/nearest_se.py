@@ -68,70 +68,6 @@ EXERCISE = Exercise(
             says=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "the last row stays as it came", "Does it depend on T at all?", lambda T: _corrected(T, row=lambda row: row)
-        ),
-        Mistake(
-            "only the last entry of the last row is repaired",
-            "What are the others in a pose?",
-            lambda T: _corrected(T, row=lambda row: [*row[:-1], 1.0]),
-        ),
-        Mistake(
-            "T is divided by its last entry",
-            "That scales the translation. Only the block and the row are repaired.",
-            lambda T: _corrected(T / T[-1, -1]),
-            lambda T: _corrected(T / T[-1, -1], row=lambda row: row),
-        ),
-        Mistake(
-            "the translation is lost",
-            "The last column stays as it is.",
-            lambda T: _corrected(T, translation=lambda R, p: 0 * p),
-        ),
-        Mistake(
-            "the translation is rotated with the block",
-            "The last column stays as it is.",
-            lambda T: _corrected(T, translation=lambda R, p: R @ p),
-            lambda T: _corrected(T, translation=lambda R, p: R.T @ p),
-        ),
-        Mistake(
-            "the inverse pose is returned",
-            "Keep the block and the translation: no transpose, no minus.",
-            lambda T: _corrected(T, lambda M: nearest_so(M).T, lambda R, p: -R @ p),
-        ),
-        Mistake(
-            "the whole of T is made a rotation",
-            "Only its upper left block is one.",
-            lambda T: polar(T, *ones(T), np.linalg.det(polar(T))),
-            polar,
-        ),
-        Mistake(
-            "the block is returned as it came",
-            "Which of your functions makes a rotation of a matrix?",
-            lambda T: _corrected(T, np.copy),
-            np.copy,
-        ),
-        Mistake(
-            "the last column of U V^T is negated",
-            "That is a rotation, but not the nearest. Your nearest_so does better.",
-            lambda T: _corrected(T, last_column_negated),
-        ),
-        Mistake(
-            "the block stays a reflection where det < 0",
-            "Your nearest_so returns rotations only.",
-            lambda T: _corrected(T, polar),
-        ),
-        Mistake(
-            "the block is transposed",
-            "Compare it with the block of T: which of the two is near it?",
-            lambda T: _corrected(T, lambda M: nearest_so(M).T),
-        ),
-        Mistake(
-            "the columns of the block are made orthogonal one after the other",
-            "That favours the first column. Your nearest_so treats all alike.",
-            lambda T: _corrected(T, gram_schmidt),
-        ),
-    ),
     hints=(
         "Three parts: the block T[:-1, :-1], the translation T[:-1, -1], the last row. Which of them need repair?",
         "With n = len(T) - 1 the same lines serve SE(2) and SE(3).",
@@ -139,3 +75,39 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
 )
+
+
+@EXERCISE.mistake(row=(lambda row: np.eye(len(row))[-1], lambda row: row))
+def divided_by_last_entry(T, row):
+    """T is divided by its last entry. That scales the translation. Only the block and the row are repaired."""
+    return _corrected(T / T[-1, -1], row=row)
+
+
+@EXERCISE.mistake
+def translation_lost(T):
+    """the translation is lost. The last column stays as it is."""
+    return _corrected(T, translation=lambda R, p: 0 * p)
+
+
+@EXERCISE.mistake(turn=(lambda R, p: R @ p, lambda R, p: R.T @ p))
+def translation_rotated(T, turn):
+    """the translation is rotated with the block. The last column stays as it is."""
+    return _corrected(T, translation=turn)
+
+
+@EXERCISE.mistake(repair=(polar, lambda T: polar(T, *ones(T), np.linalg.det(polar(T)))))
+def whole_matrix(T, repair):
+    """the whole of T is made a rotation. Only its upper left block is one."""
+    return repair(T)
+
+
+@EXERCISE.mistake(block=(last_column_negated, gram_schmidt))
+def not_the_nearest(T, block):
+    """the block is a rotation, or orthogonal, but not the nearest. Your nearest_so does better."""
+    return _corrected(T, block)
+
+
+@EXERCISE.mistake
+def reflection_stays(T):
+    """the block stays a reflection where det < 0. Your nearest_so returns rotations only."""
+    return _corrected(T, polar)

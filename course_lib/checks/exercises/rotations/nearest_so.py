@@ -14,21 +14,12 @@ from course_lib.checks.exercises.rotations.shared import (
     polar,
     right_handed,
 )
-from course_lib.checks.vocabulary import argument_returned, entry_by_entry, orthogonality_error, transposed
+from course_lib.checks.vocabulary import orthogonality_error
 from course_lib.rotations import nearest_so, random_rotations
 
 
 def _cases(rng):
     return [*((M,) for M in damaged_rotations(rng)), (random_rotations(1, rng)[0],), (np.eye(2),), (np.eye(3),)]
-
-
-def _sign(M):
-    return np.linalg.det(polar(M))
-
-
-def _v_transposed_twice(M):
-    U, _, Vt = np.linalg.svd(M)
-    return (U * np.array([*ones(M), np.linalg.det(U @ Vt)])) @ Vt.T
 
 
 EXERCISE = Exercise(
@@ -58,61 +49,6 @@ EXERCISE = Exercise(
             says=distances,
         ),
     ),
-    mistakes=(
-        argument_returned(name="M is returned as it came", hint="U S V^T is M again: which factor is not a rotation?"),
-        Mistake(
-            "U V^T is returned even if it is a reflection",
-            "Its determinant is +1 or -1. In the second case one direction has to be reversed: the cheapest.",
-            polar,
-        ),
-        Mistake(
-            "the last row of U V^T is negated",
-            "The result is a rotation, but the last coordinate axis has nothing to do with M. "
-            "In which direction does reversing cost least?",
-            lambda M: np.diag([*ones(M), _sign(M)]) @ polar(M),
-        ),
-        Mistake(
-            "the sign is put at the largest singular value",
-            "Reversing costs least where M is weakest. numpy sorts singular values in descending order.",
-            lambda M: polar(M, _sign(M), *ones(M)),
-        ),
-        Mistake(
-            "all of U V^T is negated",
-            "In the plane that leaves the determinant as it is; in space it reverses all three axes. One is enough.",
-            lambda M: _sign(M) * polar(M),
-        ),
-        Mistake(
-            "the sign is changed always", "Change it only if U V^T is a reflection.", lambda M: polar(M, *ones(M), -1.0)
-        ),
-        Mistake(
-            "the sign comes from det M",
-            "A singular M has det M = 0, and yet it has a nearest rotation. Which determinant is always +1 or -1?",
-            lambda M: polar(M, *ones(M), np.sign(np.linalg.det(M))),
-            lambda M: polar(M, *ones(M), 1.0 if np.linalg.det(M) >= 0 else -1.0),
-            lambda M: polar(M, *ones(M), 1.0 if np.linalg.det(M) > 0 else -1.0),
-            lambda M: polar(M, *ones(M), np.linalg.det(M)),
-        ),
-        Mistake(
-            "the columns are made orthogonal one after the other (Gram-Schmidt, QR)",
-            "That favours the first column. The nearest rotation treats all columns alike.",
-            gram_schmidt,
-            lambda M: right_handed(gram_schmidt(M)),
-            lambda M: np.linalg.qr(M)[0],
-            lambda M: right_handed(np.linalg.qr(M)[0]),
-        ),
-        Mistake(
-            "the columns are only scaled to length one",
-            "They must be at right angles to each other too.",
-            lambda M: M / np.linalg.norm(M, axis=0),
-        ),
-        transposed(
-            nearest_so, hint="Compare U V^T with M = U S V^T for a matrix M that is nearly a rotation: which is near M?"
-        ),
-        Mistake(
-            "numpy's third result is taken for V", "numpy.linalg.svd returns V already transposed.", _v_transposed_twice
-        ),
-        entry_by_entry(lambda M: np.multiply(*np.linalg.svd(M)[::2])),
-    ),
     hints=(
         "Print the distance from M to your answer, and to a few rotations near it. Is yours the smallest?",
         "The singular value decomposition M = U S V^T: one of the directions of V is reversed. M is weakest along the "
@@ -121,3 +57,49 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.rotations.nearest_so", "course_lib.rigid.nearest_se"),
 )
+
+
+def _sign(M):
+    return np.linalg.det(polar(M))
+
+
+@EXERCISE.mistake
+def reflection_stays(M):
+    """U V^T is returned even if it is a reflection. Its determinant is +1 or -1. In the second case one direction
+    has to be reversed: the cheapest."""
+    return polar(M)
+
+
+@EXERCISE.mistake
+def largest_singular_value(M):
+    """the sign is put at the largest singular value. Reversing costs least where M is weakest. numpy sorts singular
+    values in descending order."""
+    return polar(M, _sign(M), *ones(M))
+
+
+@EXERCISE.mistake
+def all_negated(M):
+    """all of U V^T is negated. In the plane that leaves the determinant as it is; in space it reverses all three
+    axes. One is enough."""
+    return _sign(M) * polar(M)
+
+
+@EXERCISE.mistake(sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: 1.0 if d > 0 else -1.0, lambda d: d))
+def sign_of_det_M(M, sign):
+    """the sign comes from det M. A singular M has det M = 0, and yet it has a nearest rotation. Which determinant is
+    always +1 or -1?"""
+    return polar(M, *ones(M), sign(np.linalg.det(M)))
+
+
+@EXERCISE.mistake(then=(np.copy, right_handed), qr=(gram_schmidt, lambda M: np.linalg.qr(M)[0]))
+def one_after_the_other(M, then, qr):
+    """the columns are made orthogonal one after the other (Gram-Schmidt, QR). That favours the first column. The
+    nearest rotation treats all columns alike."""
+    return then(qr(M))
+
+
+@EXERCISE.mistake(negated=(False, True))
+def v_transposed_twice(M, negated):
+    """numpy's third result is taken for V. numpy.linalg.svd returns V already transposed."""
+    U, _, Vt = np.linalg.svd(M)
+    return (U * np.array([*ones(M), np.linalg.det(U @ Vt) if negated else 1])) @ Vt.T

@@ -3,9 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import CONJUGATE, hamilton_product
-from course_lib.checks.vocabulary import argument_returned, arguments_swapped, entry_by_entry, negated
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.rotations.shared import hamilton_product
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
 
@@ -16,10 +15,6 @@ def _cases(rng):
     named += [([0.0, 1, 0, 0], [0.0, 0, 1, 0]), ([0.0, 0, 0, 1], [0.0, 0, 0, 1])]
     drawn = random_quaternions(8, rng).reshape(4, 2, 4)
     return [(np.array(p), np.array(q)) for p, q in [*named, *drawn, ([0.0, 1, 2, 3], drawn[0][0])]]
-
-
-# In entry k of the product, p[j] q[6 - k - j] has a minus, or a plus.
-_PLUS, _MINUS = ((1, 3), (2, 1), (3, 2)), ((1, 2), (2, 3), (3, 1))
 
 
 def _term(p, q, dot=-1, cross=1, first=1, second=1):
@@ -55,81 +50,48 @@ EXERCISE = Exercise(
             lambda pq, p, q: np.allclose(pq, hamilton_product(p, q), atol=1e-9),
         ),
     ),
-    mistakes=(
-        arguments_swapped(
-            hamilton_product,
-            name="p and q are swapped",
-            hint="v1 x v2 is not v2 x v1: whose vector comes first?",
-        ),
-        Mistake(
-            "the cross product is missing, or has the wrong sign",
-            "Without it the order of the factors would not matter. What is i j?",
-            lambda p, q: _term(p, q, cross=0),
-        ),
-        Mistake(
-            "the dot product has the wrong sign",
-            "What is i i? The scalar of that product is -1.",
-            lambda p, q: _term(p, q, dot=1),
-        ),
-        Mistake(
-            "the dot product is missing",
-            "What is i i? The scalar of that product is not 0.",
-            lambda p, q: _term(p, q, dot=0),
-        ),
-        Mistake(
-            "a term of the vector part is missing",
-            "The vector part has three terms.",
-            lambda p, q: _term(p, q, first=0),
-            lambda p, q: _term(p, q, second=0),
-            lambda p, q: _term(p, q, first=0, second=0),
-        ),
-        Mistake(
-            "each vector part meets its own scalar",
-            "w1 multiplies v2, and w2 multiplies v1.",
-            lambda p, q: np.array(
-                [p[0] * q[0] - p[1:] @ q[1:], *(p[0] * p[1:] + q[0] * q[1:] + np.cross(p[1:], q[1:]))]
-            ),
-        ),
-        entry_by_entry(
-            lambda p, q: p * q,
-            name="p and q are multiplied entry by entry",
-            hint="Every entry of p meets every one of q.",
-        ),
-        Mistake(
-            "one term of the cross product has the wrong sign",
-            "Each entry of v1 x v2 is a difference of two products.",
-            *(lambda p, q, k=k, j=j: hamilton_product(p, q) + 2 * np.eye(4)[k] * p[j] * q[6 - k - j] for k, j in _PLUS),
-            *(
-                lambda p, q, k=k, j=j: hamilton_product(p, q) - 2 * np.eye(4)[k] * p[j] * q[6 - k - j]
-                for k, j in _MINUS
-            ),
-        ),
-        Mistake(
-            "the product is divided by its length",
-            "The product of two unit quaternions has length one by itself; others keep their lengths.",
-            lambda p, q: hamilton_product(p, q) / np.linalg.norm(hamilton_product(p, q)),
-        ),
-        Mistake("p and q are added", "The product has products of entries.", lambda p, q: p + q),
-        Mistake(
-            "a factor is conjugated",
-            "The product takes p and q as they are.",
-            lambda p, q: hamilton_product(p * CONJUGATE, q),
-            lambda p, q: hamilton_product(p, q * CONJUGATE),
-            lambda p, q: hamilton_product(p, q) * CONJUGATE,
-        ),
-        Mistake(
-            "the entries are taken as (x, y, z, w)",
-            "Here a quaternion is (w, x, y, z), with the scalar first.",
-            lambda p, q: np.roll(hamilton_product(np.roll(p, 1), np.roll(q, 1)), -1),
-            lambda p, q: np.roll(hamilton_product(p, q), -1),
-        ),
-        negated(hamilton_product),
-        argument_returned(0, "p is returned without q"),
-        argument_returned(1, "q is returned without p"),
-    ),
     hints=(
         "Split p into w1 = p[0] and v1 = p[1:], and q likewise.",
         "The scalar has two terms, the vector part three. np.cross is the cross product.",
         "np.array([w, *v]) puts the scalar w1 w2 - v1 . v2 before the vector w1 v2 + w2 v1 + v1 x v2.",
     ),
 )
+
+
+@EXERCISE.mistake
+def factors_swapped(p, q):
+    """p and q are swapped. v1 x v2 is not v2 x v1: whose vector comes first?"""
+    return hamilton_product(q, p)
+
+
+@EXERCISE.mistake
+def cross_missing(p, q):
+    """the cross product is missing. Without it the order of the factors would not matter. What is i j?"""
+    return _term(p, q, cross=0)
+
+
+@EXERCISE.mistake(dot=(1, 0))
+def dot_wrong(p, q, dot):
+    """the dot product is missing, or has the wrong sign. What is i i?"""
+    return _term(p, q, dot=dot)
+
+
+@EXERCISE.mistake
+def own_scalar(p, q):
+    """each vector part meets its own scalar. w1 multiplies v2, and w2 multiplies v1."""
+    return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * p[1:] + q[0] * q[1:] + np.cross(p[1:], q[1:]))])
+
+
+@EXERCISE.mistake(k=range(1, 4), plus=(True, False))
+def one_sign_of_the_cross_product(p, q, k, plus):
+    """one term of the cross product has the wrong sign. Each entry of v1 x v2 is a difference of two products."""
+    i, j = (k % 3 + 1, (k + 1) % 3 + 1)[:: 1 if plus else -1]
+    pq = hamilton_product(p, q)
+    pq[k] -= (2 if plus else -2) * p[i] * q[j]
+    return pq
+
+
+@EXERCISE.mistake(whole=(True, False))
+def scalar_last(p, q, whole):
+    """the entries are taken as (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
+    return np.roll(hamilton_product(np.roll(p, 1), np.roll(q, 1)) if whole else hamilton_product(p, q), -1)

@@ -3,8 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import entry_by_entry, orthogonality_error, transposed
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import orthogonality_error
 from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quaternions
 
 
@@ -25,16 +25,10 @@ def _angle(q):
     return 2 * np.arctan2(np.linalg.norm(q[1:]), q[0])
 
 
-def _combination(q, one=1.0, two=2.0, three=2.0, product=np.matmul):
+def _combination(q, one=1.0, two=2.0, three=2.0):
     """One I + two w [v] + three [v]^2 with other factors; the right ones are 1, 2, 2."""
     V = hat(q[1:])
-    return one * np.eye(3) + two * q[0] * V + three * product(V, V)
-
-
-def _transposed_in_places(R, q):
-    right = quaternion_to_matrix(q)
-    off = np.abs(R - right) > 1e-6
-    return off.sum() <= 2 and np.allclose(R[off], right.T[off], atol=1e-6)
+    return one * np.eye(3) + two * q[0] * V + three * V @ V
 
 
 EXERCISE = Exercise(
@@ -59,70 +53,6 @@ EXERCISE = Exercise(
             says=lambda R, q: f"q rotates by {_angle(q * (1 if q[0] >= 0 else -1)):.4g} rad about (x, y, z).",
         ),
     ),
-    mistakes=(
-        transposed(
-            quaternion_to_matrix,
-            "R^T is returned: it rotates in the opposite direction",
-            "Check the sign of the term with w by a rotation of 90 degrees about z.",
-        ),
-        Mistake(
-            "q is read as (x, y, z, w)",
-            "Here a quaternion is (w, x, y, z), with the scalar first.",
-            lambda q: quaternion_to_matrix(np.roll(q, 1)),
-        ),
-        Mistake(
-            "two of x, y, z are swapped",
-            "A quaternion is (w, x, y, z).",
-            *(
-                lambda q, order=order: quaternion_to_matrix(q[order])
-                for order in ([0, 1, 3, 2], [0, 2, 1, 3], [0, 3, 2, 1])
-            ),
-        ),
-        Mistake(
-            "a factor 2 is missing",
-            "Collect what multiplies p in q p q*: how often does each term occur?",
-            lambda q: _combination(q, two=1, three=1),
-            lambda q: _combination(q, three=1),
-            lambda q: _combination(q, two=1),
-        ),
-        Mistake(
-            "the angle is halved twice",
-            "w is the cosine of half the angle, not of the angle.",
-            lambda q: exp_so3(np.arccos(np.clip(q[0], -1, 1)) * q[1:] / np.linalg.norm(q[1:])),
-        ),
-        Mistake(
-            "the squares on the diagonal are the wrong ones, or have the wrong sign",
-            "A rotation about x leaves R[0, 0] = 1. Which of the squares x^2, y^2, z^2 can stand there?",
-            lambda q: np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * np.outer(q[1:], q[1:]),
-            lambda q: quaternion_to_matrix(q) - np.diag(np.diag(quaternion_to_matrix(q)) - 1 + 2 * q[1:] ** 2),
-            lambda q: _combination(q, three=-2),
-        ),
-        Mistake(
-            "the identity is missing", "A small rotation leaves p nearly where it is.", lambda q: _combination(q, one=0)
-        ),
-        Mistake(
-            "w is missing, or squared, in the term with [v]",
-            "In that term the scalar occurs once.",
-            lambda q: np.eye(3) + 2 * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:]),
-            lambda q: np.eye(3) + 2 * q[0] ** 2 * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:]),
-        ),
-        Mistake(
-            "(x, y, z) is taken for the unit axis",
-            "Its length is sin(a/2), not 1.",
-            lambda q: np.eye(3) + np.sin(_angle(q)) * hat(q[1:]) + (1 - np.cos(_angle(q))) * hat(q[1:]) @ hat(q[1:]),
-        ),
-        Mistake(
-            "w is taken for the angle",
-            "w is the cosine of half the angle.",
-            lambda q: exp_so3(q[0] * q[1:] / (np.linalg.norm(q[1:]) or 1)),
-        ),
-        entry_by_entry(lambda q: _combination(q, product=np.multiply)),
-        Mistake(
-            "the term with w has the wrong sign in one entry",
-            "Entries mirrored at the diagonal differ in the sign of that term only.",
-            seen=_transposed_in_places,
-        ),
-    ),
     hints=(
         "Three terms: the identity, one with w and [v], one with [v]^2, where v = (x, y, z).",
         "hat(q[1:]) is [v]. Both terms have the same factor.",
@@ -134,3 +64,55 @@ EXERCISE = Exercise(
         "scipy.spatial.transform.Rotation",
     ),
 )
+
+
+@EXERCISE.mistake
+def scalar_last(q):
+    """q is read as (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
+    return quaternion_to_matrix(np.roll(q, 1))
+
+
+@EXERCISE.mistake(factors=((1, 1), (1, 2), (2, 1)))
+def factor_missing(q, factors):
+    """a factor 2 is missing. Collect what multiplies p in q p q*: how often does each term occur?"""
+    return _combination(q, 1, *factors)
+
+
+@EXERCISE.mistake
+def angle_halved_twice(q):
+    """the angle is halved twice. w is the cosine of half the angle, not of the angle."""
+    return exp_so3(np.arccos(np.clip(q[0], -1, 1)) * q[1:] / np.linalg.norm(q[1:]))
+
+
+@EXERCISE.mistake
+def outer_product(q):
+    """the squares on the diagonal are the wrong ones. A rotation about x leaves R[0, 0] = 1: which of the squares
+    x^2, y^2, z^2 can stand there?"""
+    return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * np.outer(q[1:], q[1:])
+
+
+@EXERCISE.mistake
+def identity_missing(q):
+    """the identity is missing. A small rotation leaves p nearly where it is."""
+    return _combination(q, one=0)
+
+
+@EXERCISE.mistake(power=(0, 2))
+def scalar_wrong(q, power):
+    """w is missing, or squared, in the term with [v]. In that term the scalar occurs once."""
+    return np.eye(3) + 2 * q[0] ** power * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:])
+
+
+@EXERCISE.mistake
+def entry_by_entry(q):
+    """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
+    return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * hat(q[1:]) ** 2
+
+
+@EXERCISE.mistake(entry=((0, 1), (0, 2), (1, 2), (1, 0), (2, 0), (2, 1)))
+def one_sign(q, entry):
+    """the term with w has the wrong sign in one entry. Entries mirrored at the diagonal differ in the sign of that
+    term only."""
+    R = quaternion_to_matrix(q)
+    R[entry] = R.T[entry]
+    return R

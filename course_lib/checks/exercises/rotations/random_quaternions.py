@@ -6,23 +6,19 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rotations.sampling import (
     ARVO_RANGES,
-    AXIS_AND_ANGLE,
     CIRCLE,
     DRAWS,
-    EULER,
-    GAPS,
     LIBRARY_SAMPLERS,
-    TIED,
     cases,
     has_gaps,
     of_many,
+    shoemake,
     tied,
-    uniform,
     uniform_angle,
     uniform_euler_angles,
     uniform_rotations,
 )
-from course_lib.rotations import quaternion_to_matrix, random_quaternions
+from course_lib.rotations import matrix_to_quaternion, quaternion_to_matrix, random_quaternions, rot_x, rot_y, rot_z
 
 
 def _shoemake(q):
@@ -47,47 +43,6 @@ EXERCISE = Exercise(
         *DRAWS,
         *uniform_rotations(quaternion_to_matrix),
     ),
-    mistakes=(
-        Mistake(
-            "all quaternions are divided by one number, the length of all together",
-            "Each has a length of its own: which axis of the array holds its four entries?",
-            seen=lambda q, n, rng: n > 1 and abs(np.linalg.norm(q) - 1) < 1e-9,
-        ),
-        Mistake(
-            "the quaternions are divided by the sums of their entries",
-            "The length is the root of the sum of the squares.",
-            seen=lambda q, n, rng: np.allclose(q.sum(1), 1) or np.allclose(np.abs(q).sum(1), 1),
-        ),
-        Mistake(
-            "the roots of s and 1 - s are missing",
-            "The squares of the four entries have to add up to 1.",
-            seen=lambda q, n, rng: np.linalg.norm(q, axis=1).max() < 1 - 1e-9,
-        ),
-        Mistake(
-            "one angle serves for both pairs",
-            "theta1 and theta2 are two draws.",
-            seen=of_many(lambda q: np.abs(np.sin(_shoemake(q)[2] - _shoemake(q)[1])).max() < 1e-6),
-        ),
-        Mistake(TIED.name, TIED.hint, seen=of_many(lambda q: tied(_shoemake(q), ARVO_RANGES))),
-        Mistake(
-            "no entry is ever negative",
-            "That is a sixteenth of the sphere only. What do you draw from?",
-            seen=of_many(lambda q: q.min() >= 0),
-        ),
-        Mistake(*GAPS, seen=of_many(lambda q: any(has_gaps(angle, *CIRCLE) for angle in _shoemake(q)[1:]))),
-        Mistake(
-            "sine and cosine of a uniform angle stand for the roots of s and 1 - s",
-            "Then s, the square of a sine, is not uniform.",
-            seen=of_many(lambda q: uniform(np.arcsin(np.sqrt(np.clip(_shoemake(q)[0], 0, 1))), 0, np.pi / 2)),
-        ),
-        Mistake(
-            "four numbers from [-1, 1] are normalised",
-            "A cube has corners: more draws point there. Which distribution looks the same in all directions?",
-            seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003),  # uniform: 1/8
-        ),
-        Mistake(*EULER, seen=of_many(lambda q: uniform_euler_angles(quaternion_to_matrix(q)))),
-        Mistake(*AXIS_AND_ANGLE, seen=of_many(lambda q: uniform_angle(quaternion_to_matrix(q)))),
-    ),
     hints=(
         "Three uniform numbers: s and two angles.",
         "The pair (w, z) lies on a circle of radius sqrt(s), the pair (x, y) on one of radius sqrt(1 - s).",
@@ -95,3 +50,61 @@ EXERCISE = Exercise(
     ),
     forbidden=LIBRARY_SAMPLERS,
 )
+
+
+@EXERCISE.mistake(seen=lambda q, n, rng: n > 1 and abs(np.linalg.norm(q) - 1) < 1e-9)
+def one_length_for_all(n, rng):
+    """all quaternions are divided by one number, the length of all together. Each has a length of its own: which
+    axis of the array holds its four entries?"""
+    q = rng.normal(size=(n, 4))
+    return q / np.linalg.norm(q)
+
+
+@EXERCISE.mistake(seen=lambda q, n, rng: np.linalg.norm(q, axis=1).max() < 1 - 1e-9)
+def roots_missing(n, rng):
+    """the roots of s and 1 - s are missing. The squares of the four entries have to add up to 1."""
+    s, one, two = rng.random((3, n)) * [[1], [2 * np.pi], [2 * np.pi]]
+    return shoemake(s, one, two, 1 - s, s)
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: tied(_shoemake(q), ARVO_RANGES)), which=("angles", "s"))
+def one_draw_for_two(n, rng, which):
+    """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
+    s, x = rng.random((2, n))
+    return shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: q.min() >= 0))
+def no_negative_entry(n, rng):
+    """no entry is ever negative. That is a sixteenth of the sphere only. What do you draw from?"""
+    q = rng.random((n, 4))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # for uniform ones it is 1/8
+def from_a_cube(n, rng):
+    """four numbers from [-1, 1] are normalised. A cube has corners: more draws point there. Which distribution looks
+    the same in all directions?"""
+    q = rng.uniform(-1, 1, (n, 4))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: uniform_angle(quaternion_to_matrix(q))))
+def axis_and_angle(n, rng):
+    """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
+    v, a = rng.normal(size=(n, 3)), np.pi * rng.random((n, 1))
+    return np.hstack([np.cos(a / 2), np.sin(a / 2) * v / np.linalg.norm(v, axis=1, keepdims=True)])
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: uniform_euler_angles(quaternion_to_matrix(q))))
+def uniform_euler(n, rng):
+    """Euler angles are drawn uniformly. Uniform angles are not uniform rotations: near gimbal lock they crowd."""
+    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return matrix_to_quaternion(rot_z(gamma) @ rot_y(beta) @ rot_x(alpha))
+
+
+@EXERCISE.mistake(seen=of_many(lambda q: any(has_gaps(angle, *CIRCLE) for angle in _shoemake(q)[1:])))
+def part_of_the_circle(n, rng):
+    """an angle does not cover the full circle. Both angles go from 0 to 2 pi."""
+    s, one, two = rng.random((3, n)) * [[1], [1], [2 * np.pi]]
+    return shoemake(s, one, two)

@@ -3,21 +3,18 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rotations.sampling import (
     ARVO_RANGES,
-    AXIS_AND_ANGLE,
     CIRCLE,
     DRAWS,
-    EULER,
-    GAPS,
     LIBRARY_SAMPLERS,
     ROTATIONS,
-    TIED,
-    angles_of,
     arvo,
+    arvo_rotations,
     cases,
     has_gaps,
+    many,
     of_many,
     tied,
     uniform,
@@ -25,7 +22,7 @@ from course_lib.checks.exercises.rotations.sampling import (
     uniform_euler_angles,
     uniform_rotations,
 )
-from course_lib.rotations import random_rotations
+from course_lib.rotations import exp_so3, random_rotations, rot_x, rot_y, rot_z
 
 
 def _stretched_along_one_axis(R):
@@ -40,8 +37,6 @@ def _stretched_along_one_axis(R):
     return two_are_one(sizes) and sizes[:, 2].min() < 1 - 1e-6
 
 
-_NO_ROOT = "The squares of V's entries have to add up to 1, and the height of the pole, 1 - 2 z, has to be uniform."
-
 EXERCISE = Exercise(
     name="random_rotations",
     points=2,
@@ -50,40 +45,6 @@ EXERCISE = Exercise(
     returns=numbers(lambda n, rng: (n, 3, 3)),
     library=random_rotations,
     properties=(ROTATIONS, *DRAWS, *uniform_rotations(lambda R: R)),
-    mistakes=(
-        Mistake(
-            "I - 2 V V^T is used, a reflection",
-            "Its determinant is -1. The rotation by 180 degrees about V is its negative.",
-            seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < 1e-9,
-        ),
-        Mistake("the root over z is missing", _NO_ROOT, seen=lambda R, n, rng: _stretched_along_one_axis(R)),
-        Mistake(
-            "the rotation about z is missing: every draw rotates by 180 degrees",
-            "It is the first of the two steps, by an angle of its own.",
-            seen=of_many(lambda R: np.allclose(R, np.swapaxes(R, 1, 2))),
-        ),
-        Mistake(
-            "e_z always has the same image, or the same height",
-            "z, phi and theta need random numbers of their own.",
-            seen=of_many(lambda R: R[:, 2, 2].std() < 1e-6),
-        ),
-        Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES))),
-        Mistake(
-            "one entry of the matrices never changes its sign: these are numpy's QR factors as they are",
-            "LAPACK chooses the signs of the columns of Q. Q with the signs of R's diagonal, Q * np.sign(diagonal), is "
-            "uniform up to a reflection.",
-            seen=of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()),
-        ),
-        Mistake(*GAPS, seen=of_many(lambda R: any(has_gaps(angle, *CIRCLE) for angle in arvo(R)[1:]))),
-        Mistake(
-            "rotation vectors are drawn uniformly from the ball of radius pi",
-            "Their lengths have the density 3 a^2 / pi^3, not (1 - cos a)/pi.",
-            seen=of_many(lambda R: uniform(angles_of(R) ** 3, 0, np.pi**3)),
-        ),
-        Mistake(*AXIS_AND_ANGLE, seen=of_many(uniform_angle)),
-        Mistake("the root over z is missing", _NO_ROOT, seen=of_many(lambda R: uniform(np.sqrt(arvo(R)[0]), 0, 1))),
-        Mistake(*EULER, seen=of_many(uniform_euler_angles)),
-    ),
     hints=(
         "Three uniform numbers: one for the rotation about z, two for the image of the pole e_z.",
         "V[:, :, None] * V[:, None, :] is V V^T for each draw, if V has shape (n, 3).",
@@ -91,3 +52,63 @@ EXERCISE = Exercise(
     ),
     forbidden=LIBRARY_SAMPLERS,
 )
+
+
+@EXERCISE.mistake(seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < 1e-9)
+def reflection(n, rng):
+    """I - 2 V V^T is used, a reflection. Its determinant is -1. The rotation by 180 degrees about V is its negative."""
+    return -random_rotations(n, rng)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: np.allclose(R, np.swapaxes(R, 1, 2))))
+def no_rotation_about_z(n, rng):
+    """the rotation about z is missing: every draw rotates by 180 degrees. It is the first of the two steps, by an
+    angle of its own."""
+    phi, z = rng.random((2, n)) * [[2 * np.pi], [1]]
+    return arvo_rotations(0 * z, phi, z)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES)))
+def one_draw_for_two(n, rng):
+    """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
+    x, z = rng.random((2, n))
+    return arvo_rotations(2 * np.pi * x, 2 * np.pi * x, z)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()))
+def signs_of_qr(n, rng):
+    """one entry of the matrices never changes its sign: these are numpy's QR factors as they are. LAPACK chooses the
+    signs of the columns of Q; those of the diagonal of R, the other factor, undo that."""
+    Q, _ = np.linalg.qr(rng.normal(size=(n, 3, 3)))
+    return Q * np.sign(np.linalg.det(Q))[:, None, None]
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: any(has_gaps(angle, *CIRCLE) for angle in arvo(R)[1:])), top=(1, np.pi))
+def part_of_the_circle(n, rng, top):
+    """an angle does not cover the full circle. Both angles go from 0 to 2 pi."""
+    theta, phi, z = rng.random((3, n)) * [[top], [2 * np.pi], [1]]
+    return arvo_rotations(theta, phi, z)
+
+
+@EXERCISE.mistake(seen=of_many(uniform_angle))
+def axis_and_angle(n, rng):
+    """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
+    v = rng.normal(size=(n, 3))
+    return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))
+
+
+@EXERCISE.mistake(seen=of_many(uniform_euler_angles))
+def uniform_euler(n, rng):
+    """Euler angles are drawn uniformly. Uniform angles are not uniform rotations: near gimbal lock they crowd."""
+    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
+
+
+@EXERCISE.mistake(
+    seen=lambda R, n, rng: _stretched_along_one_axis(R) or (many(n, rng) and uniform(np.sqrt(arvo(R)[0]), 0, 1))
+)
+def root_missing(n, rng):
+    """the root over z is missing. The squares of V's entries have to add up to 1, and the height of the pole, 1 - 2
+    z, has to be uniform."""
+    theta, phi, z = rng.random((3, n)) * [[2 * np.pi], [2 * np.pi], [1]]
+    return arvo_rotations(theta, phi, z, height=z)

@@ -9,7 +9,6 @@ from course_lib.checks.exercises.rotations.sampling import (
     DRAWS,
     LEVEL,
     ROTATIONS,
-    TIED,
     cases,
     cells_p_value,
     has_gaps,
@@ -51,11 +50,6 @@ def _signs(R, i, j):
 _BOTH, _NEVER_POSITIVE, _NEVER_NEGATIVE = (True, True), (True, False), (False, True)
 
 
-def _one_axis_twice(R):
-    """R = Rz Ry Rz has cos(beta) in one corner, R = Rx Ry Rx in the other."""
-    return any(uniform(np.arccos(np.clip(R[:, i, i], -1, 1)), 0, np.pi) for i in (0, 2))
-
-
 def _in_one_half(R):
     alpha, _, gamma = _angles(R)
     return not has_gaps(alpha, *CIRCLE) and np.mean(np.sin(alpha) * np.sin(gamma) >= 0) > 0.999
@@ -95,36 +89,6 @@ EXERCISE = Exercise(
             "the three angles are drawn independently",
             lambda R, n, rng: cells_p_value(_angles(R), _RANGES, (6, 4, 6)) > LEVEL,
             where=many,
-            mistake=TIED,
-        ),
-    ),
-    mistakes=(
-        Mistake(TIED.name, TIED.hint, seen=of_many(lambda R: tied(_angles(R), _RANGES))),
-        Mistake("alpha and gamma are drawn from half the circle", "Only beta ends at pi.", seen=of_many(_in_one_half)),
-        Mistake(
-            "the factors stand in the other order, Rx Ry Rz",
-            "The rotation about x is the first to act: on which side does it stand?",
-            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE),
-        ),
-        Mistake(
-            "the rotations are transposed: their signs are those of R^T",
-            "Check the signs of the sines in your Rx, Ry, Rz.",
-            seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE),
-        ),
-        Mistake(
-            "the sine in Ry has the other sign",
-            "Ry by 90 degrees takes e_z to e_x.",
-            seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE),
-        ),
-        Mistake(
-            "the first and the last rotation are about the same axis, as in Rz Ry Rz",
-            "Each axis occurs once.",
-            seen=of_many(_one_axis_twice),
-        ),
-        Mistake(
-            "beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees",
-            "The task takes beta from [0, pi), in radians.",
-            seen=of_many(lambda R: nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)),
         ),
     ),
     hints=(
@@ -134,3 +98,51 @@ EXERCISE = Exercise(
         "Rx(alpha).",
     ),
 )
+
+
+def _product(n, rng, factors=(2 * np.pi, np.pi, 2 * np.pi), shift=0):
+    alpha, beta, gamma = rng.random((3, n)) * np.array(factors)[:, None]
+    return rot_z(gamma) @ rot_y(beta + shift) @ rot_x(alpha)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: tied(_angles(R), _RANGES)), count=(1, 2))
+def one_draw_for_two(n, rng, count):
+    """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
+    x, y = rng.random((2, n))
+    return rot_z(2 * np.pi * x) @ rot_y(np.pi * (x if count == 1 else y)) @ rot_x(2 * np.pi * x)
+
+
+@EXERCISE.mistake(seen=of_many(_in_one_half))
+def half_the_circle(n, rng):
+    """alpha and gamma are drawn from half the circle. Only beta ends at pi."""
+    return _product(n, rng, (np.pi, np.pi, np.pi))
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_NEGATIVE))
+def other_order(n, rng):
+    """the factors stand in the other order, Rx Ry Rz. The rotation about x is the first to act: on which side does
+    it stand?"""
+    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
+    return rot_x(alpha) @ rot_y(beta) @ rot_z(gamma)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: _signs(R, 2, 0) == _BOTH and _signs(R, 0, 2) == _NEVER_POSITIVE))
+def transposed(n, rng):
+    """the rotations are transposed: their signs are those of R^T. Check the signs of the sines in your Rx, Ry, Rz."""
+    return np.swapaxes(_product(n, rng), 1, 2)
+
+
+@EXERCISE.mistake(seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE))
+def sine_in_ry(n, rng):
+    """the sine in Ry has the other sign. Ry by 90 degrees takes e_z to e_x."""
+    return _product(n, rng, (2 * np.pi, -np.pi, 2 * np.pi))
+
+
+@EXERCISE.mistake(
+    seen=of_many(lambda R: nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)),
+    beta=((2 * np.pi, 0), (np.pi, -np.pi / 2), (180, 0)),
+)
+def beta_range(n, rng, beta):
+    """beta is drawn from the full circle, from -pi/2 to pi/2, or in degrees. The task takes beta from [0, pi), in
+    radians."""
+    return _product(n, rng, (2 * np.pi, beta[0], 2 * np.pi), beta[1])

@@ -3,8 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import argument_degrees, argument_returned, away_from_zero, entry_by_entry
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import away_from_zero
 
 
 def _matrix(a):
@@ -40,45 +40,28 @@ EXERCISE = Exercise(
             says=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
         ),
     ),
-    mistakes=(
-        Mistake(
-            "the point moves clockwise",
-            "A rotation by 90 degrees takes (1, 0) to (0, 1). Which sine carries the minus sign?",
-            lambda p, a: _matrix(-a) @ p,
-        ),
-        argument_degrees(_right, 1),
-        argument_returned(
-            name="the point is returned unchanged", hint="A rotation by 90 degrees takes (1, 0) to (0, 1)."
-        ),
-        Mistake(
-            "sine and cosine are swapped",
-            "At angle 0 the point stays where it is: which of the two is 1 at 0?",
-            lambda p, a: np.array([[np.sin(a), -np.cos(a)], [np.cos(a), np.sin(a)]]) @ p,
-            lambda p, a: np.array([[np.sin(a), np.cos(a)], [np.cos(a), -np.sin(a)]]) @ p,
-        ),
-        Mistake(
-            "a sign is missing: the matrix is a reflection, or no rotation at all",
-            "The columns of the matrix are the images of (1, 0) and (0, 1). Where do 90 degrees take (0, 1)?",
-            lambda p, a: np.array([[np.cos(a), np.sin(a)], [np.sin(a), np.cos(a)]]) @ p,
-            lambda p, a: np.array([[np.cos(a), np.sin(a)], [np.sin(a), -np.cos(a)]]) @ p,
-            lambda p, a: np.array([[np.cos(a), -np.sin(a)], [np.sin(a), -np.cos(a)]]) @ p,
-            lambda p, a: np.array([[-np.cos(a), np.sin(a)], [np.sin(a), np.cos(a)]]) @ p,
-        ),
-        Mistake(
-            "the new x is used to compute the new y",
-            "Both new coordinates come from the old ones.",
-            lambda p, a: np.array([x := np.cos(a) * p[0] - np.sin(a) * p[1], np.sin(a) * x + np.cos(a) * p[1]]),
-        ),
-        Mistake(
-            "only the image of (1, 0), scaled, is returned",
-            "p has a direction of its own: both columns of the matrix count.",
-            lambda p, a: np.linalg.norm(p) * np.array([np.cos(a), np.sin(a)]),
-        ),
-        entry_by_entry(lambda p, a: np.diag(_matrix(a) * p)),
-    ),
     hints=(
         "Where do (1, 0) and (0, 1) go? Draw them, rotated by a.",
         "Their images are the columns of the rotation matrix: (cos a, sin a) and (-sin a, cos a).",
         "x' = x cos a - y sin a, y' = x sin a + y cos a.",
     ),
 )
+
+
+@EXERCISE.mistake
+def clockwise(p, a):
+    """the point moves clockwise. A rotation by 90 degrees takes (1, 0) to (0, 1). Which sine carries the minus sign?"""
+    return _matrix(-a) @ p
+
+
+@EXERCISE.mistake(signs=([[1, 1], [1, 1]], [[1, 1], [1, -1]], [[1, -1], [1, -1]], [[-1, 1], [1, 1]]))
+def sign_wrong(p, a, signs):
+    """a sign is wrong: the matrix is no rotation. Where do (1, 0) and (0, 1) go? Those are its columns."""
+    return signs * np.array([[np.cos(a), np.sin(a)], [np.sin(a), np.cos(a)]]) @ p
+
+
+@EXERCISE.mistake
+def new_x_used(p, a):
+    """the new x is used to compute the new y. Both new coordinates come from the old ones."""
+    x = np.cos(a) * p[0] - np.sin(a) * p[1]
+    return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])

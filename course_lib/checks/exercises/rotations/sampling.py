@@ -6,6 +6,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.wire import Seed
+from course_lib.rotations import rot_z
 
 LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
 MANY = 20_000
@@ -64,11 +65,6 @@ ROTATIONS = Property(
         "the matrices are not orthogonal",
         "Matrix products of rotations are rotations; their sums, and products entry by entry (*), are not.",
     ),
-)
-
-TIED = Mistake(
-    "the same draw serves for several of the three numbers",
-    "They are independent: each needs random numbers of its own.",
 )
 
 
@@ -196,15 +192,22 @@ def uniform_angle(R):
     return uniform(angles_of(R), 0, np.pi)
 
 
-EULER = ("Euler angles are drawn uniformly", "Uniform angles are not uniform rotations: near gimbal lock they crowd.")
-AXIS_AND_ANGLE = (
-    "axis and angle are drawn uniformly",
-    "That gives too many small angles: their density must be (1 - cos a)/pi.",
-)
-GAPS = ("an angle does not cover the full circle", "Both angles go from 0 to 2 pi.")
 LIBRARY_SAMPLERS = (
     "course_lib.rotations.random_rotations",
     "course_lib.rotations.random_quaternions",
     "scipy.spatial.transform.Rotation",
     "scipy.stats.special_ortho_group",
 )
+
+
+def shoemake(s, one, two, near=None, far=None):
+    """Return the quaternions (n, 4) of Shoemake's method; near, far: what stands for the roots of 1 - s and s."""
+    near, far = np.sqrt(1 - s) if near is None else near, np.sqrt(s) if far is None else far
+    return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)
+
+
+def arvo_rotations(theta, phi, z, height=None):
+    """Return the rotations (n, 3, 3) of Arvo's method; height: what stands for the root of z."""
+    root = np.sqrt(z) if height is None else height
+    V = np.stack([np.cos(phi) * root, np.sin(phi) * root, np.sqrt(1 - z)], axis=1)
+    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)

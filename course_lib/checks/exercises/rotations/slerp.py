@@ -49,14 +49,6 @@ def _cases(rng):
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
 
-def _nlerp(q0, q1, t):
-    return nearest_quaternion((1 - t) * q0 + t * q1)
-
-
-def _weighted(q0, q1, a, t):
-    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
-
-
 def _angle_of(q0, q1):
     return 2 * np.arccos(np.clip(abs(q0 @ q1), 0, 1))
 
@@ -95,65 +87,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "nearly equal rotations are taken for equal",
-            "The arc is short, but t still divides it.",
-            seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3,
-        ),
-        Mistake(
-            "the longer arc is taken",
-            "q1 and -q1 are the same rotation: which of them is nearer to q0?",
-            lambda q0, q1, t: _along(q0, q1, t),
-        ),
-        Mistake(
-            "the quaternions are mixed on the straight line and normalised",
-            "The points are evenly spaced on the chord, not on the arc: near its middle the rotation is faster.",
-            lambda q0, q1, t: _nlerp(q0, _shorter(q0, q1), t),
-            lambda q0, q1, t: _nlerp(q0, q1, t),
-        ),
-        Mistake(
-            "the quaternions are mixed on the straight line",
-            "The chord runs inside the sphere: its points have length below one.",
-            lambda q0, q1, t: (1 - t) * q0 + t * _shorter(q0, q1),
-            lambda q0, q1, t: (1 - t) * q0 + t * q1,
-        ),
-        Mistake("t runs from q1 to q0", "At t = 0 the answer is q0.", lambda q0, q1, t: slerp(q0, q1, 1 - t)),
-        Mistake(
-            "t is not used", "At t = 0 the answer is q0, at t = 1 it is q1.", lambda q0, q1, t: q1, lambda q0, q1, t: q0
-        ),
-        Mistake(
-            "the angle between the quaternions is doubled or halved",
-            "The angle on the sphere, arccos(q0 . q1), is half of the angle between the rotations.",
-            lambda q0, q1, t: slerp(q0, q1, 2 * t),
-            lambda q0, q1, t: slerp(q0, q1, t / 2),
-        ),
-        Mistake(
-            "the rotation from q0 to q1 is applied on the wrong side, or backwards",
-            "q0 (q0* q1) = q1: on which side does the relative rotation stand?",
-            lambda q0, q1, t: hamilton_product(_power(hamilton_product(q0 * CONJUGATE, _shorter(q0, q1)), t), q0),
-            lambda q0, q1, t: slerp(q0, q1, -t),
-        ),
-        Mistake(
-            "the angle belongs to -q1, the weights to q1",
-            "If q0 . q1 is negative, q1 itself changes its sign, not only the cosine.",
-            lambda q0, q1, t: _weighted(q0, q1, np.arccos(min(abs(q0 @ q1), 1)), t) if q0 @ q1 < 0 else None,
-        ),
-        Mistake(
-            "q1 is taken for a direction at right angles to q0",
-            "cos and sin are the weights of two quaternions at right angles. q0 and q1 are not.",
-            lambda q0, q1, t: (
-                np.cos(t * (a := np.arccos(min(abs(q0 @ q1), 1)))) * q0 + np.sin(t * a) * _shorter(q0, q1)
-            ),
-        ),
-        Mistake(
-            "the division by the sine is missing",
-            "At t = 1 the answer is q1: what do the two weights have to be there?",
-            lambda q0, q1, t: (
-                np.sin((1 - t) * (a := np.arccos(np.clip(abs(q0 @ q1), 0, 1)))) * q0 + np.sin(t * a) * _shorter(q0, q1)
-            ),
-        ),
-    ),
     hints=(
         "On the sphere, the angle phi between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
         "The two weights are sin((1 - t) phi) and sin(t phi), both divided by sin(phi).",
@@ -161,3 +94,36 @@ EXERCISE = Exercise(
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),
 )
+
+
+@EXERCISE.mistake(seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3)
+def nearly_equal_taken_for_equal(q0, q1, t):
+    """nearly equal rotations are taken for equal. The arc is short, but t still divides it."""
+    return q0 if _angle_of(q0, q1) < 1e-3 else slerp(q0, q1, t)
+
+
+@EXERCISE.mistake
+def longer_arc(q0, q1, t):
+    """the longer arc is taken. q1 and -q1 are the same rotation: which of them is nearer to q0?"""
+    return _along(q0, q1, t)
+
+
+@EXERCISE.mistake(end=(_shorter, lambda q0, q1: q1))
+def normalised_chord(q0, q1, t, end):
+    """the quaternions are mixed on the straight line and normalised. The points are evenly spaced on the chord, not
+    on the arc: near its middle the rotation is faster."""
+    return nearest_quaternion((1 - t) * q0 + t * end(q0, q1))
+
+
+@EXERCISE.mistake
+def from_the_end(q0, q1, t):
+    """t runs from q1 to q0. At t = 0 the answer is q0."""
+    return slerp(q0, q1, 1 - t)
+
+
+@EXERCISE.mistake
+def cosine_alone_made_positive(q0, q1, t):
+    """the angle belongs to -q1, the weights to q1. If q0 . q1 is negative, q1 itself changes its sign, not only the
+    cosine."""
+    a = np.arccos(min(abs(q0 @ q1), 1))
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a) if q0 @ q1 < 0 else None

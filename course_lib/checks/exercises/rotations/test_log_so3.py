@@ -34,6 +34,16 @@ def _if(where, otherwise):
     return version
 
 
+def _by_column(k):
+    """The version that takes column k of R + I at 180 degrees, which is 0 if the axis has no entry k."""
+
+    def at_half_turns(w, R):
+        column = (R + np.eye(3))[:, k]
+        return np.pi * column / np.linalg.norm(column)
+
+    return _if(_half_turn, at_half_turns)
+
+
 def _longer(w):
     angle = np.linalg.norm(w)
     return w * (angle - 2 * np.pi) / angle if angle > 0 else w
@@ -43,10 +53,6 @@ EXERCISE = WriteTest(
     name="test_log_so3",
     points=3,
     arguments=("log_so3",),
-    cases=None,
-    returns=None,
-    properties=(),
-    mistakes=(),
     shapes=((3, 3),),
     versions=(
         Version("that is the library's", log_so3, right=True),
@@ -67,14 +73,17 @@ EXERCISE = WriteTest(
         ),
         Version("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
         Version("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
+        Version("that is wrong only at 180 degrees about some axes", _by_column(0)),
+        Version("that is wrong only at 180 degrees about some axes", _by_column(2)),
         Version("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
         Version("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
     ),
     hints=(
         "You need no right logarithm to compare with: the exponential of the answer has to be R again.",
         "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees about "
-        "axes of every sign. The exponential cannot see whether the shortest vector is returned: its length can.",
+        "axes of every sign, and about the coordinate axes. The exponential cannot see whether the shortest vector is "
+        "returned: its length can.",
         "Make R = exp_so3(w) for several vectors w; return False as soon as np.allclose(exp_so3(answer), R) fails or "
-        "the answer is longer than pi, and True at the end. np.asarray turns a list into an array.",
+        "the answer is longer than pi by more than 1e-6, and True at the end. np.asarray turns a list into an array.",
     ),
 )
