@@ -104,11 +104,21 @@ class Naming:
         ):
             return True
         others = set(range(len(self.values))) - set(failing) if everywhere else ()
-        return any(
-            all(self._predicts(mistake, answer, i) for i in failing)
-            and all(self._predicts(mistake, answer, i) is not False for i in others)
-            for answer in mistake.answers
-        )
+        return any(self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers)
+
+    def _accounts_for(self, mistake, answer, failing, everywhere):
+        """Return whether a variant predicts the failing answers, and contradicts none, or few, of the others.
+
+        Few: right answers which the mistake would have made wrong, as long as they are fewer than the failing ones.
+        """
+        if not all(self._predicts(mistake, answer, i) for i in failing):
+            return False
+        others = set(range(len(self.values))) - set(failing)
+        contradicted = [i for i in others if self._predicts(mistake, answer, i) is False]
+        if everywhere:
+            return not contradicted
+        right = [i for i in contradicted if attempt(self.exercise.alike, self.values[i], self.right(i), *self.cases[i])]
+        return len(right) < len(failing)
 
     def _explains_enough(self, mistake, failing):
         """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
