@@ -126,6 +126,12 @@ EXERCISE = Exercise(
     returns=boolean,
     library=is_valid,
     properties=(
+        Property(
+            "an array of another shape is refused",
+            lambda ok, X, kind, tol: not ok,
+            where=lambda X, kind, tol: not has_form(X, kind),
+            mistake=_SHAPE_IGNORED,
+        ),
         _says("rotation", '"rotation": every entry of R^T R is within tol of I, and det R within tol of 1'),
         _says("pose", '"pose": the upper left block is a rotation, and each entry of the last row is within tol'),
         _says("quaternion", '"quaternion": |q| is within tol of 1'),
@@ -211,3 +217,9 @@ def other_length(X, kind, tol, size):
 def tol_not_used(X, kind, tol, about, fixed):
     """tol is not used. Compare each error with the tolerance you are given, not with a fixed one."""
     return _only(about, X, kind, lambda X: is_valid(X, kind, fixed))
+
+
+@EXERCISE.mistake(det=("det within tol", "det positive"), size=(np.linalg.norm, lambda E: np.abs(E).mean()))
+def errors_added_up(X, kind, tol, det, size):
+    """the errors of all entries of R^T R are added up, in a norm, a sum or a mean. The largest error decides."""
+    return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _ENOUGH[det](R, tol))

@@ -95,3 +95,9 @@ def one_sign_of_the_cross_product(p, q, k, plus):
 def scalar_last(p, q, whole):
     """the entries are taken as (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
     return np.roll(hamilton_product(np.roll(p, 1), np.roll(q, 1)) if whole else hamilton_product(p, q), -1)
+
+
+@EXERCISE.mistake
+def normalised(p, q):
+    """the product is divided by its length. Quaternions of any length can be multiplied."""
+    return hamilton_product(p, q) / np.linalg.norm(hamilton_product(p, q))
