@@ -32,28 +32,3 @@ def right_whole_revolutions_with_assertions(wrap_angle):
 def wrong_always_true(wrap_angle):
     """accepts everything"""
     return True
-
-
-def wrong_range_alone(wrap_angle):
-    """unnamed"""
-    return all(abs(wrap_angle(a)) <= np.pi for a in ANGLES)
-
-
-def wrong_exact_comparison(wrap_angle):
-    """refuses everything"""
-    return all(wrap_angle(a) == math.remainder(a, 2 * math.pi) + 1e-15 for a in ANGLES)
-
-
-def wrong_nothing_returned(wrap_angle):
-    """another form"""
-    assert abs(wrap_angle(1.0) - 1.0) < 1e-9
-
-
-def wrong_number(wrap_angle):
-    """another form"""
-    return wrap_angle(4.0)
-
-
-def wrong_list_of_booleans(wrap_angle):
-    """another form"""
-    return [abs(wrap_angle(a)) < 4 for a in ANGLES]

@@ -4,9 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.rigid_motion.shared import FINE
-from course_lib.checks.vocabulary import degrees_mixed_up
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import pose_matrix
 
 _ONE_MISSING = Mistake(
@@ -47,13 +46,12 @@ def _rot(angle):
     return pose_matrix([0, 0, angle])
 
 
-def _trans(length=1.0):
-    return pose_matrix([length, 0, 0])
+def _trans():
+    return pose_matrix([1.0, 0, 0])
 
 
-def _right(theta, length=1.0):
-    elbow = _rot(theta[0]) @ _trans(length) @ _rot(theta[1])
-    return np.array([_rot(theta[0]), elbow, elbow @ _trans(length)])
+def _right(theta):
+    return _chain(_rot(theta[0]), _trans() @ _rot(theta[1]), _trans())
 
 
 def _position(angles):
@@ -91,42 +89,6 @@ def _chain(first, second, third):
     return np.array([first, first @ second, first @ second @ third])
 
 
-def _of_poses(*poses):
-    return np.array([pose_matrix(pose) for pose in poses])
-
-
-def _with_rotations(rot):
-    """The right product with another matrix for a rotation."""
-    return lambda theta: _chain(rot(theta[0]), _trans() @ rot(theta[1]), _trans())
-
-
-def _sines_swapped(angle):
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[s, -c, 0], [c, s, 0], [0, 0, 1]])
-
-
-def _positions_swapped(theta):
-    T = _right(theta)
-    T[:, [0, 1], 2] = T[:, [1, 0], 2]
-    return T
-
-
-def _other_positions(rot):
-    """The right rotations, with positions made with another one."""
-    return lambda theta: np.concatenate([_right(theta)[..., :2], _with_rotations(rot)(theta)[..., 2:]], -1)
-
-
-def _absolute_positions(theta):
-    T = _right(theta)
-    T[2, :2, 2] = T[1, :2, 2] + [np.cos(theta[1]), np.sin(theta[1])]
-    return T
-
-
-_FROM_THE_LINK = (
-    "theta2 is taken for the angle from the x axis of the world",
-    "It is measured from the first link: the second one points along theta1 + theta2.",
-)
-
 EXERCISE = Exercise(
     name="arm_frames",
     points=2,
@@ -148,118 +110,6 @@ EXERCISE = Exercise(
         _oriented(2, "the tip's frame is rotated by theta1 + theta2, as link 2 is", sum),
         _located(2, "the tip is 1 m from joint 2 along link 2", lambda theta: _position(np.cumsum(theta))),
     ),
-    mistakes=(
-        Mistake(*_FROM_THE_LINK, lambda theta: _right([theta[0], theta[1] - theta[0]]), _absolute_positions),
-        Mistake(
-            "each frame is moved along its link already: the rotation comes first",
-            "Joint 1 stays at the base. To joint 2: first 1 m along link 1, then the rotation: T_12 = Trans(1, 0) "
-            "Rot(theta2).",
-            lambda theta: _chain(_rot(theta[0]) @ _trans(), _rot(theta[1]) @ _trans(), np.eye(3)),
-            lambda theta: _chain(_rot(theta[0]) @ _trans(), _rot(theta[1]) @ _trans(), _trans()),
-            lambda theta: _chain(_rot(theta[0]), _rot(theta[1]) @ _trans(), _trans()),
-        ),
-        Mistake(
-            "the translation along a link is not rotated with the link",
-            "Trans(1, 0) Rot(theta1) goes to (1, 0) whatever theta1 is. Rot(theta1) Trans(1, 0) rotates that. "
-            "So mind the order: T_02 = T_01 T_12.",
-            lambda theta: _chain(_rot(theta[0]), _rot(-theta[0]) @ _trans() @ _rot(theta[0] + theta[1]), _trans()),
-            lambda theta: _of_poses([0, 0, theta[0]], [1, 0, sum(theta)], [2, 0, sum(theta)]),
-            lambda theta: _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), np.eye(3)),
-            lambda theta: _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), _trans()),
-        ),
-        Mistake(
-            "the base's own frame is given for joint 1's",
-            "Frame 1 is carried by joint 1: it is rotated by theta1.",
-            lambda theta: np.array([np.eye(3), *_right(theta)[1:]]),
-            lambda theta: np.array([np.eye(3), *_right(theta)[:2]]),
-            lambda theta: np.array([np.eye(3), _right(theta)[0] @ _trans(), _right(theta)[2]]),
-        ),
-        Mistake(
-            "the frames are those at the links' ends, each rotated as the link that ends there",
-            "Joint 2's frame is carried by joint 2: at the elbow, and rotated by theta1 + theta2.",
-            lambda theta: np.array([_rot(theta[0]), _rot(theta[0]) @ _trans(), _right(theta)[2]]),
-        ),
-        Mistake(
-            "each frame is seen from the one before it, not from the base",
-            "T_02 = T_01 T_12, and T_03 = T_02 T_23: multiply them.",
-            lambda theta: np.array([_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]),
-            lambda theta: np.array([_rot(theta[0]), _trans() @ _rot(theta[1]), _trans() @ _rot(theta[1]) @ _trans()]),
-            lambda theta: np.array([_rot(theta[0]), _right(theta)[1], _trans()]),
-            lambda theta: np.array([_rot(theta[0]), _right(theta)[1], _trans() @ _rot(theta[1]) @ _trans()]),
-        ),
-        Mistake(
-            "the product is entry by entry",
-            "In numpy the matrix product is @.",
-            lambda theta: np.array(
-                [
-                    first := pose_matrix([0, 0, theta[0]]),
-                    second := first * pose_matrix([1, 0, theta[1]]),
-                    second * _trans(),
-                ]
-            ),
-        ),
-        Mistake(
-            "theta1 is added twice: joint 2's matrix has theta1 + theta2",
-            "T_01 contains theta1 already, and the product passes it on. T_12 has theta2 alone.",
-            lambda theta: _right([theta[0], theta[0] + theta[1]]),
-        ),
-        Mistake(
-            "the links lie along y",
-            "At theta = 0 a link lies along x: Trans(1, 0).",
-            lambda theta: _chain(_rot(theta[0]), pose_matrix([0, 1, theta[1]]), pose_matrix([0, 1, 0])),
-        ),
-        Mistake(
-            "the tip's frame is that of joint 2",
-            "The tip is 1 m further, along link 2: T_03 = T_02 Trans(1, 0).",
-            lambda theta: _right(theta)[[0, 1, 1]],
-        ),
-        Mistake(
-            "the tip's frame is rotated once more",
-            "There is no joint at the tip: its frame is rotated as link 2 is, by theta1 + theta2.",
-            *(
-                lambda theta, angle=angle: np.array([*_right(theta)[:2], _right(theta)[2] @ _rot(angle(theta))])
-                for angle in (lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1])
-            ),
-        ),
-        Mistake(
-            "the matrices are transposed",
-            "R(theta) = [[cos, -sin], [sin, cos]], and (x, y) is the last column.",
-            lambda theta: np.swapaxes(_right(theta), 1, 2),
-        ),
-        Mistake(
-            "the rotations are clockwise",
-            "R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row.",
-            lambda theta: _right(-np.asarray(theta)),
-            _with_rotations(lambda angle: _rot(-angle)),
-            lambda theta: np.concatenate([_right(-np.asarray(theta))[..., :2], _right(theta)[..., 2:]], -1),
-        ),
-        degrees_mixed_up(_right, 0),
-        Mistake(
-            "sine and cosine are swapped",
-            "At theta = 0 a link lies along x: x is the cosine.",
-            _with_rotations(_sines_swapped),
-            _positions_swapped,
-            _other_positions(_sines_swapped),
-        ),
-        Mistake(
-            "the links have another length than 1 m",
-            "Each of the two links is 1 m long.",
-            *(lambda theta, length=length: _right(theta, length) for length in (0.5, 2.0, 0.0)),
-            lambda theta: np.array([*_right(theta)[:2], _right(theta)[1] @ _trans(2.0)]),
-        ),
-        Mistake(
-            "the tip is 1 m from the base instead of joint 2",
-            "Add the position of joint 2.",
-            lambda theta: _of_poses(
-                [0, 0, theta[0]], [*_position(theta[:1]), sum(theta)], [*_position([sum(theta)]), sum(theta)]
-            ),
-        ),
-        Mistake(
-            "the angles of the two joints are swapped",
-            "theta[0] is the first joint's, at the base.",
-            lambda theta: _right(theta[::-1]),
-        ),
-    ),
     library=_right,
     hints=(
         "T_01 rotates by theta1, without translation: pose_matrix([0, 0, theta[0]]).",
@@ -268,3 +118,69 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
 )
+
+
+@EXERCISE.mistake(turn=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1]))
+def tip_rotated_again(theta, turn):
+    """the tip's frame is rotated once more. There is no joint at the tip: how is link 2 rotated?"""
+    T = _right(theta)
+    return np.array([*T[:2], T[2] @ _rot(turn(theta))])
+
+
+@EXERCISE.mistake(both=(True, False))
+def translation_not_rotated(theta, both):
+    """the translation along a link is not rotated with the link. Trans(1, 0) Rot(theta1) goes to (1, 0) whatever
+    theta1 is: mind the order of the product."""
+    if both:
+        return _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), _trans())
+    return _chain(_rot(theta[0]), _rot(-theta[0]) @ _trans() @ _rot(theta[0] + theta[1]), _trans())
+
+
+@EXERCISE.mistake(position_alone=(False, True))
+def from_the_world(theta, position_alone):
+    """theta2 is taken for the angle from the x axis of the world. It is measured from the first link: along which
+    direction does the second one point?"""
+    T = _right([theta[0], theta[1] - theta[0]])
+    return np.concatenate([_right(theta)[..., :2], T[..., 2:]], -1) if position_alone else T
+
+
+@EXERCISE.mistake(moved=([True, True, False], [True, True, True], [False, True, True]))
+def links_first(theta, moved):
+    """each frame is moved along its link already: the rotation comes first. Joint 1 stays at the base. To joint 2:
+    first 1 m along link 1, or first the rotation?"""
+    along = [_trans() if each else np.eye(3) for each in moved]
+    return _chain(_rot(theta[0]) @ along[0], _rot(theta[1]) @ along[1], along[2])
+
+
+@EXERCISE.mistake(which=("all", "rotations"))
+def clockwise(theta, which):
+    """the rotations are clockwise. R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row."""
+    T = _right(-np.asarray(theta))
+    return T if which == "all" else np.concatenate([T[..., :2], _right(theta)[..., 2:]], -1)
+
+
+@EXERCISE.mistake(second=(True, False), third=(True, False))
+def from_the_frame_before(theta, second, third):
+    """each frame is seen from the one before it, not from the base. What takes T_12 to T_02?"""
+    T = [_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]
+    return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
+
+
+@EXERCISE.mistake
+def sine_and_cosine_swapped(theta):
+    """sine and cosine are swapped in the positions. At theta = 0 a link lies along x: which of the two is 1 there?"""
+    T = _right(theta)
+    T[:, [0, 1], 2] = T[:, [1, 0], 2]
+    return T
+
+
+@EXERCISE.mistake
+def base_for_joint_1(theta):
+    """the base's own frame is given for joint 1's. Frame 1 is carried by joint 1: how is it rotated?"""
+    return np.array([np.eye(3), *_right(theta)[1:]])
+
+
+@EXERCISE.mistake
+def tip_at_joint_2(theta):
+    """the tip's frame is that of joint 2. How far from joint 2 is the tip, and in which direction?"""
+    return _right(theta)[[0, 1, 1]]

@@ -4,25 +4,41 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.interpolate_body import between, plain_cases, rotating_cases
-from course_lib.checks.exercises.rigid_motion.interpolate_body_screw_mistakes import MISTAKES, SMALL, by_screw, rotation
 from course_lib.checks.exercises.rigid_motion.shared import (
     ENDS,
+    GRIDS,
     SHORTER_ARC,
+    TIME_SCALINGS,
     change,
+    cubic,
     deviation,
     on_a_line,
     one_arc_is_shorter,
     read_path,
     same_path,
+    scaling,
     size,
+    straight,
     timed,
 )
-from course_lib.planar import interpolate_body_screw
+from course_lib.planar import interpolate_body_screw, pose_matrix
+from course_lib.rigid import exp_se2, inverse, log_se2
+
+SMALL = 1e-2  # radians: with an angle below that, the pole is far away, and formulas with it may lose digits
 
 
 def _cases(rng):
     tiny = [between(rng, 0.8, 0.8 + angle, 5) for angle in (1e-3, -1e-12)]
     return plain_cases(rng) + rotating_cases(rng) + tiny
+
+
+def by_screw(start, goal, s, angle):
+    """Return the poses from start to goal by one rotation through this angle."""
+    R = pose_matrix([0, 0, start[2]])[:2, :2]
+    columns = [exp_se2([angle, *v])[:2, 2] for v in np.eye(2)]
+    v = np.linalg.solve(np.transpose(columns), R.T @ np.subtract(goal, start)[:2])
+    moved = exp_se2(np.multiply.outer(s, np.array([angle, *v])))[:, :2, 2]
+    return np.column_stack([start[:2] + moved @ R.T, start[2] + s * angle])
 
 
 def _angle(start, goal):
@@ -36,7 +52,7 @@ def _rotates(start, goal, n):
 
 def _pole(start, goal):
     """The point that the displacement from start to goal leaves where it is."""
-    R = rotation(goal[2] - start[2])
+    R = pose_matrix([0, 0, goal[2] - start[2]])[:2, :2]
     p, q = np.array(start, float)[:2], np.array(goal, float)[:2]
     return np.linalg.solve(np.eye(2) - R, q - R @ p)
 
@@ -55,6 +71,28 @@ def _fits(rows, path, start, goal):
     """Return whether the rows are right; with a tiny angle, to the digits that formulas with the pole leave."""
     fine = 1e-9 if _angle(start, goal) >= SMALL else 1e-7
     return deviation(rows, path) <= fine * size(start, goal)
+
+
+def _tiny_angle(start, goal, n):
+    return 0 < _angle(start, goal) < SMALL
+
+
+def _off_the_line(rows, start, goal, n):
+    return np.abs(rows - straight(start, change(start, goal), scaling(n)))[:, :2].max()
+
+
+def _rows(T, *case):
+    rows = np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
+    return rows if one_arc_is_shorter(*case) else None
+
+
+def _by_matrices(start, goal, n, product):
+    """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s."""
+
+    def move(T):
+        return exp_se2(np.multiply.outer(scaling(n), log_se2(T)))
+
+    return _rows(product(pose_matrix(start), pose_matrix(goal), move), start, goal, n)
 
 
 EXERCISE = Exercise(
@@ -81,7 +119,6 @@ EXERCISE = Exercise(
         ),
         *timed(by_screw, _fits),
     ),
-    mistakes=MISTAKES,
     library=interpolate_body_screw,
     hints=(
         "As matrices: T0 = pose_matrix(start) and T1 = pose_matrix(goal). What start sees of goal is T0^-1 T1.",
@@ -92,3 +129,89 @@ EXERCISE = Exercise(
     alike=same_path,
     forbidden=("course_lib.planar.interpolate_body_screw",),
 )
+
+
+def _screw(start, goal, n, s=None, angle=None):
+    """The path by one rotation, as far as its direction is known."""
+    angle = change(start, goal)[2] if angle is None else angle
+    return by_screw(start, goal, scaling(n) if s is None else s, angle) if one_arc_is_shorter(start, goal, n) else None
+
+
+@EXERCISE.mistake(seen=lambda rows, *case: _tiny_angle(*case) and _off_the_line(rows, *case) < 1e-9 * size(*case[:2]))
+def small_rotation_for_none(start, goal, n):
+    """a small rotation is taken for none. A rotation by 0.001 rad bends the path by a millimetre or so."""
+    return straight(start, change(start, goal), scaling(n)) if _tiny_angle(start, goal, n) else None
+
+
+@EXERCISE.mistake(difference=(change, np.subtract))
+def straight_line(start, goal, n, difference):
+    """x, y and theta are interpolated each by itself: a straight line. Here the velocity is constant in the body's
+    frame. Which function has an arc for that?"""
+    if not one_arc_is_shorter(start, goal, n):
+        return None
+    return straight(start, difference(start, goal) if difference is change else np.subtract(goal, start), scaling(n))
+
+
+@EXERCISE.mistake(s=TIME_SCALINGS)
+def other_time_scaling(start, goal, n, s):
+    """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
+    0, 1/2 and 1, and slow at both ends."""
+    return _screw(start, goal, n, s(np.linspace(0, 1, n)))
+
+
+@EXERCISE.mistake(u=GRIDS)
+def an_end_missing(start, goal, n, u):
+    """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
+    return _screw(start, goal, n, cubic(u(n)))
+
+
+@EXERCISE.mistake
+def longer_arc(start, goal, n):
+    """the difference of theta is not wrapped, so the body takes the longer arc. log_se2 wraps: between which bounds
+    does its omega lie?"""
+    rows = _screw(start, goal, n)
+    rows[:, 2] = start[2] + scaling(n) * (goal[2] - start[2])
+    return rows
+
+
+@EXERCISE.mistake(
+    product=(lambda T0, T1, move: T0 @ move(T1 @ inverse(T0)), lambda T0, T1, move: move(inverse(T0) @ T1) @ T0)
+)
+def wrong_side(start, goal, n, product):
+    """the displacement is given in one frame and applied in the other. T_start^-1 T_goal is seen from start: on
+    which side of T_start does its exponential stand?"""
+    return _by_matrices(start, goal, n, product)
+
+
+@EXERCISE.mistake(
+    product=(lambda T0, T1, move: T0 @ move(inverse(T1) @ T0), lambda T0, T1, move: T0 @ move(T0 @ inverse(T1)))
+)
+def from_goal_to_start(start, goal, n, product):
+    """the displacement is from goal to start. Which of the two poses is inverted?"""
+    return _by_matrices(start, goal, n, product)
+
+
+@EXERCISE.mistake(
+    product=(lambda T0, T1, move: T0 @ move(T1), lambda T0, T1, move: move(T1), lambda T0, T1, move: move(T1) @ T0)
+)
+def goal_alone(start, goal, n, product):
+    """the logarithm of T_goal alone is taken. Which displacement remains, as start sees it?"""
+    return _by_matrices(start, goal, n, product)
+
+
+@EXERCISE.mistake
+def logarithms_interpolated(start, goal, n):
+    """the logarithms of the two poses are interpolated. Take one logarithm, of the pose of goal in start's frame."""
+    first, last = log_se2(pose_matrix(start)), log_se2(pose_matrix(goal))
+    return _rows(exp_se2(first + np.multiply.outer(scaling(n), last - first)), start, goal, n)
+
+
+@EXERCISE.mistake(
+    inverse_function=(lambda a: np.arccos(np.cos(a)), lambda a: np.arcsin(np.sin(a)), lambda a: np.arctan(np.tan(a)))
+)
+def half_of_the_circle(start, goal, n, inverse_function):
+    """arccos, arcsin or arctan is used, which know the angle on half of the circle only. Which function takes sine
+    and cosine apart?"""
+    rows = _screw(start, goal, n)
+    rows[:, 2] = inverse_function(rows[:, 2])
+    return rows

@@ -3,11 +3,11 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.propagate_body import drawn_case
 from course_lib.checks.exercises.rigid_motion.shared import FINE, follow, form, lengths, same_rows, size_of, steps
-from course_lib.checks.exercises.rigid_motion.shared_mistakes import step_mistakes
+from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -51,26 +51,17 @@ def _wrong_step(angles, *case):
     )
 
 
-def _with(change):
-    """The step with another velocity."""
-    return follow(lambda angles, velocity, h: angles + change(velocity) * h)
+def _step(angles, velocity, h):
+    return angles + velocity * h
 
 
-def _assigned(start, plan, dt, time_of=lambda elapsed, h, duration: elapsed):
+def _assigned(start, plan, dt, time_of="elapsed"):
     """The angle is the velocity times a time, and is not added to what was: as the broken code has it."""
     angles = [np.array(start, float)]
     for velocity, duration in plan:
         for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
-            angles.append(np.array(velocity, float) * time_of(elapsed, h, duration))
-    return np.array(angles)
-
-
-def _elapsed_twice(start, plan, dt):
-    """The time since the pair's beginning where the length of the step belongs."""
-    angles = [np.array(start, float)]
-    for velocity, duration in plan:
-        for elapsed in np.cumsum(lengths(duration, dt)):
-            angles.append(angles[-1] + np.array(velocity, float) * elapsed)
+            time = {"elapsed": elapsed, "step": h, "duration": duration}[time_of]
+            angles.append(np.array(velocity, float) * time)
     return np.array(angles)
 
 
@@ -88,54 +79,6 @@ EXERCISE = Exercise(
             says=_wrong_step,
         ),
     ),
-    mistakes=(
-        *step_mistakes(ARM, propagate_arm, lambda angles, velocity, h: angles + velocity * h),
-        Mistake(
-            "the angles are assigned where they should be added",
-            "The joints had angles before the step. Where do they enter?",
-            lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: h),
-            lambda *case: _assigned(*case, time_of=lambda elapsed, h, duration: duration),
-        ),
-        Mistake(
-            "the time since the pair began is counted from the row before",
-            "Either the angles at the pair's beginning and the time since then, or the row before and one step.",
-            _elapsed_twice,
-        ),
-        Mistake(
-            "start is not added after the first row",
-            "The angles go on from those of the row before.",
-            lambda *case: np.array([case[0], *propagate_arm([0, 0], *case[1:])[1:]]),
-        ),
-        Mistake(
-            "the joints are swapped",
-            "A row is (theta1, theta2), and (w1, w2) their velocities.",
-            _with(lambda w: w[::-1]),
-            lambda *case: propagate_arm(*case)[:, ::-1],
-        ),
-        Mistake(
-            "the first joint's velocity moves the second angle too",
-            "theta2 is measured from the first link: it grows by w2 alone.",
-            _with(np.cumsum),
-        ),
-        Mistake("both joints move with w1", "The second one has w2.", _with(lambda w: w[[0, 0]])),
-        Mistake("the second joint does not move", "It moves with w2.", _with(lambda w: w * [1, 0])),
-        Mistake("the first joint does not move", "It moves with w1.", _with(lambda w: w * [0, 1])),
-        Mistake(
-            "degrees and radians are mixed up",
-            "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.",
-            _with(np.deg2rad),
-            _with(np.rad2deg),
-            lambda *case: np.rad2deg(propagate_arm(*case)),
-        ),
-        Mistake(
-            "the velocities are not multiplied by the length of the step",
-            "rad/s times s is rad: w * h.",
-            follow(lambda angles, velocity, h: angles + velocity),
-        ),
-        Mistake(
-            "the velocities have the opposite sign", "A positive velocity lets the angle grow.", _with(lambda w: -w)
-        ),
-    ),
     library=propagate_arm,
     broken=_assigned,
     alike=same_rows(ARM),
@@ -150,3 +93,39 @@ EXERCISE = Exercise(
         "course_lib.planar.propagate_body_exact",
     ),
 )
+
+
+@EXERCISE.mistake(time_of=("step", "duration"))
+def assigned(start, plan, dt, time_of):
+    """the angles are assigned where they should be added. The joints had angles before the step. Where do they
+    enter?"""
+    return _assigned(start, plan, dt, time_of)
+
+
+@EXERCISE.mistake
+def elapsed_twice(start, plan, dt):
+    """the time since the pair began is counted from the row before. Either the angles at the pair's beginning and
+    the time since then, or the row before and one step."""
+    return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
+
+
+@EXERCISE.mistake
+def start_not_added(start, plan, dt):
+    """start is not added after the first row. From where do the angles go on?"""
+    return np.array([start, *propagate_arm([0, 0], plan, dt)[1:]])
+
+
+@EXERCISE.mistake(change=(lambda w: w[::-1], np.cumsum, lambda w: w[[0, 0]], lambda w: w * [1, 0]))
+def velocities_mixed_up(start, plan, dt, change):
+    """a joint does not move with its own velocity. theta1 grows by w1, and theta2, which is measured from the first
+    link?"""
+    return follow(lambda angles, velocity, h: angles + change(velocity) * h)(start, plan, dt)
+
+
+@EXERCISE.mistake
+def not_times_h(start, plan, dt):
+    """the velocities are not multiplied by the length of the step. rad/s times s is rad."""
+    return follow(lambda angles, velocity, h: angles + velocity)(start, plan, dt)
+
+
+add_step_mistakes(EXERCISE, propagate_arm, _step, ARM)

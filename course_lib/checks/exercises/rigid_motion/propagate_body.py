@@ -3,8 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.shared import (
     BODY,
     FINE,
@@ -18,7 +17,8 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     size_of,
     steps,
 )
-from course_lib.checks.exercises.rigid_motion.shared_mistakes import step_mistakes
+from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import propagate_body, propagate_body_exact
 
 ORIGIN = (0.0, 0.0, 0.0)
@@ -129,31 +129,18 @@ def move_by(direction, theta_after=lambda theta, omega, h: theta + omega * h):
 euler = move_by(lambda theta, omega, h: theta)
 
 
-def _before(change):
-    """Euler's method with the velocity changed beforehand."""
-    return lambda pose, velocity, h: euler(pose, change(*velocity), h)
+def assigned(move, time_of="elapsed"):
+    """Return the answer of the printed rule: theta is omega times a time (in the pair, or all of it), and not added."""
 
-
-def assigned(move):
-    """Return the answers of the printed rule: theta is omega times the time in the pair, and is not added."""
-
-    def answer(start, plan, dt, time_of=lambda elapsed, duration: elapsed):
+    def answer(start, plan, dt):
         poses = [np.array(start, float)]
         for velocity, duration in plan:
             for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
                 pose = move(poses[-1], np.array(velocity, float), h)
-                poses.append(np.array([*pose[:2], velocity[2] * time_of(elapsed, duration)]))
+                poses.append(np.array([*pose[:2], velocity[2] * (elapsed if time_of == "elapsed" else duration)]))
         return np.array(poses)
 
-    return answer, lambda *case: answer(*case, time_of=lambda elapsed, duration: duration)
-
-
-def _all_assigned(start, plan, dt):
-    poses = assigned(euler)[0](start, plan, dt)
-    velocities, h = steps(plan, dt)
-    return np.array(
-        [poses[0], *np.column_stack([rotated(poses[:-1, 2], velocities[:, :2]) * h[:, None], poses[1:, 2]])]
-    )
+    return answer
 
 
 def _theta_kept(start, plan, dt, from_start=False):
@@ -167,25 +154,6 @@ def _theta_kept(start, plan, dt, from_start=False):
     return np.array(poses)
 
 
-def _with_matrix(matrix):
-    """Euler's method with matrix(c, s) for R(theta)."""
-
-    def move(pose, velocity, h):
-        R = np.array(matrix(np.cos(pose[2]), np.sin(pose[2])))
-        return pose + np.append(R @ velocity[:2], velocity[2]) * h
-
-    return follow(move)
-
-
-_WRONG_MATRICES = (
-    lambda c, s: [[c, s], [s, c]],
-    lambda c, s: [[c, -s], [-s, c]],
-    lambda c, s: [[c, -s], [s, -c]],
-    lambda c, s: [[s, -c], [c, s]],
-    lambda c, s: [[s, c], [c, -s]],
-)
-
-
 def _mixed(x_after, y_after):
     """Euler's method with theta at the end of the step in x, or in y."""
 
@@ -195,26 +163,6 @@ def _mixed(x_after, y_after):
 
     return follow(move)
 
-
-def _x_and_y_swapped(start, plan, dt):
-    return propagate_body(start, plan, dt)[:, [1, 0, 2]]
-
-
-ADDED = (
-    "theta is assigned where it should be added, as in the printed rule theta = omega t",
-    "The body had an angle before the step: theta = theta + omega * h.",
-)
-WORLD = (
-    "the velocities are taken along the axes of the world",
-    "(vx, vy) is ahead and to the left of the body. Multiply it by R(theta) first.",
-)
-TRANSPOSED = (
-    "R is transposed: the velocity is rotated in the opposite direction",
-    "R(theta) = [[cos, -sin], [sin, cos]]: a body that faces up drives up, y grows.",
-)
-SIDEWAYS = ("vx and vy are swapped", "vx is ahead, along the body's x axis, and vy to its left.")
-DEGREES = ("degrees and radians are mixed up", "Angles are radians everywhere: no np.deg2rad, no np.rad2deg.")
-NO_ROTATION = ("theta stays as it is", "A step has three parts: x, y and theta, which grows by omega * h.")
 
 EXERCISE = Exercise(
     name="propagate_body",
@@ -232,76 +180,6 @@ EXERCISE = Exercise(
             says=_wrong_translation,
         ),
     ),
-    mistakes=(
-        *step_mistakes(BODY, propagate_body, euler),
-        Mistake(*ADDED, *assigned(euler), _all_assigned, follow(move_by(lambda a, w, h: a, lambda a, w, h: w * h))),
-        Mistake(*WORLD, follow(move_by(lambda theta, omega, h: 0 * theta))),
-        Mistake(*TRANSPOSED, follow(move_by(lambda theta, omega, h: -theta))),
-        Mistake(
-            "theta at the end of the step is used, not at its beginning",
-            "First move x and y with the old theta; then change theta.",
-            follow(move_by(lambda theta, omega, h: theta + omega * h)),
-        ),
-        Mistake(
-            "theta in the middle of the step is used",
-            "That is more accurate than Euler's method, but not what is asked.",
-            follow(move_by(lambda theta, omega, h: theta + omega * h / 2)),
-        ),
-        Mistake(
-            "each step follows the exact arc",
-            "That is propagate_body_exact, which comes next. Euler's method goes straight in each step.",
-            propagate_body_exact,
-        ),
-        Mistake(
-            "R is not computed anew in each step",
-            "theta changes with each step, and R(theta) with it: compute it inside the inner loop.",
-            _theta_kept,
-            lambda *case: _theta_kept(*case, from_start=True),
-        ),
-        Mistake(*SIDEWAYS, follow(_before(lambda vx, vy, omega: np.array([vy, vx, omega])))),
-        Mistake("x and y are swapped", "A row is (x, y, theta).", _x_and_y_swapped),
-        Mistake(
-            "the velocities are not multiplied by the length of the step",
-            "m/s times s is m: R(theta) (vx, vy) * h, and omega * h.",
-            follow(lambda pose, velocity, h: euler(pose, velocity, 1.0)),
-            follow(move_by(lambda theta, omega, h: theta, lambda theta, omega, h: theta + omega)),
-            follow(lambda pose, velocity, h: np.append(euler(pose, velocity, 1.0)[:2], pose[2] + velocity[2] * h)),
-        ),
-        Mistake(
-            *DEGREES,
-            follow(move_by(lambda theta, omega, h: np.deg2rad(theta))),
-            follow(move_by(lambda theta, omega, h: np.rad2deg(theta))),
-            follow(_before(lambda vx, vy, omega: np.array([vx, vy, np.deg2rad(omega)]))),
-            follow(_before(lambda vx, vy, omega: np.array([vx, vy, np.rad2deg(omega)]))),
-        ),
-        Mistake(*NO_ROTATION, follow(_before(lambda vx, vy, omega: np.array([vx, vy, 0.0])))),
-        Mistake(
-            "omega has the opposite sign",
-            "With a positive omega, theta grows: counter-clockwise.",
-            follow(_before(lambda vx, vy, omega: np.array([vx, vy, -omega]))),
-        ),
-        Mistake(
-            "a sine or cosine of R(theta) has a wrong sign, or is in the wrong entry",
-            "R(theta) = [[cos, -sin], [sin, cos]]: x grows by (cos vx - sin vy) h, y by (sin vx + cos vy) h.",
-            *map(_with_matrix, _WRONG_MATRICES),
-        ),
-        Mistake(
-            "theta changes between x and y: y moves with the new theta",
-            "Both x and y move with the old theta; theta changes last.",
-            _mixed(0, 1),
-            _mixed(1, 0),
-        ),
-        Mistake(
-            "the velocities are read as (omega, vx, vy)",
-            "A plan holds (vx, vy, omega).",
-            follow(_before(lambda omega, vx, vy: np.array([vx, vy, omega]))),
-        ),
-        Mistake(
-            "vy is ignored",
-            "R(theta) (vx, vy) = (cos vx - sin vy, sin vx + cos vy).",
-            follow(_before(lambda vx, vy, omega: np.array([vx, 0.0, omega]))),
-        ),
-    ),
     library=propagate_body,
     hints=(
         "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = [start] and append.",
@@ -312,3 +190,70 @@ EXERCISE = Exercise(
     alike=same_rows(BODY),
     forbidden=("course_lib.planar.propagate_body",),
 )
+
+
+def _moved(case, change=lambda v: v, direction=lambda theta, omega, h: theta):
+    """Euler's method with another velocity, or along another direction."""
+    move = move_by(direction)
+    return follow(lambda pose, velocity, h: move(pose, change(velocity), h))(*case)
+
+
+@EXERCISE.mistake(share=(1, 0.5))
+def theta_later(start, plan, dt, share):
+    """theta at the end or in the middle of the step is used, not at its beginning. Euler's method takes the velocity
+    at the beginning of a step: which line comes last?"""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
+
+
+@EXERCISE.mistake
+def exact_arc(start, plan, dt):
+    """each step follows the exact arc. Here each step goes straight; the exponential comes later."""
+    return propagate_body_exact(start, plan, dt)
+
+
+@EXERCISE.mistake(time_of=("elapsed", "duration"))
+def theta_assigned(start, plan, dt, time_of):
+    """theta is assigned where it should be added, as in the printed rule theta = omega t. The body had an angle
+    before the step."""
+    return assigned(euler, time_of)(start, plan, dt)
+
+
+@EXERCISE.mistake
+def axes_of_the_world(start, plan, dt):
+    """the velocities are taken along the axes of the world. (vx, vy) is ahead and to the left of the body: what
+    rotates it?"""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: 0 * theta)
+
+
+@EXERCISE.mistake
+def transposed(start, plan, dt):
+    """R is transposed: the velocity is rotated in the opposite direction. A body that faces up drives up, and y
+    grows."""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
+
+
+@EXERCISE.mistake(from_start=(True, False))
+def theta_kept(start, plan, dt, from_start):
+    """R is not computed anew in each step. The body rotates during a pair: so does the direction in which it moves."""
+    return _theta_kept(start, plan, dt, from_start)
+
+
+@EXERCISE.mistake
+def sideways_ignored(start, plan, dt):
+    """vy is ignored. Both columns of R(theta) count: the second is the direction to the left of the body."""
+    return _moved((start, plan, dt), lambda v: v * [1, 0, 1])
+
+
+@EXERCISE.mistake(after=((0, 1), (1, 0)))
+def theta_between(start, plan, dt, after):
+    """theta changes between x and y: y moves with the new theta. Both move with the old theta."""
+    return _mixed(*after)(start, plan, dt)
+
+
+@EXERCISE.mistake
+def not_times_h(start, plan, dt):
+    """the velocities are not multiplied by the length of the step. m/s times s is m."""
+    return follow(lambda pose, velocity, h: euler(pose, velocity, 1.0))(start, plan, dt)
+
+
+add_step_mistakes(EXERCISE, propagate_body, euler, BODY)

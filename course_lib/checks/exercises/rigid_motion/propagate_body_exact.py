@@ -2,17 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.propagate_body import (
-    ADDED,
-    DEGREES,
-    NO_ROTATION,
     ORIGIN,
-    SIDEWAYS,
     THETA,
-    WORLD,
-    assigned,
     body_cases,
     drawn_case,
     euler,
@@ -31,9 +24,10 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     same_rows,
     size_of,
 )
-from course_lib.checks.exercises.rigid_motion.shared_mistakes import step_mistakes
-from course_lib.planar import pose_matrix, propagate_body, propagate_body_exact
-from course_lib.rigid import exp_se2, inverse
+from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.planar import pose_matrix, propagate_body_exact
+from course_lib.rigid import exp_se2
 
 
 def _cases(rng):
@@ -86,104 +80,6 @@ def exact(pose, velocity, h, times=1.0):
     return _row(T, pose[2] + velocity[2] * h * times)
 
 
-def _before(pose, velocity, h):
-    """The exponential on the left: a rotation about the world's origin."""
-    T = exp_se2(velocity[[2, 0, 1]] * h) @ pose_matrix(pose)
-    return _row(T, pose[2] + velocity[2] * h)
-
-
-def _exponential_of(twist):
-    """The exponential of another vector where the twist (omega, vx, vy) times h belongs."""
-
-    def move(pose, velocity, h):
-        T = pose_matrix(pose) @ exp_se2(twist(*velocity, h))
-        return _row(T, np.arctan2(T[1, 0], T[0, 0]))
-
-    return move
-
-
-def _only_theta(move):
-    """The position by another move, with the right theta."""
-    return lambda pose, velocity, h: np.append(move(pose, velocity, h)[:2], pose[2] + velocity[2] * h)
-
-
-def _backwards(pose, velocity, h):
-    T = pose_matrix(pose) @ inverse(exp_se2(velocity[[2, 0, 1]] * h))
-    return _row(T, pose[2] - velocity[2] * h)
-
-
-def _not_rotated(pose, velocity, h):
-    return pose + _row(exp_se2(velocity[[2, 0, 1]] * h), velocity[2] * h)
-
-
-def _mean_of_ends(pose, velocity, h):
-    after = move_by(lambda theta, omega, h: theta + omega * h)
-    return (euler(pose, velocity, h) + after(pose, velocity, h)) / 2
-
-
-def _total(start, plan, dt):
-    """The exponential of all velocities times their durations so far."""
-    total, poses = np.zeros(3), [np.array(start, float)]
-    for velocity, duration in plan:
-        for h in lengths(duration, dt):
-            total = total + np.array(velocity, float) * h
-            poses.append(exact(np.array(start, float), total, 1.0))
-    return np.array(poses)
-
-
-def _elapsed_twice(start, plan, dt):
-    """The time since the pair's beginning where the length of the step belongs."""
-    poses = [np.array(start, float)]
-    for velocity, duration in plan:
-        for elapsed in np.cumsum(lengths(duration, dt)):
-            poses.append(exact(poses[-1], np.array(velocity, float), elapsed))
-    return np.array(poses)
-
-
-def _product(step):
-    """Matrices multiplied up by step(T, vx, vy, omega, h), and theta added up beside them."""
-
-    def answer(start, plan, dt):
-        T, rows = pose_matrix(start), [np.array(start, float)]
-        for velocity, duration in plan:
-            for h in lengths(duration, dt):
-                T = step(T, *velocity, h)
-                rows.append(_row(T, rows[-1][2] + velocity[2] * h))
-        return np.array(rows)
-
-    return answer
-
-
-def _from_the_pair_s_beginning(move):
-    """Each pose of a pair by one move from the pose at its beginning, for the time since then."""
-
-    def answer(start, plan, dt):
-        poses = [np.array(start, float)]
-        for velocity, duration in plan:
-            begin = poses[-1]
-            poses += [move(begin, np.array(velocity, float), time) for time in np.cumsum(lengths(duration, dt))]
-        return np.array(poses)
-
-    return answer
-
-
-def _theta_read_by(inverse_function):
-    def answer(*case):
-        rows = propagate_body_exact(*case)
-        return np.column_stack([rows[:, :2], inverse_function(rows[:, 2])])
-
-    return answer
-
-
-def _slow_cut(bound):
-    """Rotations slower than `bound` taken for none in the position."""
-
-    def move(pose, velocity, h):
-        return _only_theta(euler)(pose, velocity, h) if abs(velocity[2]) < bound else exact(pose, velocity, h)
-
-    return follow(move)
-
-
 EXERCISE = Exercise(
     name="propagate_body_exact",
     points=2,
@@ -211,104 +107,6 @@ EXERCISE = Exercise(
             says=_wrong_pose,
         ),
     ),
-    mistakes=(
-        *step_mistakes(BODY, propagate_body_exact, exact),
-        Mistake(
-            "each step goes straight: this is Euler's method",
-            "While the body rotates, its path bends: T exp(h [twist]).",
-            propagate_body,
-            follow(move_by(lambda theta, omega, h: theta + omega * h)),
-        ),
-        Mistake(
-            "each step goes straight, with an angle halfway between its ends",
-            "That is closer than Euler's method, and still not exact: the chord of an arc is shorter than the arc.",
-            follow(move_by(lambda theta, omega, h: theta + omega * h / 2)),
-            follow(_mean_of_ends),
-        ),
-        Mistake(
-            "the exponential stands on the left",
-            "The velocities are in the body's frame: T exp(h [twist]). On the left they are the world's.",
-            follow(_before),
-        ),
-        Mistake(
-            "the twist is in the order (vx, vy, omega)",
-            "rigid.exp_se2 takes the angular velocity first: (omega, vx, vy).",
-            follow(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h)),
-            *(
-                moved(_only_theta(_exponential_of(lambda vx, vy, omega, h: np.array([vx, vy, omega]) * h)))
-                for moved in (follow, _from_the_pair_s_beginning)
-            ),
-            _product(lambda T, vx, vy, omega, h: T @ exp_se2(np.array([vx, vy, omega]) * h)),
-        ),
-        Mistake(
-            "one exponential is taken of all velocities together",
-            "exp(A) exp(B) is not exp(A + B): each pair has an exponential of its own, one after the other.",
-            _total,
-        ),
-        Mistake(
-            "the time since the pair began is counted from the row before",
-            "Either the pose at the pair's beginning and the time since then, or the row before and one step.",
-            _elapsed_twice,
-        ),
-        Mistake(
-            "start is ignored: the motion begins at the origin",
-            "The first pose is pose_matrix(start), and each step multiplies the pose before it.",
-            lambda start, plan, dt: np.array([start, *propagate_body_exact(np.zeros(3), plan, dt)[1:]]),
-            lambda start, plan, dt: propagate_body_exact(np.zeros(3), plan, dt),
-        ),
-        Mistake(
-            "start is added to a motion that begins at the origin",
-            "start has a direction too: pose_matrix(start) @ ... rotates the motion.",
-            lambda start, plan, dt: np.add(start, propagate_body_exact(np.zeros(3), plan, dt)),
-        ),
-        Mistake(
-            "the exponential is multiplied by h, and not the twist",
-            "exp(h twist) is not h exp(twist): scale the twist first.",
-            _product(lambda T, vx, vy, omega, h: T @ (h * exp_se2([omega, vx, vy]))),
-        ),
-        Mistake(
-            "the product is entry by entry",
-            "In numpy the matrix product is @.",
-            _product(lambda T, vx, vy, omega, h: T * exp_se2(np.array([omega, vx, vy]) * h)),
-        ),
-        Mistake(
-            "theta is read by arccos, arcsin or arctan, which know the angle on half of the circle only",
-            "theta = np.arctan2(T[1, 0], T[0, 0]), or start's theta plus omega times the time.",
-            *map(_theta_read_by, (lambda a: np.arcsin(np.sin(a)), lambda a: np.arccos(np.cos(a)))),
-            _theta_read_by(lambda a: np.arctan(np.tan(a))),
-        ),
-        Mistake(
-            *NO_ROTATION, lambda start, plan, dt: propagate_body_exact(start, plan, dt) * [1, 1, 0] + [0, 0, start[2]]
-        ),
-        Mistake(
-            "slow rotations are taken for none",
-            "Only omega = 0 needs a branch of its own, if any; rigid.exp_se2 needs none at all.",
-            *(_slow_cut(bound) for bound in (1e-4, 0.1, 0.7)),
-        ),
-        Mistake(
-            "the velocities are not multiplied by the time",
-            "rigid.exp_se2 follows a twist for one second. For h seconds, give it the twist times h.",
-            follow(lambda pose, velocity, h: exact(pose, velocity, 1.0)),
-            follow(_only_theta(lambda pose, velocity, h: exact(pose, velocity, 1.0))),
-        ),
-        Mistake(
-            "the translation of the exponential is not rotated by theta",
-            "The exponential gives the translation in the body's frame; T exp(h [twist]) has it in the world's.",
-            follow(_not_rotated),
-        ),
-        Mistake("the motion is backwards", "T exp(h [twist]): no inverse, no minus.", follow(_backwards)),
-        Mistake(*ADDED, *assigned(exact)),
-        Mistake(*WORLD, follow(move_by(lambda theta, omega, h: 0 * theta))),
-        Mistake(*SIDEWAYS, follow(_exponential_of(lambda vx, vy, omega, h: np.array([omega, vy, vx]) * h))),
-        Mistake(*NO_ROTATION, follow(_exponential_of(lambda vx, vy, omega, h: np.array([0, vx, vy]) * h))),
-        Mistake(
-            *DEGREES,
-            follow(_exponential_of(lambda vx, vy, omega, h: np.array([np.deg2rad(omega), vx, vy]) * h)),
-            follow(_exponential_of(lambda vx, vy, omega, h: np.array([np.rad2deg(omega), vx, vy]) * h)),
-            lambda *case: propagate_body_exact(*case) * [1, 1, 180 / np.pi],
-        ),
-        Mistake("x and y are swapped", "A row is (x, y, theta).", lambda *c: propagate_body_exact(*c)[:, [1, 0, 2]]),
-    ),
     library=propagate_body_exact,
     hints=(
         "The loops are those of propagate_body; only the step differs.",
@@ -318,3 +116,86 @@ EXERCISE = Exercise(
     alike=same_rows(BODY),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )
+
+
+def _twist_step(twist):
+    """A step by the exponential of another vector where the twist (omega, vx, vy) times h belongs."""
+
+    def move(pose, velocity, h):
+        T = pose_matrix(pose) @ exp_se2(np.array(twist(*velocity, h)))
+        return np.array([T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])])
+
+    return follow(move)
+
+
+@EXERCISE.mistake(share=(0, 1))
+def euler_steps(start, plan, dt, share):
+    """each step goes straight: this is Euler's method. While the body rotates, its path bends."""
+    return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
+
+
+@EXERCISE.mistake
+def midpoint_steps(start, plan, dt):
+    """each step goes straight, with an angle halfway between its ends. That is closer than Euler's method, and still
+    not exact: the chord of an arc is shorter than the arc."""
+    return follow(move_by(lambda theta, omega, h: theta + omega * h / 2))(start, plan, dt)
+
+
+@EXERCISE.mistake
+def on_the_left(start, plan, dt):
+    """the exponential stands on the left. The velocities are in the body's frame: on which side does that stand?"""
+
+    def move(pose, velocity, h):
+        T = exp_se2(velocity[[2, 0, 1]] * h) @ pose_matrix(pose)
+        return np.array([T[0, 2], T[1, 2], pose[2] + velocity[2] * h])
+
+    return follow(move)(start, plan, dt)
+
+
+@EXERCISE.mistake
+def order_of_the_twist(start, plan, dt):
+    """the twist is in the order (vx, vy, omega). rigid.exp_se2 takes the angular velocity first."""
+    return _twist_step(lambda vx, vy, omega, h: [vx * h, vy * h, omega * h])(start, plan, dt)
+
+
+@EXERCISE.mistake(theta=(True, False))
+def not_times_h(start, plan, dt, theta):
+    """the velocities are not multiplied by the time. rigid.exp_se2 follows a twist for one second: how long is a
+    step?"""
+
+    def move(pose, velocity, h):
+        x, y, angle = exact(pose, velocity, 1.0)
+        return np.array([x, y, angle if theta else pose[2] + velocity[2] * h])
+
+    return follow(move)(start, plan, dt)
+
+
+@EXERCISE.mistake
+def all_together(start, plan, dt):
+    """one exponential is taken of all velocities together. exp(A) exp(B) is not exp(A + B): each pair has its own."""
+    total, poses = np.zeros(3), [np.array(start, float)]
+    for velocity, duration in plan:
+        for h in lengths(duration, dt):
+            total = total + np.array(velocity, float) * h
+            poses.append(exact(poses[0], total, 1.0))
+    return np.array(poses)
+
+
+@EXERCISE.mistake
+def elapsed_twice(start, plan, dt):
+    """the time since the pair began is counted from the row before. Either the pose at the pair's beginning and the
+    time since then, or the row before and one step."""
+    return follow(exact, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
+
+
+@EXERCISE.mistake(bound=(1e-4, 0.1))
+def slow_rotations(start, plan, dt, bound):
+    """slow rotations are taken for none. Does rigid.exp_se2 need a branch for omega = 0?"""
+
+    def move(pose, velocity, h):
+        return (euler if abs(velocity[2]) < bound else exact)(pose, velocity, h)
+
+    return follow(move)(start, plan, dt)
+
+
+add_step_mistakes(EXERCISE, propagate_body_exact, exact, BODY)

@@ -9,7 +9,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
-from course_lib.planar import wrap_angle
+from course_lib.planar import quintic_time_scaling, wrap_angle
 
 BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
 REVOLUTION = 2 * np.pi
@@ -20,6 +20,27 @@ MATRICES = Mistake("the matrices of the poses are returned", "A row is (x, y, th
 def cubic(u):
     """Return the time scaling from rest to rest."""
     return u * u * (3 - 2 * u)
+
+
+TIME_SCALINGS = (  # that students take for the cubic
+    lambda u: u,
+    lambda u: quintic_time_scaling(u, 1.0),
+    lambda u: (1 - np.cos(np.pi * u)) / 2,
+    lambda u: cubic(cubic(u)),
+    *(lambda u, a=a, b=b: a * u**2 + b * u**3 for a, b in ((3, 2), (2, -3), (2, -1), (-2, 3))),
+    *(lambda u, power=power: u**power for power in (2, 3)),
+)
+GRIDS = (  # of u, without one of the ends
+    lambda n: np.arange(n) / n,
+    lambda n: np.arange(1, n + 1) / n,
+    lambda n: np.arange(1, n + 1) / (n + 1),
+    lambda n: np.arange(n) / (n + 1),
+)
+
+
+def whole_rows(rows, start, goal, n):
+    """Return whether rows are cut off to whole numbers where start and goal are such."""
+    return np.array([start, goal]).dtype.kind == "i" and np.array_equal(rows, np.trunc(rows))
 
 
 def scaling(n):
@@ -38,13 +59,7 @@ def size(start, goal):
 
 
 def deviation(rows, wanted):
-    """Return the largest difference between rows and those wanted, revolutions aside.
-
-    Examples
-    --------
-    >>> round(float(deviation([[0, 0, np.pi]], [[0, 0.1, -np.pi]])), 12)
-    0.1
-    """
+    """Return the largest difference between rows and those wanted, revolutions aside."""
     apart = np.asarray(rows) - wanted
     return np.abs(np.where(BODY, wrap_angle(apart), apart)).max()
 
@@ -61,13 +76,7 @@ def close(rows, wanted, start, goal):
 
 
 def change(start, goal):
-    """Return the change from start to goal, the angle along the shorter arc.
-
-    Examples
-    --------
-    >>> change([0, 0, 3], [1, 0, -3])
-    array([1.        , 0.        , 0.28318531])
-    """
+    """Return the change from start to goal, the angle along the shorter arc."""
     apart = np.subtract(goal, start).astype(float)
     return np.where(BODY, wrap_angle(apart), apart)
 
@@ -80,11 +89,6 @@ def one_arc_is_shorter(start, goal, n):
 def half_a_revolution(start, goal, n):
     """Return whether the angles are half a revolution apart, so that both arcs are equally long."""
     return not one_arc_is_shorter(start, goal, n)
-
-
-def known(answer):
-    """The answer of a mistake, None for half a revolution."""
-    return lambda *case: answer(*case) if one_arc_is_shorter(*case) else None
 
 
 def read_path(value, *case):
@@ -167,13 +171,7 @@ def timed(right, fits=close):
 
 
 def lengths(duration, dt):
-    """Return the lengths of the steps of one pair: dt each, the last one shorter if it must be.
-
-    Examples
-    --------
-    >>> lengths(0.25, 0.1)
-    array([0.1 , 0.1 , 0.05])
-    """
+    """Return the lengths of the steps of one pair: dt each, the last one shorter if it must be."""
     whole = int(np.ceil(duration / dt - 1e-6)) - 1
     return np.append(np.full(whole, dt), duration - whole * dt)
 
@@ -248,13 +246,7 @@ def form(angles):
 
 
 def goes_straight(start, plan, dt):
-    """Return whether a plan has no rotation, and no rest.
-
-    Examples
-    --------
-    >>> goes_straight(None, [((1, 0, 0), 2.0)], 0.1)
-    True
-    """
+    """Return whether a plan has no rotation, and no rest."""
     return all(velocity[2] == 0 and np.any(velocity) for velocity, _ in plan)
 
 

@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.rigid_motion.shared import FINE, lengths
+from course_lib.checks.format_numbers import format_tuple
 
 
 def _cases(rng):
@@ -29,24 +29,9 @@ def _read(value, duration, dt):
     return rows(1, "a list of numbers, one a step", most=2000)(value, duration, dt)
 
 
-def _after_while(duration, dt):
-    time, found = 0.0, []
-    while time < duration:
-        found.append(dt)
-        time += dt
-    return found
-
-
 def _count(duration, dt):
     return len(lengths(duration, dt))
 
-
-def _rounded_and_remainder(duration, dt):
-    remainder = duration % dt
-    return np.append(np.full(round(duration / dt), dt), [remainder] * (remainder > 1e-9))
-
-
-_LATE = "All steps together take exactly the duration: what remains for the last one?"
 
 EXERCISE = Exercise(
     name="step_lengths",
@@ -73,64 +58,6 @@ EXERCISE = Exercise(
             says=lambda h, duration, dt: f"Yours are {format_tuple(h)} s, for dt = {dt:.6g} s.",
         ),
     ),
-    mistakes=(
-        Mistake(
-            "a step of no length is taken, or nearly none",
-            "For a computer 2.1 / 0.3 is a little above 7. Stop when less than a billionth of a second remains.",
-            seen=lambda h, duration, dt: np.min(h, initial=1.0) < 1e-6 * dt and abs(np.sum(h) - duration) < FINE,
-        ),
-        Mistake(
-            "the last step is not shortened, so the steps take too long",
-            _LATE,
-            lambda duration, dt: np.full(int(np.ceil(duration / dt - 1e-6)), dt),
-            lambda duration, dt: np.full(int(np.ceil(duration / dt)), dt),
-            _after_while,
-        ),
-        Mistake(
-            "the time that remains after the whole steps is lost",
-            _LATE,
-            lambda duration, dt: np.full(int(np.floor(duration / dt + 1e-6)), dt),
-            lambda duration, dt: np.full(int(duration / dt), dt),
-            lambda duration, dt: np.full(int(duration // dt), dt),
-        ),
-        Mistake(
-            "the number of steps is rounded",
-            f"{_LATE} And for a computer 0.3 % 0.1 is nearly 0.1.",
-            _rounded_and_remainder,
-            lambda duration, dt: np.full(int(np.round(duration / dt)), dt),
-        ),
-        Mistake(
-            "all steps are of equal length",
-            "0.25 s in steps of 0.1 s is 0.1, 0.1 and 0.05 s.",
-            lambda duration, dt: np.full(n := _count(duration, dt), duration / n),
-        ),
-        Mistake(
-            "only one step is taken",
-            "dt says how long a step is: 0.25 s in steps of 0.1 s takes three of them.",
-            lambda duration, dt: [duration],
-        ),
-        Mistake(
-            "the time that remains is added to the last whole step",
-            "No step is longer than dt: the time that remains is a step of its own.",
-            lambda duration, dt: (
-                None if len(h := lengths(duration, dt)) < 2 or h[-1] > 0.999 * dt else np.append(h[:-2], h[-2] + h[-1])
-            ),
-        ),
-        Mistake(
-            "the short step comes first",
-            "Take whole steps first, and then what remains.",
-            lambda duration, dt: lengths(duration, dt)[::-1],
-        ),
-        Mistake(
-            "the times at which the steps begin or end are returned",
-            "A step's length is the difference of two such times.",
-            lambda duration, dt: np.append(np.arange(0, duration - 1e-9, dt), duration),
-            lambda duration, dt: np.append(np.arange(0, duration, dt), duration),
-            lambda duration, dt: np.arange(0, duration, dt),
-            lambda duration, dt: np.cumsum(lengths(duration, dt)),
-            lambda duration, dt: np.append(0, np.cumsum(lengths(duration, dt))),
-        ),
-    ),
     library=lengths,
     hints=(
         "Take dt as long as more than dt remains; then take what remains.",
@@ -140,3 +67,43 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.planar.plan_times",),
 )
+
+
+@EXERCISE.mistake(seen=lambda h, duration, dt: np.min(h, initial=1.0) < 1e-6 * dt and abs(np.sum(h) - duration) < FINE)
+def empty_step(duration, dt):
+    """a step of no length is taken, or nearly none. For a computer 2.1 / 0.3 is a little above 7. When is the rest
+    nothing but rounding?"""
+    whole = int(duration // dt)
+    return [dt] * whole + [duration - whole * dt]
+
+
+@EXERCISE.mistake(count=(lambda ratio: np.ceil(ratio - 1e-6), np.ceil))
+def last_step_too_long(duration, dt, count):
+    """the last step is not shortened, so the steps take too long. All steps together take exactly the duration: what
+    remains for the last one?"""
+    return [dt] * int(count(duration / dt))
+
+
+@EXERCISE.mistake(count=(lambda duration, dt: np.floor(duration / dt + 1e-6), lambda duration, dt: duration // dt))
+def rest_lost(duration, dt, count):
+    """the time that remains after the whole steps is lost. All steps together take exactly the duration."""
+    return [dt] * int(count(duration, dt))
+
+
+@EXERCISE.mistake
+def count_rounded(duration, dt):
+    """the number of steps is rounded. All steps together take exactly the duration: what remains for the last one?"""
+    return [dt] * round(duration / dt)
+
+
+@EXERCISE.mistake
+def equal_lengths(duration, dt):
+    """all steps are of equal length. 0.25 s in steps of 0.1 s is 0.1, 0.1 and 0.05 s."""
+    n = _count(duration, dt)
+    return [duration / n] * n
+
+
+@EXERCISE.mistake(times=(np.cumsum, lambda h: np.append(0, np.cumsum(h)), lambda h: np.append(0, np.cumsum(h))[:-1]))
+def times_returned(duration, dt, times):
+    """the times at which the steps begin or end are returned. What is the length of a step, given two such times?"""
+    return times(lengths(duration, dt))

@@ -23,10 +23,6 @@ EXERCISE = WriteTest(
     name="test_wrap_angle",
     points=2,
     arguments=("wrap_angle",),
-    cases=lambda rng: [],
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=(
         "Two things must hold: where the answer lies, and which direction it is. Try positive and negative angles.",
         "The same direction: answer and angle have the same sine and the same cosine. Both are needed: one of them "

@@ -32,11 +32,9 @@ def _bend(tip):
     return np.arccos(np.clip((tip[0] ** 2 + tip[1] ** 2 - 2) / 2, -1, 1))
 
 
-def _right(tip, bend=_bend, first=None):
-    """Both solutions; first(tip, theta2) is another formula of theta1."""
-    first = first or (lambda tip, two: np.arctan2(tip[1], tip[0]) - np.arctan2(np.sin(two), 1 + np.cos(two)))
-    two = bend(np.asarray(tip, float))
-    return np.array([[first(tip, sign * two), sign * two] for sign in (1, -1)])
+def _right(tip):
+    two = _bend(tip)
+    return np.array([[np.arctan2(tip[1], tip[0]) - sign * two / 2, sign * two] for sign in (1, -1)])
 
 
 def _off(angles, tip):
@@ -54,18 +52,6 @@ def _same(value, predicted, *case):
 def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
-
-def _with_bend(inverse, cosine):
-    """Both solutions with theta2 = inverse(cosine(squared distance)), and theta1 as it belongs to that."""
-    return lambda tip: _right(tip, lambda tip: inverse(np.clip(cosine(tip[0] ** 2 + tip[1] ** 2), -1, 1)))
-
-
-def _with_first(first):
-    """Both solutions with another theta1: first(tip, theta2)."""
-    return lambda tip: _right(tip, first=first)
-
-
-_LINK = "Draw the triangle of base, elbow and tip: where in it does theta2 stand?"
 
 EXERCISE = Exercise(
     name="two_link_angles",
@@ -93,67 +79,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "theta1 is the same for both elbows",
-            "If the elbow bends to the other side, the first link points somewhere else too.",
-            lambda tip: _right(tip) * [[1, 1], [0, 1]] + [[0, 0], [_right(tip)[0, 0], 0]],
-            lambda tip: _right(tip) * [[0, 1], [1, 1]] + [[_right(tip)[1, 0], 0], [0, 0]],
-        ),
-        Mistake(
-            "theta1 is the direction of the tip",
-            "The first link points beside the tip, unless the arm is stretched out: by which angle?",
-            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0])),
-        ),
-        Mistake(
-            "the correction of theta1 has its sign changed",
-            "If the elbow bends to the left, the first link points to the right of the tip.",
-            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) + np.arctan2(np.sin(two), 1 + np.cos(two))),
-        ),
-        Mistake(
-            "arctan is used, which does not tell a direction from its opposite",
-            "arctan(y / x) is the same for (x, y) and (-x, -y).",
-            _with_first(lambda tip, two: np.arctan(np.divide(tip[1], tip[0])) - np.arctan(np.tan(two / 2))),
-        ),
-        Mistake(
-            "x and y are swapped in arctan2",
-            "np.arctan2 takes y first.",
-            _with_first(lambda tip, two: np.arctan2(tip[0], tip[1]) - np.arctan2(np.sin(two), 1 + np.cos(two))),
-        ),
-        Mistake(
-            "theta2 is the angle inside the triangle",
-            _LINK,
-            lambda tip: _right(tip, lambda tip: np.pi - _bend(tip)),
-            lambda tip: np.array([[_right(tip)[k, 0], sign * (np.pi - _bend(tip))] for k, sign in ((0, 1), (1, -1))]),
-        ),
-        Mistake(
-            "the law of cosines has a wrong number, or the distance where its square belongs",
-            "The squared distance is x^2 + y^2 = 1 + 1 + 2 cos(theta2). Check: for [1, 1], cos(theta2) = 0.",
-            _with_bend(np.arccos, lambda d: (np.sqrt(d) - 2) / 2),
-            _with_bend(np.arccos, lambda d: d - 2),
-            _with_bend(np.arccos, lambda d: (d - 1) / 2),
-            _with_bend(np.arccos, lambda d: d / 2),
-            _with_bend(np.arccos, lambda d: (d - 2) / 4),
-        ),
-        Mistake(
-            "arcsin is used where arccos belongs",
-            "The law of cosines gives a cosine.",
-            _with_bend(np.arcsin, lambda d: (d - 2) / 2),
-        ),
-        Mistake(
-            "theta1 is corrected by the whole of theta2",
-            "In the triangle with two equal sides, the angle at the base is half of the bend.",
-            _with_first(lambda tip, two: np.arctan2(tip[1], tip[0]) - two),
-        ),
-        Mistake(
-            "theta2 is measured from the x axis of the world",
-            "It is measured from the first link.",
-            lambda tip: np.cumsum(_right(tip), -1),
-        ),
-        Mistake("the two angles are swapped", "A row is (theta1, theta2).", lambda tip: _right(tip)[:, ::-1]),
-        Mistake("rows and columns are swapped", "One solution a row.", lambda tip: _right(tip).T),
-        Mistake("the angles are in degrees", "Angles are in radians.", lambda tip: np.rad2deg(_right(tip))),
-    ),
     library=_right,
     hints=(
         "Base, elbow and tip form a triangle with two sides of 1 m. The law of cosines, with the squared distance "
@@ -165,3 +90,52 @@ EXERCISE = Exercise(
     alike=_same,
     forbidden=("course_lib.ik.solve",),
 )
+
+
+def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
+    """Both solutions with this theta2; first(direction of the tip, theta2) is another formula of theta1."""
+    return np.array([[first(np.arctan2(tip[1], tip[0]), sign * two), sign * two] for sign in (1, -1)])
+
+
+@EXERCISE.mistake(row=(0, 1))
+def theta1_once(tip, row):
+    """theta1 is the same for both elbows. If the elbow bends to the other side, where does the first link point?"""
+    angles = _right(tip)
+    angles[:, 0] = angles[row, 0]
+    return angles
+
+
+@EXERCISE.mistake(first=(lambda direction, two: direction, lambda direction, two: direction - two))
+def first_link_wrong(tip, first):
+    """theta1 is the direction of the tip, or that less the whole of theta2. In the triangle of base, elbow and tip
+    two sides are equal: how large is the angle at the base?"""
+    return _solutions(tip, _bend(tip), first)
+
+
+@EXERCISE.mistake
+def correction_negated(tip):
+    """the correction of theta1 has its sign changed. If the elbow bends to the left, on which side of the tip does
+    the first link point?"""
+    return _solutions(tip, _bend(tip), lambda direction, two: direction + two / 2)
+
+
+@EXERCISE.mistake
+def arctan(tip):
+    """arctan is used, which does not tell a direction from its opposite. arctan(y / x) is the same for (x, y) and
+    (-x, -y)."""
+    return _solutions(tip, _bend(tip), lambda direction, two: np.arctan(np.tan(direction)) - two / 2)
+
+
+@EXERCISE.mistake(theta1_too=(True, False))
+def inside_the_triangle(tip, theta1_too):
+    """theta2 is the angle inside the triangle. Draw the triangle of base, elbow and tip: where in it does theta2
+    stand?"""
+    angles = _solutions(tip, np.pi - _bend(tip))
+    return angles if theta1_too else np.column_stack([_right(tip)[:, 0], angles[:, 1]])
+
+
+@EXERCISE.mistake(cosine=(lambda d: (np.sqrt(d) - 2) / 2, lambda d: d - 2, lambda d: (d - 1) / 2, lambda d: d / 2))
+def law_of_cosines(tip, cosine):
+    """the law of cosines has a wrong number, or the distance where its square belongs. Which cosine has theta2 for
+    the tip (1, 1), where the elbow is a right angle?"""
+    return _solutions(tip, np.arccos(np.clip(cosine(tip @ tip), -1, 1)))
