@@ -42,7 +42,7 @@ def boolean(value, *case):
 
 
 def numbers(shape_of, known=None, gaps=False, nan=None):
-    """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,).
+    """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,), and an array with one entry as a number.
 
     Parameters
     ----------
@@ -76,7 +76,8 @@ def numbers(shape_of, known=None, gaps=False, nan=None):
         shape = tuple(shape_of(*case))
         array = _array(value, f"an array of shape {shape}")
         vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
-        if array.shape != shape and not vectors:
+        number = shape == () and array.size == 1
+        if array.shape != shape and not vectors and not number:
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
             mistake = _named(known, array, case)
             raise Unreadable(reason, mistake, unspecific=mistake is OTHER_FORM)

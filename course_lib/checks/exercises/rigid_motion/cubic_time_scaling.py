@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.rigid_motion.wrap_angle import as_numbers
 from course_lib.planar import cubic_time_scaling, quintic_time_scaling
 
 
@@ -86,7 +86,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("t", "T", "s0", "s1", "v0", "v1"),
     cases=_cases,
-    returns=as_numbers(lambda t, *ends: np.shape(t)),
+    returns=numbers(lambda t, *ends: np.shape(t)),
     properties=(
         Property("at t = 0 the value is s0", _at(lambda T: 0, 0), says=_found_at(lambda T: 0), where=_has(lambda T: 0)),
         Property("at t = T the value is s1", _at(lambda T: T, 1), says=_found_at(lambda T: T), where=_has(lambda T: T)),

@@ -9,17 +9,6 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import wrap_angle
 
 
-def as_numbers(shape_of):
-    """Return a reader like answer_types.numbers, which takes an array of one entry for a number too."""
-    read = numbers(shape_of)
-
-    def reader(value, *case):
-        one = isinstance(value, np.ndarray) and value.size == 1 and shape_of(*case) == ()
-        return read(value.reshape(()) if one else value, *case)
-
-    return reader
-
-
 def _cases(rng):
     named = [0.0, 1.0, -2.5, 3.0, 6.0, -6.0, 4, -4, 3.2, -3.2, 8.0, -8.0, 10.0, -10.0]
     exact = [REVOLUTION, -REVOLUTION, np.pi, -np.pi, 3 * np.pi, -3 * np.pi, np.pi / 2, 3.5 * np.pi]
@@ -47,7 +36,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("angle",),
     cases=_cases,
-    returns=as_numbers(np.shape),
+    returns=numbers(np.shape),
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",

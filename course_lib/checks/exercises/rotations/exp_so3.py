@@ -44,7 +44,12 @@ EXERCISE = Exercise(
         "At a = 0 there is no axis: treat that case first, before you divide.",
         "R = I + sin(a) [n] + (1 - cos(a)) [n]^2, with [n] = hat(n) and the matrix product for the square.",
     ),
-    forbidden=("course_lib.rotations.exp_so3", "course_lib.rigid.exp_se3", "scipy.spatial.transform.Rotation"),
+    forbidden=(
+        "course_lib.rotations.exp_so3",
+        "course_lib.rigid.exp_se3",
+        "course_lib.arms.SerialArm",
+        "scipy.spatial.transform.Rotation",
+    ),
 )
 
 
