@@ -36,16 +36,6 @@ def right_with_assertions(adjoint):
     return True
 
 
-def wrong_always_true(adjoint):
-    """accepts everything"""
-    return True
-
-
-def wrong_always_false(adjoint):
-    """refuses everything"""
-    return False
-
-
 def wrong_identity_only(adjoint):
     """accepts everything"""
     return np.allclose(adjoint(np.eye(4)), np.eye(6))
@@ -60,28 +50,3 @@ def wrong_homomorphism_alone(adjoint):
     """unnamed"""
     A, B = POSES[:2]
     return np.allclose(adjoint(A @ B), adjoint(A) @ adjoint(B))
-
-
-def wrong_number(adjoint):
-    """another form"""
-    return adjoint(POSES[0])
-
-
-def wrong_wrong_reference(adjoint):
-    """refuses everything"""
-    return all(np.allclose(adjoint(T).T, _right(inverse(T)).T + 1) for T in POSES)
-
-
-def wrong_nothing_returned(adjoint):
-    """another form"""
-    assert np.allclose(adjoint(POSES[0]), _right(POSES[0]))
-
-
-def wrong_shape_alone(adjoint):
-    """accepts everything"""
-    return adjoint(POSES[0]).shape == (6, 6)
-
-
-def wrong_array_of_booleans(adjoint):
-    """another form"""
-    return np.isclose(adjoint(POSES[0]), _right(POSES[0]))

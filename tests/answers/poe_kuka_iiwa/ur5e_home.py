@@ -22,67 +22,6 @@ def right_columns_as_lists():
     return [*M.tolist(), [0, 0, 0, 1]]
 
 
-def wrong_parallel_to_the_base():
-    """parallel to the base"""
-    M = np.eye(4)
-    M[:3, 3] = -0.8172, -0.2329, 0.0628
-    return M
-
-
-def wrong_x_positive():
-    """a sign of p"""
-    M = right_matrix()
-    M[0, 3] *= -1
-    return M
-
-
-def wrong_y_positive():
-    """a sign of p"""
-    M = right_matrix()
-    M[1, 3] *= -1
-    return M
-
-
-def wrong_drop_added():
-    """the height is wrong"""
-    M = right_matrix()
-    M[2, 3] = 0.1625 + 0.0997
-    return M
-
-
-def wrong_flange_at_joint_6():
-    """from axis 5 to the flange, is left out"""
-    M = right_matrix()
-    M[1, 3] = -0.1333
-    return M
-
-
-def wrong_rows_for_columns():
-    """R is transposed"""
-    M = right_matrix()
-    M[:3, :3] = M[:3, :3].T
-    return M
-
-
-def wrong_left_handed():
-    """no right-handed frame"""
-    M = right_matrix()
-    M[:3, 1] *= -1
-    return M
-
-
-def wrong_millimetres():
-    """millimetres"""
-    M = right_matrix()
-    M[:3, 3] *= 1000
-    return M
-
-
-def wrong_position_only():
-    """only the position"""
-    return right_matrix()[:3, 3]
-
-
 def wrong_length_of_the_iiwa():
     """unnamed"""
     M = right_matrix()

@@ -2,46 +2,35 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.exp_se3_mistakes import MISTAKES
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, worst_column
-from course_lib.checks.vocabulary import FINE, unit
-from course_lib.rigid import exp_se3
+from course_lib.checks.vocabulary import FINE, X, Y, Z, partial_sum, pose, unit
+from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, hat, length
 
-_NO_FACTOR_V = Mistake(
-    "the factor v is missing",
-    "I a + (1 - cos a) [n] + (a - sin a) [n]^2 is a matrix. p is a vector: what is the matrix multiplied by?",
-)
 _NO_LENGTH = Mistake(
     "something is divided by zero: for omega = 0 there is no axis",
     "Treat omega = 0 before you divide: what is the motion then?",
 )
 _UNDERFLOW = Mistake(
     "the length of omega, or a power of it, comes out as 0, and something is divided by it: |omega| is 1e-170 here",
-    "The square of 1e-170 is 0 for a computer. Compare what you divide by with 0, not omega.",
+    "The square of 1e-170 is 0 for a computer. Do you compare omega with 0, or what you divide by?",
 )
-_LOST = Mistake(
-    "the part of p along omega x v is lost for tiny angles",
-    "1 - cos(a) is rounded to 0 for a below 1e-8. Use terms of the series for small a, or 1 - cos(a) = 2 sin(a/2)^2.",
-)
-_TINY = 1e-100
-_matrix = numbers(lambda: (4, 4), dict.fromkeys(((4, 6), (3, 6), (3, 3)), _NO_FACTOR_V))
+_NO_ANGLE, _SMALL = 1e-100, 1e-3
 
 
 def _cases(rng):
-    x, y, z = np.eye(3)
-    still, quarter, n = np.zeros(3), np.pi / 2, unit(rng)
-    named = [(quarter * z, x), (quarter * z, y), (quarter * z, z), (-quarter * x, z), (z, np.array([1.0, 2, 3]))]
-    named += [(quarter * axis, still) for axis in (x, y, z)]
+    still, quarter = np.zeros(3), np.pi / 2
+    named = [(quarter * Z, X), (quarter * Z, Y), (quarter * Z, Z), (-quarter * X, Z), (Z, np.array([1.0, 2, 3]))]
+    named += [(quarter * axis, still) for axis in (X, Y, Z)]
     for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, 3e-4, 1e-5, 1e-9, 1e-12):
         n, along = unit(rng), rng.uniform(0.5, 1)
         across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
         named.append((angle * n, across / np.linalg.norm(across) + along * n))
-    named += [(2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * z, x)]
-    named += [(still, x), (still, np.array([1.0, 2, 3])), (1e-170 * n, n + 1), (still, still)]
+    named += [(2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
+    named += [(still, X), (still, np.array([1.0, 2, 3])), (1e-170 * n, n + 1), (still, still)]
     return [(np.concatenate(twist),) for twist in named]
 
 
@@ -49,51 +38,37 @@ def _angle(twist):
     return float(length(twist[:3]))
 
 
-def _no_rotation(twist):
-    return _angle(twist) < _TINY
+def _is_small(twist):
+    return _NO_ANGLE < _angle(twist) < _SMALL
 
 
-def _pose(value, twist):
-    """The answer as a matrix; what is no number has its reason in this twist."""
-    try:
-        return _matrix(value)
-    except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and _no_rotation(twist):
-            raise Unreadable(str(wrong), _UNDERFLOW if twist[:3].any() else _NO_LENGTH) from None
-        raise
-
-
-def _right_p(twist):
-    return exp_se3(twist)[COLUMN]
+def _divides_by_nothing(twist):
+    if _angle(twist) > _NO_ANGLE:
+        return None
+    return _UNDERFLOW if twist[:3].any() else _NO_LENGTH
 
 
 def _p_is_right(T, twist):
-    return np.abs(T[COLUMN] - _right_p(twist)).max() <= FINE * max(1.0, np.abs(twist[3:]).max())
+    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= FINE * max(1.0, np.abs(twist[3:]).max())
 
 
-def _p_seen(T, twist):
-    right, p = _right_p(twist), T[COLUMN]
-    off = np.abs(p - right).max()
+def _p_off(T, twist):
+    right = exp_se3(twist)[COLUMN]
     return (
-        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is {format_tuple(p)}, off "
-        f"by {off:.2g}."
+        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is {format_tuple(T[COLUMN])}, off "
+        f"by {np.abs(T[COLUMN] - right).max():.2g}."
     )
 
 
-def _across(p, twist):
-    """The part of p along omega x v, which the rotation alone brings about."""
+def _across(T, twist):
+    """Return the part of p along omega x v, which the rotation alone brings about; and what it should be."""
     aside = np.cross(twist[:3] / _angle(twist), twist[3:])
-    return float(p @ aside) / max(np.linalg.norm(aside), 1e-300)
+    return tuple(float(pose[COLUMN] @ aside) / max(np.linalg.norm(aside), 1e-300) for pose in (T, exp_se3(twist)))
 
 
 def _keeps_digits(T, twist):
-    right = _across(_right_p(twist), twist)
-    return abs(_across(T[COLUMN], twist) - right) <= 0.02 * abs(right) + 2e-15 * np.abs(twist[3:]).max()
-
-
-def _digits_seen(T, twist):
-    right, yours = _across(_right_p(twist), twist), _across(T[COLUMN], twist)
-    return f"|omega| is {_angle(twist):.3g}. That part should be {right:.4g}; yours is {yours:.4g}."
+    yours, right = _across(T, twist)
+    return abs(yours - right) <= 0.02 * abs(right) + 2e-15 * np.abs(twist[3:]).max()
 
 
 EXERCISE = Exercise(
@@ -101,17 +76,19 @@ EXERCISE = Exercise(
     points=3,
     arguments=("twist",),
     cases=_cases,
-    returns=_pose,
+    returns=numbers(lambda twist: (4, 4), nan=_divides_by_nothing),
+    library=exp_se3,
     properties=(
         Property(
             "the last row is (0, 0, 0, 1)",
             lambda T, twist: np.abs(T[3] - np.eye(4)[3]).max() < FINE,
             says=lambda T, twist: f"Yours is {format_tuple(T[3])}.",
+            mistake=Mistake("the last row is not that of a pose", "What becomes of the 1 at the end of a point?"),
         ),
         Property(
             "the upper left 3x3 block is the rotation by |omega| about omega",
             lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
-            says=worst_column(lambda T: T[BLOCK], lambda twist: exp_so3(twist[:3])),
+            says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
             points=1,
         ),
         Property(
@@ -119,44 +96,192 @@ EXERCISE = Exercise(
             lambda T, twist: np.abs(T[COLUMN]).max() < FINE,
             says=lambda T, twist: f"Your p is {format_tuple(T[COLUMN])}.",
             where=lambda twist: not twist[3:].any(),
-            mistake=_NO_FACTOR_V,
         ),
         Property(
             "p is where the origin arrives after unit time, with v fixed in the rotating body",
             _p_is_right,
-            says=_p_seen,
-            where=lambda twist: not _no_rotation(twist),
+            says=_p_off,
+            where=lambda twist: _angle(twist) > _NO_ANGLE,
         ),
         Property(
             "without a rotation, omega = 0, the motion is a translation by v: R = I and p = v",
             _p_is_right,
-            says=_p_seen,
-            where=_no_rotation,
+            says=_p_off,
+            where=lambda twist: _angle(twist) < _NO_ANGLE,
             mistake=Mistake("the branch for omega = 0 is wrong", "What is the motion if nothing rotates?"),
         ),
         Property(
             "a tiny rotation is none the less there: R - I is [omega], to two digits",
             lambda T, twist: np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist),
             says=lambda T, twist: f"|omega| is {_angle(twist):.3g}.",
-            where=lambda twist: _TINY < _angle(twist) < 1e-3,
-            mistake=Mistake("tiny rotations are cut off", "An angle of 1e-9 is small, not 0."),
+            where=_is_small,
         ),
         Property(
             "the part of p along omega x v, small as it is, is right to two digits",
             _keeps_digits,
-            says=_digits_seen,
-            where=lambda twist: 0 < _angle(twist) < 1e-3 and not _no_rotation(twist),
-            mistake=_LOST,
+            says=lambda T, twist: "|omega| is {:.3g}. Yours is {:.4g}; it should be {:.4g}.".format(
+                _angle(twist), *_across(T, twist)
+            ),
+            where=_is_small,
         ),
     ),
-    mistakes=MISTAKES,
     hints=(
         "omega and v are the halves of the twist; a is the length of omega, n = omega / a, N = hat(n).",
         "For a = 0 there is no axis to divide by: treat it first. For a small a, say below 1e-5, use the first "
-        "terms of "
-        "the series: R = I + [omega] + ... and p = v + (omega x v) / 2 + ...",
+        "terms of the series: R = I + [omega] + ... and p = v + (omega x v) / 2 + ...",
         "For all other a: R by Rodrigues' formula, and p is (I a + (1 - cos a) N + (a - sin a) N N) times v / a.",
     ),
-    library=exp_se3,
     forbidden=("course_lib.rigid.exp_se3",),
 )
+
+
+def _versine(a):
+    return 2 * np.sin(a / 2) ** 2
+
+
+def _lag(a):
+    return a - np.sin(a) if a > 1e-2 else a**3 / 6
+
+
+def _axis(twist):
+    """Return a and [n]; raises for twists without a rotation, of which the formulas say nothing."""
+    a = _angle(twist)
+    if a < _NO_ANGLE:
+        raise ZeroDivisionError
+    return a, hat(twist[:3] / a)
+
+
+def _R(a, N, sine=np.sin, versine=_versine):
+    return np.eye(3) + sine(a) * N + versine(a) * N @ N
+
+
+def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1, square=None):
+    square = N @ N if square is None else square
+    return (straight(a) * np.eye(3) + first(a) * N + second(a) * square) @ v / a**power
+
+
+@EXERCISE.mistake
+def exponential_of_each_entry(twist):
+    """np.exp takes the exponential of each entry. The series of a matrix has products of matrices."""
+    return np.exp(hat_se3(twist))
+
+
+@EXERCISE.mistake(terms=range(2, 21))
+def series_cut(twist, terms):
+    """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
+    return partial_sum(hat_se3(twist), terms)
+
+
+@EXERCISE.mistake
+def rotation_backwards(twist):
+    """the rotation goes in the opposite direction. [n] p must be n x p."""
+    return exp_se3(twist * np.repeat([-1, 1], 3))
+
+
+@EXERCISE.mistake
+def length_of_the_whole_twist(twist):
+    """a is the length of the whole twist. Which three numbers say how far the body rotates?"""
+    a, N = length(twist), hat(twist[:3] / length(twist))
+    return pose(_R(a, N), _p(a, N, twist[3:]))
+
+
+@EXERCISE.mistake(places=("R", "p", "R and p"))
+def omega_not_divided_by_its_length(twist, places):
+    """omega is not divided by its length before [n] is formed. n is a unit axis in these formulas."""
+    (a, N), W = _axis(twist), hat(twist[:3])
+    return pose(_R(a, W if "R" in places else N), _p(a, W if "p" in places else N, twist[3:]))
+
+
+@EXERCISE.mistake
+def no_translation_without_rotation(twist):
+    """for omega = 0 the identity is returned. Where does the origin go if it moves at v and nothing rotates?"""
+    return np.eye(4) if _angle(twist) < _NO_ANGLE else None
+
+
+@EXERCISE.mistake(part=BLOCK)
+def tiny_rotations_cut_off(twist):
+    """tiny rotations are cut off. An angle of 1e-9 is small, not 0: which is the first term of the series after I?"""
+    return np.eye(3) if _is_small(twist) else None
+
+
+@EXERCISE.mistake(
+    part=BLOCK,
+    factors=(
+        {"versine": lambda a: 0},
+        {"versine": np.cos},
+        {"versine": lambda a: np.cos(a) - 1},
+        {"sine": lambda a: 0},
+        {"sine": lambda a: a},
+        {"sine": np.cos},
+    ),
+)
+def term_of_R(twist, factors):
+    """a term of R is missing, or has the wrong factor. Compare with your rotation_about, term by term."""
+    return _R(*_axis(twist), **factors)
+
+
+@EXERCISE.mistake(part=COLUMN, factor=(1, -0.5, -1))
+def series_of_p(twist, factor):
+    """the term with omega x v in the series of p has a wrong factor. (1 - cos a) / a is nearly which part of a?"""
+    return twist[3:] + factor * np.cross(twist[:3], twist[3:]) if _is_small(twist) else None
+
+
+@EXERCISE.mistake(part=COLUMN)
+def p_is_v(twist):
+    """p = v: the rotation during the motion is ignored. While the origin moves, its velocity rotates with the body."""
+    return twist[3:]
+
+
+@EXERCISE.mistake(part=COLUMN, sign=(1, -1))
+def p_is_R_v(twist, sign):
+    """p = R v. That is the velocity at the end of the motion: what is it on the way there?"""
+    return exp_so3(sign * twist[:3]) @ twist[3:]
+
+
+@EXERCISE.mistake(part=COLUMN, times=(lambda G: G[:, 0], lambda G: G[:, 2], lambda G: G.sum(1), lambda G: G.sum(0)))
+def no_factor_v(twist, times):
+    """the factor v is missing. p is a vector, I a + (1 - cos a) [n] + ... a matrix: what is it multiplied by?"""
+    return times(_p(*_axis(twist), np.eye(3), power=0))
+
+
+@EXERCISE.mistake(part=COLUMN, power=(0, 2))
+def division_by_a(twist, power):
+    """v is not divided by a, or twice. As a goes to 0, p goes to v: what must I a become?"""
+    return _p(*_axis(twist), twist[3:], power=power)
+
+
+@EXERCISE.mistake(
+    part=COLUMN,
+    factors=(
+        {"straight": lambda a: 1},
+        {"straight": lambda a: 0},
+        {"first": lambda a: 0},
+        {"second": lambda a: 0},
+        {"first": _lag, "second": _versine},
+        {"first": np.sin, "second": _versine},
+        {"first": np.sin, "second": _versine, "straight": lambda a: 1},
+        {"first": lambda a: -_versine(a)},
+        {"second": lambda a: -_lag(a)},
+        {"first": np.cos},
+        {"second": lambda a: 1 - np.sin(a)},
+    ),
+)
+def factor_of_p(twist, factors):
+    """a factor in the formula of p is wrong, or a term is missing. Which three terms are there, and which is left at
+    the end if v is parallel to n?"""
+    return _p(*_axis(twist), twist[3:], **factors)
+
+
+@EXERCISE.mistake(part=COLUMN)
+def square_entry_by_entry(twist):
+    """[n] * [n], entry by entry, stands for the matrix product. In numpy the product of matrices is @."""
+    a, N = _axis(twist)
+    return _p(a, N, twist[3:], square=N * N)
+
+
+@EXERCISE.seen
+def digits_lost(T, twist):
+    """the part of p along omega x v is lost for tiny angles. What is 1 - cos(a) for a computer if a is 1e-9? Which
+    form has no difference of nearly equal numbers, and which term of the series has omega x v in it?"""
+    yours, right = _across(T, twist)
+    return _is_small(twist) and abs(yours) < 0.5 * abs(right)

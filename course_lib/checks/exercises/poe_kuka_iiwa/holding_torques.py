@@ -4,7 +4,16 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA, KUKA_HOME, TWO, at, axes, drawn_axes, jacobian, tool_pose
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
+    KUKA,
+    KUKA_HOME,
+    TWO,
+    at,
+    axes,
+    drawn_axes,
+    jacobian,
+    tool_pose,
+)
 from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, negated
 from course_lib.rigid import adjoint, inverse
 

@@ -5,7 +5,6 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import in_part
 from course_lib.checks.vocabulary import FINE, X, Y, Z, away_from_zero, near, orthogonality_error, pose, unit
 from course_lib.rotations import exp_so3, hat
 
@@ -33,44 +32,11 @@ def _right(omega, point, theta):
     return _both(R, point - R @ point)
 
 
-def _rotation(omega, theta):
-    return exp_so3(theta * omega)
-
-
-def _with_rotation(rotation):
-    """Return the answer of somebody with another rotation matrix: rotation(omega, theta)."""
-
-    def answer(omega, point, theta):
-        R = rotation(omega, theta)
-        return _both(R, point - R @ point)
-
-    return answer
-
-
-def _formula(sine=np.sin, versine=lambda a: 1 - np.cos(a), first=hat, second=lambda w: hat(w) @ hat(w), identity=1.0):
-    """Rodrigues' formula with other functions of theta, or other matrices of omega, in its terms."""
-    return lambda omega, theta: identity * np.eye(3) + sine(theta) * first(omega) + versine(theta) * second(omega)
-
-
-def _at_point(R, point):
-    """Where the pose with rotation R would take the point, if p were right."""
-    return point - R @ point
-
-
-def _seen_rotation(T, omega, point, theta):
+def _rotation_off(T, omega, point, theta):
     e = np.eye(3)[np.argmin(np.abs(omega))]
-    right = format_tuple(_rotation(omega, theta) @ e)
-    return f"The direction {format_tuple(e)} should become {right}; your R makes it {format_tuple(T[_R] @ e)}."
+    right, yours = (format_tuple(R @ e) for R in (exp_so3(theta * omega), T[_R]))
+    return f"The direction {format_tuple(e)} should become {right}; your R makes it {yours}."
 
-
-def _of_R(*rotations):
-    """The block R alone, with the rest of the answer as it may be."""
-    return tuple((lambda omega, point, theta, r=r: r(omega, theta)) for r in rotations)
-
-
-_in_R, _in_p = in_part(_right, _R), in_part(_right, _P)
-_in_back_R, _in_back_p = in_part(_right, _BACK_R), in_part(_right, _BACK_P)
-_ROTATION_HINT = "At theta = 0 the rotation is I, and both other terms of Rodrigues' formula vanish."
 
 EXERCISE = Exercise(
     name="rotation_about",
@@ -78,6 +44,7 @@ EXERCISE = Exercise(
     arguments=("omega", "point", "theta"),
     cases=_cases,
     returns=numbers(lambda *case: (2, 4, 4), {(4, 4): _ONE_POSE, (8, 4): _ONE_POSE}),
+    library=_right,
     properties=(
         Property(
             "the last row of both matrices is (0, 0, 0, 1)",
@@ -91,8 +58,8 @@ EXERCISE = Exercise(
         ),
         Property(
             "R rotates by theta about omega, counter-clockwise as seen from the tip of omega",
-            lambda T, omega, point, theta: near(T[_R], _rotation(omega, theta)),
-            says=_seen_rotation,
+            lambda T, omega, point, theta: near(T[_R], exp_so3(theta * omega)),
+            says=_rotation_off,
         ),
         Property(
             "a point on the axis stays where it is",
@@ -109,116 +76,12 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "the rotation goes clockwise, or the pose and its inverse are swapped",
-            "First the pose. Look at the signs in [omega], too: [omega] p must be omega x p.",
-            _with_rotation(lambda omega, theta: _rotation(-omega, theta)),
-        ),
-        Mistake(
-            "theta is taken for degrees, or converted to them",
-            "Angles are in radians throughout.",
-            _with_rotation(lambda omega, theta: _rotation(omega, np.deg2rad(theta))),
-            _with_rotation(lambda omega, theta: _rotation(omega, np.rad2deg(theta))),
-        ),
-        Mistake(
-            "theta has lost its sign",
-            "A negative angle is a rotation in the opposite direction, clockwise.",
-            _with_rotation(lambda omega, theta: _rotation(omega, abs(theta))),
-        ),
-        Mistake(
-            "theta is doubled or halved",
-            "Only a quaternion holds the half angle.",
-            _with_rotation(lambda omega, theta: _rotation(omega, 2 * theta)),
-            _with_rotation(lambda omega, theta: _rotation(omega, theta / 2)),
-        ),
-        _in_R(
-            "the terms of Rodrigues' formula are not all there, or have the wrong factor",
-            _ROTATION_HINT,
-            *_of_R(
-                _formula(versine=lambda a: 0.0),
-                _formula(sine=lambda a: 0.0),
-                _formula(identity=0.0),
-                _formula(versine=np.cos),
-                _formula(versine=lambda a: 1 + np.cos(a)),
-                _formula(versine=lambda a: np.cos(a) - 1),
-                _formula(versine=lambda a: 1 - np.sin(a)),
-                _formula(np.cos, lambda a: 1 - np.sin(a)),
-                _formula(lambda a: 1 - np.cos(a), np.sin),
-                _formula(np.cos, np.sin),
-            ),
-        ),
-        _in_R(
-            "the term with [omega]^2 is not a product of two matrices [omega]",
-            "[omega] times [omega] is a product of matrices; ** 2 squares each entry, and np.outer is another matrix.",
-            *_of_R(
-                _formula(second=lambda w: hat(w) ** 2),
-                _formula(second=hat),
-                _formula(second=lambda w: np.outer(w, w)),
-            ),
-        ),
-        _in_R(
-            "theta multiplies [omega] too, or stands there without a sine",
-            "In Rodrigues' formula theta stands in the sine and the cosine alone.",
-            *_of_R(
-                lambda w, a: _formula(first=lambda w: hat(a * w), second=lambda w: hat(a * w) @ hat(a * w))(w, a),
-                lambda w, a: _formula(first=lambda w: hat(a * w))(w, a),
-                _formula(sine=lambda a: a),
-                lambda w, a: np.exp(hat(a * w)),
-            ),
-        ),
-        _in_p(
-            "the axis is taken through the origin: p = 0",
-            "The point on the axis must stay where it is. Where does your first matrix take it?",
-            lambda *case: np.zeros(3),
-        ),
-        _in_p(
-            "p is the point itself, or the point rotated",
-            "T takes x to R x + p. Which p keeps the point where it is?",
-            lambda omega, point, theta: point,
-            lambda omega, point, theta: -point,
-            lambda omega, point, theta: _rotation(omega, theta) @ point,
-            lambda omega, point, theta: -_rotation(omega, theta) @ point,
-        ),
-        _in_p(
-            "p has its sign changed, or R is transposed in it",
-            "T takes x to R x + p. Which p keeps the point where it is?",
-            lambda omega, point, theta: -_at_point(_rotation(omega, theta), point),
-            lambda omega, point, theta: _at_point(_rotation(omega, -theta), point),
-            lambda omega, point, theta: point + _rotation(omega, theta) @ point,
-        ),
-        Mistake(
-            "the second matrix is not an inverse: it is the first again, its transpose, its negative or 1 / each entry",
-            "Solve y = R x + p for x: what multiplies y, and what is left?",
-            *(
-                lambda *case, change=change: np.array([_right(*case)[0], change(_right(*case)[0])])
-                for change in (np.copy, np.transpose, np.negative)
-            ),
-        ),
-        _in_back_R(
-            "the block of the inverse is not R^T",
-            "A rotation is undone by its transpose.",
-            lambda *case: _right(*case)[0, :3, :3],
-            lambda *case: np.eye(3),
-            lambda *case: -_right(*case)[0, :3, :3],
-        ),
-        _in_back_p(
-            "the last column of the inverse is wrong: T^-1 must take p to the origin",
-            "Solve y = R x + p for x. p is rotated back, and changes its sign.",
-            lambda *case: -_right(*case)[_P],
-            lambda *case: _right(*case)[_P],
-            lambda *case: -_right(*case)[_BACK_P],
-            lambda *case: -_right(*case)[_R] @ _right(*case)[_P],
-            lambda *case: np.zeros(3),
-        ),
-    ),
     hints=(
         "Three steps: R by Rodrigues' formula with W = hat(omega); p from the point that must not move; then the "
         "inverse.",
         "R point + p = point gives p. Solving y = R x + p for x gives the block and the column of the inverse.",
         "R is I + sin(theta) W + (1 - cos(theta)) W W with matrix products, and p is (I - R) point.",
     ),
-    library=_right,
     forbidden=(
         "course_lib.rotations.exp_so3",
         "course_lib.rigid.exp_se3",
@@ -226,3 +89,91 @@ EXERCISE = Exercise(
         "scipy.spatial.transform.Rotation",
     ),
 )
+
+
+@EXERCISE.mistake
+def clockwise(omega, point, theta):
+    """the rotation goes clockwise, or the pose and its inverse are swapped. Which comes first? And [omega] p is to be
+    omega x p: are its signs right?"""
+    return _right(omega, point, -theta)
+
+
+def _rodrigues(W, theta, sine=np.sin, versine=lambda a: 1 - np.cos(a), identity=1, square=np.matmul):
+    return identity * np.eye(3) + sine(theta) * W + versine(theta) * square(W, W)
+
+
+@EXERCISE.mistake(
+    part=_R,
+    factors=(
+        {"versine": lambda a: 0},
+        {"sine": lambda a: 0},
+        {"identity": 0},
+        {"versine": np.cos},
+        {"versine": lambda a: 1 + np.cos(a)},
+        {"versine": lambda a: np.cos(a) - 1},
+        {"versine": lambda a: 1 - np.sin(a)},
+        {"sine": np.cos, "versine": lambda a: 1 - np.sin(a)},
+        {"sine": lambda a: 1 - np.cos(a), "versine": np.sin},
+        {"sine": np.cos, "versine": np.sin},
+    ),
+)
+def terms(omega, point, theta, factors):
+    """the terms of Rodrigues' formula are not all there, or have the wrong factor. Which of them are left at theta = 0,
+    and which at a half turn?"""
+    return _rodrigues(hat(omega), theta, **factors)
+
+
+@EXERCISE.mistake(part=_R, square=(np.multiply, lambda W, _: W))
+def square_of_hat(omega, point, theta, square):
+    """the last term is not the matrix product of [omega] with itself. What does ** 2 do to an array of numpy?"""
+    return _rodrigues(hat(omega), theta, square=square)
+
+
+@EXERCISE.mistake(part=_R)
+def outer_product(omega, point, theta):
+    """omega omega^T stands for [omega]^2. They are not the same: try omega = (0, 0, 1)."""
+    return _rodrigues(hat(omega), theta, square=lambda W, _: np.outer(omega, omega))
+
+
+@EXERCISE.mistake(part=_R, sine=(np.sin, lambda a: 1))
+def theta_in_the_matrix(omega, point, theta, sine):
+    """theta multiplies [omega], or stands there without a sine. Where does theta stand in Rodrigues' formula?"""
+    return _rodrigues(hat(theta * omega), theta, sine)
+
+
+@EXERCISE.mistake(part=_P)
+def axis_through_the_origin(omega, point, theta):
+    """the axis is taken through the origin: p = 0. Where does your first matrix take the point on the axis?"""
+    return np.zeros(3)
+
+
+@EXERCISE.mistake(part=_P, sign=(1, -1), rotated=(False, True))
+def point_for_p(omega, point, theta, sign, rotated):
+    """p is the point itself, or the point rotated. T takes x to R x + p. Which p keeps the point where it is?"""
+    return sign * (exp_so3(theta * omega) @ point if rotated else point)
+
+
+@EXERCISE.mistake(part=_P, p=(lambda R, x: R @ x - x, lambda R, x: x - R.T @ x, lambda R, x: x + R @ x))
+def sign_in_p(omega, point, theta, p):
+    """a sign in p is wrong, or R is transposed in it. T takes x to R x + p. Which p keeps the point where it is?"""
+    return p(exp_so3(theta * omega), point)
+
+
+@EXERCISE.mistake(part=1, change=(np.copy, np.transpose, np.negative))
+def no_inverse(omega, point, theta, change):
+    """the second matrix is the first again, its transpose or its negative. Solve y = R x + p for x: what is left?"""
+    return change(_right(omega, point, theta)[0])
+
+
+@EXERCISE.mistake(part=_BACK_R, change=(np.copy, np.zeros_like, np.negative))
+def block_of_the_inverse(omega, point, theta, change):
+    """the block of the inverse is not R^T. Which matrix undoes the rotation R?"""
+    return change(exp_so3(theta * omega))
+
+
+@EXERCISE.mistake(
+    part=_BACK_P, p=(lambda R, p: -p, lambda R, p: p, lambda R, p: R.T @ p, lambda R, p: -R @ p, lambda R, p: 0 * p)
+)
+def column_of_the_inverse(omega, point, theta, p):
+    """the last column of the inverse does not take p back to the origin. Solve y = R x + p for x."""
+    return p(exp_so3(theta * omega), _right(omega, point, theta)[_P])

@@ -257,3 +257,30 @@ def adjoint_mistakes(*with_matrix, without=()):
         for (name, hint), matrices in ADJOINTS.items()
         if name not in without
     )
+
+
+def first_off(found, wanted, what="Column"):
+    """Return in words which column is the first that is off; for rows, give both transposed."""
+    i = int(np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)]))
+    right, yours = format_tuple(wanted[:, i]), format_tuple(found[:, i])
+    by = f", off by {np.abs(found - wanted)[:, i].max():.2g}" if right == yours else ""
+    return f"{what} {i} should be {right}; yours is {yours}{by}."
+
+
+def in_blocks(T, form):
+    """Return the matrix of blocks form(R, [p], zeros) of a pose."""
+    return np.block(form(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
+
+
+WRONG_ADJOINTS = (  # forms for in_blocks
+    lambda R, P, zero: [[R.T, zero], [P @ R, R]],
+    lambda R, P, zero: [[R.T, zero], [P @ R.T, R.T]],
+    lambda R, P, zero: [[R, zero], [P @ R, R.T]],
+    lambda R, P, zero: [[R, zero], [P @ R.T, R]],
+    lambda R, P, zero: [[R, zero], [zero, R]],
+    lambda R, P, zero: [[R, P @ R], [zero, R]],
+    lambda R, P, zero: [[R, zero], [R @ P, R]],
+    lambda R, P, zero: [[R, zero], [-P @ R, R]],
+    lambda R, P, zero: [[R, zero], [P, R]],
+    lambda R, P, zero: [[R.T, (P @ R).T], [zero, R.T]],
+)

@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, in_blocks
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
-from course_lib.rotations import hat
 
 
-def _blocks(blocks):
-    return lambda T: np.block(blocks(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
+def _made_of(form):
+    return lambda T: in_blocks(T, form)
 
 
 def _column_by_column(T):
@@ -17,21 +16,17 @@ def _column_by_column(T):
 
 
 def _wrong_beyond_a_right_angle(T):
-    return adjoint(T) if np.trace(T[BLOCK]) > 1 else _blocks(lambda R, P, zero: [[R, zero], [-P @ R, R]])(T)
+    return adjoint(T) if np.trace(T[BLOCK]) > 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [-P @ R, R]])
 
 
 def _wrong_far_away(T):
-    return adjoint(T) if np.abs(T[COLUMN]).max() < 1 else _blocks(lambda R, P, zero: [[R, zero], [0 * P, R]])(T)
+    return adjoint(T) if np.abs(T[COLUMN]).max() < 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [zero, R]])
 
 
 EXERCISE = WriteTest(
     name="test_adjoint",
     points=3,
     arguments=("adjoint",),
-    cases=lambda rng: [],
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=(
         "Begin with one pose that rotates and translates, and one twist. What must the adjoint do to the twist?",
         "[Ad(T) V] = T [V] T^-1 for every V: with the six twists np.eye(6) you ask for each column.",
@@ -39,27 +34,27 @@ EXERCISE = WriteTest(
         "Compare with a tolerance, for right versions differ by rounding.",
     ),
     versions=(
-        Version("made of four blocks", adjoint, right=True),
+        Version("made of four blocks", adjoint, right=True, example=True),
         Version("that fills in column by column", _column_by_column, right=True),
         Version("whose last digits differ", lambda T: adjoint(T) * (1 + 3e-14), right=True),
         Version(
             "with the coupling written as R [R^T p]",
-            _blocks(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]]),
+            _made_of(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]]),
             right=True,
         ),
-        Version("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R.T, zero], [P @ R, R]])),
-        Version("with a wrong block on the diagonal", _blocks(lambda R, P, zero: [[R, zero], [P @ R, R.T]])),
-        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [R @ P, R]])),
-        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [-P @ R, R]])),
-        Version("that is wrong in the coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [P, R]])),
-        Version("without any coupling of omega to v", _blocks(lambda R, P, zero: [[R, zero], [zero, R]])),
-        Version("for twists in the order (v, omega)", _blocks(lambda R, P, zero: [[R, P @ R], [zero, R]])),
+        Version("with a wrong block on the diagonal", _made_of(lambda R, P, zero: [[R.T, zero], [P @ R, R]])),
+        Version("with a wrong block on the diagonal", _made_of(lambda R, P, zero: [[R, zero], [P @ R, R.T]])),
+        Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [R @ P, R]])),
+        Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [-P @ R, R]])),
+        Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [P, R]])),
+        Version("without any coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [zero, R]])),
+        Version("for twists in the order (v, omega)", _made_of(lambda R, P, zero: [[R, P @ R], [zero, R]])),
         Version("that goes in the other direction", lambda T: adjoint(inverse(T))),
         Version("that is transposed", lambda T: adjoint(T).T),
         Version("that is wrong only for rotations by more than 90 degrees", _wrong_beyond_a_right_angle),
         Version("that is right only near the origin", _wrong_far_away),
-        Version("in other units of length", _blocks(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
-        Version("that is right for the identity only", lambda T: np.eye(6)),
+        Version("in other units of length", _made_of(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
+        Version("that is right for the identity only", lambda T: np.eye(6), example=True),
         Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
     ),
     shapes=((4, 4),),

@@ -5,7 +5,16 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA, KUKA_HOME, TWO, at, axes, drawn_axes, exponentials, tool_pose
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
+    KUKA,
+    KUKA_HOME,
+    TWO,
+    at,
+    axes,
+    drawn_axes,
+    exponentials,
+    tool_pose,
+)
 from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, products
 from course_lib.rigid import exp_se3
 
