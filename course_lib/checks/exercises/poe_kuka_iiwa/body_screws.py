@@ -3,8 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     ELBOW,
     KUKA,
@@ -13,17 +12,16 @@ from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     TWO,
     WHOLE,
     WHOLE_HOME,
-    adjoint_mistakes,
+    WRONG_ADJOINTS,
     at,
     axes,
     drawn_axes,
-    whole_screws,
+    first_off,
+    in_blocks,
 )
-from course_lib.checks.vocabulary import X, any_pose, few_digits, halves_swapped, near
+from course_lib.checks.vocabulary import X, any_pose, near
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
-
-_TRANSPOSED = Mistake("rows and columns are swapped", "One axis a row: the shape is (n, 6), as of screws.")
 
 
 def _cases(rng):
@@ -45,65 +43,55 @@ def _right(screws, M):
     return screws @ adjoint(inverse(M)).T
 
 
-def _by(matrix):
-    """Return the answer of somebody with another matrix: matrix(M)."""
-    return lambda screws, M: screws @ matrix(M).T
-
-
-def _seen(B, screws, M):
-    right = _right(screws, M)
-    i = int(np.argmax(np.abs(B - right).max(1)))
-    return f"Row {i} should be {format_tuple(right[i])}; yours is {format_tuple(B[i])}."
-
-
 EXERCISE = Exercise(
     name="body_screws",
     points=1,
     arguments=("screws", "M"),
     cases=_cases,
-    returns=numbers(
-        lambda screws, M: (len(screws), 6),
-        lambda array, screws, M: _TRANSPOSED if array.shape == (6, len(screws)) else None,
-    ),
+    returns=numbers(lambda screws, M: (len(screws), 6)),
+    library=_right,
     properties=(
         Property(
-            "each row is the screw axis of its joint, seen from the end-effector at home: Ad(M^-1) S_i",
+            "each row is the screw axis of its joint, seen from the end-effector at home",
             lambda B, *case: near(B, _right(*case)),
-            says=_seen,
+            says=lambda B, *case: first_off(B.T, _right(*case).T, "Row"),
         ),
-    ),
-    mistakes=(
-        few_digits(_right),
-        whole_screws(_right),
-        Mistake("the screw axes are returned as they came", "They are seen from the base still.", lambda S, M: S),
-        Mistake(
-            "Ad(M) stands where Ad(M^-1) belongs",
-            "M takes what the end-effector sees to what the base sees. Here you need the opposite direction.",
-            _by(adjoint),
-        ),
-        Mistake(
-            "Ad(M) is transposed where it is to be inverted",
-            "The inverse of a rotation is its transpose; that of an adjoint is not.",
-            _by(lambda M: adjoint(M).T),
-        ),
-        Mistake(
-            "the matrix is multiplied from the wrong side",
-            "A matrix acts on a column. The screw axes are rows.",
-            lambda screws, M: screws @ adjoint(inverse(M)),
-            lambda screws, M: screws @ adjoint(M),
-            shadowed_by="Ad(M) is transposed where it is to be inverted",
-        ),
-        *adjoint_mistakes(
-            lambda wrong: _by(lambda M: wrong(M[:3, :3].T, -M[:3, :3].T @ M[:3, 3])),
-            without=("the adjoint is transposed", "the blocks of the adjoint are in the order (v, omega)"),
-        ),
-        halves_swapped(_right, "v stands before omega", "Each row is (omega, v).", axis=1),
     ),
     hints=(
         "An axis known to the base is to be seen from the end-effector at home. Which matrix takes twists there?",
         "M is T_sb: it takes what frame b sees to frame s. The adjoint of its inverse takes twists from s to b.",
         "Apply Ad(M^-1) to each row of screws, or to the columns of screws.T and transpose the result.",
     ),
-    library=_right,
     forbidden=("course_lib.arms.SerialArm",),
 )
+
+
+@EXERCISE.mistake
+def other_direction(screws, M):
+    """Ad(M) stands where Ad(M^-1) belongs. What M takes is seen from the end-effector: in which direction do you go?"""
+    return screws @ adjoint(M).T
+
+
+@EXERCISE.mistake(of=(lambda M: M, inverse))
+def transposed_for_inverted(screws, M, of):
+    """an adjoint is transposed where it is to be inverted, or stands on the wrong side of the rows. The inverse of a
+    rotation is its transpose: is that of an adjoint? And what does a matrix act on, rows or columns?"""
+    return screws @ adjoint(of(M))
+
+
+@EXERCISE.mistake(form=WRONG_ADJOINTS[:-2])
+def wrong_adjoint(screws, M, form):
+    """an adjoint with a wrong block is used. Does the adjoint that you call here pass its own check?"""
+    return screws @ in_blocks(inverse(M), form).T
+
+
+@EXERCISE.mistake
+def only_moved(screws, M):
+    """the axes are moved to the end-effector's origin, and not rotated. Along which axes does it see omega and v?"""
+    return screws @ adjoint(at(*-M[:3, 3])).T
+
+
+@EXERCISE.mistake
+def v_first(screws, M):
+    """v stands before omega. Which half of a twist comes first in this course?"""
+    return np.roll(_right(screws, M), 3, axis=1)

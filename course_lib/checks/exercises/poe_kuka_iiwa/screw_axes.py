@@ -4,28 +4,20 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA_OMEGA, KUKA_POINTS, axes, drawn_axes, first_off
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA_OMEGA, KUKA_POINTS, axes, drawn_axes, in_part
-from course_lib.checks.vocabulary import FINE, X, Y, Z, few_digits, halves_swapped, near, whole_numbers
+from course_lib.checks.vocabulary import FINE, X, Y, Z, near
 
 _APART = Mistake("omega and v do not stand side by side", "Each row is one axis, (omega, v): six numbers.")
-_NO_ROWS = Mistake(
-    "the axes of the joints do not stand in rows of their own",
-    "One row (omega, v) for each joint, also if there is only one: the shape is (n, 6).",
-)
-_TRANSPOSED = Mistake("rows and columns are swapped", "One axis a row: the shape is (n, 6).")
 _HALF = Mistake("only one half of each axis is returned", "A screw axis has six numbers: omega, then v.")
+_OMEGA, _V = (slice(None), slice(0, 3)), (slice(None), slice(3, 6))
 
 
 def _known_form(array, omega, points):
-    n, shape = len(omega), array.shape
-    if shape == (6, n):
-        return _TRANSPOSED
-    if shape == (n, 3):
-        return _HALF
-    if shape in ((2, n, 3), (n, 2, 3), (2 * n, 3)):
+    n = len(omega)
+    if array.shape in ((2, n, 3), (n, 2, 3), (2 * n, 3)):
         return _APART
-    return _NO_ROWS if shape in ((6 * n,), (6,)) else None
+    return _HALF if array.shape == (n, 3) else None
 
 
 def _cases(rng):
@@ -43,30 +35,16 @@ def _cases(rng):
     return [*named, *(drawn_axes(rng, n) for n in (1, 3, 6, 7)), *whole, *through_origin, drawn_axes(rng, 2)]
 
 
-def _at_rest(S, points):
-    """The velocity omega x p + v of each axis's point."""
+def _moving(S, omega, points):
+    """Return the velocity omega x p + v of each axis's point."""
     return np.cross(S[:, :3], points) + S[:, 3:]
 
 
 def _moving_point(S, omega, points):
-    velocity = _at_rest(S, points)
+    velocity = _moving(S, omega, points)
     i = int(np.argmax(np.abs(velocity).max(1) > FINE))
     return f"For row {i}, with p = {format_tuple(points[i])}, it is {format_tuple(velocity[i])}."
 
-
-def _other_direction(S, omega, points):
-    i = int(np.argmax(np.abs(S[:, :3] - omega).max(1) > FINE))
-    return f"In row {i} it is {format_tuple(S[i, :3])}; omega[{i}] is {format_tuple(omega[i])}."
-
-
-def _scaled(omega, points):
-    v = np.cross(points, omega)
-    size = np.linalg.norm(v, axis=1, keepdims=True)
-    return v / np.where(size > 0, size, 1)
-
-
-_in_v = in_part(axes, (slice(None), slice(3, 6)))
-_in_omega = in_part(axes, (slice(None), slice(0, 3)))
 
 EXERCISE = Exercise(
     name="screw_axes",
@@ -74,91 +52,17 @@ EXERCISE = Exercise(
     arguments=("omega", "points"),
     cases=_cases,
     returns=numbers(lambda omega, points: (len(omega), 6), _known_form),
+    library=axes,
     properties=(
         Property(
             "the first three numbers of each row are the direction omega of its axis",
             lambda S, omega, points: near(S[:, :3], omega),
-            says=_other_direction,
+            says=lambda S, omega, points: first_off(S[:, :3].T, omega.T, "omega of row"),
         ),
         Property(
             "a point on the axis does not move: omega x p + v = 0 for each joint",
-            lambda S, omega, points: near(_at_rest(S, points), 0),
+            lambda S, *case: near(_moving(S, *case), 0),
             says=_moving_point,
-        ),
-    ),
-    mistakes=(
-        few_digits(axes),
-        whole_numbers(axes),
-        halves_swapped(axes, "v stands before omega", "The order in this course is (omega, v).", axis=1),
-        _in_v(
-            "v has its sign changed: it is omega x p",
-            "omega x p + v must be 0 for a point p on the axis.",
-            lambda omega, points: np.cross(omega, points),
-        ),
-        _in_v(
-            "the point is taken for v",
-            "v is a velocity: that of a point at the origin that moves along when the joint rotates at 1 rad/s.",
-            lambda omega, points: points,
-            lambda omega, points: -points,
-        ),
-        _in_v(
-            "omega * p, entry by entry, stands for the cross product",
-            "In numpy * works entry by entry.",
-            lambda omega, points: points * omega,
-            lambda omega, points: -points * omega,
-        ),
-        _in_v(
-            "v lies along omega: a dot product stands for the cross product",
-            "The velocity of a rotating point is perpendicular to the axis: np.cross(points, omega).",
-            lambda omega, points: (omega * points).sum(1, keepdims=True) * omega,
-            lambda omega, points: -(omega * points).sum(1, keepdims=True) * omega,
-        ),
-        _in_v("v is 0 for every axis", "Only an axis through the origin has v = 0.", lambda omega, points: 0 * points),
-        _in_v(
-            "v is made with the direction of another joint, or with z for all",
-            "Each joint has its own direction: row i needs omega[i].",
-            lambda omega, points: np.cross(points, Z),
-            lambda omega, points: np.cross(points, omega[0]),
-            lambda omega, points: np.cross(points, omega[-1]),
-        ),
-        Mistake(
-            "every row has the direction of one joint",
-            "Each joint has its own direction: row i needs omega[i].",
-            *(lambda omega, points, i=i: axes(0 * omega + omega[i], points) for i in (0, -1)),
-        ),
-        Mistake(
-            "every row is the same joint's",
-            "Fill row i in the loop, with omega[i] and points[i].",
-            *(lambda omega, points, i=i: axes(omega, points)[[i] * len(omega)] for i in (0, -1)),
-        ),
-        _in_v(
-            "v is made with the point of another joint, or points are added up or subtracted",
-            "Each axis has its own point, given in the base frame: row i needs points[i] as it is.",
-            lambda omega, points: np.cross(points[0], omega),
-            lambda omega, points: np.cross(points[-1], omega),
-            lambda omega, points: np.cross(np.diff(points, axis=0, prepend=0), omega),
-            lambda omega, points: np.cross(np.cumsum(points, 0), omega),
-        ),
-        _in_v(
-            "v is scaled to length one",
-            "Only omega has length one. The length of v is the distance of the axis from the origin.",
-            _scaled,
-        ),
-        _in_v(
-            "the cross product is taken twice",
-            "One cross product gives the velocity.",
-            lambda omega, points: np.cross(omega, np.cross(points, omega)),
-            lambda omega, points: np.cross(np.cross(points, omega), omega),
-        ),
-        _in_omega(
-            "the point stands where omega belongs",
-            "A row is (omega, v). The point only serves to find v.",
-            lambda omega, points: points,
-        ),
-        _in_omega(
-            "omega has its sign changed",
-            "The first three numbers are omega as it is given.",
-            lambda omega, points: -omega,
         ),
     ),
     hints=(
@@ -166,6 +70,61 @@ EXERCISE = Exercise(
         "np.cross works on all rows at once, and np.hstack puts two arrays side by side.",
         "v is p x omega for each joint; np.hstack takes the list of omega and v.",
     ),
-    library=axes,
     forbidden=("course_lib.arms.SerialArm",),
 )
+
+
+@EXERCISE.mistake
+def v_first(omega, points):
+    """v stands before omega. Which half of a twist comes first in this course?"""
+    return np.roll(axes(omega, points), 3, axis=1)
+
+
+@EXERCISE.mistake(part=_V)
+def sign_of_v(omega, points):
+    """v has its sign changed: it is omega x p. What must omega x p + v be for a point p on the axis?"""
+    return np.cross(omega, points)
+
+
+@EXERCISE.mistake(part=_V, sign=(1, -1))
+def point_for_v(omega, points, sign):
+    """the point is taken for v. v is a velocity: that of which point, while the joint rotates at 1 rad/s?"""
+    return sign * points
+
+
+@EXERCISE.mistake(part=_V, sign=(1, -1))
+def product_entry_by_entry(omega, points, sign):
+    """omega * p, entry by entry, stands for the cross product. In numpy * works entry by entry."""
+    return sign * omega * points
+
+
+@EXERCISE.mistake(part=_V)
+def no_v(omega, points):
+    """v is 0 for every axis. Which axes have v = 0?"""
+    return 0 * points
+
+
+@EXERCISE.mistake(which=((0, None), (-1, None), (None, 0), (None, -1)))
+def of_another_joint(omega, points, which):
+    """the direction or the point of one joint is used for all. What of omega and points belongs to row i?"""
+    directions, at = (x if k is None else 0 * x + x[k] for x, k in zip((omega, points), which, strict=True))
+    return axes(directions, at)
+
+
+@EXERCISE.mistake(part=_V, others=(lambda p: np.diff(p, axis=0, prepend=0), lambda p: np.cumsum(p, 0)))
+def points_added_up(omega, points, others):
+    """points are added up, or subtracted from each other. From where is each point counted?"""
+    return np.cross(others(points), omega)
+
+
+@EXERCISE.mistake(part=_V)
+def v_of_length_one(omega, points):
+    """v is scaled to length one. Only omega has length one: what does the length of v say?"""
+    v = np.cross(points, omega)
+    return v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-300)
+
+
+@EXERCISE.mistake(part=_OMEGA)
+def point_for_omega(omega, points):
+    """the point stands where omega belongs. A row is (omega, v): what is the point for?"""
+    return points

@@ -278,9 +278,14 @@ WRONG_ADJOINTS = (  # forms for in_blocks
     lambda R, P, zero: [[R, zero], [P @ R, R.T]],
     lambda R, P, zero: [[R, zero], [P @ R.T, R]],
     lambda R, P, zero: [[R, zero], [zero, R]],
-    lambda R, P, zero: [[R, P @ R], [zero, R]],
     lambda R, P, zero: [[R, zero], [R @ P, R]],
     lambda R, P, zero: [[R, zero], [-P @ R, R]],
     lambda R, P, zero: [[R, zero], [P, R]],
+    lambda R, P, zero: [[R, P @ R], [zero, R]],
     lambda R, P, zero: [[R.T, (P @ R).T], [zero, R.T]],
+)
+
+read_jacobian = numbers(
+    lambda screws, *rest: (6, len(screws)),
+    {(6,): Mistake("one column is returned, not a matrix (6, n)", "Where does your loop collect the columns?")},
 )

@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     KUKA,
     KUKA_HOME,
@@ -13,23 +12,19 @@ from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     axes,
     drawn_axes,
     exponentials,
+    first_off,
     tool_pose,
 )
-from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, products
-from course_lib.rigid import exp_se3
+from course_lib.checks.vocabulary import any_pose, away_from_zero, near, products
 
 _POSES = Mistake("whole poses are returned", "Asked for are positions only: one row (x, y, z) for each row of angles.")
-_TRANSPOSED = Mistake("rows and columns are swapped", "One position a row: the shape is (k, 3).")
-_ONE = Mistake("only one position is returned", "There is one position for each row of angles.")
+_ROWS_OF_FOUR = Mistake("positions have four entries", "Asked for are x, y and z: which entry is always 1?")
+_SIZES = ((3, 2), (6, 5), (4, 1))  # joints and rows
 
 
 def _known_form(array, screws, M, angles):
     k = len(angles)
-    known = {(k, 4, 4): _POSES, (k, 4): _POSES, (3, k): _TRANSPOSED, (3,): _ONE, (4, 4): _ONE}
-    return known.get(array.shape)
-
-
-_SIZES = ((3, 2), (6, 5), (4, 1))  # joints and rows
+    return {(k, 4, 4): _POSES, (k, 4): _ROWS_OF_FOUR, (k, 4, 1): _ROWS_OF_FOUR}.get(array.shape)
 
 
 def _cases(rng):
@@ -44,28 +39,12 @@ def _cases(rng):
     ]
 
 
-def _each(position):
-    """The positions of somebody whose position(screws, M, q) is that of one row of angles."""
-    return lambda screws, M, angles: np.array([position(screws, M, q) for q in angles])
-
-
 def _product(screws, q):
     return products(exponentials(screws, q))[-1]
 
 
-_right = _each(lambda screws, M, q: tool_pose(screws, M, q)[:3, 3])
-_broken = _each(lambda screws, M, q: _product(screws, q)[:3, 3])
-
-
-def _running(screws, M, angles):
-    """The positions of somebody who does not begin anew for each row."""
-    return np.array([(T @ M)[:3, 3] for T in products([_product(screws, q) for q in angles])[1:]])
-
-
-def _seen(path, screws, M, angles):
-    right = _right(screws, M, angles)
-    i = int(np.argmax(np.abs(path - right).max(1)))
-    return f"For row {i} it should be {format_tuple(right[i])}; yours is {format_tuple(path[i])}."
+def _right(screws, M, angles):
+    return np.array([tool_pose(screws, M, q)[:3, 3] for q in angles])
 
 
 EXERCISE = Exercise(
@@ -74,72 +53,12 @@ EXERCISE = Exercise(
     arguments=("screws", "M", "angles"),
     cases=_cases,
     returns=numbers(lambda screws, M, angles: (len(angles), 3), _known_form),
+    library=_right,
     properties=(
         Property(
             "each row is the position of the end-effector for that row of angles",
             lambda path, *case: near(path, _right(*case)),
-            says=_seen,
-        ),
-    ),
-    mistakes=(
-        few_digits(_right),
-        Mistake(
-            "M stands on the left of the exponentials, or on both sides",
-            "On which side of M does a motion seen from the base act?",
-            *(
-                _each(position)
-                for position in (
-                    lambda screws, M, q: (M @ _product(screws, q))[:3, 3],
-                    lambda screws, M, q: (M @ tool_pose(screws, M, q))[:3, 3],
-                )
-            ),
-        ),
-        Mistake(
-            "the exponentials are multiplied in the reverse order",
-            "Joint 1 moves all the others: which exponential is applied last?",
-            _each(lambda screws, M, q: tool_pose(screws[::-1], M, q[::-1])[:3, 3]),
-            _each(lambda screws, M, q: _product(screws[::-1], q[::-1])[:3, 3]),
-        ),
-        Mistake(
-            "M comes in once for each joint",
-            "M comes in once, after the last exponential.",
-            _each(lambda S, M, q: products([E @ M for E in exponentials(S, q)])[-1][:3, 3]),
-        ),
-        Mistake(
-            "the product goes on from row to row",
-            "Each row of angles is a configuration of its own: the product begins anew.",
-            _running,
-        ),
-        Mistake(
-            "only the position of M is added, without rotating it",
-            "The arm rotates what it carries: adding vectors of two frames gives no position.",
-            _each(lambda screws, M, q: _product(screws, q)[:3, 3] + M[:3, 3]),
-        ),
-        Mistake(
-            "the rotation alone is applied to the position of M",
-            "The product of the exponentials moves points as well as rotating them.",
-            _each(lambda screws, M, q: _product(screws, q)[:3, :3] @ M[:3, 3]),
-        ),
-        Mistake(
-            "every row is at home",
-            "The exponentials must move the end-effector.",
-            _each(lambda screws, M, q: M[:3, 3]),
-        ),
-        Mistake(
-            "every row is that of the same angles",
-            "Row i belongs to angles[i].",
-            *(lambda s, M, angles, i=i: _right(s, M, angles)[[i] * len(angles)] for i in (0, -1)),
-        ),
-        Mistake(
-            "a row of T is returned, not its last column",
-            "The position is in the last column of T.",
-            _each(lambda screws, M, q: tool_pose(screws, M, q)[3, :3]),
-            _each(lambda screws, M, q: tool_pose(screws, M, q)[2, :3]),
-        ),
-        Mistake(
-            "one exponential is taken of the sum of the twists",
-            "For matrices exp(A) exp(B) is not exp(A + B).",
-            _each(lambda screws, M, q: (exp_se3(q @ screws) @ M)[:3, 3]),
+            says=lambda path, *case: first_off(path.T, _right(*case).T, "Row"),
         ),
     ),
     hints=(
@@ -147,7 +66,54 @@ EXERCISE = Exercise(
         "The product of the exponentials says how the arm has moved things. What does it have to move here?",
         "A point that was at the base's origin while all angles were 0 is tracked now. Track M's point instead.",
     ),
-    library=_right,
     forbidden=("course_lib.arms.SerialArm",),
-    broken=_broken,
+    broken=lambda screws, M, angles: np.array([_product(screws, q)[:3, 3] for q in angles]),
 )
+
+
+@EXERCISE.mistake(before=(lambda S, M, q: _product(S, q), tool_pose))
+def M_on_the_left(screws, M, angles, before):
+    """M stands on the left of the exponentials. On which side of M does a motion seen from the base act?"""
+    return np.array([(M @ before(screws, M, q))[:3, 3] for q in angles])
+
+
+@EXERCISE.mistake(with_M=(True, False))
+def reverse_order(screws, M, angles, with_M):
+    """the exponentials are multiplied in the reverse order. Joint 1 moves all the others: which is applied last?"""
+    return _right(screws[::-1], M if with_M else np.eye(4), angles[:, ::-1])
+
+
+@EXERCISE.mistake
+def M_with_each_joint(screws, M, angles):
+    """M is multiplied in with each joint. How often does the pose at home come in?"""
+    return np.array([products([E @ M for E in exponentials(screws, q)])[-1][:3, 3] for q in angles])
+
+
+@EXERCISE.mistake
+def product_goes_on(screws, M, angles):
+    """the product goes on from row to row. Does the next configuration begin where the last one was?"""
+    return np.array([(T @ M)[:3, 3] for T in products([_product(screws, q) for q in angles])[1:]])
+
+
+@EXERCISE.mistake
+def position_of_M_added(screws, M, angles):
+    """the position of M is added, without rotating it. What happens to the way to the end-effector if joint 1 turns?"""
+    return np.array([_product(screws, q)[:3, 3] + M[:3, 3] for q in angles])
+
+
+@EXERCISE.mistake
+def only_rotated(screws, M, angles):
+    """the position of M is rotated, and not moved. What else than a rotation does the product of exponentials do?"""
+    return np.array([_product(screws, q)[:3, :3] @ M[:3, 3] for q in angles])
+
+
+@EXERCISE.mistake(row=(0, -1, None))
+def every_row_the_same(screws, M, angles, row):
+    """every row is the same: at home, or for the angles of one row. Which angles belong to row i?"""
+    return _right(screws, M, 0 * angles + (0 if row is None else angles[row]))
+
+
+@EXERCISE.mistake(row=(2, 3))
+def row_of_T(screws, M, angles, row):
+    """a row of T is returned, not its last column. Where in T = [[R, p], [0, 1]] is the position?"""
+    return np.array([tool_pose(screws, M, q)[row, :3] for q in angles])

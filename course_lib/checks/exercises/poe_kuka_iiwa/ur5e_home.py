@@ -5,20 +5,15 @@ import numpy as np
 from course_lib.arms import ur5e
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, in_part, worst_column
-from course_lib.checks.vocabulary import FINE, inverted, orthogonality_error, pose
+from course_lib.checks.vocabulary import FINE, orthogonality_error
 from course_lib.rotations import rot_x
 
 _TOLERANCE = 1e-4  # metres: a tenth of the drawing's last digit
 _M = ur5e().home[-1]
+_R, _P = _M[BLOCK], _M[COLUMN]
 
-
-def _right():
-    return _M
-
-
-_in_R, _in_p = in_part(_right, BLOCK), in_part(_right, COLUMN)
 
 EXERCISE = Exercise(
     name="ur5e_home",
@@ -29,6 +24,7 @@ EXERCISE = Exercise(
         lambda: (4, 4),
         {(3,): Mistake("only the position is returned", "A pose is R and p: a matrix of shape (4, 4).")},
     ),
+    library=lambda: _M,
     properties=(
         Property(
             "the last row is (0, 0, 0, 1)",
@@ -46,67 +42,69 @@ EXERCISE = Exercise(
         ),
         Property(
             "the columns of R are the flange's axes, seen from the base",
-            lambda M: np.allclose(M[BLOCK], _M[BLOCK], atol=1e-6),
-            says=worst_column(lambda M: M[BLOCK], lambda: _M[BLOCK]),
+            lambda M: np.allclose(M[BLOCK], _R, atol=1e-6),
+            says=lambda M: (
+                f"The flange's {'xyz'[np.argmax(abs(M[BLOCK] - _R).max(0) > 1e-6)]} axis points in another direction."
+            ),
         ),
         Property(
             "p is the flange's position in the base frame, in metres",
-            lambda M: np.abs(M[COLUMN] - _M[COLUMN]).max() <= _TOLERANCE,
+            lambda M: np.abs(M[COLUMN] - _P).max() <= _TOLERANCE,
             says=lambda M: f"Yours is {format_tuple(M[COLUMN])}.",
             points=1,
         ),
-    ),
-    mistakes=(
-        inverted(
-            _right,
-            "the inverse of the pose is returned",
-            "M = T_sb: the flange's position and axes, seen from the base.",
-        ),
-        _in_R(
-            "the flange is taken to be parallel to the base",
-            "In which directions do the flange's axes point in the drawing?",
-            lambda: np.eye(3),
-        ),
-        _in_R(
-            "R is transposed",
-            "Each column of R is one axis of the flange, seen from the base.",
-            lambda: _M[BLOCK].T,
-        ),
-        _in_R(
-            "two of the flange's axes are reversed",
-            "Compare each axis of the flange with its arrow in the drawing.",
-            lambda: _M[BLOCK] @ np.diag([-1.0, -1, 1]),
-            lambda: _M[BLOCK] @ np.diag([-1.0, 1, -1]),
-            lambda: rot_x(np.pi) @ np.eye(3),
-        ),
-        _in_p(
-            "lengths are in millimetres",
-            "The drawing is in millimetres, the task in metres.",
-            lambda: 1000 * _M[COLUMN],
-        ),
-        _in_p(
-            "a sign of p is wrong",
-            "In which directions do the base's axes point in the drawing?",
-            *(lambda signs=signs: _M[COLUMN] * signs for signs in ([-1, 1, 1], [1, -1, 1], [-1, -1, 1], [1, 1, -1])),
-        ),
-        _in_p(
-            "the last length, from axis 5 to the flange, is left out or comes twice",
-            "The flange lies beyond joint 6, along its axis.",
-            lambda: _M[COLUMN] + [0, 0.0996, 0],
-            lambda: _M[COLUMN] - [0, 0.0996, 0],
-        ),
-        _in_p(
-            "the height is wrong: the drop between axes 5 and 6 is added, or left out",
-            "Axis 6 lies below the upper arm.",
-            lambda: _M[COLUMN] + [0, 0, 0.0997],
-            lambda: _M[COLUMN] + [0, 0, 2 * 0.0997],
-        ),
-        Mistake("p is left out", "The last column holds the position.", lambda: pose(_M[BLOCK], np.zeros(3))),
     ),
     hints=(
         "The columns of R: in which direction of the base do the flange's x, y and z point?",
         "The position: add up the lengths along -x, along -y and along z, from the base to the flange.",
         "The flange's z points along the axis of joint 6, away from the arm; its x is parallel to the base's.",
     ),
-    library=_right,
 )
+
+
+@EXERCISE.mistake(part=BLOCK)
+def parallel_to_the_base():
+    """the flange is taken to be parallel to the base. In which directions do the flange's axes point in the drawing?"""
+    return np.eye(3)
+
+
+@EXERCISE.mistake(part=BLOCK)
+def rows_for_columns():
+    """R is transposed. Each column of R is one axis of the flange, seen from the base."""
+    return _R.T
+
+
+@EXERCISE.mistake(part=BLOCK, R=(_R @ np.diag([-1, -1, 1]), _R @ np.diag([-1, 1, -1]), rot_x(np.pi)))
+def axes_reversed(R):
+    """two of the flange's axes point in other directions. Compare each with its arrow in the drawing."""
+    return R
+
+
+@EXERCISE.mistake(part=COLUMN)
+def millimetres():
+    """lengths are in millimetres. The drawing is in millimetres: in which unit does the task want them?"""
+    return 1000 * _P
+
+
+@EXERCISE.mistake(part=COLUMN, signs=([-1, 1, 1], [1, -1, 1], [-1, -1, 1], [1, 1, -1]))
+def signs_of_p(signs):
+    """a sign of p is wrong. In which directions do the base's axes point in the drawing?"""
+    return _P * signs
+
+
+@EXERCISE.mistake(part=COLUMN, more=(0.0996, -0.0996, 0.1333))
+def length_along_y(more):
+    """a length along y is left out, or comes twice. Which two lead from the base's x-z plane to the flange?"""
+    return _P + [0, more, 0]
+
+
+@EXERCISE.mistake(part=COLUMN, drops=(1, 2))
+def height(drops):
+    """the height is wrong. The drop between axes 5 and 6 is added, or left out: where is axis 6 in the side view?"""
+    return _P + [0, 0, drops * 0.0997]
+
+
+@EXERCISE.mistake(part=COLUMN)
+def no_position():
+    """p is left out. The last column holds the position."""
+    return np.zeros(3)
