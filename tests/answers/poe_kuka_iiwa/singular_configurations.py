@@ -30,18 +30,6 @@ def _others(generic):
     return shoulder, wrist
 
 
-def wrong_all_zero():
-    """several singularities"""
-    return np.zeros((3, 7))
-
-
-def wrong_one_zero_among_ones():
-    """taken for singular alone"""
-    rows = np.full((3, 7), 0.5)
-    rows[0, 3] = rows[1, 1] = rows[2, 5] = 0
-    return rows
-
-
 def wrong_zeros_but_for_the_family():
     """several singularities"""
     rows = np.zeros((3, 7))
@@ -49,34 +37,10 @@ def wrong_zeros_but_for_the_family():
     return rows
 
 
-def wrong_degrees():
-    """degrees"""
-    rows = np.array(right_by_the_text())
-    return np.rad2deg(rows)
-
-
-def wrong_wrist_and_shoulder_swapped():
-    """another order"""
-    return np.array(right_by_the_text())[[0, 2, 1]]
-
-
-def wrong_right_angle_rounded():
-    """pi / 2 is rounded"""
-    rows = np.round(right_by_the_text(), 2)
-    return rows
-
-
 def wrong_elbow_at_a_right_angle():
     """a configuration is not singular"""
     rows = np.array(right_by_the_text())
     rows[0, 3] = np.pi / 2
-    return rows
-
-
-def wrong_beyond_the_limits():
-    """beyond its limit"""
-    rows = np.array(right_by_the_text())
-    rows[1, 1] = np.pi
     return rows
 
 
@@ -88,8 +52,3 @@ def wrong_elbow_three_times():
 def wrong_columns():
     """rows and columns are swapped"""
     return np.array(right_by_the_text()).T
-
-
-def wrong_one_row():
-    """another form"""
-    return right_by_the_text()[0]

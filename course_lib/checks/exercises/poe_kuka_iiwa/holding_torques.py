@@ -14,7 +14,7 @@ from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     jacobian,
     tool_pose,
 )
-from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, negated
+from course_lib.checks.vocabulary import any_pose, away_from_zero, near
 from course_lib.rigid import adjoint, inverse
 
 G = 9.81  # m/s^2
@@ -38,27 +38,17 @@ def _cases(rng):
     ]
 
 
-def _wrench(screws, M, q, mass, center):
-    """The weight as the base sees it."""
-    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-    return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
-
-
 def _right(screws, M, q, mass, center):
-    return -jacobian(screws, q).T @ _wrench(screws, M, q, mass, center)
+    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, f), f))
 
 
-def _by_wrench(wrench):
-    """The torques of somebody who has another wrench: wrench(p of the load, T, f)."""
-
-    def answer(screws, M, q, mass, center):
-        T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-        return -jacobian(screws, q).T @ wrench(T[:3, :3] @ center + T[:3, 3], T, f, center)
-
-    return answer
+def _by(screws, M, q, mass, center, wrench):
+    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T, f)."""
+    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return -jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
 
 
-def _seen(tau, *case):
+def _torque_off(tau, *case):
     right = _right(*case)
     i = int(np.argmax(np.abs(tau - right)))
     return f"Joint {i + 1} needs {right[i]:.4g} N m; yours is {tau[i]:.4g} N m."
@@ -73,95 +63,12 @@ EXERCISE = Exercise(
         lambda screws, M, q, mass, center: (len(q),),
         lambda array, screws, *rest: _WRENCH if array.shape == (6,) else None,
     ),
+    library=_right,
     properties=(
         Property(
             "the torques hold the load: their work in a small motion is the energy that the load gains",
             lambda tau, *case: near(tau, _right(*case)),
-            says=_seen,
-        ),
-    ),
-    mistakes=(
-        few_digits(_right),
-        negated(
-            _right,
-            "the torques have their sign changed: they are those that the load exerts",
-            "To lift a load costs work. Which sign has the torque of a joint that lifts it?",
-        ),
-        Mistake(
-            "the weight acts at the end-effector's origin, not at the center of mass",
-            "The center of mass is given in the end-effector's frame: where is it, seen from the base?",
-            lambda S, M, q, mass, center: _right(S, M, q, mass, 0 * center),
-        ),
-        Mistake(
-            "the center of mass is taken for a position in the base frame",
-            "It is known in the end-effector's frame: where is it, seen from the base?",
-            _by_wrench(lambda p, T, f, c: np.append(np.cross(c, f), f)),
-        ),
-        Mistake(
-            "the torques are multiplied by the angles",
-            "The angles only say where the axes are.",
-            lambda *case: _right(*case) * case[2],
-        ),
-        Mistake(
-            "the center of mass is added without rotating it",
-            "It is known along the end-effector's axes.",
-            _by_wrench(lambda p, T, f, c: np.append(np.cross(T[:3, 3] + c, f), f)),
-        ),
-        Mistake(
-            "the moment of the weight is left out",
-            "A force at p has the moment p x f about the base's origin.",
-            _by_wrench(lambda p, T, f, c: np.append(0 * f, f)),
-        ),
-        Mistake(
-            "the moment of the weight has its sign changed",
-            "The moment is p x f, in this order.",
-            _by_wrench(lambda p, T, f, c: np.append(np.cross(f, p), f)),
-        ),
-        Mistake(
-            "the force stands before the moment",
-            "Wrenches are (m, f), as twists are (omega, v).",
-            _by_wrench(lambda p, T, f, c: np.append(f, np.cross(p, f))),
-        ),
-        Mistake(
-            "the weight points along the end-effector's z axis, not down",
-            "Gravity is along the base's -z, whatever the arm does.",
-            _by_wrench(lambda p, T, f, c: np.append(np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f)),
-            _by_wrench(lambda p, T, f, c: adjoint(inverse(T)).T @ np.append(np.cross(c, f), f)),
-        ),
-        Mistake(
-            "gravity is missing, or is another number",
-            "The weight is mass times 9.81 m/s^2.",
-            lambda *case: _right(*case) / G,
-            lambda *case: _right(*case) * 9.8 / G,
-            lambda *case: _right(*case) * 9.80665 / G,
-            lambda *case: _right(*case) * 10 / G,
-        ),
-        Mistake(
-            "mass is left out",
-            "The weight is mass times 9.81 m/s^2.",
-            lambda S, M, q, mass, center: _right(S, M, q, 1.0, center),
-        ),
-        Mistake(
-            "the wrench of the base frame is used with the body Jacobian, or the body wrench with the space Jacobian",
-            "A Jacobian's transpose takes the wrench seen from the same frame as its columns.",
-            lambda S, M, q, mass, center: (
-                (adjoint(inverse(tool_pose(S, M, q))) @ jacobian(S, q)).T @ -_wrench(S, M, q, mass, center)
-            ),
-        ),
-        Mistake(
-            "the load is placed as if the arm were at home",
-            "Where is the end-effector at these angles?",
-            lambda S, M, q, mass, center: -jacobian(S, q).T @ _wrench(S, M, 0 * q, mass, center),
-        ),
-        Mistake(
-            "the screw axes are left as they are at home",
-            "The joints before have moved them: that is what the Jacobian says.",
-            lambda S, M, q, mass, center: -S @ _wrench(S, M, q, mass, center),
-        ),
-        Mistake(
-            "gravity pulls along y",
-            "Gravity is along the base's -z.",
-            _by_wrench(lambda p, T, f, c: np.append(np.cross(p, f[[0, 2, 1]]), f[[0, 2, 1]])),
+            says=_torque_off,
         ),
     ),
     hints=(
@@ -172,5 +79,78 @@ EXERCISE = Exercise(
         "So tau is minus the transpose of the space Jacobian, times F_s; and F_s is (p x f, f), f = (0, 0, -9.81 "
         "mass).",
     ),
-    library=_right,
 )
+
+
+@EXERCISE.mistake
+def sign(*case):
+    """the torques have their sign changed. Are they those of the load, or those that hold it? To lift it costs work."""
+    return -_right(*case)
+
+
+@EXERCISE.mistake
+def at_the_end_effector(screws, M, q, mass, center):
+    """the weight acts at the end-effector's origin. Where is the center of mass, seen from the base?"""
+    return _right(screws, M, q, mass, 0 * center)
+
+
+@EXERCISE.mistake(origin=(0, 1))
+def center_not_rotated(screws, M, q, mass, center, origin):
+    """the center of mass is not rotated into the base's axes. In which frame is it given?"""
+    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f))
+
+
+@EXERCISE.mistake(change=(lambda m, f: (0 * m, f), lambda m, f: (-m, f), lambda m, f: (f, m)))
+def moment_wrong(screws, M, q, mass, center, change):
+    """the moment of the weight is left out, has its sign changed, or stands in the wrong half. Which moment has a force
+    that acts at p, and which half of a wrench is it?"""
+    return _by(screws, M, q, mass, center, lambda p, T, f: change(np.cross(p, f), f))
+
+
+@EXERCISE.mistake
+def weight_along_the_tool(screws, M, q, mass, center):
+    """the weight points along the end-effector's z axis. Where is down if the arm moves?"""
+    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f))
+
+
+@EXERCISE.mistake(g=(1, 9.8, 9.80665, 10))
+def another_gravity(screws, M, q, mass, center, g):
+    """gravity is missing, or is another number than the task's. In which unit is the weight of a mass?"""
+    return _right(screws, M, q, mass, center) * g / G
+
+
+@EXERCISE.mistake
+def no_mass(screws, M, q, mass, center):
+    """mass is left out. What does the weight depend on?"""
+    return _right(screws, M, q, 1.0, center)
+
+
+def _weight(screws, M, q, mass, center):
+    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
+
+
+@EXERCISE.mistake(body_jacobian=(True, False))
+def two_frames(screws, M, q, mass, center, body_jacobian):
+    """the Jacobian and the wrench belong to two frames. From which frame is each of yours seen?"""
+    back, F = adjoint(inverse(tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
+    J = jacobian(screws, q)
+    return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
+
+
+@EXERCISE.mistake
+def load_at_home(screws, M, q, mass, center):
+    """the load is placed as if the arm were at home. Where is the end-effector at these angles?"""
+    return -jacobian(screws, q).T @ _weight(screws, M, 0 * q, mass, center)
+
+
+@EXERCISE.mistake
+def axes_at_home(screws, M, q, mass, center):
+    """the screw axes are left as they are at home. What does the Jacobian say that screws does not?"""
+    return -screws @ _weight(screws, M, q, mass, center)
+
+
+@EXERCISE.mistake
+def times_the_angles(screws, M, q, mass, center):
+    """the torques are multiplied by the angles. What do the angles determine, and what do they not?"""
+    return _right(screws, M, q, mass, center) * q

@@ -6,7 +6,7 @@ from course_lib.arms import iiwa14
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import ELBOW, axes, drawn_axes, jacobian
-from course_lib.checks.vocabulary import FINE, X, Y, Z, few_digits, same_up_to_sign
+from course_lib.checks.vocabulary import FINE, X, Y, Z, same_up_to_sign
 
 _RIGHT_VECTOR = Mistake(
     "joint velocities are returned, one number a joint",
@@ -40,7 +40,7 @@ def _gain(u, J):
     return np.linalg.norm(u @ J), singular[5] if len(singular) > 5 else 0.0
 
 
-def _seen(u, J):
+def _gain_off(u, J):
     found, least = _gain(u, J)
     return f"|u^T J| is {found:.4g}; it can be as small as {least:.4g}."
 
@@ -51,6 +51,7 @@ EXERCISE = Exercise(
     arguments=("J",),
     cases=_cases,
     returns=numbers(lambda J: (6,), lambda array, J: _RIGHT_VECTOR if array.shape == (J.shape[1],) else None),
+    library=_right,
     properties=(
         Property(
             "the vector has length one",
@@ -60,42 +61,7 @@ EXERCISE = Exercise(
         Property(
             "no unit vector u makes u^T J smaller",
             lambda u, J: _gain(u, J)[0] <= _gain(u, J)[1] + 1e-8,
-            says=_seen,
-        ),
-    ),
-    mistakes=(
-        few_digits(_right),
-        Mistake(
-            "the vector of the largest singular value is returned",
-            "The singular values are sorted, the largest first.",
-            lambda J: np.linalg.svd(J)[0][:, 0],
-        ),
-        Mistake(
-            "a row of U is returned, not a column",
-            "J = U S V^T: the left singular vectors are the columns of U.",
-            lambda J: np.linalg.svd(J)[0][5],
-            lambda J: np.linalg.svd(J)[0][0],
-        ),
-        Mistake(
-            "the last vector but one is returned",
-            "Six directions of motion, six columns of U: the one you need is the last.",
-            lambda J: np.linalg.svd(J)[0][:, 4],
-        ),
-        Mistake(
-            "a right singular vector is returned",
-            "V^T belongs to joint velocities; a direction of the end-effector's motion belongs to U.",
-            lambda J: np.linalg.svd(J)[2][5, :6] if J.shape[1] >= 6 else None,
-            lambda J: np.linalg.svd(J)[2][-1, :6] if J.shape[1] >= 6 else None,
-        ),
-        Mistake(
-            "the singular values are returned",
-            "np.linalg.svd returns three arrays: U, the singular values, and V^T.",
-            lambda J: np.append(s := np.linalg.svd(J)[1], np.zeros(6 - len(s))),
-        ),
-        Mistake(
-            "the vector is scaled by its singular value",
-            "Return the unit vector itself.",
-            lambda J: np.linalg.norm(_right(J) @ J) * _right(J),
+            says=_gain_off,
         ),
     ),
     hints=(
@@ -104,6 +70,31 @@ EXERCISE = Exercise(
         "twists.",
         "It is the last column of the 6 x 6 matrix U.",
     ),
-    library=_right,
     alike=same_up_to_sign,
 )
+
+
+@EXERCISE.mistake
+def largest(J):
+    """the vector of the largest singular value is returned. In which order does np.linalg.svd return them?"""
+    return np.linalg.svd(J)[0][:, 0]
+
+
+@EXERCISE.mistake(row=(5, 0))
+def row_of_U(J, row):
+    """a row of U is returned. J = U S V^T: are the left singular vectors the rows or the columns of U?"""
+    return np.linalg.svd(J)[0][row]
+
+
+@EXERCISE.mistake(most=(7, 5))
+def last_but_one(J, most):
+    """the last vector but one is returned. There are six directions of motion: how many columns has your U, also if J
+    has only five?"""
+    return np.linalg.svd(J)[0][:, 4] if J.shape[1] <= most else None
+
+
+@EXERCISE.mistake
+def singular_values(J):
+    """the singular values are returned. np.linalg.svd returns three arrays: which of them holds directions?"""
+    values = np.linalg.svd(J)[1]
+    return values if len(values) == 6 else None

@@ -50,26 +50,6 @@ def _families(rows):
     return f"Row {k}, for the {FAMILIES[k]}, stays singular when joint {joints} moves: its cause is elsewhere."
 
 
-_ORDERS = [list(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
-
-
-def _two_of(order):
-    """The right rows in another order."""
-    return lambda: _right()[list(order)]
-
-
-def _with(k, **angles):
-    """The right rows, with other angles in row k: q4=0.0 and so on."""
-
-    def answer():
-        rows = _right()
-        for name, value in angles.items():
-            rows[k, int(name[-1]) - 1] = value
-        return rows
-
-    return answer
-
-
 def _cause(row):
     """The family of a configuration, or -1."""
     found = [k for k in range(3) if _rank_loss(row) == 1 and _leads_out(k, row)]
@@ -85,6 +65,7 @@ EXERCISE = Exercise(
         lambda: (3, 7),
         {(7, 3): Mistake("rows and columns are swapped", "One configuration a row: the shape is (3, 7).")},
     ),
+    library=_right,
     properties=(
         Property(
             "all angles are within the joint limits",
@@ -112,49 +93,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "angles are in degrees",
-            "Angles are in radians throughout.",
-            lambda: np.rad2deg(_right()),
-            alike=lambda value, predicted: np.abs(value).max() > 20,
-        ),
-        Mistake(
-            "several singularities come together",
-            "With all angles 0 the rank is 3. Choose the other joints' angles at random, and only those of the family.",
-            lambda: np.zeros((3, 7)),
-            seen=lambda rows: any(_rank_loss(row) > 1 for row in rows),
-        ),
-        Mistake(
-            "pi / 2 is rounded",
-            "A configuration near a singularity has full rank: use np.pi.",
-            _with(2, q5=1.57),
-            _with(1, q3=1.57),
-            alike=lambda value, predicted: (
-                np.sort([_smallest(row) for row in value])[1:].max() < 1e-2
-                and any(_SINGULAR <= _smallest(row) < 1e-2 for row in value)
-            ),
-        ),
-        Mistake(
-            "the rows are in another order",
-            "Elbow, shoulder, wrist.",
-            *map(_two_of, _ORDERS),
-            alike=lambda value, predicted: [_cause(row) for row in value] in _ORDERS,
-        ),
-        Mistake(
-            "the straight wrist or the upright shoulder is taken for singular alone",
-            "A seventh joint helps out: q6 = 0 (or q2 = 0) needs a second angle. Try values of its neighbour.",
-            _with(2, q5=0.5),
-            _with(1, q3=-0.4),
-            alike=lambda value, predicted: (
-                all(_rank_loss(row) <= 1 for row in value)
-                and (
-                    (_rank_loss(value[1]) == 0 and abs(np.sin(value[1, 1])) < 1e-9)
-                    or (_rank_loss(value[2]) == 0 and abs(np.sin(value[2, 5])) < 1e-9)
-                )
-            ),
-        ),
-    ),
     hints=(
         "Start from an ordinary configuration and look at np.linalg.svd of its Jacobian. The elbow is easy: "
         "stretch it.",
@@ -163,5 +101,55 @@ EXERCISE = Exercise(
         "reduce the rank. Plot the smallest singular value against q3, or q5.",
         "It vanishes at a right angle: q3 or q5 is pi / 2.",
     ),
-    library=_right,
 )
+
+
+@EXERCISE.mistake(alike=lambda value, predicted: np.abs(value).max() > 20)
+def degrees():
+    """angles are in degrees. Angles are in radians throughout."""
+    return np.rad2deg(_right())
+
+
+@EXERCISE.mistake(alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value))
+def several_together():
+    """several singularities come together. What is the rank in each row, and which other angles are 0 there?"""
+    return np.zeros((3, 7))
+
+
+def _nearly_singular(value, predicted):
+    smallest = [_smallest(row) for row in value]
+    return np.sort(smallest)[1:].max() < 1e-2 and any(_SINGULAR <= size < 1e-2 for size in smallest)
+
+
+@EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_nearly_singular)
+def pi_rounded(place):
+    """pi / 2 is rounded. What is the last singular value of a configuration that is only near a singular one?"""
+    return _with(place, 1.57)
+
+
+_ORDERS = [list(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
+
+
+@EXERCISE.mistake(order=_ORDERS, alike=lambda value, predicted: [_cause(row) for row in value] in _ORDERS)
+def another_order(order):
+    """the rows are in another order. Which family does each row belong to: elbow, shoulder, wrist?"""
+    return _right()[order]
+
+
+def _half_way(value, predicted):
+    """Return whether q2 or q6 is 0 in the row of its family, which is regular, and no row has less than rank 5."""
+    losses = [_rank_loss(row) for row in value]
+    zero = [False, abs(np.sin(value[1, 1])) < 1e-9, abs(np.sin(value[2, 5])) < 1e-9]
+    return max(losses) <= 1 and any(at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True))
+
+
+@EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_half_way)
+def one_angle_alone(place):
+    """q6 = 0 or q2 = 0 is taken for singular by itself. A seventh joint helps out: what if its neighbour moves too?"""
+    return _with(place, 0.5)
+
+
+def _with(place, angle):
+    rows = _right()
+    rows[place] = angle
+    return rows

@@ -5,16 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import at, whole_screws
-from course_lib.checks.vocabulary import (
-    X,
-    any_pose,
-    argument_returned,
-    away_from_zero,
-    few_digits,
-    halves_swapped,
-    near,
-)
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import at
+from course_lib.checks.vocabulary import X, any_pose, away_from_zero, near
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
@@ -37,17 +29,13 @@ def _right(F_b, T):
     return adjoint(inverse(T)).T @ F_b
 
 
-def _of_halves(moment_and_force):
-    """The answer made of moment_and_force(m, f, R, p)."""
-    return lambda F_b, T: np.concatenate(moment_and_force(F_b[:3], F_b[3:], T[:3, :3], T[:3, 3]))
-
-
 EXERCISE = Exercise(
     name="wrench_in_space",
     points=1,
     arguments=("F_b", "T"),
     cases=_cases,
     returns=numbers(lambda *case: (6,), {(6, 6): _MATRIX, (4, 4): _MATRIX}),
+    library=_right,
     properties=(
         Property(
             "the last three numbers are the force, along the base's axes",
@@ -64,58 +52,60 @@ EXERCISE = Exercise(
             lambda F, F_b, T: near(adjoint(T).T @ F, F_b),
         ),
     ),
-    mistakes=(
-        few_digits(_right),
-        whole_screws(_right),
-        argument_returned(0, "the wrench is returned as it came", "It is seen from the end-effector still."),
-        Mistake(
-            "the wrench is carried as if it were a twist",
-            "Power is F^T V, the same in both frames. If V is multiplied by Ad, what happens to F?",
-            lambda F_b, T: adjoint(T) @ F_b,
-            lambda F_b, T: adjoint(inverse(T)) @ F_b,
-        ),
-        Mistake(
-            "the transpose is taken of Ad(T), which takes wrenches from s to b",
-            "Ad(T) takes V_b to V_s. Its transpose takes F_s to F_b; here you need the opposite direction.",
-            lambda F_b, T: adjoint(T).T @ F_b,
-        ),
-        Mistake(
-            "the moment of the force about the base's origin is left out",
-            "A force that acts at p has the moment p x f about the origin.",
-            _of_halves(lambda m, f, R, p: (R @ m, R @ f)),
-        ),
-        Mistake(
-            "the moment of the force has its sign changed, or p and f are of two frames",
-            "The moment is p x f, in this order, with p and f both along the base's axes.",
-            _of_halves(lambda m, f, R, p: (R @ m - np.cross(p, R @ f), R @ f)),
-            _of_halves(lambda m, f, R, p: (R @ m + np.cross(p, f), R @ f)),
-            _of_halves(lambda m, f, R, p: (R @ (m + np.cross(p, f)), R @ f)),
-            _of_halves(lambda m, f, R, p: (m + np.cross(p, R @ f), R @ f)),
-            _of_halves(lambda m, f, R, p: (R @ m + p * (R @ f), R @ f)),
-        ),
-        Mistake(
-            "the wrench is not rotated, or with R^T",
-            "R takes vectors from the end-effector's axes to the base's.",
-            _of_halves(lambda m, f, R, p: (m + np.cross(p, f), f)),
-            _of_halves(lambda m, f, R, p: (R.T @ m + np.cross(p, R.T @ f), R.T @ f)),
-        ),
-        Mistake(
-            "the moment that F_b has already is left out",
-            "The end-effector may bear a moment of its own: F_b[:3].",
-            _of_halves(lambda m, f, R, p: (np.cross(p, R @ f), R @ f)),
-        ),
-        halves_swapped(_right, "the force stands before the moment", "Wrenches are (m, f): the moment comes first."),
-        Mistake(
-            "F_b is taken for (f, m)",
-            "Wrenches are (m, f): the moment comes first.",
-            lambda F_b, T: _right(np.roll(F_b, 3), T),
-        ),
-    ),
     hints=(
         "Directly: the force, seen from the base, is R f. Its moment about the base's origin is p x (R f), and R "
         "m is added.",
         "By power: F_s . V_s = F_b . V_b for every motion, and V_b = Ad(T^-1) V_s. Put that in, and compare.",
         "F_s is the transpose of Ad(T^-1), times F_b.",
     ),
-    library=_right,
 )
+
+
+@EXERCISE.mistake(of=(lambda T: T, inverse))
+def carried_as_a_twist(F_b, T, of):
+    """the wrench is carried as if it were a twist. F^T V is the same in both frames: if Ad changes V, what must change
+    F?"""
+    return adjoint(of(T)) @ F_b
+
+
+@EXERCISE.mistake
+def from_s_to_b(F_b, T):
+    """the transpose of Ad(T) is taken. Ad(T) takes V_b to V_s: from where to where does its transpose take wrenches?"""
+    return adjoint(T).T @ F_b
+
+
+def _in_halves(F_b, T, form):
+    return np.concatenate(form(F_b[:3], F_b[3:], T[:3, :3], T[:3, 3]))
+
+
+@EXERCISE.mistake
+def moment_left_out(F_b, T):
+    """the moment of the force is left out. Which moment about the base's origin has a force that acts at p?"""
+    return _in_halves(F_b, T, lambda m, f, R, p: (R @ m, R @ f))
+
+
+@EXERCISE.mistake(
+    form=(
+        lambda m, f, R, p: (R @ m - np.cross(p, R @ f), R @ f),
+        lambda m, f, R, p: (R @ m + np.cross(p, f), R @ f),
+        lambda m, f, R, p: (R @ (m + np.cross(p, f)), R @ f),
+        lambda m, f, R, p: (m + np.cross(p, R @ f), R @ f),
+        lambda m, f, R, p: (R @ m + p * (R @ f), R @ f),
+    )
+)
+def moment_changed(F_b, T, form):
+    """the moment is not R m plus the moment of the force: its sign is changed, or its parts are known in two frames.
+    Along which axes are p, f and m known where you use them, and in which order is the cross product?"""
+    return _in_halves(F_b, T, form)
+
+
+@EXERCISE.mistake(back=(lambda R: np.eye(3), np.transpose))
+def not_rotated(F_b, T, back):
+    """the wrench is not rotated, or with R^T. Which matrix takes vectors from the end-effector's axes to the base's?"""
+    return _in_halves(F_b, T, lambda m, f, R, p: (back(R) @ m + np.cross(p, back(R) @ f), back(R) @ f))
+
+
+@EXERCISE.mistake
+def own_moment_left_out(F_b, T):
+    """the moment that F_b has already is left out. What is in F_b[:3]?"""
+    return _in_halves(F_b, T, lambda m, f, R, p: (np.cross(p, R @ f), R @ f))
