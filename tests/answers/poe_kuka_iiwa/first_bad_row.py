@@ -33,82 +33,6 @@ def right_floats(t, q, limits):
     return float(right_loop(t, q, limits))
 
 
-def wrong_nan_by_comparison(t, q, limits):
-    """not finite go unnoticed"""
-    for i in range(len(t)):
-        if i > 0 and t[i] <= t[i - 1]:
-            return i
-        if (q[i] < limits[:, 0]).any() or (q[i] > limits[:, 1]).any():
-            return i
-    return -1
-
-
-def wrong_counted_from_one(t, q, limits):
-    """counted from 1"""
-    found = right_loop(t, q, limits)
-    return found + 1 if found >= 0 else -1
-
-
-def wrong_time_may_stand_still(t, q, limits):
-    """stands still"""
-    for i in range(len(t)):
-        if not np.isfinite([t[i], *q[i]]).all() or (i > 0 and t[i] < t[i - 1]):
-            return i
-        if (q[i] < limits[:, 0]).any() or (q[i] > limits[:, 1]).any():
-            return i
-    return -1
-
-
-def wrong_row_before(t, q, limits):
-    """the row before the fault"""
-    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
-    bad[:-1] |= np.diff(t) <= 0
-    bad |= ((q < limits[:, 0]) | (q > limits[:, 1])).any(axis=1)
-    return int(np.argmax(bad)) if bad.any() else -1
-
-
-def wrong_argmax_without_asking(t, q, limits):
-    """0 or the number of rows"""
-    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
-    bad[1:] |= np.diff(t) <= 0
-    bad |= ((q < limits[:, 0]) | (q > limits[:, 1])).any(axis=1)
-    return int(np.argmax(bad))
-
-
-def wrong_rule_by_rule(t, q, limits):
-    """the fault that is looked for first"""
-    for bad in (
-        ~np.isfinite(np.column_stack([t, q])).all(axis=1),
-        np.append(False, np.diff(t) <= 0),
-        ((q < limits[:, 0]) | (q > limits[:, 1])).any(axis=1),
-    ):
-        if bad.any():
-            return int(np.argmax(bad))
-    return -1
-
-
-def wrong_absolute_value_against_the_upper_limit(t, q, limits):
-    """the limits of one joint are used for all"""
-    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
-    bad[1:] |= np.diff(t) <= 0
-    bad |= (abs(q) > limits.max()).any(axis=1)
-    return int(np.argmax(bad)) if bad.any() else -1
-
-
-def wrong_all_rows(t, q, limits):
-    """all rows are returned"""
-    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
-    bad[1:] |= np.diff(t) <= 0
-    return bad | ((q < limits[:, 0]) | (q > limits[:, 1])).any(axis=1)
-
-
-def wrong_none_when_fine(t, q, limits):
-    """returns None"""
-    found = right_loop(t, q, limits)
-    if found >= 0:
-        return found
-
-
 def wrong_first_time_compared_with_the_last(t, q, limits):
     """unnamed"""
     for i in range(len(t)):
@@ -120,13 +44,3 @@ def wrong_first_time_compared_with_the_last(t, q, limits):
 def wrong_truth(t, q, limits):
     """unnamed"""
     return right_loop(t, q, limits) >= 0
-
-
-def wrong_isnan_only(t, q, limits):
-    """not finite go unnoticed"""
-    for i in range(len(t)):
-        if np.isnan(q[i]).any() or (i > 0 and t[i] <= t[i - 1]):
-            return i
-        if (q[i] < limits[:, 0]).any() or (q[i] > limits[:, 1]).any():
-            return i
-    return -1

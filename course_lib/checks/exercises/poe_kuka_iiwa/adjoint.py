@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off, in_blocks
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import any_pose, near, pose
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat, random_rotations, rot_x, rot_y, rot_z

@@ -38,14 +38,14 @@ def _cases(rng):
     ]
 
 
-def _right(screws, M, q, mass, center):
-    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, f), f))
-
-
-def _by(screws, M, q, mass, center, wrench):
-    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T, f)."""
+def _weight(screws, M, q, mass, center):
+    """Return the wrench of the load's weight, as the base sees it."""
     T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-    return -jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
+    return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
+
+
+def _right(screws, M, q, mass, center):
+    return -jacobian(screws, q).T @ _weight(screws, M, q, mass, center)
 
 
 def _torque_off(tau, *case):
@@ -94,6 +94,12 @@ def at_the_end_effector(screws, M, q, mass, center):
     return _right(screws, M, q, mass, 0 * center)
 
 
+def _by(screws, M, q, mass, center, wrench):
+    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T, f)."""
+    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return -jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
+
+
 @EXERCISE.mistake(origin=(0, 1))
 def center_not_rotated(screws, M, q, mass, center, origin):
     """the center of mass is not rotated into the base's axes. In which frame is it given?"""
@@ -123,11 +129,6 @@ def another_gravity(screws, M, q, mass, center, g):
 def no_mass(screws, M, q, mass, center):
     """mass is left out. What does the weight depend on?"""
     return _right(screws, M, q, 1.0, center)
-
-
-def _weight(screws, M, q, mass, center):
-    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-    return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
 
 
 @EXERCISE.mistake(body_jacobian=(True, False))

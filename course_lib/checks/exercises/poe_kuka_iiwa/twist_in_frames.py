@@ -6,22 +6,14 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import WRONG_ADJOINTS, at, in_blocks
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import at
-from course_lib.checks.exercises.poe_kuka_iiwa.twist_in_frames_mistakes import HYBRID, ROWS, three_twists
-from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, few_digits, near, whole_numbers
-from course_lib.rigid import transform
+from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, near
+from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
-_read = numbers(
-    lambda V_s, T: (3, 6),
-    {
-        (6, 3): Mistake("rows and columns are swapped", "One frame a row: the shape is (3, 6)."),
-        (18,): Mistake("the three twists stand one after the other", "Three frames, three rows: the shape is (3, 6)."),
-        (2, 6): Mistake("one of the three frames is missing", "Space, body and hybrid: three rows."),
-        (3, 4, 4): Mistake("the twists are given as matrices", "Each row is (omega, v), six numbers."),
-    },
-)
+BODY, HYBRID = 1, 2  # rows
+_OMEGA, _V = slice(3), slice(3, 6)
 
 
 def _twist(omega, v):
@@ -46,19 +38,19 @@ def _cases(rng):
     return [*named, *drawn, (away_from_zero(rng, 6, 2.0, 9.0), far), *whole, *plain]
 
 
-_OMEGA, _V = slice(3), slice(3, 6)
+def _right(V_s, T):
+    hybrid = np.concatenate([V_s[:3], V_s[3:] + np.cross(V_s[:3], T[:3, 3])])
+    return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
-def _property(text, k, half):
-    def seen(rows, V_s, T):
-        right = three_twists(V_s, T)[k, half]
-        return f"That is {format_tuple(right)}; yours is {format_tuple(rows[k, half])}."
-
-    return Property(text, lambda rows, V_s, T: near(rows[k, half], three_twists(V_s, T)[k, half]), says=seen)
-
-
-def _in_another_order(order):
-    return lambda V_s, T: three_twists(V_s, T)[list(order)]
+def _property(text, row, half):
+    return Property(
+        text,
+        lambda rows, *case: near(rows[row, half], _right(*case)[row, half]),
+        says=lambda rows, *case: (
+            f"That is {format_tuple(_right(*case)[row, half])}; yours is {format_tuple(rows[row, half])}."
+        ),
+    )
 
 
 EXERCISE = Exercise(
@@ -66,7 +58,15 @@ EXERCISE = Exercise(
     points=2,
     arguments=("V_s", "T"),
     cases=_cases,
-    returns=_read,
+    returns=numbers(
+        lambda V_s, T: (3, 6),
+        {
+            (18,): Mistake("the three twists stand one after the other", "Three frames, three rows: (3, 6)."),
+            (2, 6): Mistake("one of the three frames is missing", "Space, body and hybrid: three rows."),
+            (3, 4, 4): Mistake("the twists are given as matrices", "Each row is (omega, v), six numbers."),
+        },
+    ),
+    library=_right,
     properties=(
         Property(
             "row 0 is the twist as the space frame sees it: V_s itself",
@@ -75,35 +75,116 @@ EXERCISE = Exercise(
         ),
         _property("row 2, omega: the axes are the base's, so omega is that of V_s", HYBRID, _OMEGA),
         _property("row 2, v: the velocity of the end-effector's origin p", HYBRID, _V),
-        _property("row 1, omega: seen along the end-effector's axes", 1, _OMEGA),
-        _property("row 1, v: the velocity of the end-effector's origin, seen along the end-effector's axes", 1, _V),
-    ),
-    mistakes=(
-        few_digits(three_twists),
-        whole_numbers(three_twists),
-        Mistake(
-            "the rows are in another order",
-            "Row 0 is the space twist, row 1 the body twist, row 2 the hybrid one.",
-            *(_in_another_order(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)),
-        ),
-        Mistake(
-            "v stands before omega",
-            "Twists are (omega, v) in this course: omega is the first half.",
-            lambda V_s, T: np.roll(three_twists(V_s, T), 3, axis=1),
-            lambda V_s, T: np.roll(three_twists(np.roll(V_s, 3), T), 3, axis=1),
-        ),
-        Mistake(
-            "the three rows are all V_s",
-            "The space frame sees V_s; the other two see other numbers.",
-            lambda V_s, T: np.array([V_s] * 3),
-        ),
-        *ROWS,
+        _property("row 1, omega: seen along the end-effector's axes", BODY, _OMEGA),
+        _property("row 1, v: the velocity of the end-effector's origin, seen along the end-effector's axes", BODY, _V),
     ),
     hints=(
         "Row 0 is V_s. For row 1: which adjoint takes what the base sees to what the end-effector sees?",
         "The hybrid frame has the base's axes, so omega stays. Its origin is the end-effector's, p = T[:3, 3].",
         "Its v is the velocity of the point p of the moving body: v of V_s, plus omega x p.",
     ),
-    library=three_twists,
     forbidden=("course_lib.arms.SerialArm",),
 )
+
+
+_ORDERS = [list(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
+
+
+@EXERCISE.mistake(order=_ORDERS)
+def another_order(V_s, T, order):
+    """the rows are in another order. Which row is space, which body, which hybrid?"""
+    return _right(V_s, T)[order]
+
+
+@EXERCISE.mistake(shift=(0, 3))
+def v_first(V_s, T, shift):
+    """v stands before omega. Which half of a twist comes first in this course?"""
+    return np.roll(_right(np.roll(V_s, shift), T), 3, axis=1)
+
+
+def _in_halves(V_s, T, form):
+    return np.concatenate(form(V_s[:3], V_s[3:], T[:3, :3], T[:3, 3]))
+
+
+@EXERCISE.mistake(part=HYBRID)
+def cross_product_reversed(V_s, T):
+    """the cross product in the hybrid row is in the wrong order. How fast does p move in a rotation omega?"""
+    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + np.cross(p, w)))
+
+
+@EXERCISE.mistake(part=HYBRID)
+def hybrid_as_space(V_s, T):
+    """the hybrid row is the same as the space row. Where is the origin of each of the two frames?"""
+    return V_s
+
+
+@EXERCISE.mistake(part=HYBRID, rotated=("omega", "v", "omega and v"), back=(True, False), moved=(True, False))
+def hybrid_rotated(V_s, T, rotated, back, moved):
+    """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
+    R = T[:3, :3].T if back else T[:3, :3]
+    omega, v = V_s[:3], V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])
+    return np.concatenate([R @ omega if "omega" in rotated else omega, R @ v if "v" in rotated else v])
+
+
+@EXERCISE.mistake(part=HYBRID, kept=((0, 1), (1, 0)))
+def half_left_out(V_s, T, kept):
+    """v or omega is left out of the hybrid row. Of which two parts is the velocity of p made, and what of omega?"""
+    of_omega, of_v = kept
+    return _in_halves(V_s, T, lambda w, v, R, p: (of_omega * w, of_v * v + np.cross(w, p)))
+
+
+@EXERCISE.mistake(part=HYBRID, sign=(1, -1))
+def p_as_the_end_effector_sees_it(V_s, T, sign):
+    """p is taken as the end-effector sees it. From where are omega and v seen, with which p is combined?"""
+    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + sign * np.cross(w, R.T @ p)))
+
+
+@EXERCISE.mistake(part=HYBRID, more=(lambda w, p: p, lambda w, p: -p, lambda w, p: w * p))
+def position_added(V_s, T, more):
+    """p is added to v, or omega * p entry by entry. v is a velocity and p a position: how fast is p in a rotation?"""
+    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + more(w, p)))
+
+
+@EXERCISE.mistake(part=BODY)
+def other_direction(V_s, T):
+    """Ad(T) stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees: and you?"""
+    return adjoint(T) @ V_s
+
+
+@EXERCISE.mistake(part=BODY)
+def body_as_space(V_s, T):
+    """the body row is V_s still. Along which axes, and from which origin, does the end-effector see the motion?"""
+    return V_s
+
+
+@EXERCISE.mistake(part=BODY, back=(True, False))
+def only_rotated(V_s, T, back):
+    """the body row is only rotated. Its v is the velocity of which point? Which matrix does both at once?"""
+    return np.kron(np.eye(2), T[:3, :3].T if back else T[:3, :3]) @ V_s
+
+
+@EXERCISE.mistake(part=BODY, rotated=((0, 0), (1, 0), (0, 1), (-1, -1), (1, -1)))
+def rotated_otherwise(V_s, T, rotated):
+    """a half of the body row is not rotated, or by R and not R^T. R takes the end-effector's axes to the base's: which
+    matrix goes back?"""
+    powers = {0: np.eye(3), 1: T[:3, :3].T, -1: T[:3, :3]}
+    return _in_halves(V_s, T, lambda w, v, R, p: (powers[rotated[0]] @ w, powers[rotated[1]] @ (v + np.cross(w, p))))
+
+
+@EXERCISE.mistake(part=BODY)
+def transposed_for_inverted(V_s, T):
+    """Ad(T) is transposed where it is to be inverted. The inverse of a rotation is its transpose: is that of an
+    adjoint?"""
+    return adjoint(T).T @ V_s
+
+
+@EXERCISE.mistake(part=BODY, form=WRONG_ADJOINTS[:4])
+def wrong_adjoint(V_s, T, form):
+    """an adjoint with a wrong block on its diagonal is used. Does the adjoint that you call here pass its own check?"""
+    return in_blocks(inverse(T), form) @ V_s
+
+
+@EXERCISE.mistake(part=BODY, p=(lambda R, p: -p, lambda R, p: p, lambda R, p: -R @ p, lambda R, p: R.T @ p))
+def p_of_the_inverse(V_s, T, p):
+    """p of T^-1 lacks its R^T or its minus. What is the column of the inverse of a pose?"""
+    return _in_halves(V_s, T, lambda w, v, R, q: (R.T @ w, R.T @ v + np.cross(p(R, q), R.T @ w)))

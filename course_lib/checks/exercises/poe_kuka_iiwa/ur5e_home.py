@@ -95,13 +95,13 @@ def signs_of_p(signs):
 @EXERCISE.mistake(part=COLUMN, more=(0.0996, -0.0996, 0.1333))
 def length_along_y(more):
     """a length along y is left out, or comes twice. Which two lead from the base's x-z plane to the flange?"""
-    return _P + [0, more, 0]
+    return np.add(_P, [0, more, 0])
 
 
 @EXERCISE.mistake(part=COLUMN, drops=(1, 2))
 def height(drops):
     """the height is wrong. The drop between axes 5 and 6 is added, or left out: where is axis 6 in the side view?"""
-    return _P + [0, 0, drops * 0.0997]
+    return np.add(_P, [0, 0, drops * 0.0997])
 
 
 @EXERCISE.mistake(part=COLUMN)

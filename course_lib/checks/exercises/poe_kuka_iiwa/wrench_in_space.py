@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import at
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import X, any_pose, away_from_zero, near
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
