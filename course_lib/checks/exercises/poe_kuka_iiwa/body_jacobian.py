@@ -127,7 +127,7 @@ def _from_the_tool(screws, M, q, others=lambda each, i: each[i + 1 :][::-1], sig
 
 @EXERCISE.mistake(form=WRONG_ADJOINTS, from_the_tool=(False, True))
 def wrong_adjoint(screws, M, q, form, from_the_tool):
-    """an adjoint with a wrong block is used. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does the adjoint that you call here pass its own check?"""
     if from_the_tool:
         return _from_the_tool(screws, M, q, move=lambda T: in_blocks(T, form))
     J = columns([in_blocks(T, form) for T in before(screws, q)], screws)

@@ -79,16 +79,17 @@ def transposed_for_inverted(screws, M, of):
     return screws @ adjoint(of(M))
 
 
-@EXERCISE.mistake(form=WRONG_ADJOINTS[:-2])
+@EXERCISE.mistake(form=WRONG_ADJOINTS[:7])
 def wrong_adjoint(screws, M, form):
-    """an adjoint with a wrong block is used. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does the adjoint that you call here pass its own check?"""
     return screws @ in_blocks(inverse(M), form).T
 
 
-@EXERCISE.mistake
-def only_moved(screws, M):
-    """the axes are moved to the end-effector's origin, and not rotated. Along which axes does it see omega and v?"""
-    return screws @ adjoint(at(*-M[:3, 3])).T
+@EXERCISE.mistake(R=(True, False))
+def half_way(screws, M, R):
+    """the axes are only rotated, or only moved to the end-effector's origin. Along which axes does it see omega and v,
+    and of which point is v the velocity?"""
+    return screws @ (np.kron(np.eye(2), M[:3, :3]) if R else adjoint(at(*-M[:3, 3])).T)
 
 
 @EXERCISE.mistake

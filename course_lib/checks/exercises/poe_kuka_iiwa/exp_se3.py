@@ -136,11 +136,11 @@ EXERCISE = Exercise(
 
 
 def _versine(a):
-    return 2 * np.sin(a / 2) ** 2
+    return 1 - np.cos(a)
 
 
 def _lag(a):
-    return a - np.sin(a) if a > 1e-2 else a**3 / 6
+    return a - np.sin(a)
 
 
 def _axis(twist):
@@ -158,6 +158,12 @@ def _R(a, N, sine=np.sin, versine=_versine):
 def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1, square=None):
     square = N @ N if square is None else square
     return (straight(a) * np.eye(3) + first(a) * N + second(a) * square) @ v / a**power
+
+
+@EXERCISE.mistake(part=BLOCK)
+def tiny_rotations_cut_off(twist):
+    """tiny rotations are cut off. An angle of 1e-9 is small, not 0: which is the first term of the series after I?"""
+    return np.eye(3) if _is_small(twist) else None
 
 
 @EXERCISE.mistake
@@ -196,12 +202,6 @@ def omega_not_divided_by_its_length(twist, places):
 def no_translation_without_rotation(twist):
     """for omega = 0 the identity is returned. Where does the origin go if it moves at v and nothing rotates?"""
     return np.eye(4) if _angle(twist) < _NO_ANGLE else None
-
-
-@EXERCISE.mistake(part=BLOCK)
-def tiny_rotations_cut_off(twist):
-    """tiny rotations are cut off. An angle of 1e-9 is small, not 0: which is the first term of the series after I?"""
-    return np.eye(3) if _is_small(twist) else None
 
 
 @EXERCISE.mistake(
@@ -284,4 +284,4 @@ def digits_lost(T, twist):
     """the part of p along omega x v is lost for tiny angles. What is 1 - cos(a) for a computer if a is 1e-9? Which
     form has no difference of nearly equal numbers, and which term of the series has omega x v in it?"""
     yours, right = _across(T, twist)
-    return _is_small(twist) and abs(yours) < 0.5 * abs(right)
+    return _is_small(twist) and abs(yours) < 0.5 * abs(right) and (T[BLOCK] != np.eye(3)).any()

@@ -107,10 +107,10 @@ WRONG_ADJOINTS = (  # forms for in_blocks
     lambda R, P, zero: [[R.T, zero], [P @ R.T, R.T]],
     lambda R, P, zero: [[R, zero], [P @ R, R.T]],
     lambda R, P, zero: [[R, zero], [P @ R.T, R]],
-    lambda R, P, zero: [[R, zero], [zero, R]],
     lambda R, P, zero: [[R, zero], [R @ P, R]],
     lambda R, P, zero: [[R, zero], [-P @ R, R]],
     lambda R, P, zero: [[R, zero], [P, R]],
+    lambda R, P, zero: [[R, zero], [zero, R]],
     lambda R, P, zero: [[R, P @ R], [zero, R]],
     lambda R, P, zero: [[R.T, (P @ R).T], [zero, R.T]],
 )

@@ -180,7 +180,7 @@ def transposed_for_inverted(V_s, T):
 
 @EXERCISE.mistake(part=BODY, form=WRONG_ADJOINTS[:4])
 def wrong_adjoint(V_s, T, form):
-    """an adjoint with a wrong block on its diagonal is used. Does the adjoint that you call here pass its own check?"""
+    """a block on the diagonal of the adjoint is wrong. Does the adjoint that you call here pass its own check?"""
     return in_blocks(inverse(T), form) @ V_s
 
 
