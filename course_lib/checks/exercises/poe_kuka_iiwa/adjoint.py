@@ -85,8 +85,7 @@ def inverse_direction(T):
 
 @EXERCISE.mistake(coupling=(lambda R, P: P @ R, lambda R, P: P, lambda R, P: R @ P, lambda R, P: -P @ R))
 def twists_with_v_first(T, coupling):
-    """the block of the coupling stands in the upper right. That is for twists (v, omega): which half of the new twist
-    depends on both halves of the old one here?"""
+    """the block of the coupling stands in the upper right. Which half of a twist comes first in this course?"""
     return in_blocks(T, lambda R, P, zero: [[R, coupling(R, P)], [zero, R]])
 
 
@@ -114,20 +113,10 @@ def no_coupling(T):
     return np.zeros((3, 3))
 
 
-@EXERCISE.mistake(
-    part=_LOWER_LEFT,
-    coupling=(
-        lambda R, P: R @ P,
-        lambda R, P: P,
-        lambda R, P: P @ R.T,
-        lambda R, P: R.T @ P,
-        lambda R, P: R @ P @ R.T,
-        lambda R, P: R @ P @ R,
-    ),
-)
+@EXERCISE.mistake(part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T))
 def order_of_the_coupling(T, coupling):
-    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. p is known in frame a:
-    in which frame must omega be before the cross product?"""
+    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In which frame is p,
+    and in which must omega be before the cross product?"""
     return coupling(T[BLOCK], hat(T[COLUMN]))
 
 
@@ -135,9 +124,3 @@ def order_of_the_coupling(T, coupling):
 def sign_of_the_coupling(T, coupling):
     """the lower left block has its sign changed. The new v has the part p x omega: is [p] that, or omega x p?"""
     return -coupling(T[BLOCK], hat(T[COLUMN]))
-
-
-@EXERCISE.mistake(part=_LOWER_LEFT, factor=(hat, lambda p: p, lambda p: p[:, None]))
-def product_entry_by_entry(T, factor):
-    """the lower left block is a product entry by entry. In numpy * works entry by entry, and [p] is a matrix."""
-    return factor(T[COLUMN]) * T[BLOCK]

@@ -87,34 +87,22 @@ def another_pose(screws, M, q, pose):
     return adjoint(inverse(pose(exponentials(screws, q), M))) @ jacobian(screws, q)
 
 
-@EXERCISE.mistake
-def body_screws(screws, M, q):
-    """the columns are the body screws at home. Which joints have moved axis i, as seen from the end-effector?"""
-    return adjoint(inverse(M)) @ screws.T
+@EXERCISE.mistake(of=(lambda T, M: M, lambda T, M: T))
+def at_home(screws, M, q, of):
+    """the screw axes are left as they are at home. Which joints have moved axis i, as seen from the end-effector?"""
+    return adjoint(inverse(of(tool_pose(screws, M, q), M))) @ screws.T
 
 
-@EXERCISE.mistake
-def left_at_home(screws, M, q):
-    """the screw axes are left as they are at home. Which joints have moved axis i since?"""
-    return adjoint(inverse(tool_pose(screws, M, q))) @ screws.T
-
-
-@EXERCISE.mistake(change=(lambda T: T[:3, :3].T, lambda T: T[:3, :3]))
-def only_rotated(screws, M, q, change):
-    """the columns are only rotated. Of which point is v the velocity, in each of the two frames?"""
-    return np.kron(np.eye(2), change(tool_pose(screws, M, q))) @ jacobian(screws, q)
-
-
-@EXERCISE.mistake
-def only_moved(screws, M, q):
-    """the columns are moved to the end-effector's origin, and not rotated. Along which axes does it see omega and v?"""
-    return np.kron(np.eye(2), tool_pose(screws, M, q)[:3, :3]) @ _right(screws, M, q)
+@EXERCISE.mistake(change=(lambda R, J, body: R.T @ J, lambda R, J, body: R @ J, lambda R, J, body: R @ body))
+def half_way(screws, M, q, change):
+    """the columns are only rotated, or only moved. Which axes and which origin has the end-effector?"""
+    R = np.kron(np.eye(2), tool_pose(screws, M, q)[:3, :3])
+    return change(R, jacobian(screws, q), _right(screws, M, q))
 
 
 @EXERCISE.mistake(of=(lambda T: T, inverse))
 def transposed_for_inverted(screws, M, q, of):
-    """an adjoint is transposed where it is to be inverted. The inverse of a rotation is its transpose: is that of an
-    adjoint?"""
+    """an adjoint is transposed where it is to be inverted. For which matrices is that the same?"""
     return adjoint(of(tool_pose(screws, M, q))).T @ jacobian(screws, q)
 
 
@@ -127,7 +115,7 @@ def _from_the_tool(screws, M, q, others=lambda each, i: each[i + 1 :][::-1], sig
 
 @EXERCISE.mistake(form=WRONG_ADJOINTS, from_the_tool=(False, True))
 def wrong_adjoint(screws, M, q, form, from_the_tool):
-    """a block of the adjoint, or of what stands for it, is wrong. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
     if from_the_tool:
         return _from_the_tool(screws, M, q, move=lambda T: in_blocks(T, form))
     J = columns([in_blocks(T, form) for T in before(screws, q)], screws)
@@ -136,34 +124,20 @@ def wrong_adjoint(screws, M, q, form, from_the_tool):
 
 @EXERCISE.mistake
 def minus_missing(screws, M, q):
-    """the exponentials of the body screws lack their minus. Seen from the end-effector, how does the arm behind it move
-    if q grows?"""
+    """the exponentials of the body screws lack their minus. Seen from the end-effector, how does the arm move?"""
     return _from_the_tool(screws, M, q, sign=1)
 
 
 @EXERCISE.mistake(others=(lambda each, i: each[i + 1 :], lambda each, i: each[:i], lambda each, i: each[i + 2 :][::-1]))
 def other_joints(screws, M, q, others):
-    """the exponentials of the body screws are in the wrong order, or those of the wrong joints. Which joints are
-    between axis i and the end-effector, and which of them is nearest to it?"""
+    """the exponentials of the body screws are in the wrong order, or of the wrong joints. Which move column i?"""
     return _from_the_tool(screws, M, q, others)
-
-
-@EXERCISE.mistake
-def other_direction_at_home(screws, M, q):
-    """Ad(M) stands where Ad(M^-1) belongs. Do your body screws pass their own check?"""
-    return _from_the_tool(screws @ adjoint(M @ M).T, M, q)
 
 
 @EXERCISE.mistake
 def last_joint_first(screws, M, q):
     """the columns stand in the reverse order. In which order does your loop note them?"""
     return _right(screws, M, q)[:, ::-1]
-
-
-@EXERCISE.mistake
-def times_the_angles(screws, M, q):
-    """the columns are multiplied by the angles. What is the Jacobian multiplied by, and when?"""
-    return _right(screws, M, q) * q
 
 
 @EXERCISE.mistake

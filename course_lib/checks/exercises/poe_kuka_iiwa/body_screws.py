@@ -81,7 +81,7 @@ def transposed_for_inverted(screws, M, of):
 
 @EXERCISE.mistake(form=WRONG_ADJOINTS[:7])
 def wrong_adjoint(screws, M, form):
-    """a block of the adjoint, or of what stands for it, is wrong. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
     return screws @ in_blocks(inverse(M), form).T
 
 

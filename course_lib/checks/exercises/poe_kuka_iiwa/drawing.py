@@ -87,21 +87,18 @@ def _add_mistakes(exercise, arm):
         """velocities v stand where points belong. This exercise asks for points; screw_axes computes v from them."""
         return arm.screw_axes
 
-    @exercise.mistake
-    def all_reversed():
-        """all directions are reversed. A positive angle rotates counter-clockwise: seen from which end of the arrow?"""
-        return np.hstack([-omega, points])
-
     @exercise.mistake(of_points=([1, 1, 1], [1, -1, 1]))
     def y_reversed(of_points):
         """the arrows along y are reversed. In the side view, does y point away from you or towards you, and what do a
         dot and a cross stand for?"""
         return np.hstack([omega * [1, -1, 1], points * of_points])
 
-    @exercise.mistake(joint=range(arm.n))
-    def one_reversed(joint):
-        """the direction of one joint is reversed. Look at the drawing's arrows again, joint by joint."""
-        return np.hstack([np.where(np.arange(arm.n)[:, None] == joint, -omega, omega), points])
+    @exercise.mistake(joints=(*range(arm.n), slice(None)))
+    def reversed_directions(joints):
+        """the direction of a joint is reversed, or of all. From where does a turn about an arrow look counter-clockwise?"""
+        rows = right.copy()
+        rows[joints, :3] *= -1
+        return rows
 
     @exercise.mistake
     def heights_from_the_shoulder():

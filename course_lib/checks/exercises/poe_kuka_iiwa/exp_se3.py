@@ -155,9 +155,8 @@ def _R(a, N, sine=np.sin, versine=_versine):
     return np.eye(3) + sine(a) * N + versine(a) * N @ N
 
 
-def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1, square=None):
-    square = N @ N if square is None else square
-    return (straight(a) * np.eye(3) + first(a) * N + second(a) * square) @ v / a**power
+def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1):
+    return (straight(a) * np.eye(3) + first(a) * N + second(a) * N @ N) @ v / a**power
 
 
 @EXERCISE.mistake(part=BLOCK)
@@ -184,13 +183,6 @@ def rotation_backwards(twist):
     return exp_se3(twist * np.repeat([-1, 1], 3))
 
 
-@EXERCISE.mistake
-def length_of_the_whole_twist(twist):
-    """a is the length of the whole twist. Which three numbers say how far the body rotates?"""
-    a, N = length(twist), hat(twist[:3] / length(twist))
-    return pose(_R(a, N), _p(a, N, twist[3:]))
-
-
 @EXERCISE.mistake(places=("R", "p", "R and p"))
 def omega_not_divided_by_its_length(twist, places):
     """omega is not divided by its length before [n] is formed. n is a unit axis in these formulas."""
@@ -198,23 +190,7 @@ def omega_not_divided_by_its_length(twist, places):
     return pose(_R(a, W if "R" in places else N), _p(a, W if "p" in places else N, twist[3:]))
 
 
-@EXERCISE.mistake
-def no_translation_without_rotation(twist):
-    """for omega = 0 the identity is returned. Where does the origin go if it moves at v and nothing rotates?"""
-    return np.eye(4) if _angle(twist) < _NO_ANGLE else None
-
-
-@EXERCISE.mistake(
-    part=BLOCK,
-    factors=(
-        {"versine": lambda a: 0},
-        {"versine": np.cos},
-        {"versine": lambda a: np.cos(a) - 1},
-        {"sine": lambda a: 0},
-        {"sine": lambda a: a},
-        {"sine": np.cos},
-    ),
-)
+@EXERCISE.mistake(part=BLOCK, factors=({"versine": lambda a: 0}, {"versine": np.cos}, {"sine": lambda a: a}))
 def term_of_R(twist, factors):
     """a term of R is missing, or has the wrong factor. Compare with your rotation_about, term by term."""
     return _R(*_axis(twist), **factors)
@@ -226,16 +202,10 @@ def series_of_p(twist, factor):
     return twist[3:] + factor * np.cross(twist[:3], twist[3:]) if _is_small(twist) else None
 
 
-@EXERCISE.mistake(part=COLUMN)
-def p_is_v(twist):
-    """p = v: the rotation during the motion is ignored. While the origin moves, its velocity rotates with the body."""
-    return twist[3:]
-
-
-@EXERCISE.mistake(part=COLUMN, sign=(1, -1))
-def p_is_R_v(twist, sign):
-    """p = R v. That is the velocity at the end of the motion: what is it on the way there?"""
-    return exp_so3(sign * twist[:3]) @ twist[3:]
+@EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
+def p_is_v(twist, rotated):
+    """p is v, or R v. That is the velocity at the beginning, or at the end, of the motion: what is it on the way?"""
+    return exp_so3(rotated * twist[:3]) @ twist[3:]
 
 
 @EXERCISE.mistake(part=COLUMN, times=(lambda G: G[:, 0], lambda G: G[:, 2], lambda G: G.sum(1), lambda G: G.sum(0)))
@@ -244,44 +214,29 @@ def no_factor_v(twist, times):
     return times(_p(*_axis(twist), np.eye(3), power=0))
 
 
-@EXERCISE.mistake(part=COLUMN, power=(0, 2))
-def division_by_a(twist, power):
-    """v is not divided by a, or twice. As a goes to 0, p goes to v: what must I a become?"""
-    return _p(*_axis(twist), twist[3:], power=power)
-
-
 @EXERCISE.mistake(
     part=COLUMN,
     factors=(
+        {"power": 0},
+        {"power": 2},
         {"straight": lambda a: 1},
         {"straight": lambda a: 0},
         {"first": lambda a: 0},
-        {"second": lambda a: 0},
+        {"first": lambda a: np.cos(a) - 1},
+        {"first": np.cos},
         {"first": _lag, "second": _versine},
         {"first": np.sin, "second": _versine},
-        {"first": np.sin, "second": _versine, "straight": lambda a: 1},
-        {"first": lambda a: -_versine(a)},
-        {"second": lambda a: -_lag(a)},
-        {"first": np.cos},
-        {"second": lambda a: 1 - np.sin(a)},
+        {"second": lambda a: 0},
+        {"second": lambda a: np.sin(a) - a},
     ),
 )
 def factor_of_p(twist, factors):
-    """a factor in the formula of p is wrong, or a term is missing. Which three terms are there, and which is left at
-    the end if v is parallel to n?"""
+    """a factor in the formula of p is wrong, or a term is missing. As a goes to 0, p goes to v: is that so in yours?"""
     return _p(*_axis(twist), twist[3:], **factors)
-
-
-@EXERCISE.mistake(part=COLUMN)
-def square_entry_by_entry(twist):
-    """[n] * [n], entry by entry, stands for the matrix product. In numpy the product of matrices is @."""
-    a, N = _axis(twist)
-    return _p(a, N, twist[3:], square=N * N)
 
 
 @EXERCISE.seen
 def digits_lost(T, twist):
-    """the part of p along omega x v is lost for tiny angles. What is 1 - cos(a) for a computer if a is 1e-9? Which
-    form has no difference of nearly equal numbers, and which term of the series has omega x v in it?"""
+    """the part of p along omega x v is lost for tiny angles. What is 1 - cos(a) for a computer if a is 1e-9?"""
     yours, right = _across(T, twist)
     return _is_small(twist) and abs(yours) < 0.5 * abs(right) and (T[BLOCK] != np.eye(3)).any()

@@ -201,9 +201,3 @@ def rule_by_rule(t, q, limits):
     kinds = (("finite_t", "finite_q"), ("late",), ("low", "high"))
     rows = (_first(_bad(t, q, limits, **{k: v for k, v in rules.items() if k not in kind})) for kind in kinds)
     return next((row for row in rows if row >= 0), -1)
-
-
-@EXERCISE.mistake
-def last_bad_row(t, q, limits):
-    """the last bad row is returned. Does your loop go on after it has found one?"""
-    return max(np.flatnonzero(_bad(t, q, limits)), default=-1)

@@ -134,19 +134,13 @@ def product_entry_by_entry(screws, M, q, of_exponentials):
     return np.prod(each, axis=0) * np.eye(4) @ M if of_exponentials else products(each)[-1] * M
 
 
-@EXERCISE.mistake(by=(lambda T, M: M @ T @ M, lambda T, M: np.linalg.inv(M) @ T @ M))
-def M_twice(screws, M, q, by):
-    """M comes in more than once. What moves the end-effector before the joints do?"""
-    return by(products(exponentials(screws, q))[-1], M)
-
-
-@EXERCISE.mistake
-def M_with_each_joint(screws, M, q):
-    """M is multiplied in with each joint. How often does the pose at home come in?"""
-    return products([E @ M for E in exponentials(screws, q)])[-1]
-
-
-@EXERCISE.mistake(of_M=(True, False))
-def no_orientation(screws, M, q, of_M):
-    """the position is right, and the orientation is not computed. What gives R and p at once?"""
-    return np.column_stack([M[:, :3] if of_M else np.eye(4)[:, :3], tool_pose(screws, M, q)[:, 3]])
+@EXERCISE.mistake(
+    product=(
+        lambda each, M: M @ products(each)[-1] @ M,
+        lambda each, M: np.linalg.inv(M) @ products(each)[-1] @ M,
+        lambda each, M: products([E @ M for E in each])[-1],
+    )
+)
+def M_more_than_once(screws, M, q, product):
+    """M comes in more than once. What moves the end-effector before the joints do, and how often?"""
+    return product(exponentials(screws, q), M)

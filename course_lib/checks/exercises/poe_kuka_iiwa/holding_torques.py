@@ -108,8 +108,7 @@ def center_not_rotated(screws, M, q, mass, center, origin):
 
 @EXERCISE.mistake(change=(lambda m, f: (0 * m, f), lambda m, f: (-m, f), lambda m, f: (f, m)))
 def moment_wrong(screws, M, q, mass, center, change):
-    """the moment of the weight is left out, has its sign changed, or stands in the wrong half. Which moment has a force
-    that acts at p, and which half of a wrench is it?"""
+    """the moment is left out, has its sign changed, or is in the wrong half. Which has a force f that acts at p?"""
     return _by(screws, M, q, mass, center, lambda p, T, f: change(np.cross(p, f), f))
 
 
@@ -119,16 +118,10 @@ def weight_along_the_tool(screws, M, q, mass, center):
     return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f))
 
 
-@EXERCISE.mistake(g=(1, 9.8, 9.80665, 10))
-def another_gravity(screws, M, q, mass, center, g):
-    """gravity is missing, or is another number than the task's. In which unit is the weight of a mass?"""
-    return _right(screws, M, q, mass, center) * g / G
-
-
-@EXERCISE.mistake
-def no_mass(screws, M, q, mass, center):
-    """mass is left out. What does the weight depend on?"""
-    return _right(screws, M, q, 1.0, center)
+@EXERCISE.mistake(g=(1, 9.8, 9.80665, 10), with_mass=(True, False))
+def another_weight(screws, M, q, mass, center, g, with_mass):
+    """gravity or the mass is missing, or gravity is another number than the task's. What is the weight of a mass?"""
+    return _right(screws, M, q, mass if with_mass else 1, center) * g / G
 
 
 @EXERCISE.mistake(body_jacobian=(True, False))
@@ -139,19 +132,8 @@ def two_frames(screws, M, q, mass, center, body_jacobian):
     return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
 
 
-@EXERCISE.mistake
-def load_at_home(screws, M, q, mass, center):
-    """the load is placed as if the arm were at home. Where is the end-effector at these angles?"""
-    return -jacobian(screws, q).T @ _weight(screws, M, 0 * q, mass, center)
-
-
-@EXERCISE.mistake
-def axes_at_home(screws, M, q, mass, center):
-    """the screw axes are left as they are at home. What does the Jacobian say that screws does not?"""
-    return -screws @ _weight(screws, M, q, mass, center)
-
-
-@EXERCISE.mistake
-def times_the_angles(screws, M, q, mass, center):
-    """the torques are multiplied by the angles. What do the angles determine, and what do they not?"""
-    return _right(screws, M, q, mass, center) * q
+@EXERCISE.mistake(load=(True, False))
+def at_home(screws, M, q, mass, center, load):
+    """the load or the axes are left where they are at home. Where are they at these angles?"""
+    J = jacobian(screws, q) if load else screws.T
+    return -J.T @ _weight(screws, M, 0 * q if load else q, mass, center)

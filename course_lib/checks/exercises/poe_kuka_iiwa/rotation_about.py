@@ -93,13 +93,13 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def clockwise(omega, point, theta):
-    """the rotation goes clockwise, or the pose and its inverse are swapped. Which comes first? And [omega] p is to be
-    omega x p: are its signs right?"""
+    """the rotation goes clockwise, or the pose and its inverse are swapped. Which of the two comes first?"""
     return _right(omega, point, -theta)
 
 
-def _rodrigues(W, theta, sine=np.sin, versine=lambda a: 1 - np.cos(a), identity=1, square=np.matmul):
-    return identity * np.eye(3) + sine(theta) * W + versine(theta) * square(W, W)
+def _rodrigues(omega, theta, sine=np.sin, versine=lambda a: 1 - np.cos(a), identity=1, square=lambda W, w: W @ W):
+    W = hat(omega)
+    return identity * np.eye(3) + sine(theta) * W + versine(theta) * square(W, omega)
 
 
 @EXERCISE.mistake(
@@ -110,35 +110,25 @@ def _rodrigues(W, theta, sine=np.sin, versine=lambda a: 1 - np.cos(a), identity=
         {"identity": 0},
         {"versine": np.cos},
         {"versine": lambda a: 1 + np.cos(a)},
-        {"versine": lambda a: np.cos(a) - 1},
-        {"versine": lambda a: 1 - np.sin(a)},
-        {"sine": np.cos, "versine": lambda a: 1 - np.sin(a)},
         {"sine": lambda a: 1 - np.cos(a), "versine": np.sin},
         {"sine": np.cos, "versine": np.sin},
     ),
 )
 def terms(omega, point, theta, factors):
-    """the terms of Rodrigues' formula are not all there, or have the wrong factor. Which of them are left at theta = 0,
-    and which at a half turn?"""
-    return _rodrigues(hat(omega), theta, **factors)
+    """the terms of Rodrigues' formula are not all there, or have the wrong factor. Which are left at theta = 0?"""
+    return _rodrigues(omega, theta, **factors)
 
 
-@EXERCISE.mistake(part=_R, square=(np.multiply, lambda W, _: W))
+@EXERCISE.mistake(part=_R, square=(lambda W, w: W * W, lambda W, w: W, lambda W, w: np.outer(w, w)))
 def square_of_hat(omega, point, theta, square):
     """the last term is not the matrix product of [omega] with itself. What does ** 2 do to an array of numpy?"""
-    return _rodrigues(hat(omega), theta, square=square)
-
-
-@EXERCISE.mistake(part=_R)
-def outer_product(omega, point, theta):
-    """omega omega^T stands for [omega]^2. They are not the same: try omega = (0, 0, 1)."""
-    return _rodrigues(hat(omega), theta, square=lambda W, _: np.outer(omega, omega))
+    return _rodrigues(omega, theta, square=square)
 
 
 @EXERCISE.mistake(part=_R, sine=(np.sin, lambda a: 1))
 def theta_in_the_matrix(omega, point, theta, sine):
     """theta multiplies [omega], or stands there without a sine. Where does theta stand in Rodrigues' formula?"""
-    return _rodrigues(hat(theta * omega), theta, sine)
+    return _rodrigues(theta * omega, theta, sine)
 
 
 @EXERCISE.mistake(part=_P)

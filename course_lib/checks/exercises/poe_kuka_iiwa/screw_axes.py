@@ -111,19 +111,6 @@ def of_another_joint(omega, points, which):
     return axes(directions, at)
 
 
-@EXERCISE.mistake(part=_V, others=(lambda p: np.diff(p, axis=0, prepend=0), lambda p: np.cumsum(p, 0)))
-def points_added_up(omega, points, others):
-    """points are added up, or subtracted from each other. From where is each point counted?"""
-    return np.cross(others(points), omega)
-
-
-@EXERCISE.mistake(part=_V)
-def v_of_length_one(omega, points):
-    """v is scaled to length one. Only omega has length one: what does the length of v say?"""
-    v = np.cross(points, omega)
-    return v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-300)
-
-
 @EXERCISE.mistake(part=_OMEGA)
 def point_for_omega(omega, points):
     """the point stands where omega belongs. A row is (omega, v): what is the point for?"""

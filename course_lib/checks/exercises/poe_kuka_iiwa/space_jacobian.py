@@ -67,7 +67,7 @@ def left_at_home(screws, q):
 
 @EXERCISE.mistake(form=WRONG_ADJOINTS)
 def wrong_adjoint(screws, q, form):
-    """a block of the adjoint, or of what stands for it, is wrong. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
     return columns([in_blocks(T, form) for T in before(screws, q)], screws)
 
 

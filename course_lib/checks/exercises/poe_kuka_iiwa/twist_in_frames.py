@@ -102,14 +102,16 @@ def v_first(V_s, T, shift):
     return np.roll(_right(np.roll(V_s, shift), T), 3, axis=1)
 
 
-def _in_halves(V_s, T, form):
-    return np.concatenate(form(V_s[:3], V_s[3:], T[:3, :3], T[:3, 3]))
+def _rotated(V_s, T, powers, moved):
+    """Return the twist whose halves are rotated by powers of R, with v at the end-effector if moved."""
+    of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
+    return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))
 
 
 @EXERCISE.mistake(part=HYBRID)
 def cross_product_reversed(V_s, T):
     """the cross product in the hybrid row is in the wrong order. How fast does p move in a rotation omega?"""
-    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + np.cross(p, w)))
+    return np.append(V_s[:3], V_s[3:] + np.cross(T[:3, 3], V_s[:3]))
 
 
 @EXERCISE.mistake(part=HYBRID)
@@ -118,31 +120,16 @@ def hybrid_as_space(V_s, T):
     return V_s
 
 
-@EXERCISE.mistake(part=HYBRID, rotated=("omega", "v", "omega and v"), back=(True, False), moved=(True, False))
-def hybrid_rotated(V_s, T, rotated, back, moved):
+@EXERCISE.mistake(part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False))
+def hybrid_rotated(V_s, T, powers, moved):
     """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
-    R = T[:3, :3].T if back else T[:3, :3]
-    omega, v = V_s[:3], V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])
-    return np.concatenate([R @ omega if "omega" in rotated else omega, R @ v if "v" in rotated else v])
-
-
-@EXERCISE.mistake(part=HYBRID, kept=((0, 1), (1, 0)))
-def half_left_out(V_s, T, kept):
-    """v or omega is left out of the hybrid row. Of which two parts is the velocity of p made, and what of omega?"""
-    of_omega, of_v = kept
-    return _in_halves(V_s, T, lambda w, v, R, p: (of_omega * w, of_v * v + np.cross(w, p)))
-
-
-@EXERCISE.mistake(part=HYBRID, sign=(1, -1))
-def p_as_the_end_effector_sees_it(V_s, T, sign):
-    """p is taken as the end-effector sees it. From where are omega and v seen, with which p is combined?"""
-    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + sign * np.cross(w, R.T @ p)))
+    return _rotated(V_s, T, powers, moved)
 
 
 @EXERCISE.mistake(part=HYBRID, more=(lambda w, p: p, lambda w, p: -p, lambda w, p: w * p))
 def position_added(V_s, T, more):
     """p is added to v, or omega * p entry by entry. v is a velocity and p a position: how fast is p in a rotation?"""
-    return _in_halves(V_s, T, lambda w, v, R, p: (w, v + more(w, p)))
+    return np.append(V_s[:3], V_s[3:] + more(V_s[:3], T[:3, 3]))
 
 
 @EXERCISE.mistake(part=BODY)
@@ -151,24 +138,16 @@ def other_direction(V_s, T):
     return adjoint(T) @ V_s
 
 
-@EXERCISE.mistake(part=BODY)
-def body_as_space(V_s, T):
-    """the body row is V_s still. Along which axes, and from which origin, does the end-effector see the motion?"""
-    return V_s
+@EXERCISE.mistake(part=BODY, power=(0, 1, -1))
+def only_rotated(V_s, T, power):
+    """the body row is V_s still, or only rotated. Its v is the velocity of which point? Which matrix does both?"""
+    return np.kron(np.eye(2), np.linalg.matrix_power(T[:3, :3], power)) @ V_s
 
 
-@EXERCISE.mistake(part=BODY, back=(True, False))
-def only_rotated(V_s, T, back):
-    """the body row is only rotated. Its v is the velocity of which point? Which matrix does both at once?"""
-    return np.kron(np.eye(2), T[:3, :3].T if back else T[:3, :3]) @ V_s
-
-
-@EXERCISE.mistake(part=BODY, rotated=((0, 0), (1, 0), (0, 1), (-1, -1), (1, -1)))
-def rotated_otherwise(V_s, T, rotated):
-    """a half of the body row is not rotated, or by R and not R^T. R takes the end-effector's axes to the base's: which
-    matrix goes back?"""
-    powers = {0: np.eye(3), 1: T[:3, :3].T, -1: T[:3, :3]}
-    return _in_halves(V_s, T, lambda w, v, R, p: (powers[rotated[0]] @ w, powers[rotated[1]] @ (v + np.cross(w, p))))
+@EXERCISE.mistake(part=BODY, powers=((0, 0), (-1, 0), (0, -1), (1, 1), (-1, 1)))
+def rotated_otherwise(V_s, T, powers):
+    """a half of the body row is not rotated, or by R and not R^T. From where to where does R take vectors?"""
+    return _rotated(V_s, T, powers, moved=True)
 
 
 @EXERCISE.mistake(part=BODY)
@@ -178,13 +157,7 @@ def transposed_for_inverted(V_s, T):
     return adjoint(T).T @ V_s
 
 
-@EXERCISE.mistake(part=BODY, form=WRONG_ADJOINTS[:4])
+@EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:4], lambda R, P, zero: [[R, zero], [R @ P, R]]))
 def wrong_adjoint(V_s, T, form):
-    """a block on the diagonal of the adjoint is wrong. Does the adjoint that you call here pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
     return in_blocks(inverse(T), form) @ V_s
-
-
-@EXERCISE.mistake(part=BODY, p=(lambda R, p: -p, lambda R, p: p, lambda R, p: -R @ p, lambda R, p: R.T @ p))
-def p_of_the_inverse(V_s, T, p):
-    """p of T^-1 lacks its R^T or its minus. What is the column of the inverse of a pose?"""
-    return _in_halves(V_s, T, lambda w, v, R, q: (R.T @ w, R.T @ v + np.cross(p(R, q), R.T @ w)))
