@@ -95,7 +95,7 @@ def _add_mistakes(exercise, arm):
 
     @exercise.mistake(joints=(*range(arm.n), slice(None)))
     def reversed_directions(joints):
-        """the direction of a joint is reversed, or of all. From where does a turn about an arrow look counter-clockwise?"""
+        """the direction of a joint is reversed, or of all. From where does a turn look counter-clockwise?"""
         rows = right.copy()
         rows[joints, :3] *= -1
         return rows

@@ -11,11 +11,10 @@ from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, hat, length
 
 _NO_LENGTH = Mistake(
-    "something is divided by zero: for omega = 0 there is no axis",
-    "Treat omega = 0 before you divide: what is the motion then?",
+    "something is divided by zero: for omega = 0 there is no axis", "What is the motion then, before you divide?"
 )
 _UNDERFLOW = Mistake(
-    "the length of omega, or a power of it, comes out as 0, and something is divided by it: |omega| is 1e-170 here",
+    "something is divided by the length of omega, or a power of it, which comes out as 0: |omega| is 1e-170 here",
     "The square of 1e-170 is 0 for a computer. Do you compare omega with 0, or what you divide by?",
 )
 _NO_ANGLE, _SMALL = 1e-100, 1e-3
@@ -107,7 +106,6 @@ EXERCISE = Exercise(
             "without a rotation, omega = 0, the motion is a translation by v: R = I and p = v",
             _p_is_right,
             says=_p_off,
-            where=lambda twist: _angle(twist) < _NO_ANGLE,
             mistake=Mistake("the branch for omega = 0 is wrong", "What is the motion if nothing rotates?"),
         ),
         Property(

@@ -52,20 +52,17 @@ def _cases(rng):
     ]
 
 
-def _bad(
-    t,
-    q,
-    limits,
-    finite_t=np.isfinite,
-    finite_q=np.isfinite,
-    late=np.less_equal,
-    low=lambda q, limits: q < limits[:, 0],
-    high=lambda q, limits: q > limits[:, 1],
-):
-    """Return which rows are bad, by these rules."""
-    bad = ~finite_t(t) | (~finite_q(q) | low(q, limits) | high(q, limits)).any(1)
-    bad[1:] |= late(t[1:], t[:-1])
-    return bad
+def _bad(t, q, limits, ignored=(), finite=np.isfinite, late=np.less_equal, beyond=np.greater):
+    """Return which rows are bad, by rules of which some are ignored."""
+    low, high = limits.T
+    broken = {
+        "t": ~finite(t),
+        "q": ~finite(q).all(1),
+        "time": np.append(False, late(t[1:], t[:-1])),
+        "low": beyond(low, q).any(1),
+        "high": beyond(q, high).any(1),
+    }
+    return np.any([rows for rule, rows in broken.items() if rule not in ignored], axis=0)
 
 
 def _first(bad):
@@ -110,18 +107,6 @@ EXERCISE = Exercise(
 )
 
 
-def _never(*values):
-    return np.zeros(np.shape(values[0]), bool)
-
-
-def _any_number(values):
-    return ~_never(values)
-
-
-def _no_nan(values):
-    return ~np.isnan(values)
-
-
 @EXERCISE.mistake(also_none=(True, False))
 def counted_from_one(t, q, limits, also_none):
     """rows are counted from 1. Which number has the first row, and what says that none is bad?"""
@@ -142,44 +127,34 @@ def number_for_none(t, q, limits, number):
     return number(t) if row < 0 else row
 
 
-@EXERCISE.mistake(
-    rules=(
-        {"finite_t": _any_number, "finite_q": _any_number},
-        {"finite_t": _any_number},
-        {"finite_q": _any_number},
-        {"finite_t": _no_nan, "finite_q": _no_nan},
-        {"finite_t": _no_nan},
-    )
-)
-def not_finite(t, q, limits, rules):
+@EXERCISE.mistake(ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")))
+def not_finite(t, q, limits, ignored):
     """numbers that are not finite go unnoticed. What is nan < 1, and what is infinity? Can t hold such numbers too?"""
-    return _first(_bad(t, q, limits, **rules))
+    return _first(_bad(t, q, limits, ignored, (lambda x: ~np.isnan(x)) if "inf" in ignored else np.isfinite))
 
 
-@EXERCISE.mistake(late=(_never, np.less))
-def time_not_asked(t, q, limits, late):
+@EXERCISE.mistake(ignored=(("time",), ()))
+def time_not_asked(t, q, limits, ignored):
     """a time that stands still or runs backwards goes unnoticed. What must hold between a row and the one before?"""
-    return _first(_bad(t, q, limits, late=late))
+    return _first(_bad(t, q, limits, ignored, late=np.less))
 
 
-@EXERCISE.mistake(
-    rules=(
-        {"low": _never},
-        {"high": _never},
-        {"low": _never, "high": _never},
-        {"low": _never, "high": lambda q, limits: abs(q) > limits[:, 1]},
-    )
-)
-def limit_not_asked(t, q, limits, rules):
-    """an angle is not compared with both of its limits. Is the lowest angle always the highest with a minus?"""
-    return _first(_bad(t, q, limits, **rules))
+@EXERCISE.mistake(ignored=(("low",), ("high",), ("low", "high")))
+def limit_not_asked(t, q, limits, ignored):
+    """an angle is not compared with both of its limits. What are the two columns of limits?"""
+    return _first(_bad(t, q, limits, ignored))
+
+
+@EXERCISE.mistake
+def limits_taken_for_symmetric(t, q, limits):
+    """the lowest angle is taken for minus the highest. Must the limits of a joint be symmetric?"""
+    return _right(t, q, limits[:, [1]] * [-1, 1])
 
 
 @EXERCISE.mistake
 def refused_at_the_limit(t, q, limits):
     """an angle exactly at its limit is refused. What does the task say of a joint at its limit?"""
-    low, high = (lambda q, limits: q <= limits[:, 0]), (lambda q, limits: q >= limits[:, 1])
-    return _first(_bad(t, q, limits, low=low, high=high))
+    return _first(_bad(t, q, limits, beyond=np.greater_equal))
 
 
 @EXERCISE.mistake(of_all=(lambda limits: limits[0], lambda limits: [limits.min(), limits.max()]))
@@ -191,13 +166,12 @@ def limits_of_one_joint(t, q, limits, of_all):
 @EXERCISE.mistake
 def row_before(t, q, limits):
     """the row before the fault is named, where time runs backwards. Of which two rows is np.diff(t)[i] made?"""
-    return _first(_bad(t, q, limits, late=_never) | np.append(np.diff(t) <= 0, False))
+    return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))
 
 
 @EXERCISE.mistake
 def rule_by_rule(t, q, limits):
     """the fault that is looked for first is named. A row is bad for any of the reasons: which row is the first?"""
-    rules = {"finite_t": _any_number, "finite_q": _any_number, "late": _never, "low": _never, "high": _never}
-    kinds = (("finite_t", "finite_q"), ("late",), ("low", "high"))
-    rows = (_first(_bad(t, q, limits, **{k: v for k, v in rules.items() if k not in kind})) for kind in kinds)
+    others = (("time", "low", "high"), ("t", "q", "low", "high"), ("t", "q", "time"))
+    rows = [_first(_bad(t, q, limits, ignored)) for ignored in others]
     return next((row for row in rows if row >= 0), -1)

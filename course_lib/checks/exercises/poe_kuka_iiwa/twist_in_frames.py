@@ -157,7 +157,7 @@ def transposed_for_inverted(V_s, T):
     return adjoint(T).T @ V_s
 
 
-@EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:4], lambda R, P, zero: [[R, zero], [R @ P, R]]))
+@EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:7], lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]]))
 def wrong_adjoint(V_s, T, form):
-    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
+    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint, or inverse, pass its check?"""
     return in_blocks(inverse(T), form) @ V_s
