@@ -95,12 +95,6 @@ def both_transposed(T, coupling):
     return in_blocks(T, lambda R, P, zero: [[R.T, zero], [coupling(R, P), R.T]])
 
 
-@EXERCISE.mistake(part=_UPPER_LEFT, block=(np.eye(3), np.zeros((3, 3))))
-def upper_left(T, block):
-    """the upper left block is I or 0. Which matrix takes omega, known in frame b, to frame a?"""
-    return block
-
-
 @EXERCISE.mistake(part=_LOWER_RIGHT, change=(np.transpose, np.zeros_like, lambda R: np.eye(3)))
 def lower_right(T, change):
     """the lower right block is not R. Which matrix takes v, known in frame b, to frame a?"""

@@ -105,11 +105,6 @@ def _add_mistakes(exercise, arm):
         """heights are counted from the shoulder, not from the base. Where is the origin of the base frame?"""
         return np.hstack([omega, points - [0, 0, points[1, 2]]])
 
-    @exercise.mistake
-    def through_the_origin():
-        """all axes go through the origin. A row needs a point on its axis, in the base frame."""
-        return np.hstack([omega, 0 * points])
-
 
 def rows_of(arm):
     """Return direction and point of each axis, shape (n, 6): the point that is nearest to the origin."""

@@ -96,16 +96,16 @@ def reverse_order(screws, M, q, times_M):
     return times_M(products(exponentials(screws, q)[::-1])[-1], M)
 
 
-@EXERCISE.mistake(start=(0, np.eye(4)))
-def exponentials_added_up(screws, M, q, start):
-    """the exponentials are added up. What is one motion after another, for matrices?"""
-    return (start + exponentials(screws, q).sum(0)) @ M
-
-
-@EXERCISE.mistake
-def twists_added_up(screws, M, q):
-    """the twists are added up, and one exponential is taken. Is exp(A) exp(B) the same as exp(A + B) for matrices?"""
-    return exp_se3(q @ screws) @ M
+@EXERCISE.mistake(
+    sum_of=(
+        lambda screws, q: exponentials(screws, q).sum(0),
+        lambda screws, q: np.eye(4) + exponentials(screws, q).sum(0),
+        lambda screws, q: exp_se3(q @ screws),
+    )
+)
+def added_up(screws, M, q, sum_of):
+    """the exponentials, or the twists, are added up. What is one motion after another, for matrices?"""
+    return sum_of(screws, q) @ M
 
 
 @EXERCISE.mistake(joints=(slice(-1), slice(1, None), slice(-1, None), slice(1)))
@@ -119,12 +119,6 @@ def angles_for_half_of_the_axis(screws, M, q, used):
     """q does not multiply all six numbers of the screw axis. What is exp([S] q) for q = 0?"""
     factors = np.where(np.repeat(used, 3), q[:, None], 1)
     return products(exp_se3(screws * factors))[-1] @ M
-
-
-@EXERCISE.mistake
-def halves_of_the_axes(screws, M, q):
-    """the halves of the screw axes are swapped. In which order does this course have omega and v?"""
-    return tool_pose(np.roll(screws, 3, axis=1), M, q)
 
 
 @EXERCISE.mistake(of_exponentials=(True, False))

@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import FINE
-from course_lib.rigid import exp_se3, hat_se3
+from course_lib.rigid import hat_se3
 from course_lib.rotations import hat
 
 
@@ -69,12 +69,6 @@ def v_in_the_last_row(twist, sign, column):
 def ones_of_a_pose(twist, ones):
     """the diagonal holds ones, as that of a pose does. What should the matrix make of the 1 at the end of a point?"""
     return hat_se3(twist) + ones
-
-
-@EXERCISE.mistake
-def exponential(twist):
-    """the exponential is returned. [V] is what the exponential is taken of."""
-    return exp_se3(twist)
 
 
 @EXERCISE.mistake(part=BLOCK)

@@ -109,9 +109,3 @@ def of_another_joint(omega, points, which):
     """the direction or the point of one joint is used for all. What of omega and points belongs to row i?"""
     directions, at = (x if k is None else 0 * x + x[k] for x, k in zip((omega, points), which, strict=True))
     return axes(directions, at)
-
-
-@EXERCISE.mistake(part=_OMEGA)
-def point_for_omega(omega, points):
-    """the point stands where omega belongs. A row is (omega, v): what is the point for?"""
-    return points

@@ -16,7 +16,7 @@ from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
 )
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import SAME_TWICE, near, products
-from course_lib.rigid import adjoint, exp_se3, inverse
+from course_lib.rigid import adjoint, inverse
 
 EXERCISE = Exercise(
     name="space_jacobian",
@@ -94,25 +94,9 @@ def reverse_order(screws, q, own):
 
 
 @EXERCISE.mistake
-def exponentials_of_moved_columns(screws, q):
-    """the exponentials are taken of the columns, which have moved already. To which axis does e^[S] belong?"""
-    T, found = np.eye(4), []
-    for S, angle in zip(screws, q, strict=True):
-        found.append(adjoint(T) @ S)
-        T = T @ exp_se3(found[-1] * angle)
-    return np.array(found).T
-
-
-@EXERCISE.mistake
 def adjoint_of_the_inverse(screws, q):
     """the adjoint is that of the inverse. Have the joints before it moved the axis, or moved it back?"""
     return columns(adjoint([inverse(T) for T in before(screws, q)]), screws)
-
-
-@EXERCISE.mistake
-def times_the_angles(screws, q):
-    """the columns are multiplied by the angles. What is the Jacobian multiplied by, and when?"""
-    return jacobian(screws, q) * q
 
 
 @EXERCISE.mistake

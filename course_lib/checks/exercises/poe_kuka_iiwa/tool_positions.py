@@ -84,12 +84,6 @@ def reverse_order(screws, M, angles, with_M):
 
 
 @EXERCISE.mistake
-def M_with_each_joint(screws, M, angles):
-    """M is multiplied in with each joint. How often does the pose at home come in?"""
-    return np.array([products([E @ M for E in exponentials(screws, q)])[-1][:3, 3] for q in angles])
-
-
-@EXERCISE.mistake
 def product_goes_on(screws, M, angles):
     """the product goes on from row to row. Does the next configuration begin where the last one was?"""
     return np.array([(T @ M)[:3, 3] for T in products([_product(screws, q) for q in angles])[1:]])
@@ -111,9 +105,3 @@ def only_rotated(screws, M, angles):
 def every_row_the_same(screws, M, angles, row):
     """every row is the same: at home, or for the angles of one row. Which angles belong to row i?"""
     return _right(screws, M, 0 * angles + (0 if row is None else angles[row]))
-
-
-@EXERCISE.mistake(row=(2, 3))
-def row_of_T(screws, M, angles, row):
-    """a row of T is returned, not its last column. Where in T = [[R, p], [0, 1]] is the position?"""
-    return np.array([tool_pose(screws, M, q)[row, :3] for q in angles])

@@ -102,9 +102,3 @@ def length_along_y(more):
 def height(drops):
     """the height is wrong. The drop between axes 5 and 6 is added, or left out: where is axis 6 in the side view?"""
     return np.add(_P, [0, 0, drops * 0.0997])
-
-
-@EXERCISE.mistake(part=COLUMN)
-def no_position():
-    """p is left out. The last column holds the position."""
-    return np.zeros(3)
