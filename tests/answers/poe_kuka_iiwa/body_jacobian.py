@@ -1,17 +1,14 @@
 """What students write for body_jacobian(screws, M, q)."""
 
 import numpy as np
-import scipy.linalg
 
-from course_lib.arms import SerialArm
 from course_lib.rigid import adjoint, exp_se3, hat_se3, inverse
-from course_lib.rotations import hat
 
 
-def _space(screws, q, ad=adjoint):
+def _space(screws, q):
     T, columns = np.eye(4), []
     for S, angle in zip(screws, q):
-        columns.append(ad(T) @ S)
+        columns.append(adjoint(T) @ S)
         T = T @ exp_se3(S * angle)
     return np.column_stack(columns), T
 

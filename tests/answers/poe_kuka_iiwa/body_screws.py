@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
+from course_lib.rigid import adjoint, inverse
 
 
 def right_row_by_row(screws, M):

@@ -5,8 +5,7 @@ from functools import reduce
 import numpy as np
 import scipy.linalg
 
-from course_lib.arms import SerialArm
-from course_lib.rigid import exp_se3, hat_se3, inverse
+from course_lib.rigid import exp_se3, hat_se3
 
 
 def right_loop(screws, M, q):

@@ -41,10 +41,3 @@ def wrong_pseudo_inverse(screws, M, q, mass, center):
     f = np.array([0, 0, mass * G])
     p = (T @ [*center, 1])[:3]
     return np.linalg.pinv(J) @ np.append(np.cross(p, f), f)
-
-
-def wrong_wrench(screws, M, q, mass, center):
-    """a wrench is returned"""
-    T, _ = _arm(screws, M, q)
-    f = np.array([0, 0, mass * G])
-    return np.append(np.cross((T @ [*center, 1])[:3], f), f)

@@ -1,7 +1,6 @@
 """What students write for lost_direction(J)."""
 
 import numpy as np
-import scipy.linalg
 
 
 def right_last_column_of_U(J):
@@ -15,11 +14,6 @@ def right_eigenvector_by_svd_of_J_JT(J):
 
 def right_of_the_transpose_as_list(J):
     return np.linalg.svd(J.T)[2][-1].tolist()
-
-
-def wrong_right_singular_vector(J):
-    """joint velocities"""
-    return np.linalg.svd(J)[2][-1]
 
 
 def wrong_least_squares(J):

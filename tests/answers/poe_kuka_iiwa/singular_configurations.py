@@ -19,15 +19,8 @@ def right_negative_right_angles():
     ]
 
 
-def right_other_numbers():
-    generic = np.array([1.0, 0.4, 0.9, -0.8, -1.1, -0.6, 2.0])
-    return np.array([np.where(np.arange(7) == 3, 0, generic), *_others(generic)])
-
-
-def _others(generic):
-    shoulder, wrist = generic.copy(), generic.copy()
-    shoulder[1:3], wrist[4:6] = (0, np.pi / 2), (np.pi / 2, 0)
-    return shoulder, wrist
+def right_all_joints_backwards_as_lists():
+    return (-right_by_the_text()).tolist()
 
 
 def wrong_zeros_but_for_the_family():
@@ -39,9 +32,7 @@ def wrong_zeros_but_for_the_family():
 
 def wrong_elbow_at_a_right_angle():
     """a configuration is not singular"""
-    rows = np.array(right_by_the_text())
-    rows[0, 3] = np.pi / 2
-    return rows
+    return right_by_the_text() + np.pi / 2 * (np.arange(21).reshape(3, 7) == 3)
 
 
 def wrong_elbow_three_times():
@@ -51,4 +42,4 @@ def wrong_elbow_three_times():
 
 def wrong_columns():
     """rows and columns are swapped"""
-    return np.array(right_by_the_text()).T
+    return right_by_the_text().T

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from course_lib.arms import SerialArm
-from course_lib.rigid import adjoint, exp_se3, hat_se3, inverse
-from course_lib.rotations import exp_so3, hat
+from course_lib.rigid import adjoint, exp_se3, hat_se3
+from course_lib.rotations import exp_so3
 
 
 def right_column_by_column(screws, q):
@@ -31,15 +30,6 @@ def right_points_and_directions(screws, q):
         omega[i + 1 :] = omega[i + 1 :] @ R.T
         points[i + 1 :] = points[i] + (points[i + 1 :] - points[i]) @ R.T
     return np.vstack([omega.T, np.cross(points, omega).T])
-
-
-def wrong_columns_kept_between_calls(screws, q, columns=[]):
-    """another form"""
-    T = np.eye(4)
-    for S, angle in zip(screws, q):
-        columns.append(adjoint(T) @ S)
-        T = T @ exp_se3(S * angle)
-    return np.column_stack(columns)
 
 
 def wrong_last_column_only(screws, q):

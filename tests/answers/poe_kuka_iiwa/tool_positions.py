@@ -33,12 +33,6 @@ def right_all_rows_at_once(screws, M, angles):
     return x[:, :3]
 
 
-def wrong_returns_in_the_loop(screws, M, angles):
-    """only the first item is returned"""
-    for path in right_M_at_the_end(screws, M, angles):
-        return path
-
-
 def wrong_z_left_out(screws, M, angles):
     """unnamed"""
     return right_M_at_the_end(screws, M, angles) * [1, 1, 0]

@@ -2,9 +2,7 @@
 
 import numpy as np
 
-from course_lib.arms import SerialArm
-from course_lib.rigid import adjoint, exp_se3, hat_se3, inverse
-from course_lib.rotations import hat
+from course_lib.rigid import adjoint, exp_se3, inverse
 
 
 def right_by_adjoint(V_s, T):

@@ -95,7 +95,7 @@ def _add_mistakes(exercise, arm):
 
     @exercise.mistake(joints=(*range(arm.n), slice(None)))
     def reversed_directions(joints):
-        """the direction of a joint is reversed, or of all. From where does a turn look counter-clockwise?"""
+        """the direction of a joint is reversed, or of all. Go through the arrows of the drawing, joint by joint."""
         rows = right.copy()
         rows[joints, :3] *= -1
         return rows

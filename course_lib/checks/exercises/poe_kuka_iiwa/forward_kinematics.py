@@ -58,12 +58,6 @@ EXERCISE = Exercise(
             says=lambda T, screws, M, q: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
         ),
         Property(
-            "if only one joint has rotated, T = exp([S] q) M, with S and q of that joint",
-            lambda T, screws, M, q: near(T, tool_pose(screws, M, q)),
-            says=_off,
-            where=lambda screws, M, q: np.count_nonzero(q) == 1,
-        ),
-        Property(
             "T = exp([S1] q1) exp([S2] q2) ... exp([Sn] qn) M",
             lambda T, screws, M, q: near(T, tool_pose(screws, M, q)),
             says=_off,

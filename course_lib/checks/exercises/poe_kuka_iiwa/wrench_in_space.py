@@ -47,10 +47,6 @@ EXERCISE = Exercise(
             lambda F, F_b, T: near(F[:3], _right(F_b, T)[:3]),
             says=lambda F, F_b, T: f"That is {format_tuple(_right(F_b, T)[:3])}; yours is {format_tuple(F[:3])}.",
         ),
-        Property(
-            "the power is the same in both frames: F_s V_s = F_b V_b for every twist V_b, with V_s = Ad(T) V_b",
-            lambda F, F_b, T: near(adjoint(T).T @ F, F_b),
-        ),
     ),
     hints=(
         "Directly: the force, seen from the base, is R f. Its moment about the base's origin is p x (R f), and R "
