@@ -20,7 +20,8 @@ _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "Keyboa
 
 ALWAYS_TRUE = Mistake(
     "your test accepts everything",
-    "Call the function that it is given, and compare the answer with something that must hold for every right version.",
+    "With which arguments does it call the function that it is given, and would a wrong answer show there? Compare it "
+    "with something that must hold for every right version.",
 )
 ALWAYS_FALSE = Mistake(
     "your test refuses everything",
