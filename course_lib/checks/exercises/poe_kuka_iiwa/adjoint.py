@@ -95,18 +95,6 @@ def both_transposed(T, coupling):
     return in_blocks(T, lambda R, P, zero: [[R.T, zero], [coupling(R, P), R.T]])
 
 
-@EXERCISE.mistake(part=_LOWER_RIGHT, change=(np.transpose, np.zeros_like, lambda R: np.eye(3)))
-def lower_right(T, change):
-    """the lower right block is not R. Which matrix takes v, known in frame b, to frame a?"""
-    return change(T[BLOCK])
-
-
-@EXERCISE.mistake(part=_LOWER_LEFT)
-def no_coupling(T):
-    """the lower left block is left out. A rotating body moves what is far from its axis: what does omega add to v?"""
-    return np.zeros((3, 3))
-
-
 @EXERCISE.mistake(part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T))
 def order_of_the_coupling(T, coupling):
     """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In which frame is p,

@@ -63,12 +63,6 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake
-def space_jacobian(screws, M, q):
-    """the space Jacobian is returned. From which frame is that seen, and from which should it be?"""
-    return jacobian(screws, q)
-
-
-@EXERCISE.mistake
 def other_direction(screws, M, q):
     """Ad(T) stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees: and you?"""
     return adjoint(tool_pose(screws, M, q)) @ jacobian(screws, q)
@@ -85,12 +79,6 @@ def other_direction(screws, M, q):
 def another_pose(screws, M, q, pose):
     """the pose that is inverted is not that of the end-effector at q. Compare it with your forward_kinematics."""
     return adjoint(inverse(pose(exponentials(screws, q), M))) @ jacobian(screws, q)
-
-
-@EXERCISE.mistake(of=(lambda T, M: M, lambda T, M: T))
-def at_home(screws, M, q, of):
-    """the screw axes are left as they are at home. Which joints have moved axis i, as seen from the end-effector?"""
-    return adjoint(inverse(of(tool_pose(screws, M, q), M))) @ screws.T
 
 
 @EXERCISE.mistake(change=(lambda R, J, body: R.T @ J, lambda R, J, body: R @ J, lambda R, J, body: R @ body))
@@ -138,9 +126,3 @@ def other_joints(screws, M, q, others):
 def last_joint_first(screws, M, q):
     """the columns stand in the reverse order. In which order does your loop note them?"""
     return _right(screws, M, q)[:, ::-1]
-
-
-@EXERCISE.mistake
-def reshaped(screws, M, q):
-    """the numbers are right, but reshaped to (6, n). Does reshape turn rows into columns?"""
-    return _right(screws, M, q).T.reshape(6, -1)

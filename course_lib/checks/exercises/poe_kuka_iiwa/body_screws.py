@@ -90,9 +90,3 @@ def half_way(screws, M, R):
     """the axes are only rotated, or only moved to the end-effector's origin. Along which axes does it see omega and v,
     and of which point is v the velocity?"""
     return screws @ (np.kron(np.eye(2), M[:3, :3]) if R else adjoint(at(*-M[:3, 3])).T)
-
-
-@EXERCISE.mistake
-def v_first(screws, M):
-    """v stands before omega. Which half of a twist comes first in this course?"""
-    return np.roll(_right(screws, M), 3, axis=1)

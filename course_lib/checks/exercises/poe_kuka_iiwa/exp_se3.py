@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, X, Y, Z, partial_sum, pose, unit
+from course_lib.checks.vocabulary import FINE, X, Y, Z, partial_sum, unit
 from course_lib.rigid import exp_se3, hat_se3
 from course_lib.rotations import exp_so3, hat, length
 
@@ -163,41 +163,10 @@ def tiny_rotations_cut_off(twist):
     return np.eye(3) if _is_small(twist) else None
 
 
-@EXERCISE.mistake
-def exponential_of_each_entry(twist):
-    """np.exp takes the exponential of each entry. The series of a matrix has products of matrices."""
-    return np.exp(hat_se3(twist))
-
-
 @EXERCISE.mistake(terms=range(2, 21))
 def series_cut(twist, terms):
     """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
     return partial_sum(hat_se3(twist), terms)
-
-
-@EXERCISE.mistake
-def rotation_backwards(twist):
-    """the rotation goes in the opposite direction. [n] p must be n x p."""
-    return exp_se3(twist * np.repeat([-1, 1], 3))
-
-
-@EXERCISE.mistake(places=("R", "p", "R and p"))
-def omega_not_divided_by_its_length(twist, places):
-    """omega is not divided by its length before [n] is formed. n is a unit axis in these formulas."""
-    (a, N), W = _axis(twist), hat(twist[:3])
-    return pose(_R(a, W if "R" in places else N), _p(a, W if "p" in places else N, twist[3:]))
-
-
-@EXERCISE.mistake(part=BLOCK, factors=({"versine": lambda a: 0}, {"versine": np.cos}, {"sine": lambda a: a}))
-def term_of_R(twist, factors):
-    """a term of R is missing, or has the wrong factor. Compare with your rotation_about, term by term."""
-    return _R(*_axis(twist), **factors)
-
-
-@EXERCISE.mistake(part=COLUMN, factor=(1, -0.5, -1))
-def series_of_p(twist, factor):
-    """the term with omega x v in the series of p has a wrong factor. (1 - cos a) / a is nearly which part of a?"""
-    return twist[3:] + factor * np.cross(twist[:3], twist[3:]) if _is_small(twist) else None
 
 
 @EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))

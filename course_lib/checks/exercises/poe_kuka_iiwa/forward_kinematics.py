@@ -100,35 +100,3 @@ def reverse_order(screws, M, q, times_M):
 def added_up(screws, M, q, sum_of):
     """the exponentials, or the twists, are added up. What is one motion after another, for matrices?"""
     return sum_of(screws, q) @ M
-
-
-@EXERCISE.mistake(joints=(slice(-1), slice(1, None), slice(-1, None), slice(1)))
-def joints_left_out(screws, M, q, joints):
-    """some joints are left out. Print i in the loop: which joints does it reach, and does T keep what it was?"""
-    return tool_pose(screws[joints], M, q[joints])
-
-
-@EXERCISE.mistake(used=((1, 0), (0, 1), (0, 0)))
-def angles_for_half_of_the_axis(screws, M, q, used):
-    """q does not multiply all six numbers of the screw axis. What is exp([S] q) for q = 0?"""
-    factors = np.where(np.repeat(used, 3), q[:, None], 1)
-    return products(exp_se3(screws * factors))[-1] @ M
-
-
-@EXERCISE.mistake(of_exponentials=(True, False))
-def product_entry_by_entry(screws, M, q, of_exponentials):
-    """a product is entry by entry. In numpy * works entry by entry; the product of matrices is @."""
-    each = exponentials(screws, q)
-    return np.prod(each, axis=0) * np.eye(4) @ M if of_exponentials else products(each)[-1] * M
-
-
-@EXERCISE.mistake(
-    product=(
-        lambda each, M: M @ products(each)[-1] @ M,
-        lambda each, M: np.linalg.inv(M) @ products(each)[-1] @ M,
-        lambda each, M: products([E @ M for E in each])[-1],
-    )
-)
-def M_more_than_once(screws, M, q, product):
-    """M comes in more than once. What moves the end-effector before the joints do, and how often?"""
-    return product(exponentials(screws, q), M)

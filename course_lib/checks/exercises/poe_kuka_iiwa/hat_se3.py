@@ -56,15 +56,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(sign=(1, -1), column=(0, 1))
-def v_in_the_last_row(twist, sign, column):
-    """v stands in the last row. Rows come first in an index: V[row, column]; and only the block is skew-symmetric."""
-    V = hat_se3(twist)
-    V[3, :3] = sign * twist[3:]
-    V[COLUMN] *= column
-    return V
-
-
 @EXERCISE.mistake(ones=(np.eye(4), np.diag([0, 0, 0, 1])))
 def ones_of_a_pose(twist, ones):
     """the diagonal holds ones, as that of a pose does. What should the matrix make of the 1 at the end of a point?"""
@@ -81,12 +72,6 @@ def block_transposed(twist):
 def block_of_v(twist):
     """the block is made of v, not of omega. A twist is (omega, v): which three entries come first?"""
     return hat(twist[3:])
-
-
-@EXERCISE.mistake(part=BLOCK, change=(np.diag, lambda w: abs(hat(w)), lambda w: hat(w[::-1]), lambda w: 0 * hat(w)))
-def entries_out_of_place(twist, change):
-    """the entries of omega are not where omega x p needs them. Column k is omega x e_k: what is omega x (1, 0, 0)?"""
-    return change(twist[:3])
 
 
 @EXERCISE.mistake(part=COLUMN)

@@ -91,10 +91,3 @@ def last_but_one(J, most):
     """the last vector but one is returned. There are six directions of motion: how many columns has your U, also if J
     has only five?"""
     return np.linalg.svd(J)[0][:, 4] if J.shape[1] <= most else None
-
-
-@EXERCISE.mistake
-def singular_values(J):
-    """the singular values are returned. np.linalg.svd returns three arrays: which of them holds directions?"""
-    values = np.linalg.svd(J)[1]
-    return values if len(values) == 6 else None

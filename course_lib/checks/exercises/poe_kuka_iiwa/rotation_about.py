@@ -155,12 +155,6 @@ def no_inverse(omega, point, theta, change):
     return change(_right(omega, point, theta)[0])
 
 
-@EXERCISE.mistake(part=_BACK_R, change=(np.copy, np.zeros_like, np.negative))
-def block_of_the_inverse(omega, point, theta, change):
-    """the block of the inverse is not R^T. Which matrix undoes the rotation R?"""
-    return change(exp_so3(theta * omega))
-
-
 @EXERCISE.mistake(
     part=_BACK_P, p=(lambda R, p: -p, lambda R, p: p, lambda R, p: R.T @ p, lambda R, p: -R @ p, lambda R, p: 0 * p)
 )

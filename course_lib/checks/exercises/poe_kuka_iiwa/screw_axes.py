@@ -84,28 +84,3 @@ def v_first(omega, points):
 def sign_of_v(omega, points):
     """v has its sign changed: it is omega x p. What must omega x p + v be for a point p on the axis?"""
     return np.cross(omega, points)
-
-
-@EXERCISE.mistake(part=_V, sign=(1, -1))
-def point_for_v(omega, points, sign):
-    """the point is taken for v. v is a velocity: that of which point, while the joint rotates at 1 rad/s?"""
-    return sign * points
-
-
-@EXERCISE.mistake(part=_V, sign=(1, -1))
-def product_entry_by_entry(omega, points, sign):
-    """omega * p, entry by entry, stands for the cross product. In numpy * works entry by entry."""
-    return sign * omega * points
-
-
-@EXERCISE.mistake(part=_V)
-def no_v(omega, points):
-    """v is 0 for every axis. Which axes have v = 0?"""
-    return 0 * points
-
-
-@EXERCISE.mistake(which=((0, None), (-1, None), (None, 0), (None, -1)))
-def of_another_joint(omega, points, which):
-    """the direction or the point of one joint is used for all. What of omega and points belongs to row i?"""
-    directions, at = (x if k is None else 0 * x + x[k] for x, k in zip((omega, points), which, strict=True))
-    return axes(directions, at)

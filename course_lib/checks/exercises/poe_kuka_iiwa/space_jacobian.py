@@ -4,19 +4,16 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
-    WRONG_ADJOINTS,
     arms,
-    before,
     columns,
     exponentials,
     first_off,
-    in_blocks,
     jacobian,
     read_jacobian,
 )
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import SAME_TWICE, near, products
-from course_lib.rigid import adjoint, inverse
+from course_lib.rigid import adjoint
 
 EXERCISE = Exercise(
     name="space_jacobian",
@@ -59,18 +56,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def left_at_home(screws, q):
-    """the screw axes are left as they are at home. Which joints have moved axis i, and which have not?"""
-    return screws.T
-
-
-@EXERCISE.mistake(form=WRONG_ADJOINTS)
-def wrong_adjoint(screws, q, form):
-    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
-    return columns([in_blocks(T, form) for T in before(screws, q)], screws)
-
-
 @EXERCISE.mistake(
     poses=(
         lambda each: [np.eye(4), *products(each)[:-2]],
@@ -91,21 +76,3 @@ def reverse_order(screws, q, own):
     """the exponentials are multiplied in the reverse order. Joint 1 moves all the others: on which side is its?"""
     each = exponentials(screws, q)
     return columns(adjoint([products(each[: i + own][::-1])[-1] for i in range(len(each))]), screws)
-
-
-@EXERCISE.mistake
-def adjoint_of_the_inverse(screws, q):
-    """the adjoint is that of the inverse. Have the joints before it moved the axis, or moved it back?"""
-    return columns(adjoint([inverse(T) for T in before(screws, q)]), screws)
-
-
-@EXERCISE.mistake
-def without_angles(screws, q):
-    """the exponentials are taken without the angles. exp([S] q): where is q?"""
-    return jacobian(screws, 0 * q + 1)
-
-
-@EXERCISE.mistake
-def reshaped(screws, q):
-    """the numbers are right, but reshaped to (6, n). Does reshape turn rows into columns?"""
-    return jacobian(screws, q).T.reshape(6, -1)

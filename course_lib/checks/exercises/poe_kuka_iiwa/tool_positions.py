@@ -99,9 +99,3 @@ def position_of_M_added(screws, M, angles):
 def only_rotated(screws, M, angles):
     """the position of M is rotated, and not moved. What else than a rotation does the product of exponentials do?"""
     return np.array([_product(screws, q)[:3, :3] @ M[:3, 3] for q in angles])
-
-
-@EXERCISE.mistake(row=(0, -1, None))
-def every_row_the_same(screws, M, angles, row):
-    """every row is the same: at home, or for the angles of one row. Which angles belong to row i?"""
-    return _right(screws, M, 0 * angles + (0 if row is None else angles[row]))

@@ -92,12 +92,6 @@ def another_order(V_s, T, order):
     return _right(V_s, T)[order]
 
 
-@EXERCISE.mistake(shift=(0, 3))
-def v_first(V_s, T, shift):
-    """v stands before omega. Which half of a twist comes first in this course?"""
-    return np.roll(_right(np.roll(V_s, shift), T), 3, axis=1)
-
-
 def _rotated(V_s, T, powers, moved):
     """Return the twist whose halves are rotated by powers of R, with v at the end-effector if moved."""
     of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
@@ -110,22 +104,10 @@ def cross_product_reversed(V_s, T):
     return np.append(V_s[:3], V_s[3:] + np.cross(T[:3, 3], V_s[:3]))
 
 
-@EXERCISE.mistake(part=HYBRID)
-def hybrid_as_space(V_s, T):
-    """the hybrid row is the same as the space row. Where is the origin of each of the two frames?"""
-    return V_s
-
-
 @EXERCISE.mistake(part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False))
 def hybrid_rotated(V_s, T, powers, moved):
     """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
     return _rotated(V_s, T, powers, moved)
-
-
-@EXERCISE.mistake(part=HYBRID, more=(lambda w, p: p, lambda w, p: -p, lambda w, p: w * p))
-def position_added(V_s, T, more):
-    """p is added to v, or omega * p entry by entry. v is a velocity and p a position: how fast is p in a rotation?"""
-    return np.append(V_s[:3], V_s[3:] + more(V_s[:3], T[:3, 3]))
 
 
 @EXERCISE.mistake(part=BODY)
@@ -134,23 +116,10 @@ def other_direction(V_s, T):
     return adjoint(T) @ V_s
 
 
-@EXERCISE.mistake(part=BODY, power=(0, 1, -1))
-def only_rotated(V_s, T, power):
-    """the body row is V_s still, or only rotated. Its v is the velocity of which point? Which matrix does both?"""
-    return np.kron(np.eye(2), np.linalg.matrix_power(T[:3, :3], power)) @ V_s
-
-
 @EXERCISE.mistake(part=BODY, powers=((0, 0), (-1, 0), (0, -1), (1, 1), (-1, 1)))
 def rotated_otherwise(V_s, T, powers):
     """a half of the body row is not rotated, or by R and not R^T. From where to where does R take vectors?"""
     return _rotated(V_s, T, powers, moved=True)
-
-
-@EXERCISE.mistake(part=BODY)
-def transposed_for_inverted(V_s, T):
-    """Ad(T) is transposed where it is to be inverted. The inverse of a rotation is its transpose: is that of an
-    adjoint?"""
-    return adjoint(T).T @ V_s
 
 
 @EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:7], lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]]))

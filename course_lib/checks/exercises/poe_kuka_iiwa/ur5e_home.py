@@ -8,7 +8,6 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import FINE, orthogonality_error
-from course_lib.rotations import rot_x
 
 _TOLERANCE = 1e-4  # metres: a tenth of the drawing's last digit
 _M = ur5e().home[-1]
@@ -72,12 +71,6 @@ def parallel_to_the_base():
 def rows_for_columns():
     """R is transposed. Each column of R is one axis of the flange, seen from the base."""
     return _R.T
-
-
-@EXERCISE.mistake(part=BLOCK, R=(_R @ np.diag([-1, -1, 1]), _R @ np.diag([-1, 1, -1]), rot_x(np.pi)))
-def axes_reversed(R):
-    """two of the flange's axes point in other directions. Compare each with its arrow in the drawing."""
-    return R
 
 
 @EXERCISE.mistake(part=COLUMN)
