@@ -4,7 +4,6 @@ import numpy as np
 
 INSIDE = [[1.0, 1.0], [-0.6, 1.3], [-1.1, -0.4], [0.2, -1.7], [1.999, 0.0], [0.5, 0.1]]
 EDGE = [[2.0, 0.0], [0.0, -2.0]]
-OUTSIDE = [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]]
 
 
 def _fk(q):
@@ -15,23 +14,20 @@ def _fk(q):
 def right_by_forward_kinematics(ik_2r):
     for xy in INSIDE + EDGE:
         q = np.array(ik_2r(xy))
-        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=1e-6):
+        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=1e-6) or q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
             return False
-        if q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
-            return False
-    return all(np.isnan(ik_2r(xy)).all() for xy in OUTSIDE)
+    return all(np.isnan(ik_2r(xy)).all() for xy in [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]])
 
 
-def right_by_assertions(ik_2r):
+def right_by_assertions_many_times(ik_2r):
     rng = np.random.default_rng(2)
     for r in (0.3, 1.0, 1.7, 1.999, 2.0):
-        for angle in rng.uniform(-np.pi, np.pi, 8) if r < 2 else (0,):
+        for angle in rng.uniform(-np.pi, np.pi, 400) if r < 2 else (0,):
             xy = r * np.array([np.cos(angle), np.sin(angle)])
-            first, second = np.array(ik_2r(xy))
-            assert first[1] > -1e-9
-            assert second[1] < 1e-9
-            np.testing.assert_allclose(_fk(first), xy, atol=1e-7)
-            np.testing.assert_allclose(_fk(second), xy, atol=1e-7)
+            q = np.array(ik_2r(xy))
+            assert q[0, 1] > -1e-9
+            assert q[1, 1] < 1e-9
+            np.testing.assert_allclose(_fk(q), [xy, xy], atol=1e-7)
     assert np.isnan(np.array(ik_2r([3, 0]))).all()
     return True
 
@@ -43,17 +39,12 @@ def right_against_the_law_of_cosines(ik_2r):
         gap = np.array(ik_2r([x, y])) - [[to - bend / 2, bend], [to + bend / 2, -bend]]
         if not np.abs(np.exp(1j * gap) - 1).max() < 1e-6:
             return False
-    return bool(np.isnan(np.array(ik_2r(OUTSIDE[0]))).all())
+    return bool(np.isnan(np.array(ik_2r([2.1, 0.0]))).all())
 
 
 def wrong_always_true(ik_2r):
     """accepts everything"""
     return True
-
-
-def wrong_always_false(ik_2r):
-    """refuses everything"""
-    return False
 
 
 def wrong_exactly_equal(ik_2r):
@@ -64,8 +55,3 @@ def wrong_exactly_equal(ik_2r):
 def wrong_one_of_the_rows(ik_2r):
     """unnamed"""
     return np.allclose(_fk(np.array(ik_2r([1.0, 1.0]))[0]), 1)
-
-
-def wrong_angles(ik_2r):
-    """another form"""
-    return ik_2r([1.0, 1.0])

@@ -3,9 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercises.decomposition_ik.shared import both_elbows_at
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.decomposition_ik.shared import solutions
 from course_lib.checks.exercises.decomposition_ik.split_branches import split_branches
-from course_lib.checks.exercise import Exercise, Mistake, Property
 
 
 def right(q):
@@ -22,7 +22,7 @@ def _cases(rng):
     positive = np.array([[0.5, 0.7], [0.6, 0.9], [0.7, 0.4], [0.4, 1.2]])
     negative = positive * [1, -1] + [1.0, 0]
     stretched = np.array([[0.8, 0.05], [0.9, -0.05], [0.85, 0.0], [1.4, 0.3], [0.3, -0.4], [0.2, 0.02]])
-    drawn = rng.permutation(both_elbows_at(rng, (0.6, 1.3), 9))
+    drawn = rng.permutation(np.concatenate(solutions(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2)))))
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
     single = np.array([[0.4, -0.2]])
     return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, single, np.zeros((0, 2)))]
@@ -34,6 +34,8 @@ EXERCISE = Exercise(
     arguments=("q",),
     cases=_cases,
     returns=numbers(lambda q: (len(q),)),
+    library=right,
+    broken=split_branches,
     properties=(
         Property(
             "samples of one elbow all have the same label: 0 if q2 >= 0, 1 if q2 < 0",
@@ -45,44 +47,39 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, right(q)),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "the labels are swapped",
-            "Branch 0 is the one with q2 >= 0, as in ik_2r.",
-            lambda q: 1 - right(q),
-            lambda q: np.where(q[:, 1] > 0, 1, 0),
-        ),
-        Mistake(
-            "samples that all have q2 < 0 are in branch 0",
-            "Branch 1 is theirs, even if there is no other sample in the cell.",
-            lambda q: 0 * right(q) if _one_elbow(q) else right(q),
-        ),
-        Mistake("q2 = 0 is in branch 1", "0 is not negative.", lambda q: np.where(q[:, 1] <= 0, 1, 0)),
-        Mistake("q1 decides", "The elbow bends by q2.", lambda q: np.where(q[:, 0] < 0, 1, 0)),
-        Mistake(
-            "the signs themselves are returned",
-            "The labels are 0 and 1.",
-            lambda q: np.sign(q[:, 1]),
-            lambda q: -np.sign(q[:, 1]),
-        ),
-        Mistake(
-            "the samples are compared with their own mean",
-            "A cell of one elbow has no zero between its samples. Compare with a fixed angle.",
-            lambda q: np.where(q[:, 1] < q[:, 1].sum() / max(len(q), 1), 1, 0),
-            lambda q: np.where(q[:, 1] < np.median(q[:, 1]), 1, 0) if len(q) else None,
-        ),
-        Mistake(
-            "every cell is still split by k-means if its samples have both signs",
-            "Which elbow a sample belongs to does not depend on the other samples.",
-            lambda q: right(q) if _one_elbow(q) else split_branches(q),
-            lambda q: 0 * right(q) if _one_elbow(q) else split_branches(q),
-        ),
-    ),
     hints=(
         "Run the broken code on samples that all have q2 > 0. How many elbows does it report?",
         "Each sample carries the answer in itself; the other samples of its cell are not needed.",
         "Compare q[:, 1] with 0; a comparison gives True and False, which astype(int) turns into 1 and 0.",
     ),
-    library=right,
-    broken=split_branches,
 )
+
+
+@EXERCISE.mistake(limit=(np.greater, np.greater_equal))
+def labels_swapped(q, limit):
+    """the labels are swapped. Which label does the task give to q2 >= 0?"""
+    return limit(q[:, 1], 0)
+
+
+@EXERCISE.mistake
+def zero_is_negative(q):
+    """q2 = 0 is in branch 1. On which side of the comparison in the task is 0?"""
+    return q[:, 1] <= 0
+
+
+@EXERCISE.mistake(one_elbow=(right, lambda q: 0 * right(q)))
+def still_split(q, one_elbow):
+    """a cell whose samples have both signs is still split by k-means. What if the two clouds touch?"""
+    return one_elbow(q) if _one_elbow(q) else split_branches(q)
+
+
+@EXERCISE.mistake
+def one_elbow_is_branch_0(q):
+    """samples that all have q2 < 0 are in branch 0. Does their label depend on the other samples of the cell?"""
+    return 0 * right(q) if _one_elbow(q) else None
+
+
+@EXERCISE.mistake(joint=(0, 1), middle=(np.mean, np.median))
+def own_middle(q, joint, middle):
+    """the samples are compared with their own mean or median. Where is that in a cell of one elbow?"""
+    return q[:, joint] < middle(q[:, joint]) if len(q) else None

@@ -4,99 +4,66 @@ import numpy as np
 from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercises.decomposition_ik.fit_cells_cases import cases
-from course_lib.checks.exercises.decomposition_ik.fit_cells_mistakes import MISTAKES, ONE_FOR_BOTH, THETA1_ONLY, one_for_both
-from course_lib.checks.exercises.decomposition_ik.shared import clusters, models, with_one
-from course_lib.checks.exercises.decomposition_ik.split_branches import split_branches
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.decomposition_ik.shared import position, solutions, with_one
+from course_lib.checks.exercises.decomposition_ik.split_branches import labelled, split_branches
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import same_with_gaps
 
-_FINE = 1e-7  # radians
-_SHAPES = {
-    (2, 2, 2): Mistake("the intercepts are missing", "Row j is [coef_[j, 0], coef_[j, 1], intercept_[j]]: 3 numbers."),
-    (2, 3, 2): Mistake(
-        "the models are transposed", "Row j belongs to q j: np.column_stack([coef_, intercept_]) is (2, 3)."
-    ),
-}
-_COUNT = Mistake(
-    "count is not used for the number of cells", "Cells may be empty, the last one too: np.full((count, 2, 2, 3), nan)."
-)
+_COUNT = Mistake("count is not used for the number of cells", "May the last cells be empty? How many models are asked?")
 _EMPTY = Mistake(
-    "a model is fitted to a cluster without samples",
-    "A cell may be empty, or hold one cluster only: ask for three samples or more before LinearRegression.",
+    "a model is fitted to a cluster without samples", "How many samples does a model need? What stands there otherwise?"
 )
-_FIRST_AXIS = Mistake("the clusters stand on the first axis", "First the cell, then the cluster: models[c, k].")
 
 
-def _known_form(array, *case):
-    """The mistake of an answer that has another shape, or None."""
-    count = case[-1]
-    if array.shape == (count, 2, 3):
-        one = same_with_gaps(array, one_for_both(*case)[:, 0])
-        return Mistake(*(ONE_FOR_BOTH if one else THETA1_ONLY))
-    if array.shape[1:] == (2, 2, 3) and array.shape[0] < count:
-        return _COUNT
-    if count != 2 and array.shape == (2, count, 2, 3):
-        return _FIRST_AXIS
-    return _SHAPES.get(array.shape[1:]) if array.shape[:1] == (count,) else None
+def _both(rng, middle, up, down):
+    """Positions and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
+
+    The first three of each lie near three corners of the cell, so that they determine a plane well.
+    """
+    corners = np.array([[-1, -1], [1, -0.9], [-0.8, 1]])
+    xy = [np.concatenate([corners * rng.uniform(0.9, 1, (3, 1)), rng.uniform(-1, 1, (n, 2))])[:n] for n in (up, down)]
+    xy = middle + 0.16 * np.concatenate(xy)
+    return xy, solutions(xy)[np.arange(len(xy)), np.repeat([0, 1], [up, down])]
 
 
-def _around(samples):
-    """Places in the cell of these samples (m, 2)."""
-    return samples.mean(axis=0) + 0.1 * np.array([[0, 0], [1, 1], [-1, 1], [-1, -1], [1, -1]])
+def _one_elbow(rng, middle, elbow, n):
+    """Samples of a cell that holds one elbow only: a small lump near to the base, a large one far from it."""
+    outward = np.array(middle) / np.linalg.norm(middle)
+    far = np.repeat([-1, 1], [n // 4, n - n // 4])
+    xy = middle + 0.16 * far[:, None] * outward + rng.uniform(-0.04, 0.04, (n, 2))
+    return xy, solutions(xy)[:, elbow]
 
 
-def _errors(value, xy, q, cell, count):
-    """Return how far each model's angles are off: {(c, k): (2,)}, for the clusters that have a model."""
-    right, errors = models(xy, q, cell, count), {}
-    for position, samples in clusters(q, cell, count).items():
-        if len(samples) > 2:
-            off = with_one(_around(xy[samples])) @ (value[position] - right[position]).T
-            errors[position] = np.where(np.isnan(off), np.inf, np.abs(off)).max(axis=0)
-    return errors
+def _mixed(rng, count, **cells):
+    """The arguments for some cells {c0: samples, ...}, none: outside; the samples stand in any order."""
+    xy, q = (np.concatenate([samples[i] for samples in cells.values()]) for i in (0, 1))
+    numbered = [-1 if name == "none" else int(name[1:]) for name in cells]
+    cell = np.repeat(numbered, [len(samples[0]) for samples in cells.values()])
+    order = rng.permutation(len(cell))
+    return xy[order], q[order], cell[order], count
 
 
-def _tell_fit(value, *case):
-    errors = _errors(value, *case)
-    (c, k), j = next((position, j) for position, own in errors.items() for j in (0, 1) if not own[j] < _FINE)
-    wanted, samples = models(*case)[c, k, j], clusters(*case[1:])[c, k]
-    return (
-        f"In cell {c}, cluster {k} has {len(samples)} samples, and for q{j + 1} the row {format_tuple(wanted)} "
-        f"fits them best. Yours is {format_tuple(value[c, k, j])}."
-    )
-
-
-def _size(position, *case):
-    n = len(clusters(*case[1:])[position])
-    return "1 sample" if n == 1 else f"{n} samples"
-
-
-def _too_many(value, *case):
-    """The clusters with a model that are to have none."""
-    missing = np.isnan(models(*case))
+def _cases(rng):
+    """Every pair of clusters lies so far apart that there is no doubt about them."""
+    a, b, c, d = (0.9, 1.3), (-0.2, 1.6), (1.2, 1.0), (-0.9, 1.4)
+    few = {"c0": _both(rng, (0.5, 1.4), 1, 0), "c1": _both(rng, b, 1, 1), "c2": _both(rng, c, 3, 16)}
+    few |= {"c3": _both(rng, d, 8, 2), "c4": _both(rng, a, 4, 5)}
     return [
-        position for position in np.ndindex(value.shape[:2]) if not np.isnan(value[position][missing[position]]).all()
+        _mixed(rng, 1, c0=_both(rng, a, 12, 12)),
+        _mixed(rng, 1, none=_both(rng, b, 12, 12)),
+        _mixed(rng, 1, c0=_both(rng, b, 22, 2)),
+        _mixed(rng, 1, c0=_both(rng, d, 1, 22)),
+        _mixed(rng, 1, c0=_both(rng, c, 20, 3)),
+        _mixed(rng, 1, c0=_one_elbow(rng, (0.5, 1.5), 0, 24)),
+        _mixed(rng, 1, c0=_one_elbow(rng, (-0.4, 1.5), 1, 25), none=_both(rng, (0.3, 1.55), 8, 8)),
+        _mixed(rng, 4, c0=_both(rng, a, 9, 7), c2=_both(rng, b, 8, 11), none=_both(rng, (0.3, 1.55), 8, 8)),
+        _mixed(rng, 4, c3=_both(rng, c, 9, 9), c1=_both(rng, d, 14, 6), none=_both(rng, (1.1, 1.15), 5, 5)),
+        _mixed(rng, 5, **few),
     ]
 
 
-def _too_few(value, *case):
-    """The clusters without a model that are to have one."""
-    wanted = ~np.isnan(models(*case))
-    return [position for position in np.ndindex(value.shape[:2]) if np.isnan(value[position][wanted[position]]).any()]
-
-
-def _tell_too_many(value, *case):
-    c, k = position = _too_many(value, *case)[0]
-    return (
-        f"In cell {c}, cluster {k} has {_size(position, *case)}, and the first row of your model there is "
-        f"{format_tuple(value[position][0])}."
-    )
-
-
-def _tell_too_few(value, *case):
-    c, k = position = _too_few(value, *case)[0]
-    return f"In cell {c}, cluster {k} has {_size(position, *case)}, and your model there holds nan."
+def _least_squares(xy, q):
+    return np.linalg.lstsq(with_one(xy)[:, [1, 2, 0]], q, rcond=None)[0].T
 
 
 def _linear_regression(xy, q):
@@ -104,38 +71,61 @@ def _linear_regression(xy, q):
     return np.column_stack([line.coef_, line.intercept_])
 
 
-def fit_cells(xy, q, cell, count, least=3, split=split_branches):
+def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, least=3):
     """Return the models (count, 2, 2, 3) of the clusters of cells; NaN for those of fewer samples than `least`."""
-    return models(xy, q, cell, count, _linear_regression, split, least)
+    models = np.full((count, 2, 2, 3), np.nan)
+    for c in range(count):
+        own = np.flatnonzero(cell == c)
+        labels = np.asarray(split(q[own]), int)
+        for k in (0, 1):
+            chosen = own[labels == k]
+            if len(chosen) >= least:
+                models[c, k] = fit(xy[chosen], q[chosen])
+    return models
+
+
+def _asked(text, is_wrong):
+    """No number of the answer is_wrong(numbers, those of the right answer)."""
+
+    def wrong(models, *case):
+        return np.argwhere(is_wrong(models, fit_cells(*case)))
+
+    def says(models, xy, q, cell, count):
+        c, k, j, _ = wrong(models, xy, q, cell, count)[0]
+        n = np.sum(split_branches(q[cell == c]) == k)
+        return (
+            f"Samples of cluster {k} in cell {c}: {n}. Your row for q{j + 1} there is {format_tuple(models[c, k, j])}."
+        )
+
+    return Property(text, lambda *case: not wrong(*case).size, says)
 
 
 EXERCISE = Exercise(
     name="fit_cells",
     points=3,
     arguments=("xy", "q", "cell", "count"),
-    cases=cases,
-    returns=numbers(lambda xy, q, cell, count: (count, 2, 2, 3), _known_form, gaps=True),
+    cases=_cases,
+    returns=numbers(
+        lambda xy, q, cell, count: (count, 2, 2, 3),
+        lambda array, *case: _COUNT if array.shape[1:] == (2, 2, 3) and len(array) < case[-1] else None,
+        gaps=True,
+    ),
+    library=fit_cells,
+    tries_arguments=False,
     properties=(
-        Property(
+        _asked(
             "a cluster with fewer than 3 samples has no model: all 6 of its numbers are nan",
-            lambda value, *case: not _too_many(value, *case),
-            _tell_too_many,
+            lambda models, right: np.isnan(right) & ~np.isnan(models),
         ),
-        Property(
-            "a cluster with 3 samples or more has a model",
-            lambda value, *case: not _too_few(value, *case),
-            _tell_too_few,
+        _asked(
+            "a cluster with 3 samples or more has a model", lambda models, right: ~np.isnan(right) & np.isnan(models)
         ),
-        Property(
-            "q_j = A[j, 0] x + A[j, 1] y + A[j, 2] fits the samples of its cluster with the least squares",
-            lambda value, *case: all(errors.max() < _FINE for errors in _errors(value, *case).values()),
-            _tell_fit,
+        _asked(
+            "q_j = A_j1 x + A_j2 y + b_j fits the samples of its cluster with the least squares",
+            lambda models, right: ~np.isnan(right) & ~(np.abs(models - right) < 1e-7 * (1 + np.abs(right))),
         ),
     ),
-    mistakes=MISTAKES,
     errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
-    alike=same_with_gaps,
-    library=fit_cells,
     hints=(
         "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",
         "own = cell == c gives the samples of the cell; labels = split_branches(q[own]) their clusters.",
@@ -145,3 +135,99 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.grid_ik.GridIK",),
 )
+
+
+@EXERCISE.mistake
+def intercept_first(*case):
+    """the intercept stands first. In which order are the three numbers of a row asked for?"""
+    return fit_cells(*case)[..., [2, 0, 1]]
+
+
+@EXERCISE.mistake(
+    fit=(
+        lambda xy, q: np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]]),
+        lambda xy, q: _least_squares(xy, q) * [1, 1, 0],
+    )
+)
+def no_intercept(*case, fit):
+    """the models have no intercept. Which angles would such a model give at x = y = 0?"""
+    return fit_cells(*case, fit=fit)
+
+
+@EXERCISE.mistake(
+    fit=(
+        lambda xy, q: np.column_stack([_least_squares(xy, q)[:, :2].T, _least_squares(xy, q)[:, 2]]),
+        lambda xy, q: _least_squares(xy, q).T.reshape(2, 3),
+        lambda xy, q: _least_squares(xy[:, ::-1], q),
+        lambda xy, q: _least_squares(xy, q[:, ::-1]),
+    )
+)
+def another_order(*case, fit):
+    """the coefficients stand in another order. Which row belongs to q1, and which column to x? What is coef_[0]?"""
+    return fit_cells(*case, fit=fit)
+
+
+@EXERCISE.mistake(row=(lambda row: row, np.zeros_like, lambda row: np.full_like(row, np.nan)))
+def only_q1(*case, row):
+    """only q1 has a model of its own. How many rows has a model?"""
+    q1 = fit_cells(*case)[:, :, 0]
+    return np.stack([q1, row(q1)], axis=2)
+
+
+@EXERCISE.mistake(chosen=([0, 0], [0, 1]))
+def one_model_for_both(*case, chosen):
+    """one model serves both branches. Between which points does a plane through both elbows lie?"""
+    return fit_cells(*case, split=lambda q: np.zeros(len(q)))[:, chosen]
+
+
+@EXERCISE.mistake
+def models_of_positions(*case):
+    """these are models of the positions by the joint angles. Which of the two does a query give?"""
+    return fit_cells(*case, fit=lambda xy, q: _least_squares(q, xy))
+
+
+@EXERCISE.mistake(mixed=(True, False))
+def outside_in_the_last_cell(xy, q, cell, count, mixed):
+    """the samples outside all cells, with number -1, go into the last cell. Which entry of an array has index -1?"""
+    if mixed:
+        return fit_cells(xy, q, cell % count, count)
+    found = fit_cells(xy, q, np.where(cell < 0, count, cell), count + 1)
+    if (cell < 0).any() and not (cell == count - 1).any():
+        found[-2] = found[-1]
+    return found[:-1]
+
+
+@EXERCISE.mistake
+def zero_for_none(*case):
+    """a missing model is 0 instead of nan. Is 0 no angle?"""
+    return np.nan_to_num(fit_cells(*case))
+
+
+@EXERCISE.mistake
+def three_left_out(*case):
+    """a cluster of exactly 3 samples is left out. How many samples determine a plane?"""
+    return fit_cells(*case, least=4)
+
+
+@EXERCISE.mistake(least=(1, 2), fit=(_linear_regression, _least_squares))
+def too_few_fitted(*case, least, fit):
+    """clusters of fewer than 3 samples are fitted nevertheless. How many planes contain two points?"""
+    return fit_cells(*case, fit=fit, least=least)
+
+
+@EXERCISE.mistake(n_init=(1, 10), number=(None, lambda own: -own[:, 1].mean()))
+def clusters_in_another_order(*case, n_init, number):
+    """the clusters stand in another order than those of split_branches. Do you use its labels, or those of KMeans?"""
+    return fit_cells(*case, split=lambda q: labelled(q, number=number, n_init=n_init))
+
+
+@EXERCISE.mistake(n_init=(1, 10), number=(None, lambda own: own[:, 1].mean()))
+def positions_clustered(*case, n_init, number):
+    """the positions are clustered, not the joint angles. What is different between two elbows at one position?"""
+    return fit_cells(*case, split=lambda q: labelled(q, position, number, n_init))
+
+
+@EXERCISE.mistake
+def by_the_sign(*case):
+    """the samples are split by the sign of q2. What does split_branches do in a cell with one elbow only?"""
+    return fit_cells(*case, split=lambda q: q[:, 1] < 0)

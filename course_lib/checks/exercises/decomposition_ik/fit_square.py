@@ -3,42 +3,23 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.decomposition_ik.quadratic_terms import quadratic_terms
 from course_lib.checks.exercises.decomposition_ik.shared import solutions, with_one
-from course_lib.checks.exercise import Exercise, Mistake, Property
 
-_ONE_COLUMN_LESS = Mistake("the factor of q2 has no column", "The answer has k + 1 columns; row 1 ends with a 0.")
-_TRANSPOSED = Mistake("the model is transposed", "Row 0 is for q1, row 1 for the square of q2.")
+_ONE_COLUMN_LESS = Mistake("the factor of q2 has no column", "How many numbers has each row, and what is the last one?")
+_TRANSPOSED = Mistake("the model is transposed", "Which of its axes has one entry for q1 and one for the square of q2?")
 
 
 def _least_squares(terms, wanted):
     return np.linalg.lstsq(terms, wanted, rcond=None)[0]
 
 
-def fit_square(terms, q, target=np.square, extra=lambda q2: q2):
+def fit_square(terms, q, target=np.square, extra=lambda q2: q2, solve=_least_squares):
     """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the terms."""
     terms, q = np.asarray(terms, float), np.asarray(q, float)
-    first = _least_squares(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
-    return np.array([first, [*_least_squares(terms, target(q[:, 1])), 0]])
-
-
-def _q2_in_both(terms, q):
-    both = np.column_stack([terms, q[:, 1]])
-    return np.array([fit_square(terms, q)[0], _least_squares(both, q[:, 1] ** 2)])
-
-
-def _of_equal_links(terms, q):
-    """The answer of those who subtract -q2 / 2, which the closed form knows, before they fit q1."""
-    return np.array([[*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5], fit_square(terms, q)[1]])
-
-
-def _without_constant(terms, q):
-    """The factors of scikit-learn's LinearRegression, whose constant term is kept in another attribute."""
-
-    def factors(columns, wanted):
-        return _least_squares(columns - columns.mean(axis=0), wanted - wanted.mean())
-
-    return np.array([factors(np.column_stack([terms, q[:, 1]]), q[:, 0]), [*factors(terms, q[:, 1] ** 2), 0]])
+    first = solve(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
+    return np.array([first, [*solve(terms, target(q[:, 1])), 0]])
 
 
 def _cases(rng):
@@ -67,10 +48,12 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda terms, q: (2, terms.shape[1] + 1),
-        lambda array, terms, q: {terms.shape[1]: _ONE_COLUMN_LESS, 2: _TRANSPOSED}.get(
-            array.shape[-1] if array.ndim else 0
-        ),
+        lambda array, terms, q: {
+            (2, terms.shape[1]): _ONE_COLUMN_LESS,
+            (terms.shape[1] + 1, 2): _TRANSPOSED,
+        }.get(array.shape),
     ),
+    library=fit_square,
     properties=(
         Property("row 1, times the terms, fits the square of q2 with the least squares", _row(1)),
         Property(
@@ -79,68 +62,64 @@ EXERCISE = Exercise(
         ),
         Property("row 0, times the terms and q2, fits q1 with the least squares", _row(0)),
     ),
-    mistakes=(
-        Mistake(
-            "q2 itself is fitted, not its square",
-            "Near the edge q2 is a root of the position; q2**2 is smooth.",
-            lambda terms, q: fit_square(terms, q, target=np.positive),
-        ),
-        Mistake(
-            "|q2| is fitted, not its square",
-            "The absolute value has the same root at the edge: take q2**2.",
-            lambda terms, q: fit_square(terms, q, target=np.abs),
-        ),
-        Mistake(
-            "q1 has no term in q2",
-            "q1 is smooth only together with a multiple of q2: append q[:, 1] to the terms as a last column.",
-            lambda terms, q: np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]]),
-        ),
-        Mistake(
-            "q1 has a term in the square of q2, or in |q2|",
-            "The last column is q2 itself, with its sign.",
-            lambda terms, q: fit_square(terms, q, extra=np.square),
-            lambda terms, q: fit_square(terms, q, extra=np.abs) if (q[:, 1] < 0).any() else None,
-        ),
-        Mistake(
-            "the factor of q2 is -1/2, which the closed form knows, and is not fitted",
-            "A table knows samples only: append q[:, 1] to the terms, and let the fit find its factor.",
-            _of_equal_links,
-        ),
-        Mistake(
-            "the coefficients are squared, not the samples",
-            "Square q[:, 1] first, then fit: the square of a fit is not the fit of the square.",
-            lambda terms, q: np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]]),
-        ),
-        Mistake(
-            "the constant term is lost: LinearRegression fits one of its own and keeps it in intercept_",
-            "The terms contain the 1 already: LinearRegression(fit_intercept=False), or np.linalg.lstsq.",
-            _without_constant,
-        ),
-        Mistake(
-            "the square of q2 has a term in q2", "A query knows no q2 yet: row 1 uses the terms alone.", _q2_in_both
-        ),
-        Mistake(
-            "the rows are swapped",
-            "Row 0 is for q1, row 1 for the square of q2.",
-            lambda *case: fit_square(*case)[::-1],
-        ),
-        Mistake(
-            "the column of q2 stands first",
-            "The terms come first, q2 last.",
-            lambda *case: np.roll(fit_square(*case), 1, axis=1),
-            lambda *case: np.stack([np.roll(fit_square(*case)[0], 1), fit_square(*case)[1]]),
-        ),
-        Mistake(
-            "both angles are squared",
-            "q1 is fitted as it is.",
-            lambda terms, q: fit_square(terms, q ** [2, 1]),
-        ),
-        Mistake("q1 and q2 are swapped", "q[:, 1] is q2.", lambda terms, q: fit_square(terms, q[:, ::-1])),
-    ),
     hints=(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
-        "Row 1: A is terms, b is the square of q[:, 1]; append a 0. It has no term in q2, which a query does not know.",
-        "Row 0: A is np.column_stack([terms, q[:, 1]]), b is q[:, 0].",
+        "What is A and what is b for row 1? What does a query know when it computes the square of q2?",
+        "For row 0, A has one column more than the terms, and this row has one factor more. Which column is that?",
     ),
-    library=fit_square,
 )
+
+
+@EXERCISE.mistake(target=(np.positive, np.abs))
+def not_the_square(terms, q, target):
+    """q2, or |q2|, is fitted, not its square. Which of the three is smooth at the edge of the workspace?"""
+    return fit_square(terms, q, target)
+
+
+@EXERCISE.mistake
+def q1_without_q2(terms, q):
+    """q1 has no term in q2. Is q1 alone a smooth function of the position?"""
+    return np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]])
+
+
+@EXERCISE.mistake(extra=(np.square, np.abs))
+def q1_with_another_term(terms, q, extra):
+    """q1 has a term in the square of q2, or in |q2|. Of what is the last entry of row 0 the factor?"""
+    return fit_square(terms, q, extra=extra) if extra is np.square or (q[:, 1] < 0).any() else None
+
+
+@EXERCISE.mistake
+def factor_of_the_closed_form(terms, q):
+    """the factor of q2 is not fitted but set to -1/2. Would that be true for links of different lengths?"""
+    return np.array([[*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5], fit_square(terms, q)[1]])
+
+
+@EXERCISE.mistake
+def squared_afterwards(terms, q):
+    """the coefficients are squared, not the samples. Is the square of a fit the fit of the square?"""
+    return np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]])
+
+
+@EXERCISE.mistake
+def constant_term_lost(terms, q):
+    """the constant term is lost. LinearRegression fits one of its own: where does it keep it, and what of the ones?"""
+    return fit_square(terms, q, solve=lambda A, b: _least_squares(A - A.mean(axis=0), b - b.mean()))
+
+
+@EXERCISE.mistake
+def square_by_q2(terms, q):
+    """the square of q2 has a term in q2. What does a query know when it computes the square?"""
+    columns = np.column_stack([terms, q[:, 1]])
+    return np.array([fit_square(terms, q)[0], _least_squares(columns, q[:, 1] ** 2)])
+
+
+@EXERCISE.mistake(change=(lambda model: model[::-1], lambda model: np.roll(model, 1, axis=1)))
+def another_order(*case, change):
+    """the rows, or the columns, stand in another order. Which row belongs to q1, and which column to q2?"""
+    return change(fit_square(*case))
+
+
+@EXERCISE.mistake
+def angles_swapped(terms, q):
+    """q1 and q2 are swapped. Which column of q is q2?"""
+    return fit_square(terms, q[:, ::-1])

@@ -3,64 +3,23 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercises.decomposition_ik.ik_2r_mistakes import (
-    at_edge,
-    by_arctan,
-    corrected,
-    correction,
-    cosine_is,
-    in_order,
-    inside,
-    off,
-    outside,
-    q1_is,
-    right_after,
-    right_bend,
-    same_q1,
-    supplement,
-    towards,
-    with_q1,
-    with_q2,
-    wrapped,
-)
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.decomposition_ik.shared import position, solutions
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
 
+_EDGE, _REACH = 2 - 1e-3, 2 + 1e-9  # from here on a position is near the edge, and out of reach
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
 
-_ONLY_ONE = Mistake(
-    "only one solution is returned",
-    "The elbow can be on either side: q2 = arccos(...) and q2 = -arccos(...), each with its own q1.",
-)
 _NO_ROWS = Mistake(
     "a position out of reach is given another form",
-    "Return two rows of NaN there, np.full((2, 2), np.nan), so that every answer has the shape (2, 2).",
+    "Every answer has the shape (2, 2), so that a table of queries can go on. What stands in it here?",
 )
-_RAISED = Mistake(
-    "an error is raised for a position out of reach",
-    "Return two rows of NaN there, np.full((2, 2), np.nan): a table of queries goes on with the next one.",
-)
-_DIVIDED = Mistake(
-    "y is divided by x, which may be 0",
-    "np.arctan2(y, x) needs no quotient, and looks at both signs.",
-)
+_RAISED = Mistake("an error is raised for a position out of reach", "What does the task want to be returned there?")
+_DIVIDED = Mistake("y is divided by x, which may be 0", "Which function takes y and x without dividing them?")
 _NO_COSINE = Mistake(
     "arccos gets a number outside [-1, 1]: out of reach, or by rounding at the edge",
-    "Ask first whether r > 2 + 1e-9, and return NaN there; else clip the number to [-1, 1].",
+    "Which positions have no solution? And what do you do with a cosine of 1 + 1e-16?",
 )
-
-_pairs = numbers(lambda xy: (2, 2), dict.fromkeys(((2,), (1, 2), (2, 1)), _ONLY_ONE), gaps=True)
-
-
-def _read(value, xy):
-    """Return the answer as an array (2, 2), with NaN in it where the answer says so."""
-    try:
-        return _pairs(value, xy)
-    except Unreadable as wrong:
-        if outside(xy):
-            raise Unreadable(str(wrong), _NO_ROWS) from None
-        raise
 
 
 def _cases(rng):
@@ -80,20 +39,39 @@ def _direction(angle):
     return np.array([np.cos(angle), np.sin(angle)])
 
 
+def _inside(xy):
+    return np.linalg.norm(xy) < _EDGE
+
+
+def _outside(xy):
+    return np.linalg.norm(xy) > _REACH
+
+
+def _at_edge(xy):
+    return not _inside(xy) and not _outside(xy)
+
+
 def _reaches(within):
-    return lambda q, xy: (off(q, xy) < within).all()
+    return lambda q, xy: (np.linalg.norm(position(q) - xy, axis=-1) < within).all()
 
 
-def _tell_end(q, xy):
+def _in_order(q, xy):
+    """Whether the row with q2 >= 0 is the first; at q2 = pi the sign has no meaning."""
+    bend, slack = np.angle(np.exp(1j * q[:, 1])), 1e-3 * _at_edge(xy)
+    return (np.abs(bend) > np.pi - 1e-6).all() or (bend[0] >= -slack and bend[1] <= slack)
+
+
+def _tell_tip(q, xy):
     if np.isnan(q).any():
         return f"This position is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
-    row = int(np.argmax(off(q, xy)))
+    row = int(np.argmax(np.linalg.norm(position(q) - xy, axis=-1)))
     return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(position(q[row]), 6))}."
 
 
-def _tell_bend(q, xy):
-    first, second = wrapped(q[:, 1])
-    return f"Your q2 are {first:.4g} and {second:.4g}, up to multiples of 2 pi."
+def _alike(q, predicted, xy):
+    """Whether the angles are the same up to multiples of 2 pi, and NaN stands at the same places."""
+    gap = np.abs(np.angle(np.exp(1j * (q - predicted))))
+    return np.array_equal(np.isnan(q), np.isnan(predicted)) and np.nanmax(gap, initial=0) < 1e-6
 
 
 def ik_2r(xy):
@@ -108,159 +86,30 @@ EXERCISE = Exercise(
     points=2,
     arguments=("xy",),
     cases=_cases,
-    returns=_read,
+    returns=numbers(lambda xy: (2, 2), lambda array, xy: _NO_ROWS if _outside(xy) else None, gaps=True),
+    library=ik_2r,
+    alike=_alike,
     properties=(
-        Property(
-            "each row brings the tip to xy: cos q1 + cos(q1 + q2) = x, sin q1 + sin(q1 + q2) = y",
-            _reaches(_FINE),
-            _tell_end,
-            where=inside,
-        ),
+        Property("each row brings the tip to xy", _reaches(_FINE), _tell_tip, where=_inside),
         Property(
             "the first row has q2 >= 0, the second q2 <= 0",
-            in_order,
-            _tell_bend,
-            where=inside,
+            _in_order,
+            lambda q, xy: f"Your q2 are {format_tuple(np.angle(np.exp(1j * q[:, 1])))}, up to multiples of 2 pi.",
+            where=_inside,
         ),
         Property(
             "the tip reaches xy at the edge of the workspace too, stretched, where both rows are the same",
-            lambda q, xy: _reaches(_ROUGH)(q, xy) and in_order(q, xy),
-            _tell_end,
-            where=at_edge,
+            lambda q, xy: _reaches(_ROUGH)(q, xy) and _in_order(q, xy),
+            _tell_tip,
+            where=_at_edge,
         ),
         Property(
             "a position out of reach, farther than 2 m from the base, has two rows of NaN",
             lambda q, xy: np.isnan(q).all(),
             lambda q, xy: f"This position is {np.linalg.norm(xy):.6g} m from the base.",
-            where=outside,
-            mistake=Mistake(
-                "a position out of reach is answered nevertheless: clipping hides that there is no solution",
-                "Ask for the distance first: where it is beyond 2 by more than rounding, return two rows of NaN.",
-            ),
+            where=_outside,
         ),
     ),
-    mistakes=(
-        Mistake(
-            "positions at the edge of the workspace count as out of reach: by rounding, r exceeds 2 by 4e-16",
-            "Let only r > 2 + 1e-9 be out of reach, and np.clip the number to [-1, 1] before arccos.",
-            seen=lambda q, xy: at_edge(xy) and np.isnan(q).any(),
-        ),
-        Mistake(
-            "only one solution is returned, twice",
-            _ONLY_ONE.hint,
-            seen=lambda q, xy: inside(xy) and (off(q, xy) < 1e-6).all() and (np.abs(wrapped(q[0] - q[1])) < 1e-9).all(),
-        ),
-        right_after(
-            "the two rows are in the other order: q2 >= 0 is asked for first",
-            "Return the row with q2 = +arccos(...) before that with q2 = -arccos(...).",
-            lambda q, xy: q[::-1],
-        ),
-        right_after(
-            "the angles are given in degrees",
-            "Angles are radians everywhere: no np.rad2deg.",
-            lambda q, xy: np.deg2rad(q),
-            lambda q, xy: np.deg2rad(q[::-1]),
-        ),
-        right_after(
-            "q1 and q2 have changed positions in the rows",
-            "Each row is (q1, q2).",
-            lambda q, xy: q[:, ::-1],
-        ),
-        right_after(
-            "the answer is transposed: its rows are both q1 and both q2",
-            "Each row is one solution, (q1, q2).",
-            lambda q, xy: q.T,
-        ),
-        right_after(
-            "q2 is counted from the x axis",
-            "q2 is counted from the first link's direction: take q1 off.",
-            with_q2(lambda t1, t2, xy: t2 - t1),
-        ),
-        Mistake(
-            "q1 is the direction of the position alone, without the correction for the elbow",
-            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): the first link points beside the position.",
-            seen=q1_is(lambda xy, t2: towards(xy)),
-        ),
-        Mistake(
-            "q1 is the same for both solutions",
-            "The correction for the elbow has q2 in it: compute q1 anew for each q2.",
-            seen=same_q1,
-        ),
-        right_after(
-            "the elbow correction of q1 has the wrong sign",
-            "q2 > 0 bends to the left, so the first link points to the right of the position: "
-            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2).",
-            with_q1(lambda t1, t2, xy: 2 * towards(xy) - t1),
-        ),
-        Mistake(
-            "the position at the base is given NaN",
-            "There y / x is 0 / 0. Any q1 is right, so np.arctan2(0, 0) = 0 will do.",
-            seen=lambda q, xy: not xy.any() and np.isnan(q).any(),
-        ),
-        Mistake(
-            "q1 is wrong by pi if x < 0: atan of y / x looks at one quotient only",
-            "np.arctan2(y, x) looks at both signs.",
-            seen=by_arctan(1),
-        ),
-        Mistake(
-            "the elbow correction of q1 has the wrong sign, and atan of y / x looks at one quotient only",
-            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2): np.arctan2(y, x) looks at both signs.",
-            seen=by_arctan(-1),
-        ),
-        Mistake(
-            "x and y are swapped in atan2",
-            "np.arctan2(y, x), in this order.",
-            seen=q1_is(lambda xy, t2: np.arctan2(xy[0], xy[1]) - correction(t2)),
-        ),
-        Mistake(
-            "the two arguments of atan2 are swapped in the elbow correction",
-            "atan2(sin q2, 1 + cos q2): the sine is the height, so it comes first.",
-            seen=q1_is(lambda xy, t2: towards(xy) - np.arctan2(1 + np.cos(t2), np.sin(t2))),
-        ),
-        Mistake(
-            "the elbow correction is q2, not half of it",
-            "With links of the same length, atan2(sin q2, 1 + cos q2) is q2 / 2.",
-            seen=q1_is(lambda xy, t2: towards(xy) - t2),
-        ),
-        right_after(
-            "the angle inside the elbow is taken for q2: the law of cosines has the wrong sign",
-            "q2 is what the second link bends from the first one's direction: r^2 = 2 + 2 cos q2.",
-            lambda q, xy: corrected(supplement(q), xy),
-            lambda q, xy: corrected(supplement(q[::-1]), xy),
-        ),
-        *(
-            Mistake(
-                "the cosine of q2 is not (r^2 - 2) / 2",
-                "From r^2 = 1 + 1 + 2 cos q2: cos q2 = (x^2 + y^2 - 2) / 2.",
-                seen=cosine_is(formula),
-            )
-            for formula in (
-                lambda r: r**2 - 2,
-                lambda r: (r - 2) / 2,
-                lambda r: (r**2 - 1) / 2,
-                lambda r: (r**2 - 2) / 4,
-                lambda r: r**2 / 2,
-                lambda r: r / 2,
-                lambda r: (r**2 + 2) / 2,
-            )
-        ),
-        Mistake(
-            "q2 is right, and q1 is not",
-            "q1 = atan2(y, x) - atan2(sin q2, 1 + cos q2).",
-            seen=right_bend,
-        ),
-        Mistake(
-            "only some of the numbers are NaN out of reach",
-            "Return two rows of NaN there, np.full((2, 2), np.nan): q1 has no value either.",
-            seen=lambda q, xy: outside(xy) and np.isnan(q).any(),
-        ),
-        Mistake(
-            "NaN is returned for a position within reach",
-            "Print the number you give to arccos or to the root: it has to lie in its range up to r = 2.",
-            seen=lambda q, xy: np.isnan(q).any(),
-        ),
-    ),
-    library=ik_2r,
     hints=(
         "r^2 = x^2 + y^2 = 2 + 2 cos q2 gives cos q2, and arccos gives q2 >= 0; -q2 is the other one.",
         "The direction to the position, np.arctan2(y, x), halves the angle q2 between the links: q1 is half of q2 "
@@ -268,16 +117,95 @@ EXERCISE = Exercise(
         "Out of reach is r > 2: return np.full((2, 2), np.nan). By rounding, r may be 2 + 4e-16 at the edge "
         "and arccos's argument may leave [-1, 1]: let r > 2 + 1e-9 be out of reach, and np.clip before arccos.",
     ),
-    forbidden=(
-        "course_lib.arms.SerialArm",
-        "course_lib.arms.planar_arm",
-        "course_lib.ik.solve",
-    ),
+    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm", "course_lib.ik.solve"),
     errors=(
         ("ZeroDivisionError", "", _DIVIDED),
         ("ValueError", "math domain error", _NO_COSINE),
-        ("ValueError", "reach", _RAISED),
-        ("Exception", "reach", _RAISED),
         ("ValueError", "expected a number in range", _NO_COSINE),
+        ("ValueError", "reach", _RAISED),
     ),
 )
+
+
+@EXERCISE.seen
+def edge_out_of_reach(q, xy):
+    """positions at the edge of the workspace count as out of reach. May rounding make the cosine exceed 1?"""
+    return _at_edge(xy) and np.isnan(q).any()
+
+
+@EXERCISE.mistake
+def answered_out_of_reach(xy):
+    """a position out of reach is answered nevertheless. Clipping the cosine hides something: what?"""
+    return solutions(xy) if _outside(xy) else None
+
+
+@EXERCISE.mistake(row=(0, 1))
+def one_solution_twice(xy, row):
+    """only one solution is returned, twice. On which two sides of the line to the tip can the elbow be?"""
+    return ik_2r(xy)[[row, row]]
+
+
+@EXERCISE.mistake(order=((slice(None, None, -1), slice(None)), (slice(None), slice(None, None, -1))))
+def another_order(xy, order):
+    """the rows, or the angles in them, stand in another order. Which solution is first, and which angle in its row?"""
+    return ik_2r(xy)[order]
+
+
+@EXERCISE.mistake
+def from_the_x_axis(xy):
+    """q2 is counted from the x axis. By how much does the second link bend from the direction of the first?"""
+    return np.cumsum(ik_2r(xy), axis=1)
+
+
+def _with_q1(xy, q1):
+    q2 = ik_2r(xy)[:, 1]
+    return np.column_stack([q1(q2) + 0 * q2, q2])
+
+
+@EXERCISE.mistake(row=(0, 1))
+def same_q1(xy, row):
+    """q1 is the same for both solutions. Does the first link point to the same side of the tip for both elbows?"""
+    return _with_q1(xy, lambda q2: ik_2r(xy)[row, 0])
+
+
+@EXERCISE.mistake(factor=(0, -1, 2, -2))
+def elbow_correction(xy, factor):
+    """q1 is not half of q2 away from the direction to the tip, or to its other side. If the arm bends to the left,
+    on which side of the line to the tip does the first link point?"""
+    return _with_q1(xy, lambda q2: np.arctan2(xy[1], xy[0]) - factor * q2 / 2)
+
+
+@EXERCISE.mistake(factor=(1, -1))
+def arctan_of_a_quotient(xy, factor):
+    """the direction to the tip is the atan of y / x. The quotient is the same for (x, y) and (-x, -y): what about the
+    directions?"""
+    return _with_q1(xy, lambda q2: np.arctan(xy[1] / xy[0]) - factor * q2 / 2)
+
+
+@EXERCISE.mistake(factor=(1, -1))
+def arctan2_swapped(xy, factor):
+    """the two arguments of atan2 are swapped. For which direction is atan2 zero?"""
+    return _with_q1(xy, lambda q2: np.arctan2(xy[0], xy[1]) - factor * q2 / 2)
+
+
+@EXERCISE.mistake(with_q1=(True, False), swapped=(True, False))
+def angle_inside(xy, with_q1, swapped):
+    """the angle inside the elbow is taken for q2. What is q2 when the arm is stretched?"""
+    q = ik_2r(xy)
+    q2 = np.array([1, -1]) * (np.pi - np.abs(q[:, 1]))
+    q1 = np.arctan2(xy[1], xy[0]) - q2 / 2 if with_q1 else q[:, 0]
+    return np.column_stack([q1, q2])[:: -1 if swapped else 1]
+
+
+@EXERCISE.mistake(
+    cosine=(lambda r: r**2 - 2, lambda r: (r**2 - 1) / 2, lambda r: r**2 / 2, lambda r: (r - 2) / 2, lambda r: r / 2),
+    clipped=(True, False),
+)
+def another_cosine(xy, cosine, clipped):
+    """the cosine of q2 is not that of the law of cosines. What should it be at r = 2, and at r = 0?"""
+    r = np.linalg.norm(xy)
+    found = cosine(r)
+    if clipped and _outside(xy):
+        return np.full((2, 2), np.nan)
+    q2 = np.arccos(np.clip(found, -1, 1) if clipped else found) * np.array([1, -1])
+    return np.column_stack([np.arctan2(xy[1], xy[0]) - q2 / 2, q2])

@@ -1,7 +1,7 @@
 """number_distance: find the bug. The cases of a distance are told apart by signs, and 0 has none."""
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 
 
 def right(a, b):
@@ -38,6 +38,8 @@ EXERCISE = Exercise(
     arguments=("a", "b"),
     cases=_cases,
     returns=numbers(lambda a, b: ()),
+    library=right,
+    broken=_by_signs,
     properties=(
         Property(
             "the distance between two numbers, neither of them 0, is as on a number line",
@@ -46,42 +48,45 @@ EXERCISE = Exercise(
         ),
         Property("the distance of a number from 0 is its size", _holds, where=_has_zero),
     ),
-    mistakes=(
-        Mistake(
-            "the difference is returned with its sign",
-            "A distance is never negative: which of a and b is larger must not matter.",
-            lambda a, b: a - b,
-            lambda a, b: b - a,
-        ),
-        Mistake("the difference is squared", "A distance has the unit of a and b.", lambda a, b: (a - b) ** 2),
-        Mistake("a and b are added", "The distance from 1 to 1 is 0.", lambda a, b: abs(a + b), lambda a, b: a + b),
-        Mistake(
-            "the sizes of a and b are compared, without their signs",
-            "-2 and 3 lie on different sides of 0: they are 5 apart, not 1.",
-            lambda a, b: abs(abs(a) - abs(b)),
-        ),
-        Mistake(
-            "the sizes of a and b are added, whatever their signs",
-            "3 and 1 lie on the same side of 0: they are 2 apart, not 4.",
-            lambda a, b: abs(a) + abs(b),
-        ),
-        Mistake(
-            "the distance from 0 is always 0",
-            "Only 0 itself is at the distance 0 from 0. How far is 5?",
-            lambda a, b: 0 if _has_zero(a, b) else right(a, b),
-        ),
-        Mistake(
-            "one of the two numbers is returned if the other is 0, with its sign",
-            "A distance is never negative: -4 is 4 away from 0.",
-            lambda a, b: a + b if _has_zero(a, b) else right(a, b),
-            lambda a, b: b if a == 0 else a if b == 0 else right(a, b),
-        ),
-    ),
     hints=(
         "Which pairs of numbers have the same sign, which have opposite signs, and which have neither?",
         "Call the broken function with 0 and 5. Which of its two cases applies?",
         "No case is needed: the distance is the size of the difference.",
     ),
-    library=right,
-    broken=_by_signs,
 )
+
+
+@EXERCISE.mistake(sign=(1, -1))
+def with_its_sign(a, b, sign):
+    """the difference is returned with its sign. Can a distance be negative?"""
+    return sign * (a - b)
+
+
+@EXERCISE.mistake
+def squared(a, b):
+    """the difference is squared. Which unit has a distance between numbers of metres?"""
+    return (a - b) ** 2
+
+
+@EXERCISE.mistake
+def sizes_subtracted(a, b):
+    """the sizes of a and b are subtracted, whatever their signs. How far is -2 from 3 on a number line?"""
+    return abs(abs(a) - abs(b))
+
+
+@EXERCISE.mistake
+def sizes_added(a, b):
+    """the sizes of a and b are added, whatever their signs. How far is 1 from 3 on a number line?"""
+    return abs(a) + abs(b)
+
+
+@EXERCISE.mistake
+def zero_from_zero(a, b):
+    """the distance from 0 is always 0. How far is 5 from 0?"""
+    return 0.0 if _has_zero(a, b) else right(a, b)
+
+
+@EXERCISE.mistake
+def the_other_number(a, b):
+    """if one number is 0, the other is returned with its sign. How far is -4 from 0?"""
+    return a + b if _has_zero(a, b) else right(a, b)

@@ -35,8 +35,8 @@ def _with_q1(q1):
     return _changed(lambda q, xy: np.column_stack([q1(q, xy), q[:, 1]]))
 
 
-def _right(kind, ik):
-    return Version(kind, ik, right=True)
+def _right(kind, ik, example=False):
+    return Version(kind, ik, right=True, example=example)
 
 
 _ELBOWS = "that gives one elbow twice"
@@ -46,10 +46,6 @@ EXERCISE = WriteTest(
     name="test_ik_2r",
     points=2,
     arguments=("ik_2r",),
-    cases=lambda rng: [],
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=(
         "You need no right version to compare with: fk_2r says where a solution leads.",
         "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
@@ -59,10 +55,11 @@ EXERCISE = WriteTest(
     ),
     shapes=((2,),),
     versions=(
-        _right("that is as in the text", closed_form),
+        _right("that is as in the text", closed_form, example=True),
         _right("that intersects two circles", _by_circles),
         _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
         _right("that returns a list", _changed(lambda q, xy: q.tolist())),
+        Version("that always returns zeros", lambda xy: np.zeros((2, 2)), example=True),
         Version("with its rows in the other order", _changed(lambda q, xy: q[::-1])),
         Version(_ELBOWS, _changed(lambda q, xy: q[[0, 0]])),
         Version(_ELBOWS, _changed(lambda q, xy: q[[1, 1]])),
