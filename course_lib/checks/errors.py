@@ -32,7 +32,8 @@ _NOT_FINITE = Mistake(
 )
 _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
     ("UFuncTypeError", "Cannot cast", _WHOLE_NUMBERS),
-    ("TypeError", "'list' and 'list'|can't multiply sequence by non-int", _LIST_FOR_ARRAY),
+    ("TypeError", "'list' and 'list'|can't multiply sequence by non-int|list indices must be", _LIST_FOR_ARRAY),
+    ("AttributeError", "'list' object has no attribute '(shape|ndim|T|sum|mean|reshape)'", _LIST_FOR_ARRAY),
     ("TypeError", r"'(float|int|numpy\.float64)' object is not (iterable|subscriptable)", _NUMBER_FOR_ARRAY),
     ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
     ("TypeError", r"operand type\(s\) for \^|bitwise_xor", _NO_POWER),

@@ -99,9 +99,7 @@ class Naming:
         return self._rights[position]
 
     def _explains(self, mistake, failing, everywhere=False):
-        if mistake.seen is not None and all(
-            attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing
-        ):
+        if mistake.seen is not None and all(attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing):
             return True
         others = set(range(len(self.values))) - set(failing) if everywhere else ()
         return any(self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers)
@@ -122,10 +120,10 @@ class Naming:
 
     def _explains_enough(self, mistake, failing):
         """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
-        numbers = [self.values[i] for i in failing]
-        if len({str(number) for number in numbers}) * np.size(numbers[0]) < _FEW:
+        if not self._explains(mistake, failing, everywhere=True):
             return False
-        return self._explains(mistake, failing, everywhere=True)
+        changed = [value for i, value in enumerate(self.values) if self._predicts(mistake, mistake.answers[0], i)]
+        return sum(np.size(value) for value in {str(value): value for value in changed}.values()) >= _FEW
 
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply there."""
@@ -140,10 +138,10 @@ class Naming:
         if alike is not same or right is None or not same(predicted, right, tolerance=1e-3):
             return bool(attempt(alike, value, predicted, *case))
         # The prediction is close to the right answer: the answer must be much closer to the one than to the other.
-        between = np.abs(np.asarray(predicted, float) - right).max(initial=0)
-        if between <= 1e-13 * max(1, np.abs(right).max(initial=0)):
+        between = _gap(predicted, right)
+        if between <= 1e-13 * max(1, _gap(right, 0)):
             return None
-        return same(value, predicted) and bool(np.abs(value - np.asarray(predicted, float)).max() <= 0.1 * between)
+        return same(value, predicted) and bool(_gap(value, predicted) <= 0.1 * between)
 
 
 def everyday(naming):
@@ -170,6 +168,11 @@ def everyday(naming):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
 
 
+def _gap(value, other):
+    """Return the largest difference of two answers, in which nan and inf stand at the same entries."""
+    return np.nan_to_num(np.abs(np.asarray(value, float) - other), posinf=0).max(initial=0)
+
+
 def _close(value, right):
     return np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
 
@@ -180,7 +183,7 @@ def _changed(right, change, where=lambda case: True):
     def answer(*case):
         exact = np.asarray(right(*case), float)
         other = change(exact) if where(case) else exact
-        return None if other.shape != exact.shape or np.allclose(other, exact, rtol=1e-9, atol=1e-12) else other
+        return _unless_equal(other, exact)
 
     return answer
 
@@ -190,13 +193,16 @@ def _asked(right, change):
 
     def answer(*case):
         other = change(case)
-        return None if other is None else _unless_equal(np.asarray(right(*other), float), right(*case))
+        return None if other is None else _unless_equal(*(np.asarray(right(*each), float) for each in (other, case)))
 
     return answer
 
 
 def _unless_equal(other, exact):
-    return None if other.shape != np.shape(exact) or np.allclose(other, exact, rtol=1e-9, atol=1e-12) else other
+    """Return the other answer; None if it has another shape, or is the same."""
+    if other.shape != exact.shape or np.allclose(other, exact, rtol=1e-9, atol=1e-12, equal_nan=True):
+        return None
+    return other
 
 
 def _swapped(i, j):
@@ -216,10 +222,11 @@ def _at(k, change):
 
 
 def _numbers(argument):
-    """Return a float, or an array of numbers; raises for arguments that are neither."""
-    if not isinstance(argument, (float, np.ndarray)) or np.asarray(argument).dtype.kind not in "fi":
+    """Return a number as a float, or an array of numbers, which may come as a list; raises for all else."""
+    array = np.asarray(argument)
+    if array.dtype.kind not in "fi":
         raise TypeError("not numbers to compute with")
-    return argument
+    return array if array.ndim else float(argument)
 
 
 def _has_whole_numbers(case):
@@ -295,7 +302,7 @@ _OF_AN_ARGUMENT = (
     ("the entries of {} are in reverse order", "Compare the order of the entries with the task.", _reversed),
     ("the two halves of {} have changed places", _HALVES, _halves_swapped),
     ("{} is without its signs", "Which line loses the sign?", np.abs),
-    ("{} is not used: the answer is that for 0", _SAME, np.zeros_like),
+    ("{} is not used: the answer is that for 0", _SAME, lambda x: 0.0 * x),
 )
 
 _OTHER_FORMS = (
