@@ -101,7 +101,6 @@ class Naming:
     def _explains(self, mistake, failing, everywhere=False):
         if mistake.seen is not None and all(attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing):
             return True
-        others = set(range(len(self.values))) - set(failing) if everywhere else ()
         return any(self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers)
 
     def _accounts_for(self, mistake, answer, failing, everywhere):

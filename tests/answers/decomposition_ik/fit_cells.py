@@ -3,6 +3,9 @@
 import numpy as np
 from sklearn.cluster import KMeans
 from sklearn.linear_model import LinearRegression, Ridge
+from threadpoolctl import threadpool_limits
+
+threadpool_limits(1)  # as in the notebook
 
 
 def _split(q):

@@ -18,7 +18,7 @@ def right_as_lists(xy):
 
 
 def wrong_no_product(xy):
-    """some of the six terms is missing"""
+    """some of the six terms are missing"""
     return right_columns(xy)[:, [0, 1, 2, 3, 5]]
 
 

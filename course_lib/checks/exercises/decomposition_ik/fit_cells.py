@@ -137,12 +137,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def intercept_first(*case):
-    """the intercept stands first. In which order are the three numbers of a row asked for?"""
-    return fit_cells(*case)[..., [2, 0, 1]]
-
-
 @EXERCISE.mistake(
     fit=(
         lambda xy, q: np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]]),
@@ -160,10 +154,11 @@ def no_intercept(*case, fit):
         lambda xy, q: _least_squares(xy, q).T.reshape(2, 3),
         lambda xy, q: _least_squares(xy[:, ::-1], q),
         lambda xy, q: _least_squares(xy, q[:, ::-1]),
+        lambda xy, q: _least_squares(xy, q)[:, [2, 0, 1]],
     )
 )
 def another_order(*case, fit):
-    """the coefficients stand in another order. Which row belongs to q1, and which column to x? What is coef_[0]?"""
+    """the coefficients stand in another order. Which row belongs to q1, which column to x, which is the intercept?"""
     return fit_cells(*case, fit=fit)
 
 
@@ -203,31 +198,21 @@ def zero_for_none(*case):
     return np.nan_to_num(fit_cells(*case))
 
 
-@EXERCISE.mistake
-def three_left_out(*case):
-    """a cluster of exactly 3 samples is left out. How many samples determine a plane?"""
-    return fit_cells(*case, least=4)
-
-
-@EXERCISE.mistake(least=(1, 2), fit=(_linear_regression, _least_squares))
-def too_few_fitted(*case, least, fit):
-    """clusters of fewer than 3 samples are fitted nevertheless. How many planes contain two points?"""
+@EXERCISE.mistake(least=(1, 2, 4), fit=(_linear_regression, _least_squares))
+def another_limit(*case, least, fit):
+    """the number of samples that a model needs is not 3. Has a cluster of exactly 2 a model, and one of exactly 3?"""
     return fit_cells(*case, fit=fit, least=least)
 
 
-@EXERCISE.mistake(n_init=(1, 10), number=(None, lambda own: -own[:, 1].mean()))
-def clusters_in_another_order(*case, n_init, number):
-    """the clusters stand in another order than those of split_branches. Do you use its labels, or those of KMeans?"""
-    return fit_cells(*case, split=lambda q: labelled(q, number=number, n_init=n_init))
-
-
-@EXERCISE.mistake(n_init=(1, 10), number=(None, lambda own: own[:, 1].mean()))
-def positions_clustered(*case, n_init, number):
-    """the positions are clustered, not the joint angles. What is different between two elbows at one position?"""
-    return fit_cells(*case, split=lambda q: labelled(q, position, number, n_init))
-
-
-@EXERCISE.mistake
-def by_the_sign(*case):
-    """the samples are split by the sign of q2. What does split_branches do in a cell with one elbow only?"""
-    return fit_cells(*case, split=lambda q: q[:, 1] < 0)
+@EXERCISE.mistake(
+    split=(
+        *(lambda q, n=n: labelled(q, number=None, n_init=n) for n in (1, 10)),
+        *(lambda q, n=n: labelled(q, position, n_init=n) for n in (1, 10)),
+        *(lambda q, n=n: labelled(q, position, None, n) for n in (1, 10)),
+        lambda q: 1 - split_branches(q),
+        lambda q: q[:, 1] < 0,
+    )
+)
+def other_clusters(*case, split):
+    """the clusters, or their order, are not those of split_branches. Do you call it, for a cell's joint angles?"""
+    return fit_cells(*case, split=split)

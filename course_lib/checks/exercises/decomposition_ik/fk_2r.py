@@ -100,6 +100,12 @@ def x_and_y_swapped(q):
     return position(q)[..., ::-1]
 
 
+@EXERCISE.mistake
+def angles_swapped(q):
+    """q1 and q2 are swapped. Which of the two columns of a batch is the angle of the joint at the base?"""
+    return position(np.asarray(q)[..., ::-1])
+
+
 @EXERCISE.mistake(link=(1, 2))
 def a_link_missing(q, link):
     """one of the two links is missing. Where does the first link end, and how far is the tip from there?"""

@@ -133,10 +133,10 @@ def edge_out_of_reach(q, xy):
     return _at_edge(xy) and np.isnan(q).any()
 
 
-@EXERCISE.mistake
-def answered_out_of_reach(xy):
-    """a position out of reach is answered nevertheless. Clipping the cosine hides something: what?"""
-    return solutions(xy) if _outside(xy) else None
+@EXERCISE.mistake(answer=(solutions, lambda xy: np.zeros((2, 2))))
+def answered_out_of_reach(xy, answer):
+    """a position out of reach is answered nevertheless. What is asked for there, and what does clipping hide?"""
+    return answer(xy) if _outside(xy) else None
 
 
 @EXERCISE.mistake(row=(0, 1))
@@ -175,11 +175,12 @@ def elbow_correction(xy, factor):
     return _with_q1(xy, lambda q2: np.arctan2(xy[1], xy[0]) - factor * q2 / 2)
 
 
-@EXERCISE.mistake(factor=(1, -1))
-def arctan_of_a_quotient(xy, factor):
+@EXERCISE.mistake(factor=(1, -1), guarded=(False, True))
+def arctan_of_a_quotient(xy, factor, guarded):
     """the direction to the tip is the atan of y / x. The quotient is the same for (x, y) and (-x, -y): what about the
     directions?"""
-    return _with_q1(xy, lambda q2: np.arctan(xy[1] / xy[0]) - factor * q2 / 2)
+    direction = 0 if guarded and xy[0] == 0 else np.arctan(xy[1] / xy[0])
+    return _with_q1(xy, lambda q2: direction - factor * q2 / 2)
 
 
 @EXERCISE.mistake(factor=(1, -1))

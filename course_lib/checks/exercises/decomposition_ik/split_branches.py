@@ -131,6 +131,9 @@ EXERCISE = Exercise(
             "each label is 0 or 1",
             lambda labels, q: np.isin(labels, (0, 1)).all(),
             says=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+            mistake=Mistake(
+                "there are other labels than 0 and 1", "How many clusters are asked for, and what are they called?"
+            ),
         ),
         Property(
             "with fewer than two different samples there is nothing to split: all labels are 0",
@@ -143,6 +146,9 @@ EXERCISE = Exercise(
             "both labels occur, wherever there are two different samples",
             lambda labels, q: labels.any() and not labels.all(),
             where=_one_best,
+            mistake=Mistake(
+                "all samples are in one cluster", "How many clusters do you get for two different samples?"
+            ),
         ),
         Property(
             "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
@@ -191,10 +197,14 @@ def positions_clustered(q, n_init):
     return _other(q, by=position, n_init=n_init)
 
 
-@EXERCISE.mistake(joint=(0, 1), n_init=(1, 10))
-def one_angle(q, joint, n_init):
-    """only one of the two angles is clustered. What if the two clouds differ in the other one?"""
-    return _other(q, by=lambda q: q[:, [joint]], n_init=n_init)
+@EXERCISE.mistake(joint=(0, 1), cut=(lambda x: k_means(x, 1), k_means, lambda x: x > x.mean()))
+def one_angle(q, joint, cut):
+    """only one of the two angles decides. What if the two clouds differ in the other one?"""
+    if not _one_best(q):
+        return None
+    q = np.asarray(q)
+    labels = np.ravel(cut(q[:, [joint]]))
+    return labels if q[labels == 0, 1].mean() > q[labels == 1, 1].mean() else 1 - labels
 
 
 @EXERCISE.mistake(n_init=(1, 10))
