@@ -221,11 +221,11 @@ def _at(k, change):
 
 
 def _numbers(argument):
-    """Return a number as a float, or an array of numbers, which may come as a list; raises for all else."""
+    """Return a float, or an array of numbers, which may come as a list; raises for all else, as for a count."""
     array = np.asarray(argument)
-    if array.dtype.kind not in "fi":
+    if array.dtype.kind not in ("fi" if array.ndim else "f"):
         raise TypeError("not numbers to compute with")
-    return array if array.ndim else float(argument)
+    return array if array.ndim else argument
 
 
 def _has_whole_numbers(case):
