@@ -3,11 +3,10 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.decomposition_ik.shared import position, solutions
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off, position, solutions
 from course_lib.checks.format_numbers import format_tuple
 
-_FINE = 1e-9  # metres
 _ONE = Mistake(
     "one distance is returned for both predictions", "What would stay hidden if one of the two were quite wrong?"
 )
@@ -61,20 +60,10 @@ def _known_form(array, xy, angles):
     return _VECTORS if array.shape == (len(xy), 2, 2) else _ONE if array.size == len(xy) else None
 
 
-def _asked(text, is_wrong):
-    """No number of the answer is_wrong(numbers, those of the right answer)."""
-
-    def wrong(errors, *case):
-        return np.argwhere(is_wrong(errors, distances(*case)))
-
-    def says(errors, xy, angles):
-        i, k = wrong(errors, xy, angles)[0]
-        tip = format_tuple(np.round(position(angles[i, k]), 9))
-        return (
-            f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is {errors[i, k]:.4g}."
-        )
-
-    return Property(text, lambda *case: not wrong(*case).size, says)
+def _tell(index, errors, xy, angles):
+    i, k = index
+    tip = format_tuple(np.round(position(angles[i, k]), 9))
+    return f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is {errors[i, k]:.4g}."
 
 
 EXERCISE = Exercise(
@@ -85,11 +74,10 @@ EXERCISE = Exercise(
     returns=numbers(lambda xy, angles: (len(xy), 2), _known_form, gaps=True),
     library=distances,
     properties=(
-        _asked(
-            "the answer is the distance in metres from each position to the arm's tip at each of its two predictions",
-            lambda errors, right: ~np.isnan(right) & ~(np.abs(errors - right) < _FINE),
+        no_number(
+            off, "the answer is the distance (m) from each position to the tip at each prediction", distances, _tell
         ),
-        _asked("if a prediction is nan, so is its distance", lambda errors, right: np.isnan(right) & ~np.isnan(errors)),
+        no_number(no_gap, "if a prediction is nan, so is its distance", distances, _tell),
     ),
     hints=(
         "tips = fk_2r(angles) has the shape (m, 2, 2): x and y for each of the two predictions.",

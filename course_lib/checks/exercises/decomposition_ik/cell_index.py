@@ -62,22 +62,14 @@ def _outside(xy, low, high):
     return ((xy < low) | (xy > high)).any(axis=1, keepdims=True)
 
 
-def _at_most(index, xy, high, n):
-    return np.minimum(index, n - 1)
+_EDGES = (  # how students treat the upper edge: the same unless there is a mistake
+    lambda index, xy, high, n: np.minimum(index, n - 1),
+    lambda index, xy, high, n: np.where(xy == high, n - 1, index),
+    lambda index, xy, high, n: np.clip(index, 0, n - 1),
+)
 
 
-def _set_at_edge(index, xy, high, n):
-    return np.where(xy == high, n - 1, index)
-
-
-def _clipped(index, xy, high, n):
-    return np.clip(index, 0, n - 1)
-
-
-_EDGES = (_at_most, _set_at_edge, _clipped)  # how students treat the upper edge: the same unless there is a mistake
-
-
-def cell_index(xy, low, high, n, parts=_parts, to_whole=np.floor, edge=_at_most, outside=_outside):
+def cell_index(xy, low, high, n, parts=_parts, to_whole=np.floor, edge=_EDGES[0], outside=_outside):
     """Return columns and rows (m, 2) of positions in a grid; (-1, -1) outside."""
     index = edge(to_whole(parts(xy, low, high, n)), xy, high, n)
     return np.where(outside(xy, low, high), -1, index).astype(int)
@@ -154,23 +146,19 @@ def edge_taken_for_outside(*case, edge_outside):
     return cell_index(*case, outside=lambda *box: edge_outside(*box).any(axis=1, keepdims=True))
 
 
-@EXERCISE.mistake(to_whole=(np.floor, np.trunc), edge=_EDGES)
-def not_marked(*case, to_whole, edge):
-    """positions outside the box are not marked. What is asked for them, and where does your function look for them?"""
-    return cell_index(*case, to_whole=to_whole, edge=edge, outside=lambda xy, low, high: False)
-
-
 @EXERCISE.mistake(
     some=(
+        lambda below, above: np.False_,
         lambda below, above: (below | above).all(axis=1, keepdims=True),
         lambda below, above: below.any(axis=1, keepdims=True),
         lambda below, above: above.any(axis=1, keepdims=True),
     ),
     edge=_EDGES,
+    to_whole=(np.floor, np.trunc),
 )
-def some_not_marked(*case, some, edge):
-    """only some of the positions outside are marked. A position can be left, right, below or above: is one enough?"""
-    return cell_index(*case, edge=edge, outside=lambda xy, low, high: some(xy < low, xy > high))
+def not_marked(*case, some, edge, to_whole):
+    """some or all positions outside are not marked. A position can be left, right, below or above: is one enough?"""
+    return cell_index(*case, edge=edge, to_whole=to_whole, outside=lambda xy, low, high: some(xy < low, xy > high))
 
 
 @EXERCISE.mistake(edge=_EDGES)
@@ -179,7 +167,7 @@ def each_number_by_itself(*case, edge):
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
 
 
-@EXERCISE.mistake(edge=(_set_at_edge, lambda index, *rest: index))
+@EXERCISE.mistake(edge=(_EDGES[1], lambda index, *rest: index))
 def cut_towards_zero(xy, low, high, n, edge):
     """int() cuts towards zero, so that positions just below low come into cell 0. What is int(-0.4)?"""
     index = edge(np.trunc(_parts(xy, low, high, n)), xy, high, n)

@@ -4,8 +4,8 @@ import numpy as np
 from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.decomposition_ik.shared import position, solutions, with_one
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, position, solutions, with_one
 from course_lib.checks.exercises.decomposition_ik.split_branches import labelled, split_branches
 from course_lib.checks.format_numbers import format_tuple
 
@@ -71,7 +71,7 @@ def _linear_regression(xy, q):
     return np.column_stack([line.coef_, line.intercept_])
 
 
-def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, least=3):
+def fit_cells(xy, q, cell, count, fit=_least_squares, split=split_branches, least=3):
     """Return the models (count, 2, 2, 3) of the clusters of cells; NaN for those of fewer samples than `least`."""
     models = np.full((count, 2, 2, 3), np.nan)
     for c in range(count):
@@ -84,20 +84,14 @@ def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, 
     return models
 
 
-def _asked(text, is_wrong):
-    """No number of the answer is_wrong(numbers, those of the right answer)."""
+def _tell(index, models, xy, q, cell, count):
+    c, k, j, _ = index
+    n = np.sum(split_branches(q[cell == c]) == k)
+    return f"Samples of cluster {k} in cell {c}: {n}. Your row for q{j + 1} there is {format_tuple(models[c, k, j])}."
 
-    def wrong(models, *case):
-        return np.argwhere(is_wrong(models, fit_cells(*case)))
 
-    def says(models, xy, q, cell, count):
-        c, k, j, _ = wrong(models, xy, q, cell, count)[0]
-        n = np.sum(split_branches(q[cell == c]) == k)
-        return (
-            f"Samples of cluster {k} in cell {c}: {n}. Your row for q{j + 1} there is {format_tuple(models[c, k, j])}."
-        )
-
-    return Property(text, lambda *case: not wrong(*case).size, says)
+def _far_off(models, right):
+    return ~np.isnan(right) & (np.abs(models - right) > 1e-7 * (1 + np.abs(right)))
 
 
 EXERCISE = Exercise(
@@ -113,17 +107,14 @@ EXERCISE = Exercise(
     library=fit_cells,
     tries_arguments=False,
     properties=(
-        _asked(
-            "a cluster with fewer than 3 samples has no model: all 6 of its numbers are nan",
-            lambda models, right: np.isnan(right) & ~np.isnan(models),
+        no_number(no_gap, "a cluster with fewer than 3 samples has no model: all 6 numbers are nan", fit_cells, _tell),
+        no_number(
+            lambda models, right: no_gap(right, models),
+            "a cluster with 3 samples or more has a model",
+            fit_cells,
+            _tell,
         ),
-        _asked(
-            "a cluster with 3 samples or more has a model", lambda models, right: ~np.isnan(right) & np.isnan(models)
-        ),
-        _asked(
-            "q_j = A_j1 x + A_j2 y + b_j fits the samples of its cluster with the least squares",
-            lambda models, right: ~np.isnan(right) & ~(np.abs(models - right) < 1e-7 * (1 + np.abs(right))),
-        ),
+        no_number(_far_off, "A_j1 x + A_j2 y + b_j fits q_j of the samples with the least squares", fit_cells, _tell),
     ),
     errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
     hints=(

@@ -175,18 +175,18 @@ def elbow_correction(xy, factor):
     return _with_q1(xy, lambda q2: np.arctan2(xy[1], xy[0]) - factor * q2 / 2)
 
 
-@EXERCISE.mistake(factor=(1, -1), guarded=(False, True))
-def arctan_of_a_quotient(xy, factor, guarded):
-    """the direction to the tip is the atan of y / x. The quotient is the same for (x, y) and (-x, -y): what about the
-    directions?"""
-    direction = 0 if guarded and xy[0] == 0 else np.arctan(xy[1] / xy[0])
-    return _with_q1(xy, lambda q2: direction - factor * q2 / 2)
-
-
-@EXERCISE.mistake(factor=(1, -1))
-def arctan2_swapped(xy, factor):
-    """the two arguments of atan2 are swapped. For which direction is atan2 zero?"""
-    return _with_q1(xy, lambda q2: np.arctan2(xy[0], xy[1]) - factor * q2 / 2)
+@EXERCISE.mistake(
+    direction=(
+        lambda x, y: np.arctan(y / x),
+        lambda x, y: np.arctan(y / x) if x else 0,
+        lambda x, y: np.arctan2(x, y),
+    ),
+    factor=(1, -1),
+)
+def another_direction(xy, direction, factor):
+    """the direction to the tip is right in some quadrants only. Which of atan(y / x), atan2(x, y) and atan2(y, x) is
+    -pi / 2 for (0, -1), and near pi for (-1, 0)?"""
+    return _with_q1(xy, lambda q2: direction(*xy) - factor * q2 / 2)
 
 
 @EXERCISE.mistake(with_q1=(True, False), swapped=(True, False))

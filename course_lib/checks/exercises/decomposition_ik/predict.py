@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off
 from course_lib.checks.format_numbers import format_tuple
 
 _AXES = Mistake("the axes stand in another order", "In [i, k, j], which index is the query, the cluster, the angle?")
@@ -58,19 +59,11 @@ def _known_form(array, models, cell, xy):
     return forms.get(array.shape, _LEFT_OUT if array.shape == ((cell >= 0).sum(), 2, 2) else None)
 
 
-def _asked(text, is_wrong):
-    """No number of the answer is_wrong(numbers, those of the right answer)."""
-
-    def wrong(angles, *case):
-        return np.argwhere(is_wrong(angles, predict(*case)))
-
-    def says(angles, models, cell, xy):
-        i, k, j = wrong(angles, models, cell, xy)[0]
-        row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
-        said = f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster {k}: {row}."
-        return f"{said} Yours is {angles[i, k, j]:.4g}."
-
-    return Property(text, lambda *case: not wrong(*case).size, says)
+def _tell(index, angles, models, cell, xy):
+    i, k, j = index
+    row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
+    said = f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster {k}: {row}."
+    return f"{said} Yours is {angles[i, k, j]:.4g}."
 
 
 EXERCISE = Exercise(
@@ -81,14 +74,8 @@ EXERCISE = Exercise(
     returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), _known_form, gaps=True),
     library=predict,
     properties=(
-        _asked(
-            "each angle is A_j1 x + A_j2 y + b_j, with the model of the query's cell and of the cluster",
-            lambda angles, right: ~np.isnan(right) & ~(np.abs(angles - right) <= 1e-9 * np.maximum(1, np.abs(right))),
-        ),
-        _asked(
-            "if there is no cell or no model, there is no prediction: nan",
-            lambda angles, right: np.isnan(right) & ~np.isnan(angles),
-        ),
+        no_number(off, "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster", predict, _tell),
+        no_number(no_gap, "if there is no cell or no model, there is no prediction: nan", predict, _tell),
     ),
     hints=(
         "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] >= 0.",

@@ -1,6 +1,8 @@
-"""What the checks of notebook 6 share: the arm with two links of 1 m, and the terms 1, x, y of positions."""
+"""What the checks of notebook 6 share: the arm with two links of 1 m, the terms 1, x, y, and arrays with gaps."""
 
 import numpy as np
+
+from course_lib.checks.exercise import Property
 
 
 def position(q):
@@ -20,3 +22,25 @@ def solutions(xy):
 def with_one(xy):
     """Return the rows (m, 3) 1, x, y of positions (m, 2)."""
     return np.column_stack([np.ones(len(xy)), xy])
+
+
+def no_number(is_wrong, text, right, tell):
+    """Return the Property that no number of an answer is_wrong(numbers, those of right(*case)).
+
+    tell(index, answer, *case) says what is wrong at the first one.
+    """
+
+    def wrong(answer, *case):
+        return np.argwhere(is_wrong(answer, right(*case)))
+
+    return Property(text, lambda *case: not wrong(*case).size, lambda *case: tell(wrong(*case)[0], *case))
+
+
+def off(answer, right):
+    """Return where an answer is not the number that it should be."""
+    return ~np.isnan(right) & ~(np.abs(answer - right) <= 1e-9 * np.maximum(1, np.abs(right)))
+
+
+def no_gap(answer, right):
+    """Return where an answer is a number, and should be nan."""
+    return np.isnan(right) & ~np.isnan(answer)
