@@ -2,7 +2,6 @@
 
 import math
 
-import numpy as np
 import sympy as sp
 
 
@@ -22,16 +21,6 @@ def right_own_symbols_replaced_in_lists(a, alpha, d, theta):
     formula = right_entry_by_entry(A, B, D, T).tolist()
     values = {A: a, B: alpha, D: d, T: theta}
     return [[sp.simplify(entry).subs(values, simultaneous=True) for entry in row] for row in formula]
-
-
-def right_numpy_holds_the_expressions(a, alpha, d, theta):
-    first = np.eye(4, dtype=object)
-    first[:2, :2] = [[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]]
-    first[2, 3] = d
-    second = np.eye(4, dtype=object)
-    second[1:3, 1:3] = [[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]]
-    second[0, 3] = a
-    return first @ second
 
 
 def wrong_math(a, alpha, d, theta):

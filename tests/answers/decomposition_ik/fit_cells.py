@@ -33,20 +33,13 @@ def right_linear_regression(xy, q, cell, count):
     return _models(xy, q, cell, count, fit)
 
 
-def right_normal_equations_by_boundary(xy, q, cell, count):
-    models = np.zeros((count, 2, 2, 3)) * np.nan
-    for c in np.unique(cell[cell >= 0]):
-        places, angles = xy[cell == c], q[cell == c]
-        if len(places) < 3:
-            continue
-        found = KMeans(2, n_init=3, random_state=5).fit(angles)
-        for k, label in enumerate(np.argsort(found.cluster_centers_[:, 1])[::-1]):
-            X, Y = places[found.labels_ == label], angles[found.labels_ == label]
-            if len(X) >= 3:
-                middle, mean = X.mean(axis=0), Y.mean(axis=0)
-                A = np.linalg.solve((X - middle).T @ (X - middle), (X - middle).T @ (Y - mean)).T
-                models[c, k] = np.column_stack([A, mean - A @ middle])
-    return models
+def right_normal_equations(xy, q, cell, count):
+    def fit(X, Y):
+        X, Y, middle, mean = X - X.mean(axis=0), Y - Y.mean(axis=0), X.mean(axis=0), Y.mean(axis=0)
+        A = np.linalg.solve(X.T @ X, X.T @ Y).T
+        return np.column_stack([A, mean - A @ middle])
+
+    return _models(xy, q, cell, count, fit)
 
 
 def right_pseudo_inverse_in_lists(xy, q, cell, count):

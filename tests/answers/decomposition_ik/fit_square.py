@@ -35,10 +35,3 @@ def wrong_no_column(terms, q):
 def wrong_intercept_twice(terms, q):
     """unnamed"""
     return right_lstsq(terms, q - q.mean(axis=0))
-
-
-def wrong_all_that_lstsq_returns(terms, q):
-    """has another form"""
-    first = np.linalg.lstsq(np.c_[terms, q[:, 1]], q[:, 0], rcond=None)
-    second = np.linalg.lstsq(terms, q[:, 1] ** 2, rcond=None)
-    return [first, second]

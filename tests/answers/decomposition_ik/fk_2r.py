@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from course_lib.arms import planar_arm
-
 
 def right_both_angles(q):
     q = np.asarray(q, float)
@@ -43,8 +41,3 @@ def wrong_sine_of_q2_alone(q):
     """unnamed"""
     q = np.asarray(q, float)
     return right_both_angles(q) + np.stack([0 * q[..., 0], np.sin(q[..., 1]) - np.sin(q.sum(axis=-1))], axis=-1)
-
-
-def wrong_the_librarys(q):
-    """course_lib.arms.planar_arm is called"""
-    return planar_arm([1.0, 1.0]).fk(np.asarray(q, float))[..., :2, 3]

@@ -34,8 +34,7 @@ def right_by_assertions_many_times(ik_2r):
 
 def right_against_the_law_of_cosines(ik_2r):
     for x, y in INSIDE + EDGE:
-        bend = np.arccos(np.clip((x**2 + y**2 - 2) / 2, -1, 1))
-        to = np.arctan2(y, x)
+        bend, to = np.arccos(np.clip((x**2 + y**2 - 2) / 2, -1, 1)), np.arctan2(y, x)
         gap = np.array(ik_2r([x, y])) - [[to - bend / 2, bend], [to + bend / 2, -bend]]
         if not np.abs(np.exp(1j * gap) - 1).max() < 1e-6:
             return False
