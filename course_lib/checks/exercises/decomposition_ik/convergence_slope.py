@@ -62,12 +62,6 @@ def two_bases(h, e, factor):
     return right(h, e) * factor
 
 
-@EXERCISE.mistake(mean=(lambda x, y: (x @ y) / (x @ x), lambda x, y: np.mean(y / x)))
-def through_the_origin(h, e, mean):
-    """the line is forced through the origin. Where does c appear in the logarithm of c h^p?"""
-    return mean(np.log(h), np.log(e))
-
-
 @EXERCISE.mistake
 def correlation(h, e):
     """the correlation is returned. Does it say how steep a line is, or how well it fits?"""
@@ -80,14 +74,16 @@ def constant_term(h, e):
     return np.polyfit(np.log(h), np.log(e), 1)[1]
 
 
-@EXERCISE.mistake(pair=((0, -1), (0, 1), (-2, -1)))
-def two_points(h, e, pair):
-    """only two of the points are used. What if one of them is bad?"""
-    (h0, h1), (e0, e1) = h[list(pair)], e[list(pair)]
-    return np.log(e0 / e1) / np.log(h0 / h1)
-
-
-@EXERCISE.mistake
-def mean_of_slopes(h, e):
-    """the mean of the slopes between neighbours is returned. How many lines are asked for?"""
-    return np.mean(np.diff(np.log(e)) / np.diff(np.log(h)))
+@EXERCISE.mistake(
+    slope=(
+        lambda x, y: (y[-1] - y[0]) / (x[-1] - x[0]),
+        lambda x, y: (y[1] - y[0]) / (x[1] - x[0]),
+        lambda x, y: (y[-1] - y[-2]) / (x[-1] - x[-2]),
+        lambda x, y: np.mean(np.diff(y) / np.diff(x)),
+        lambda x, y: (x @ y) / (x @ x),
+        lambda x, y: np.mean(y / x),
+    )
+)
+def another_line(h, e, slope):
+    """this is not the line of least squares. Do all points count alike, and may the line pass beside the origin?"""
+    return slope(np.log(h), np.log(e))

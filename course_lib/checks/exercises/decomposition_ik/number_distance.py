@@ -68,25 +68,13 @@ def squared(a, b):
     return (a - b) ** 2
 
 
-@EXERCISE.mistake
-def sizes_subtracted(a, b):
-    """the sizes of a and b are subtracted, whatever their signs. How far is -2 from 3 on a number line?"""
-    return abs(abs(a) - abs(b))
+@EXERCISE.mistake(combined=(lambda a, b: abs(a - b), lambda a, b: a + b))
+def without_signs(a, b, combined):
+    """the signs of a and b are ignored. How far is -2 from 3 on a number line, and how far is 1 from 3?"""
+    return combined(abs(a), abs(b))
 
 
-@EXERCISE.mistake
-def sizes_added(a, b):
-    """the sizes of a and b are added, whatever their signs. How far is 1 from 3 on a number line?"""
-    return abs(a) + abs(b)
-
-
-@EXERCISE.mistake
-def zero_from_zero(a, b):
-    """the distance from 0 is always 0. How far is 5 from 0?"""
-    return 0.0 if _has_zero(a, b) else right(a, b)
-
-
-@EXERCISE.mistake
-def the_other_number(a, b):
-    """if one number is 0, the other is returned with its sign. How far is -4 from 0?"""
-    return a + b if _has_zero(a, b) else right(a, b)
+@EXERCISE.mistake(answer=(lambda a, b: 0.0, lambda a, b: a + b))
+def another_distance_from_zero(a, b, answer):
+    """the distance from 0 is 0, or the other number with its sign. How far are 5, and -4, from 0?"""
+    return answer(a, b) if _has_zero(a, b) else right(a, b)

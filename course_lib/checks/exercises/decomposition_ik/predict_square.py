@@ -106,13 +106,7 @@ def sign_of_q1(model, terms, sign):
     return predict_square(model, terms, sign) * [sign, 1]
 
 
-@EXERCISE.mistake
-def columns_swapped(*case):
-    """q1 and q2 are swapped. Which of them stands first in each row?"""
-    return predict_square(*case)[:, ::-1]
-
-
-@EXERCISE.mistake
-def rows_swapped(model, *rest):
-    """the rows of the model are swapped. Which row is for q1?"""
-    return predict_square(model[::-1], *rest)
+@EXERCISE.mistake(model_too=(False, True))
+def angles_swapped(model, *rest, model_too):
+    """q1 and q2 are swapped, in the answer or in the model. Which of them stands first?"""
+    return predict_square(model[::-1], *rest) if model_too else predict_square(model, *rest)[:, ::-1]
