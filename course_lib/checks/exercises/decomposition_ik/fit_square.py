@@ -117,9 +117,3 @@ def square_by_q2(terms, q):
 def another_order(*case, change):
     """the rows, or the columns, stand in another order. Which row belongs to q1, and which column to q2?"""
     return change(fit_square(*case))
-
-
-@EXERCISE.mistake
-def angles_swapped(terms, q):
-    """q1 and q2 are swapped. Which column of q is q2?"""
-    return fit_square(terms, q[:, ::-1])

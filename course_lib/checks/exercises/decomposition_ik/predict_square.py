@@ -100,12 +100,6 @@ def another_term(*case, last):
     return predict_square(*case, last=last)
 
 
-@EXERCISE.mistake
-def sign_of_q1(model, terms, sign):
-    """the sign multiplies q1 too. Which of the two angles changes its sign between the branches?"""
-    return predict_square(model, terms, sign) * [sign, 1]
-
-
 @EXERCISE.mistake(model_too=(False, True))
 def angles_swapped(model, *rest, model_too):
     """q1 and q2 are swapped, in the answer or in the model. Which of them stands first?"""

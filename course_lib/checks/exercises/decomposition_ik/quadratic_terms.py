@@ -68,15 +68,3 @@ def another_order(xy, order):
 def another_product(xy, product):
     """the fifth term is not x y. Which factor, and which powers, does it have in the task?"""
     return quadratic_terms(xy, product)
-
-
-@EXERCISE.mistake
-def doubled_squares(xy):
-    """the squares are doubles. What is 3 squared?"""
-    return quadratic_terms(xy, square=lambda x: 2 * x)
-
-
-@EXERCISE.mistake
-def no_ones(xy):
-    """the constant term is 0. Of what is a constant a multiple?"""
-    return quadratic_terms(xy, one=0.0)
