@@ -66,15 +66,19 @@ class Naming:
     def mistake(self, failing):
         """Return the Mistake that accounts for the wrong answers, those at the positions `failing`, or None.
 
-        One that explains all answers is preferred to one that explains the failing ones only; a few True or False fit
-        many mistakes by chance, so these must explain all.
+        One that explains all answers is preferred to one that explains the failing ones only; a few True or False,
+        or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
         found = next((known for known in own if self._explains(known, failing, everywhere=True)), None)
         found = found or next((known for known in everyday(self) if self._explains_enough(known, failing)), None)
-        if found is None and not isinstance(self.values[failing[0]], bool):
+        if found is None and not self._few_bits():
             found = next((known for known in own if self._explains(known, failing)), None)
         return found or (FEW_DIGITS if self._nearly_right(failing) else None)
+
+    def _few_bits(self):
+        """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
+        return all(bool(np.isin(value, (-1, 0, 1)).all()) for value in self.values)
 
     def _nearly_right(self, failing):
         """Return whether most answers are wrong, and each of them is right to its first digits."""
@@ -88,7 +92,9 @@ class Naming:
         if right is None or not isinstance(value, (np.ndarray, list, tuple, int, float)):
             return None
         forms = ((Mistake(name, hint), attempt(change, right)) for name, hint, change in _OTHER_FORMS)
-        return next((mistake for mistake, form in forms if form is not None and same(value, form)), None)
+        return next(
+            (mistake for mistake, form in forms if form is not None and _telling(form) and same(value, form)), None
+        )
 
     def right(self, position):
         """Return the library's answer to a case as an array of floats; None if it is not one."""
@@ -170,6 +176,11 @@ def everyday(naming):
 def _gap(value, other):
     """Return the largest difference of two answers, in which nan and inf stand at the same entries."""
     return np.nan_to_num(np.abs(np.asarray(value, float) - other), posinf=0).max(initial=0)
+
+
+def _telling(numbers):
+    """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is."""
+    return np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
 
 
 def _close(value, right):
