@@ -14,7 +14,7 @@ def right_by_pose_error(q, J, T, T_target, step):
     return q + step * J.T @ pose_error(T, T_target)
 
 
-def right_lines_mended(q, J, T, T_target, step):
+def right_lines_corrected(q, J, T, T_target, step):
     X = T @ rigid.inverse(T_target)
     e = np.concatenate([T[:3, 3] - T_target[:3, 3], rotations.log_so3(X[:3, :3])])
     return q - step * J.T @ e
@@ -25,34 +25,12 @@ def right_by_rows_of_J(q, J, T, T_target, step):
     return [angle + step * sum(J[k, i] * e[k] for k in range(6)) for i, angle in enumerate(q)]
 
 
-def wrong_sign_lost(q, J, T, T_target, step):
-    """the step leads away from the target"""
-    return q - step * J.T @ pose_error(T, T_target)
-
-
-def wrong_still_the_world_s(q, J, T, T_target, step):
-    """the translation still holds a part of the rotation"""
-    X = T_target @ rigid.inverse(T)
-    return q + step * J.T @ np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_body_error(q, J, T, T_target, step):
-    """the error is seen from the end-effector"""
-    X = rigid.inverse(T) @ T_target
-    return q + step * J.T @ np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_logarithm_of_the_pose(q, J, T, T_target, step):
-    """phi stands before the difference of the positions"""
-    return q + step * J.T @ rigid.log_se3(T_target @ rigid.inverse(T))
-
-
-def wrong_other_method(q, J, T, T_target, step):
-    """the pseudoinverse stands for the transpose"""
-    return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)
-
-
 def wrong_inverse_first(q, J, T, T_target, step):
     """another form"""
     X = rigid.inverse(T_target) @ T
     return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
+
+
+def wrong_shorter_step(q, J, T, T_target, step):
+    """unnamed"""
+    return q + 0.1 * step * J.T @ pose_error(T, T_target)

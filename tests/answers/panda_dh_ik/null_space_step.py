@@ -11,7 +11,7 @@ def right_by_the_pseudoinverse(q, J, q_middle, gain):
 
 def right_by_a_basis(q, J, q_middle, gain):
     N = scipy.linalg.null_space(J, rcond=1e-10)
-    return q + gain * N @ (N.T @ (q_middle - q))
+    return (q + gain * N @ (N.T @ (q_middle - q))).reshape(-1, 1)
 
 
 def right_by_least_squares(q, J, q_middle, gain):
@@ -19,20 +19,21 @@ def right_by_least_squares(q, J, q_middle, gain):
     return list(q + step - np.linalg.lstsq(J, J @ step, rcond=1e-12)[0])
 
 
-def wrong_pushed_without_regard(q, J, q_middle, gain):
-    """without regard to J"""
-    return (1 - gain) * q + gain * q_middle
-
-
-def wrong_inverted(q, J, q_middle, gain):
-    """J J^T is inverted"""
-    J_plus = J.T @ np.linalg.inv(J @ J.T)
-    return q + gain * (np.eye(len(q)) - J_plus @ J) @ (q_middle - q)
-
-
 def wrong_other_product(q, J, q_middle, gain):
     """ValueError"""
     return q + gain * (np.eye(len(J)) - J @ np.linalg.pinv(J)) @ (q_middle - q)
+
+
+def wrong_basis_of_n_minus_m_vectors(q, J, q_middle, gain):
+    """full rank"""
+    N = np.linalg.svd(J)[2][len(J) :]
+    return q + gain * N.T @ N @ (q_middle - q)
+
+
+def wrong_inverted(q, J, q_middle, gain):
+    """full rank"""
+    J_plus = J.T @ np.linalg.inv(J @ J.T + 1e-300 * np.eye(len(J)))
+    return q + gain * (np.eye(len(q)) - J_plus @ J) @ (q_middle - q)
 
 
 def wrong_projector(q, J, q_middle, gain):
@@ -40,20 +41,7 @@ def wrong_projector(q, J, q_middle, gain):
     return np.eye(len(q)) - np.linalg.pinv(J) @ J
 
 
-def wrong_in_place(q, J, q_middle, gain):
-    """q is changed in place"""
-    if q.dtype.kind == "i":
-        return q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)
-    q += gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)
-    return q
-
-
 def wrong_last_singular_vector(q, J, q_middle, gain):
     """unnamed"""
     n = np.linalg.svd(J)[2][-1]
     return q + gain * n * np.sign(n @ (q_middle - q))
-
-
-def wrong_direction(q, J, q_middle, gain):
-    """the step leads away"""
-    return q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q - q_middle)

@@ -14,13 +14,8 @@ def right_in_a_batch(A, B, s):
 
 def right_one_after_the_other(A, B, s):
     phi = rotations.log_so3(A[:3, :3].T @ B[:3, :3])
-    path = []
-    for share in s:
-        T = np.eye(4)
-        T[:3, :3] = A[:3, :3] @ rotations.exp_so3(share * phi)
-        T[:3, 3] = (1 - share) * A[:3, 3] + share * B[:3, 3]
-        path.append(T)
-    return path
+    R = [A[:3, :3] @ rotations.exp_so3(share * phi) for share in s]
+    return [rigid.transform(Q, (1 - share) * A[:3, 3] + share * B[:3, 3]) for Q, share in zip(R, s)]
 
 
 def right_by_slerp(A, B, s):
@@ -28,24 +23,6 @@ def right_by_slerp(A, B, s):
     T[:, :3, :3] = Slerp([0, 1], Rotation.from_matrix([A[:3, :3], B[:3, :3]]))(s).as_matrix()
     T[:, :3, 3] = A[:3, 3] + s[:, None] * (B - A)[:3, 3]
     return T
-
-
-def wrong_entries(A, B, s):
-    """the entries of the matrices are interpolated"""
-    return [(1 - share) * A + share * B for share in s]
-
-
-def wrong_screw(A, B, s):
-    """a screw motion"""
-    twist = rigid.log_se3(rigid.inverse(A) @ B)
-    return [A @ rigid.exp_se3(share * twist) for share in s]
-
-
-def wrong_side(A, B, s):
-    """the wrong side"""
-    phi = rotations.log_so3(A[:3, :3].T @ B[:3, :3])
-    R = rotations.exp_so3(np.outer(s, phi)) @ A[:3, :3]
-    return rigid.transform(R, A[:3, 3] + np.outer(s, B[:3, 3] - A[:3, 3]))
 
 
 def wrong_quaternions_in_a_straight_line(A, B, s):
@@ -59,18 +36,3 @@ def wrong_quaternions_in_a_straight_line(A, B, s):
 def wrong_rotation_only(A, B, s):
     """only positions or only rotations are returned"""
     return right_in_a_batch(A, B, s)[:, :3, :3]
-
-
-def wrong_last_pose(A, B, s):
-    """only one pose is returned"""
-    return right_in_a_batch(A, B, s)[-1]
-
-
-def wrong_rotation_kept(A, B, s):
-    """the rotation does not change"""
-    return rigid.transform(A[:3, :3], A[:3, 3] + np.outer(s, B[:3, 3] - A[:3, 3]))
-
-
-def wrong_number_of_poses(A, B, s):
-    """s is not used"""
-    return right_in_a_batch(A, B, np.linspace(0, 1, len(s)))

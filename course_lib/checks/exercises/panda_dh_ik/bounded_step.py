@@ -4,13 +4,10 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, panda_jacobian
 from course_lib.checks.vocabulary import away_from_zero, remembered
 
-_AFTERWARDS = (
-    "If one joint is at its bound, the others can do part of its work: the bounds belong into the minimization."
-)
 _FLAT = np.array([[1.0, 1, 0], [0, 1, 1]])
 
 
@@ -58,20 +55,6 @@ def _alike(answer, predicted, *case):
     return np.shape(answer) == np.shape(predicted) and np.allclose(answer, predicted, atol=1e-4)
 
 
-def _scaled(J, v, bound, eps):
-    q_dot = _free(J, v, bound, eps)
-    return q_dot * min(1, bound / np.abs(q_dot).max(initial=1e-9))
-
-
-def _shorter(J, v, bound, eps):
-    q_dot = _free(J, v, bound, eps)
-    return q_dot * min(1, bound / max(np.linalg.norm(q_dot), 1e-9))
-
-
-def _one_sided(J, v, bound, eps):
-    return lsq_linear(*_stacked(J, v, eps), bounds=(0, bound), method="bvls").x
-
-
 EXERCISE = Exercise(
     name="bounded_step",
     points=2,
@@ -92,34 +75,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    mistakes=(
-        Mistake("the bounds are ignored", "They belong into the minimization.", _free),
-        Mistake(
-            "the best step without bounds is clipped afterwards",
-            _AFTERWARDS,
-            lambda J, v, bound, eps: np.clip(_free(J, v, bound, eps), -bound, bound),
-        ),
-        Mistake("the best step without bounds is scaled down afterwards", _AFTERWARDS, _scaled, _shorter),
-        Mistake("joints move in one direction only", "A joint may move in both directions.", _one_sided),
-        Mistake(
-            "the damping is left out",
-            "eps |q_dot|^2 belongs to what is minimized: rows of its own below J.",
-            lambda J, v, bound, eps: right(J, v, bound, 1e-12),
-        ),
-        Mistake(
-            "eps stands for its square root",
-            "A row r of the stacked matrix adds (r q_dot)^2: what is the square root of eps q_dot^2?",
-            lambda J, v, bound, eps: right(J, v, bound, eps**2),
-        ),
-        Mistake("the answer has the wrong sign", "J q_dot is to be v.", lambda *case: -right(*case)),
-        Mistake("no joint moves", "0 is within the bounds, but not the best.", lambda J, *rest: np.zeros(J.shape[1])),
-        Mistake(
-            "bound is halved or doubled",
-            "Each joint may reach bound in either direction.",
-            lambda J, v, bound, eps: right(J, v, bound / 2, eps),
-            lambda J, v, bound, eps: right(J, v, 2 * bound, eps),
-        ),
-    ),
     hints=(
         "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more rows than J has.",
         "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x - b|^2 within bounds.",
@@ -128,3 +83,44 @@ EXERCISE = Exercise(
     library=right,
     alike=_alike,
 )
+
+
+@EXERCISE.mistake
+def unbounded(J, v, bound, eps):
+    """the bounds are ignored. How fast is the fastest joint of your answer?"""
+    return _free(J, v, bound, eps)
+
+
+@EXERCISE.mistake
+def clipped_afterwards(J, v, bound, eps):
+    """the best step without bounds is clipped afterwards. If one joint is at its bound, could the others do part of its
+    work?
+    """
+    return np.clip(_free(J, v, bound, eps), -bound, bound)
+
+
+@EXERCISE.mistake(size=(lambda q_dot: np.abs(q_dot).max(), np.linalg.norm))
+def scaled_afterwards(J, v, bound, eps, size):
+    """the best step without bounds is scaled down afterwards. If one joint is at its bound, could the others do part of
+    its work?
+    """
+    q_dot = _free(J, v, bound, eps)
+    return q_dot * min(1, bound / max(size(q_dot), 1e-9))
+
+
+@EXERCISE.mistake
+def one_direction(J, v, bound, eps):
+    """joints move in one direction only. Which lower bound has a joint that may move in both?"""
+    return lsq_linear(*_stacked(J, v, eps), bounds=(0, bound), method="bvls").x
+
+
+@EXERCISE.mistake
+def undamped(J, v, bound, eps):
+    """the damping is left out. Which rows below J make the sum of squares contain eps |q_dot|^2?"""
+    return right(J, v, bound, 1e-12)
+
+
+@EXERCISE.mistake
+def eps_not_a_root(J, v, bound, eps):
+    """eps stands for its square root. A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?"""
+    return right(J, v, bound, eps**2)

@@ -3,26 +3,32 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.pose_error_mistakes import pose_error
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian
-from course_lib.checks.vocabulary import any_pose, away_from_zero, few_digits, near, wrong_steps
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import (
+    HIGH,
+    LOW,
+    add_mistakes_of_a_step,
+    flange,
+    panda_jacobian,
+    pose_error,
+)
+from course_lib.checks.vocabulary import any_pose, away_from_zero, near
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, log_so3
 
-_PAIR = "Compare with the table of the three Jacobians: which error belongs to the geometric one?"
 
-
-def _step(error):
-    return lambda q, J, T, T_target, step: q + step * J.T @ error(T, T_target)
-
-
-right = _step(pose_error)
+def right(q, J, T, T_target, step):
+    """Return the angles after a step of the transpose method."""
+    return q + step * J.T @ pose_error(T, T_target)
 
 
 def _of_the_world(T, T_target):
     X = T @ inverse(T_target)
-    return -np.concatenate([X[:3, 3], log_so3(X[:3, :3])])
+    return np.concatenate([X[:3, 3], log_so3(X[:3, :3])])
+
+
+def _broken(q, J, T, T_target, step):
+    return q - step * J.T @ _of_the_world(T, T_target)
 
 
 def _cases(rng):
@@ -48,7 +54,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "at the target the angles stay as they are",
-            lambda answer, q, J, T, T_target, step: near(answer, q),
+            lambda answer, q, *rest: near(answer, q),
             where=lambda q, J, T, T_target, step: np.array_equal(T, T_target),
         ),
         Property(
@@ -61,54 +67,48 @@ EXERCISE = Exercise(
             lambda answer, *case: near(answer, right(*case)),
         ),
     ),
-    mistakes=(
-        few_digits(right),
-        Mistake(
-            "only one half of the error is corrected",
-            _PAIR,
-            _step(lambda *c: np.concatenate([_of_the_world(*c)[:3], -pose_error(*c)[3:]])),
-            _step(lambda *c: np.concatenate([pose_error(*c)[:3], -pose_error(*c)[3:]])),
-            _step(lambda *c: np.concatenate([-pose_error(*c)[:3], pose_error(*c)[3:]])),
-        ),
-        Mistake(
-            "the translation still holds a part of the rotation",
-            _PAIR,
-            _step(lambda T, T_target: np.concatenate([(T_target @ inverse(T))[:3, 3], pose_error(T, T_target)[3:]])),
-            _step(lambda T, T_target: np.roll(log_se3(T_target @ inverse(T)), 3)),
-        ),
-        Mistake(
-            "the error is seen from the end-effector",
-            "The geometric Jacobian is along the world's axes.",
-            _step(
-                lambda T, T_target: np.concatenate(
-                    [T[:3, :3].T @ pose_error(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])]
-                )
-            ),
-            _step(
-                lambda T, T_target: np.concatenate(
-                    [pose_error(T, T_target)[:3], log_so3(T[:3, :3].T @ T_target[:3, :3])]
-                )
-            ),
-            _step(lambda T, T_target: np.roll(log_se3(inverse(T) @ T_target), 3)),
-        ),
-        Mistake(
-            "phi stands before the difference of the positions",
-            "The rows of J are (v, omega).",
-            _step(lambda *c: np.roll(pose_error(*c), 3)),
-        ),
-        *wrong_steps(right),
-        Mistake("step is not used", "J^T e is multiplied by step.", lambda *case: right(*case[:4], 1.0)),
-        Mistake(
-            "the pseudoinverse stands for the transpose",
-            "The bug is not there: J.T is what the method is called after.",
-            lambda q, J, T, T_target, step: q + step * np.linalg.pinv(J) @ pose_error(T, T_target),
-        ),
-    ),
     hints=(
         "Take T and T_target with the same position and different orientations. What should the upper half of e be?",
         "The translation of T T_target^-1 says how the point at the world's origin moves, not the end-effector's.",
         "e is what pose_error(T, T_target) returns, and it already leads to the target.",
     ),
     library=right,
-    broken=_step(_of_the_world),
+    broken=_broken,
 )
+
+
+add_mistakes_of_a_step(EXERCISE, _broken)
+
+
+@EXERCISE.mistake(signs=((1, -1), (-1, 1)))
+def half_corrected(q, J, T, T_target, step, signs):
+    """one half of the error has the wrong sign. Do both halves lead from T to T_target?"""
+    return q + step * J.T @ (np.repeat(signs, 3) * pose_error(T, T_target))
+
+
+@EXERCISE.mistake(error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3)))
+def rotation_in_the_translation(q, J, T, T_target, step, error):
+    """the translation still holds a part of the rotation. Which error belongs to the geometric Jacobian in the table of
+    the three Jacobians?
+    """
+    return q + step * J.T @ error(T, T_target)
+
+
+@EXERCISE.mistake(position=(True, False))
+def from_the_end_effector(q, J, T, T_target, step, position):
+    """the error is seen from the end-effector. Along which axes is the geometric Jacobian?"""
+    R, e = T[:3, :3], pose_error(T, T_target)
+    e = np.concatenate([R.T @ e[:3] if position else e[:3], log_so3(R.T @ T_target[:3, :3])])
+    return q + step * J.T @ e
+
+
+@EXERCISE.mistake
+def halves_swapped(q, J, T, T_target, step):
+    """phi stands before the difference of the positions. Which three rows of J come first?"""
+    return q + step * J.T @ np.roll(pose_error(T, T_target), 3)
+
+
+@EXERCISE.mistake
+def pseudoinverse(q, J, T, T_target, step):
+    """the pseudoinverse stands for the transpose. The bug is not there: what is the method called after?"""
+    return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)

@@ -1,35 +1,29 @@
 """dh_modified: the pose of a frame in the one before by Craig's convention. Its making serves dh_standard too."""
 
+import functools
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import about_x, about_z, modified, standard
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.panda_dh_ik.dh_modified_mistakes import mistakes
-from course_lib.checks.exercises.panda_dh_ik.shared import modified
 from course_lib.checks.vocabulary import near
+from course_lib.rigid import transform
 
-_LAST_ROW = "Start from np.eye(4) and fill in the block and the column."
-_read = numbers(
-    lambda *case: (4, 4),
-    {
-        (3, 3): Mistake("only the rotation is returned", "The pose is 4 x 4: its origin is the last column."),
-        (3,): Mistake("only the position is returned", "The pose is 4 x 4: its axes are the first three columns."),
-        (3, 4): Mistake("the last row is missing", "The last row is 0, 0, 0, 1, so that poses can be multiplied."),
-        (4, 4, 4): Mistake("the four steps are returned, not their product", "Multiply them by @."),
-        (2, 4, 4): Mistake("the two steps are returned, not their product", "Multiply them by @."),
-    },
-)
+_STEPS = Mistake("the steps are returned, not their product", "The answer is one pose: which product joins the steps?")
+_LAST_ROW = Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in the block and the column.")
 
 
 def _cases(rng):
     quarter = np.pi / 2
     simple = [(0.1, 0, 0.3, 0), (0.1, quarter, 0.3, 0), (0.1, 0, 0.3, quarter), (0.1, 0.5, 0.3, 2.0), (2, 1, 3, -2)]
     one_each = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
-    panda = [(0.0825, quarter, 0.0, 0.4), (-0.0825, -quarter, 0.384, -0.7)]
+    panda = [(0.0825, quarter, 0, 0.4), (-0.0825, -quarter, 0.384, -0.7)]
     sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
     drawn = [*np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2), [-3.0, -2.25, 0.5, 7.5]]
-    return simple + one_each + panda + [tuple(float(number) for number in row) for row in drawn]
+    return [tuple(float(number) for number in row) for row in (*simple, *one_each, *panda, *drawn)]
 
 
 def _column(k, text, convention):
@@ -42,20 +36,20 @@ def _column(k, text, convention):
     )
 
 
-def made(name, convention, x_axis, z_axis, origin, hints):
-    """Return the Exercise of a convention; the texts say what holds of the x axis, the z axis and the origin."""
-    return Exercise(
+def made(name, convention, other, x_axis, z_axis, origin, hints):
+    """Return the Exercise of a convention, with its mistakes; the texts say what holds of x axis, z axis and origin."""
+    exercise = Exercise(
         name=name,
         points=1,
         arguments=("a", "alpha", "d", "theta"),
         cases=_cases,
-        returns=_read,
+        returns=numbers(lambda *case: (4, 4), {(4, 4, 4): _STEPS, (2, 4, 4): _STEPS}),
         properties=(
             Property(
                 "the last row is (0, 0, 0, 1)",
                 lambda T, *row: near(T[3], [0, 0, 0, 1]),
                 says=lambda T, *row: f"Yours is {format_tuple(T[3])}.",
-                mistake=Mistake("the last row is not that of a pose", _LAST_ROW),
+                mistake=_LAST_ROW,
             ),
             Property(
                 "if both angles are 0, the axes are parallel to the old ones and the origin is at (a, 0, d)",
@@ -68,16 +62,68 @@ def made(name, convention, x_axis, z_axis, origin, hints):
             _column(1, "the y axis, the second column, is the cross product of the z and the x axis", convention),
             _column(3, f"the origin, the last column, is {origin}", convention),
         ),
-        mistakes=mistakes(convention),
         hints=hints,
         library=convention,
         forbidden=("course_lib.arms.SerialArm", "course_lib.arms._dh_frames"),
     )
 
+    @exercise.mistake
+    def other_convention(*row):
+        """this is the pose by the other convention. Which pair of steps comes first here, that of x or that of z?"""
+        return other(*row)
+
+    @exercise.mistake(order=_orders(convention, other))
+    def other_order(a, alpha, d, theta, order):
+        """the steps are multiplied in another order. Each factor acts along the axes that the factors left of it made:
+        which of a and d is along an old axis, and which along a new one?
+        """
+        return _product(order, a, alpha, d, theta)
+
+    @exercise.mistake
+    def both_angles_reversed(a, alpha, d, theta):
+        """both rotations have the wrong sign. Where do the minus signs stand in Rot_x and in Rot_z?"""
+        return convention(a, -alpha, d, -theta)
+
+    @exercise.mistake(entry=((0, 1), (1, 0), (1, 1), (1, 2), (1, 3), (2, 1)))
+    def sign_of_an_entry(*row, entry):
+        """one entry has the wrong sign. Multiply the two halves out again, or let @ do it."""
+        T = convention(*row)
+        T[entry] *= -1
+        return T
+
+    @exercise.mistake(convert=(np.deg2rad, np.rad2deg))
+    def degrees(a, alpha, d, theta, convert):
+        """degrees and radians are mixed up in both angles. Angles are in radians throughout."""
+        return convention(a, convert(alpha), d, convert(theta))
+
+    @exercise.mistake
+    def entry_by_entry(a, alpha, d, theta):
+        """two matrices are multiplied entry by entry. In numpy the product of matrices is @."""
+        return about_x(alpha, a) * about_z(theta, d)
+
+    return exercise
+
+
+def _product(order, a, alpha, d, theta):
+    steps = {"X": about_x(alpha), "a": transform(np.eye(3), [a, 0, 0]), "Z": about_z(theta), "d": about_z(0.0, d)}
+    return functools.reduce(np.matmul, [steps[name] for name in order])
+
+
+def _orders(*conventions):
+    """Return the orders of Rot_x, Trans_x, Rot_z, Trans_z whose products differ from each other and from these."""
+    row, orders = (0.3, 0.5, 0.7, 0.9), []
+    known = [convention(*row) for convention in conventions]
+    for order in itertools.permutations("XaZd"):
+        if not any(np.allclose(_product(order, *row), T) for T in known):
+            known.append(_product(order, *row))
+            orders.append(order)
+    return orders
+
 
 EXERCISE = made(
     "dh_modified",
     modified,
+    standard,
     "rotated by theta about z, then by alpha about the old x",
     "rotated by alpha about the old x; theta does not change it",
     "a along the old x, then d along the new z",

@@ -1,11 +1,12 @@
 """dh_standard: the pose of a frame in the one before by the convention of Denavit and Hartenberg."""
 
 from course_lib.checks.exercises.panda_dh_ik.dh_modified import made
-from course_lib.checks.exercises.panda_dh_ik.shared import standard
+from course_lib.checks.exercises.panda_dh_ik.shared import modified, standard
 
 EXERCISE = made(
     "dh_standard",
     standard,
+    modified,
     "rotated by theta about the old z; alpha does not change it",
     "rotated by alpha about x, then by theta about the old z",
     "d along the old z, then a along the new x",

@@ -4,13 +4,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.ik_step_dls import step_of
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, READY, panda_jacobian
-from course_lib.checks.vocabulary import few_digits, remembered
+from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, READY, damped, panda_jacobian
+from course_lib.checks.vocabulary import remembered
 
-_DAMPING = "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise; s is the smallest singular value of J."
 _OUT = np.array([0.25, 0, 0, 0, 0, 0])  # m/s, away from the base
 _EARLY = np.array([0.0, 0.5, 0, -0.6, 0, 1.6, 0.8])  # nearly stretched
+_SWAPPED = Mistake("rows and columns are swapped", "One row for each configuration.")
+_START = Mistake("the start is left out", "Which is the first of the n + 1 configurations?")
 
 
 def _smallest(q):
@@ -21,25 +21,23 @@ def _eps(s, near, most):
     return most * (1 - (s / near) ** 2) if s < near else 0.0
 
 
-def _walked(eps_of=_eps, jacobian_at=lambda path: path[-1], v_of=np.copy, step=1.0, stop=None):
-    """Return an answer with another damping eps_of(s, near, most), another Jacobian, another v or another time step.
-
-    stop: of each step, what is kept inside these limits.
-    """
-
-    def answer(q, v, dt, n, near, most):
-        path = [q]
-        for _ in range(int(n)):
-            J = panda_jacobian(jacobian_at(path))
-            s = np.linalg.svd(J, compute_uv=False)[-1]
-            following = step_of(path[-1], J, (dt if step else 1.0) * v_of(v), eps_of(s, near, most))
-            path.append(following if stop is None else np.clip(following, *stop))
-        return np.array(path)
-
-    return answer
+def _walked(q, v, dt, n, near, most, eps_of=_eps, first_jacobian=False, limits=None):
+    path = [q]
+    for _ in range(int(n)):
+        J = panda_jacobian(path[0 if first_jacobian else -1])
+        q = damped(path[-1], J, dt * v, eps_of(np.linalg.svd(J, compute_uv=False)[-1], near, most))
+        path.append(q if limits is None else np.clip(q, *limits))
+    return np.array(path)
 
 
-right = remembered(lambda q, v, dt, n, near, most: _walked()(q, v, float(dt), n, float(near), float(most)))
+@remembered
+def _right(q, v, numbers):
+    return _walked(q, v, *numbers)
+
+
+def right(q, v, *numbers):
+    """Return the right answer, computed once for equal arguments."""
+    return _right(q, v, np.array(numbers, float))
 
 
 def _drawn(rng):
@@ -48,6 +46,16 @@ def _drawn(rng):
         q = np.round(rng.uniform(0.6 * LOW, 0.6 * HIGH), 2)
         if _smallest(q) > 0.1:
             return q
+
+
+def _leaves_the_limits(rng, v):
+    """Return the arguments for a path away from singularities that leaves the joint limits."""
+    while True:
+        q = _drawn(rng)
+        q[5] = HIGH[5] - 0.005
+        path = right(q, v, 0.1, 4, 0.01, 0.05)
+        if path[1:, 5].min() > HIGH[5] + 0.005 and min(map(_smallest, path)) > 0.05:
+            return q, v, 0.1, 4, 0.01, 0.05
 
 
 def _cases(rng):
@@ -60,17 +68,12 @@ def _cases(rng):
         (_EARLY + 0.05 * rng.uniform(-1, 1, 7), _OUT, 0.1, 8, 0.1, 0.02),
         (q[1], v[1], 0.1, 4, round(2 * s, 3), 0.03),
         (q[0], v[1], 0.1, 0, 0.1, 0.01),
+        _leaves_the_limits(rng, v[0]),
     ]
 
 
 def _known_form(array, q, v, dt, n, *rest):
-    if array.shape == (n, 7):
-        return Mistake("the start is left out", "The first of the n + 1 configurations is q.")
-    if array.shape == (7,):
-        return Mistake("only the last configuration is returned", "Return all n + 1 of them.")
-    if array.shape in ((7, n + 1), (7, n)):
-        return Mistake("rows and columns are swapped", "One row for each configuration.")
-    return None
+    return {(n, 7): _START, (7, n + 1): _SWAPPED, (7, n): _SWAPPED}.get(array.shape)
 
 
 def _first_off(path, *case):
@@ -93,55 +96,11 @@ EXERCISE = Exercise(
             where=lambda q, v, dt, n, near, most: min(map(_smallest, right(q, v, dt, n, near, most))) > near,
         ),
         Property(
-            f"each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration before it; {_DAMPING}",
+            "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration before it, "
+            "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
             lambda path, *case: np.abs(path - right(*case)).max() < 1e-7,
             _first_off,
         ),
-    ),
-    mistakes=(
-        Mistake(
-            "all configurations are one and the same array, changed in place",
-            "q += ... changes the array that is in the list already. path[-1] + ... makes a new one.",
-            lambda *case: np.tile(right(*case)[-1], (len(right(*case)), 1)) if case[3] else None,
-        ),
-        Mistake("the damping acts everywhere", _DAMPING, _walked(lambda s, near, most: most)),
-        Mistake("there is no damping near the singularity", _DAMPING, _walked(lambda s, near, most: 0.0)),
-        Mistake(
-            "all of the damping is switched on at once",
-            "The joint velocities jump there. " + _DAMPING,
-            _walked(lambda s, near, most: most if s < near else 0.0),
-        ),
-        Mistake(
-            "1 - s / near stands for 1 - (s / near)^2",
-            _DAMPING,
-            _walked(lambda s, near, most: most * (1 - s / near) if s < near else 0.0),
-        ),
-        Mistake(
-            "the damping grows with s",
-            "At the singularity itself, s = 0, it is largest.",
-            _walked(lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0),
-            _walked(lambda s, near, most: most if s > near else 0.0),
-        ),
-        Mistake(
-            "the damping is squared, or its root is taken",
-            _DAMPING,
-            _walked(lambda *a: _eps(*a) ** 2),
-            _walked(lambda *a: _eps(*a) ** 0.5),
-        ),
-        Mistake(
-            "the Jacobian is that of the start in all steps",
-            "Each step begins elsewhere: compute J again.",
-            _walked(jacobian_at=lambda path: path[0]),
-        ),
-        Mistake("dt is not used", "A step is dt times the joint velocities.", _walked(step=0)),
-        Mistake(
-            "v is taken in the order (omega, v)",
-            "The rows of J are (v, omega), and so is v.",
-            _walked(v_of=lambda v: np.roll(v, 3)),
-        ),
-        Mistake("the arm moves backwards", "Add the step.", _walked(v_of=np.negative)),
-        Mistake("the arm does not move", "Add the step.", _walked(v_of=np.zeros_like)),
-        few_digits(right),
     ),
     hints=(
         "A loop of n steps, in each: J at the configuration, its smallest singular value, the damping, the step.",
@@ -150,4 +109,74 @@ EXERCISE = Exercise(
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
     library=right,
+    tries_arguments=False,
+    errors=(
+        ("LinAlgError", "Singular", Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?")),
+    ),
 )
+
+
+@EXERCISE.seen
+def moved_in_the_null_space(path, q, v, dt, *rest):
+    """the flange moves with v, but the joints move more than they need to. If eps is 0, which of J J^T and J^T J has an
+    inverse?
+    """
+    jacobians, steps = [panda_jacobian(q) for q in path[:-1]], np.diff(path, axis=0)
+    follows = np.allclose([J @ step for J, step in zip(jacobians, steps, strict=True)], dt * v, rtol=0, atol=1e-4 * dt)
+    return follows and not np.allclose(steps, [np.linalg.pinv(J) @ v * dt for J in jacobians], rtol=0, atol=1e-6)
+
+
+@EXERCISE.mistake
+def one_and_the_same_array(q, v, dt, n, *rest):
+    """all configurations are one and the same array, changed in place. What does q += ... do to the q that is in the
+    list already?
+    """
+    return np.tile(right(q, v, dt, n, *rest)[-1], (n + 1, 1)) if n else None
+
+
+@EXERCISE.mistake(
+    eps_of=(
+        lambda s, near, most: most,
+        lambda s, near, most: 0.0,
+        lambda s, near, most: most if s < near else 0.0,
+        lambda s, near, most: most * (1 - s / near) if s < near else 0.0,
+        lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0,
+        lambda s, near, most: most if s > near else 0.0,
+        lambda s, near, most: _eps(s, near, most) ** 2,
+    )
+)
+def other_damping(*case, eps_of):
+    """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is it largest, where is
+    it 0, and does it jump?
+    """
+    return _walked(*case, eps_of=eps_of)
+
+
+@EXERCISE.mistake
+def jacobian_of_the_start(*case):
+    """the Jacobian is that of the start in all steps. Where does each step begin?"""
+    return _walked(*case, first_jacobian=True)
+
+
+@EXERCISE.mistake
+def dt_unused(q, v, dt, *rest):
+    """dt is not used. How far do the joints move in a step of dt seconds?"""
+    return _walked(q, v, 1.0, *rest)
+
+
+@EXERCISE.mistake
+def order_of_v(q, v, *rest):
+    """v is taken in the order (omega, v). In which order are the rows of J?"""
+    return right(q, np.roll(v, 3), *rest)
+
+
+@EXERCISE.mistake(sign=(-1, 0))
+def backwards(q, v, *rest, sign):
+    """the arm moves backwards, or not at all. What is added to the configuration before?"""
+    return right(q, sign * v, *rest)
+
+
+@EXERCISE.mistake
+def clipped(*case):
+    """the angles are kept inside the joint limits. Does the task ask for that here?"""
+    return _walked(*case, limits=(LOW, HIGH))

@@ -5,65 +5,55 @@ import numpy as np
 from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.exercises.panda_dh_ik import shared
-from course_lib.checks.exercises.panda_dh_ik.geometric_jacobian_mistakes import MISTAKES, jacobian
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
-_COLUMNS = "One column for each joint, six numbers each: the shape is (6, n)."
-_TRANSPOSED = Mistake("rows and columns are swapped", _COLUMNS)
-_FLANGE_TOO = Mistake("the flange's frame is counted as a joint's", "The last frame belongs to no joint.")
-_HALF = Mistake("only one half of the Jacobian is returned", _COLUMNS)
-_SEVEN = Mistake("the arm is taken to have seven joints", "The number of joints is len(frames) - 1.")
-_APART = Mistake("v and omega are not in one column", _COLUMNS)
-_ONE_LEFT_OUT = Mistake("one joint is left out", "Every frame but the last belongs to a joint.")
-_ONE_COLUMN = Mistake("only one column is returned", _COLUMNS)
+_HALF = Mistake("only one half of the Jacobian is returned", "Each column has six numbers.")
+_FLANGE_TOO = Mistake("the flange's frame is counted as a joint's", "Which joint does the last frame belong to?")
+_APART = Mistake("v and omega are not in one column", "One column for each joint, six numbers each: shape (6, n).")
+_SEVEN = Mistake("the arm is taken to have seven joints", "How many joints does an arm with these frames have?")
+_ABOVE, _BELOW = slice(0, 3), slice(3, 6)
 
 
-def _joints(frames):
-    return len(frames) - 1
+def _parts(frames):
+    """Return the axes z and origins o of the joints, (n, 3) each, and the flange's origin p."""
+    return frames[:-1, :3, 2], frames[:-1, :3, 3], frames[-1, :3, 3]
+
+
+def _jacobian(z, o, p):
+    return np.vstack([np.cross(z, p - o).T, z.T])
+
+
+def right(frames):
+    """Return the geometric Jacobian (6, n) of the last frame, (v, omega) along the world's axes."""
+    return _jacobian(*_parts(frames))
 
 
 def _known_form(array, frames):
-    n, shape = _joints(frames), array.shape
-    if _grown(array, n):
-        return SAME_TWICE.mistake
-    if shape in ((n, 6), (n, 6, 1)):
-        return _TRANSPOSED
-    if shape in ((6, n + 1), (n + 1, 6)):
+    n, shape = len(frames) - 1, array.shape
+    if array.ndim == 2 and len(array) == 6 and shape[1] > n:
+        a_flange_s = shape[1] == n + 1 and np.abs(array[:3, -1]).max() < 1e-9  # it does not move itself
+        return _FLANGE_TOO if a_flange_s else SAME_TWICE.mistake
+    if shape == (n + 1, 6):
         return _FLANGE_TOO
-    if shape == (6, n - 1):
-        return _ONE_LEFT_OUT
     if shape in ((3, n), (n, 3)):
         return _HALF
-    if shape == (6,):
-        return _ONE_COLUMN
-    apart = ((2, 3, n), (2, n, 3), (n, 2, 3), (3, 2 * n), (2 * n, 3), (6 * n,))
-    return _APART if shape in apart else None
-
-
-def _grown(array, n):
-    """Return whether the columns of earlier calls are there too: a column of the flange would have v = 0."""
-    if array.ndim != 2 or len(array) != 6:
-        return False
-    more = array.shape[1] - n
-    return more > 1 or (more == 1 and np.abs(array[:3, -1]).max() > 1e-9)
+    return _APART if shape in ((2, 3, n), (2, n, 3), (n, 2, 3), (3, 2 * n), (2 * n, 3)) else None
 
 
 def _drawn(rng, n):
     """Return the frames of an arm with n skew joint axes, its base anywhere in the world."""
-    numbers = away_from_zero(rng, (n, 4))
-    arm = SerialArm.from_dh([DHRow(*row) for row in numbers], end=any_pose(rng))
+    arm = SerialArm.from_dh([DHRow(*row) for row in away_from_zero(rng, (n, 4))], end=any_pose(rng))
     return any_pose(rng) @ arm.frames(away_from_zero(rng, n))
 
 
 def _cases(rng):
     quarter = np.pi / 2
     here, ahead = np.eye(4), transform(np.eye(3), [1.0, 0, 0])
-    along_x = transform(rot_y(quarter), [0, 1.0, 0])
-    along_y = transform(rot_x(-quarter), [0, 0, 1.0])
+    along_x, along_y = transform(rot_y(quarter), [0, 1.0, 0]), transform(rot_x(-quarter), [0, 0, 1.0])
     simple = [
         [here, ahead],
         [ahead, transform(np.eye(3), [1.0, 2, 0])],
@@ -76,40 +66,32 @@ def _cases(rng):
     return [(np.array(frames),) for frames in (*simple, *drawn, *map(shared.frames, configurations), drawn[1])]
 
 
-def _off(J, frames, rows):
-    """Return in words the first column that is wrong in these rows."""
-    right, first = jacobian(frames), 3 * (rows is BELOW)
-    i = next((k for k in range(_joints(frames)) if not near(J[rows, k], right[rows, k])), 0)
-    return (
-        f"For joint {i + 1}, column {i}, that is {format_tuple(right[rows, i])}; "
-        f"J[{first}:{first + 3}, {i}] of yours is {format_tuple(J[rows, i])}."
-    )
+def _half(text, rows):
+    """Return the property that these rows are right; it says which column is the first that is not."""
 
+    def says(J, frames):
+        wanted, k = right(frames), rows.start
+        i = next(i for i in range(len(frames) - 1) if not near(J[rows, i], wanted[rows, i]))
+        yours = f"J[{k}:{k + 3}, {i}] of yours is {format_tuple(J[rows, i])}."
+        return f"For joint {i + 1}, column {i}, that is {format_tuple(wanted[rows, i])}; {yours}"
 
-ABOVE, BELOW = slice(0, 3), slice(3, 6)
+    return Property(text, lambda J, frames: near(J[rows], right(frames)[rows]), says)
+
 
 EXERCISE = Exercise(
     name="geometric_jacobian",
     points=2,
     arguments=("frames",),
     cases=_cases,
-    returns=numbers(lambda frames: (6, _joints(frames)), _known_form),
+    returns=numbers(lambda frames: (6, len(frames) - 1), _known_form),
     properties=(
         SAME_TWICE,
-        Property(
-            "the lower half of each column is the angular velocity if its joint rotates at 1 rad/s: "
-            "the z axis of the joint's frame",
-            lambda J, frames: near(J[BELOW], jacobian(frames)[BELOW]),
-            says=lambda J, frames: _off(J, frames, BELOW),
-        ),
-        Property(
-            "the upper half of each column is the velocity of the flange's origin p if its joint rotates at 1 rad/s: "
-            "z x (p - o), with o the origin of the joint's frame",
-            lambda J, frames: near(J[ABOVE], jacobian(frames)[ABOVE]),
-            says=lambda J, frames: _off(J, frames, ABOVE),
+        _half("the lower half of each column is the angular velocity if its joint rotates at 1 rad/s", _BELOW),
+        _half(
+            "the upper half of each column is the velocity of the flange's origin if its joint rotates at 1 rad/s",
+            _ABOVE,
         ),
     ),
-    mistakes=MISTAKES,
     hints=(
         "The last frame is the flange's; all others belong to joints, one each.",
         "A joint's axis z is the third column of its frame's rotation, a point o on it is the frame's origin.",
@@ -117,6 +99,81 @@ EXERCISE = Exercise(
         "Finally np.column_stack, so that the shape is (6, n).",
     ),
     forbidden=("course_lib.arms.SerialArm",),
-    library=jacobian,
+    library=right,
     errors=(("IndexError", "is out of bounds for axis 0", _SEVEN),),
 )
+
+
+@EXERCISE.mistake(swapped=(False, True))
+def cross_product_reversed(frames, swapped):
+    """the cross product has the wrong sign. Which of the two factors comes first, and which way does p - o point?"""
+    z, o, p = _parts(frames)
+    return np.roll(np.vstack([np.cross(p - o, z).T, z.T]), 3 * swapped, axis=0)
+
+
+@EXERCISE.mistake(swapped=(False, True))
+def flange_left_out(frames, swapped):
+    """p is missing: v is that of the point at the world's origin, as in the space Jacobian. Which point's velocity does
+    the task ask for?
+    """
+    z, o, p = _parts(frames)
+    return np.roll(_jacobian(z, o, 0 * p), 3 * swapped, axis=0)
+
+
+@EXERCISE.mistake
+def point_on_the_axis_left_out(frames):
+    """o is missing. From where to where does the lever arm lead?"""
+    z, o, p = _parts(frames)
+    return _jacobian(z, 0 * o, p)
+
+
+@EXERCISE.mistake(k=(0, 1))
+def other_column(frames, k):
+    """the x or y axis is taken, not z. Which column of the rotation is the axis of the joint?"""
+    return _jacobian(frames[:-1, :3, k], *_parts(frames)[1:])
+
+
+@EXERCISE.mistake
+def rows_of_R(frames):
+    """rows of R are taken for its columns. Is z a row or a column of the joint's rotation?"""
+    return _jacobian(frames[:-1, 2, :3], *_parts(frames)[1:])
+
+
+@EXERCISE.mistake(first=(np.eye(4), None))
+def frame_before(frames, first):
+    """frame i - 1 is taken for joint i, as in the standard convention. Which frame does joint i rotate in the modified
+    one?
+    """
+    before = np.concatenate([[frames[0] if first is None else first], frames[:-2]])
+    return _jacobian(before[:, :3, 2], before[:, :3, 3], frames[-1, :3, 3])
+
+
+@EXERCISE.mistake
+def frame_after(frames):
+    """frame i + 1 is taken for joint i. Which frame is frames[0]?"""
+    return _jacobian(frames[1:, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3])
+
+
+@EXERCISE.mistake
+def last_joint_for_the_flange(frames):
+    """the origin of frame n is taken for the flange's. Which of the frames is the flange's?"""
+    return _jacobian(*_parts(frames)[:2], frames[-2, :3, 3])
+
+
+@EXERCISE.mistake
+def along_the_flange_s_axes(frames):
+    """v and omega are along the flange's own axes. Along which axes does the task ask for them?"""
+    return np.kron(np.eye(2), frames[-1, :3, :3].T) @ right(frames)
+
+
+@EXERCISE.mistake(v=(lambda z, o, p: p - o, lambda z, o, p: z * (p - o), lambda z, o, p: 0 * z))
+def no_cross_product(frames, v):
+    """v is no cross product. How does a point move when a joint rotates: towards the axis, or perpendicular to it?"""
+    z, o, p = _parts(frames)
+    return np.vstack([v(z, o, p).T, z.T])
+
+
+@EXERCISE.mistake
+def broken_into_rows(frames):
+    """the numbers are in the right order, but broken into rows wrongly. Does reshape exchange rows and columns?"""
+    return right(frames).T.reshape(6, -1)

@@ -6,116 +6,70 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared_points import moved, registered
+from course_lib.checks.exercises.panda_dh_ik.shared_points import moved
 from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.registration import register_points
 
-_NOISE = 0.0005  # m
-_ANY_SUBSET = (
-    "Wrong matches pull the fit of all points, so that good ones look bad. Fit few points, and count who agrees."
-)
+_POSE = Mistake("a pose is returned", "Which matches agree with it?")
+_INDICES = Mistake("the numbers of some matches are returned", "The answer is True or False for each of the n matches.")
+_TOL = 0.005  # m
+
+
+def _gaps(chosen, src, dst):
+    """Return the differences (n, 3) that the pose of the chosen matches leaves."""
+    return moved(register_points(src[chosen], dst[chosen]), src) - dst
 
 
 def _residuals(chosen, src, dst):
-    T = registered(src[chosen], dst[chosen], np.ones(len(chosen)))
-    return np.linalg.norm(moved(T, src) - dst, axis=1)
+    return np.linalg.norm(_gaps(chosen, src, dst), axis=1)
 
 
-def _masks(src, dst, tol):
+def _masks(src, dst, tol, size=lambda gaps: np.linalg.norm(gaps, axis=-1)):
     """Return the triples (t, 3), and which matches are within tol of each one's pose, (t, n)."""
     triples = np.array(list(itertools.combinations(range(len(src)), 3)))
     T = register_points(src[triples], dst[triples])
-    moved_src = src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3]
-    return triples, np.linalg.norm(moved_src - dst, axis=-1) < tol
+    return triples, size(src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3] - dst) < tol
 
 
 @remembered
-def _right(src, dst, tol):
-    masks = _masks(src, dst, tol)[1]
+def right(src, dst, tol):
+    """Return the right answer, computed once for equal arguments."""
+    masks = _masks(src, dst, float(tol))[1]
     return masks[masks.sum(1).argmax()]
 
 
-def right(src, dst, tol):
-    """Return the right answer, computed once for equal arguments."""
-    return _right(src, dst, float(tol))
+def _case(rng, n, wrong, shift="common", deceives=()):
+    """Return points of a mug's size, their matches, and a tolerance; some of the matches are wrong.
 
-
-def _all(src):
-    return np.arange(len(src))
-
-
-def _by_all(src, dst, tol):
-    return _residuals(_all(src), src, dst) < tol
-
-
-def _without_the_worst(src, dst, tol):
-    return _all(src) != _residuals(_all(src), src, dst).argmax()
-
-
-def _worst_dropped_until_good(src, dst, tol):
-    kept = _all(src)
-    while len(kept) > 3:
-        off = _residuals(kept, src, dst)[kept]
-        if off.max() < tol:
-            break
-        kept = np.delete(kept, off.argmax())
-    return np.isin(_all(src), kept)
-
-
-def _refitted(src, dst, tol):
-    kept = np.flatnonzero(_without_the_worst(src, dst, tol))
-    return _residuals(kept, src, dst) < tol
-
-
-def _by_median(src, dst, tol):
-    off = _residuals(_all(src), src, dst)
-    return off < 2 * np.median(off)
-
-
-def _first_triple(src, dst, tol):
-    return _residuals([0, 1, 2], src, dst) < tol
-
-
-def _first_with_some(src, dst, tol):
-    masks = _masks(src, dst, tol)[1]
-    return masks[(masks.sum(1) > 3).argmax()]
-
-
-def _only_the_triple(src, dst, tol):
-    triples, masks = _masks(src, dst, tol)
-    return np.isin(_all(src), triples[masks.sum(1).argmax()])
-
-
-def _case(rng, n, wrong, misleading=False, alike=False):
-    """Return points of a mug's size, their matches, and a tolerance; `wrong` of the matches are centimetres off.
-
-    misleading: dropping the worst match until all are good drops good ones. alike: the wrong matches come first and
-    agree with each other.
+    wrong: how many of them, or which. shift: "common", by nearly the same 5 cm; "same", exactly; "own", each by its
+    own; "slight", each coordinate within the tolerance. deceives: wrong answers to the case.
     """
     while True:
         src = np.round(rng.uniform(-0.06, 0.06, (n, 3)), 3)
-        dst = moved(any_pose(rng), src) + _NOISE * rng.normal(size=(n, 3))
-        bad = np.arange(wrong) if alike else np.sort(rng.choice(n, wrong, replace=False))
-        shift = 0.05 * unit(rng)
-        dst[bad] += shift + 0.01 * rng.normal(size=(wrong, 3)) * (not alike)
-        truth = ~np.isin(np.arange(n), bad)
-        case = src, np.round(dst, 5), 0.005
-        if not _spread(src[truth]) or (misleading and np.array_equal(_worst_dropped_until_good(*case), truth)):
+        dst = moved(any_pose(rng), src) + 0.0002 * rng.normal(size=(n, 3))
+        bad = np.sort(rng.choice(n, wrong, replace=False)) if isinstance(wrong, int) else np.array(wrong)
+        by = 0.05 * unit(rng) + (0.01 * rng.normal(size=(len(bad), 3)) if shift == "common" else 0)
+        by = 0.05 * np.array([unit(rng) for _ in bad]) if shift == "own" else by
+        dst[bad] += 0.9 * _TOL * rng.choice([-1, 1], (len(bad), 3)) if shift == "slight" else by
+        truth, case = ~np.isin(np.arange(n), bad), (src, np.round(dst, 5), _TOL)
+        if np.linalg.svd(src[truth] - src[truth].mean(0), compute_uv=False)[1] < 0.03:
             continue
-        triples, masks = _masks(*case)
-        rivals = triples[masks.sum(1) >= n - wrong]
-        if not np.isin(rivals, bad).any() and np.array_equal(masks[masks.sum(1).argmax()], truth):
+        masks = _masks(*case)[1]
+        best = masks[masks.sum(1) >= truth.sum()]
+        if len(best) and (best == truth).all() and not any(np.array_equal(f(*case), truth) for f in deceives):
             return case
 
 
-def _spread(points):
-    s = np.linalg.svd(points - points.mean(0), compute_uv=False)
-    return s[1] > 0.03
-
-
 def _cases(rng):
-    drawn = [_case(rng, 6, 1), _case(rng, 7, 2), _case(rng, 7, 2, misleading=True), _case(rng, 8, 3), _case(rng, 5, 0)]
-    return [*drawn, _case(rng, 9, 4, alike=True)]
+    drawn = [
+        _case(rng, 6, 1),
+        _case(rng, 7, 2),
+        _case(rng, 7, 2, deceives=[worst_dropped_until_good]),
+        _case(rng, 8, 3),
+    ]
+    drawn += [_case(rng, 5, 0), _case(rng, 9, range(4), "same"), _case(rng, 9, [2, 5, 8], "own")]
+    few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
+    return [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
 
 
 EXERCISE = Exercise(
@@ -125,17 +79,13 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda src, *rest: (len(src),),
-        lambda array, src, *rest: (
-            Mistake("a pose is returned", "The answer is True or False for each match.")
-            if array.shape == (4, 4)
-            else Mistake("indices or points are returned", "The answer is True or False for each of the n matches.")
-        ),
+        lambda array, src, *rest: _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None,
     ),
     properties=(
         Property(
             "the answer is True or False for each match",
             lambda good, *case: np.isin(good, [0, 1]).all(),
-            mistake=Mistake("indices or distances are returned", "Compare the distances with tol."),
+            mistake=Mistake("something other than True or False is returned", "What is compared with tol?"),
         ),
         Property(
             "if all matches are within tol of one pose, all are good",
@@ -143,38 +93,9 @@ EXERCISE = Exercise(
             where=lambda *case: right(*case).all(),
         ),
         Property(
-            "the good matches are the largest set within tol of one pose",
+            "the good matches are the largest set within tol of one triple's pose",
             lambda good, *case: (good == right(*case)).all(),
             says=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
-        ),
-    ),
-    mistakes=(
-        Mistake("good and wrong are swapped", "True means: a good match.", lambda *case: ~right(*case)),
-        Mistake(
-            "all matches count as good", "Compare each distance with tol.", lambda src, *rest: np.ones(len(src), bool)
-        ),
-        Mistake("the residuals of the fit of all points decide", _ANY_SUBSET, _by_all, _by_median),
-        Mistake(
-            "only the single worst match is dropped",
-            "Two wrong matches may pull the fit so that a good one looks worst. " + _ANY_SUBSET,
-            _without_the_worst,
-            _refitted,
-        ),
-        Mistake(
-            "the worst match is dropped again and again",
-            "Two wrong matches may pull the fit so that a good one looks worst, and goes first. " + _ANY_SUBSET,
-            _worst_dropped_until_good,
-        ),
-        Mistake("only the first triple is tried", "Try all triples, and keep the best.", _first_triple),
-        Mistake(
-            "the first triple with which some others agree is taken",
-            "Another triple may have more: try all of them, and keep the best.",
-            _first_with_some,
-        ),
-        Mistake(
-            "only the three points of the best triple count as good",
-            "Every match within tol of the triple's pose is good.",
-            _only_the_triple,
         ),
     ),
     hints=(
@@ -184,4 +105,67 @@ EXERCISE = Exercise(
         "Keep the mask with the largest sum.",
     ),
     library=right,
+    tries_arguments=False,
 )
+
+
+@EXERCISE.mistake
+def negated(*case):
+    """good and wrong are swapped. What does True mean?"""
+    return ~right(*case)
+
+
+@EXERCISE.mistake
+def all_good(src, *rest):
+    """all matches count as good. With what is each distance compared?"""
+    return np.ones(len(src), bool)
+
+
+@EXERCISE.mistake
+def residuals_of_all(src, dst, tol):
+    """the residuals of the fit of all points decide. Which matches does a wrong one make look bad?"""
+    return _residuals(np.arange(len(src)), src, dst) < tol
+
+
+@EXERCISE.mistake
+def worst_dropped(src, dst, tol):
+    """only the single worst match is dropped. Can a good match look worst, and can there be two wrong ones?"""
+    every = np.arange(len(src))
+    return every != _residuals(every, src, dst).argmax()
+
+
+@EXERCISE.mistake
+def worst_dropped_until_good(src, dst, tol):
+    """the worst match is dropped again and again. Can two wrong matches pull the fit so that a good one goes first?"""
+    kept = np.arange(len(src))
+    while len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
+        kept = np.delete(kept, _residuals(kept, src, dst)[kept].argmax())
+    return np.isin(np.arange(len(src)), kept)
+
+
+@EXERCISE.mistake(enough=(0, 3))
+def first_triple(src, dst, tol, enough):
+    """one of the first triples is taken. May another one have more matches that agree?"""
+    masks = _masks(src, dst, tol)[1]
+    return masks[(masks.sum(1) > enough).argmax()]
+
+
+@EXERCISE.mistake
+def consecutive_triples(src, dst, tol):
+    """only three matches in a row are tried as triples. How many triples are there?"""
+    masks = [_residuals(slice(i, i + 3), src, dst) < tol for i in range(len(src) - 2)]
+    return max(masks, key=np.sum)
+
+
+@EXERCISE.mistake
+def only_the_triple(src, dst, tol):
+    """only the three points of the best triple count as good. Which others are within tol of its pose?"""
+    triples, masks = _masks(src, dst, tol)
+    return np.isin(np.arange(len(src)), triples[masks.sum(1).argmax()])
+
+
+@EXERCISE.mistake
+def by_coordinates(src, dst, tol):
+    """each coordinate is compared with tol, not the distance. How far is a point if each coordinate is off by tol?"""
+    masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]
+    return masks[masks.sum(1).argmax()]

@@ -4,15 +4,11 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, panda_jacobian, truncated
-from course_lib.checks.vocabulary import away_from_zero, few_digits, near, wrong_steps
+from course_lib.checks.exercises.panda_dh_ik.shared import FLAT, HIGH, LOW, add_mistakes_of_a_step, panda_jacobian
+from course_lib.checks.vocabulary import away_from_zero, near
 
-_OTHER_SIZE = Mistake(
-    "J J^+ stands for J^+ J, or I has another size", "The projector acts on joint motions: it is (n, n)."
-)
-_PROJECTOR = "J^+ J projects on the joint motions that move the end-effector. Which projector keeps the others?"
-_SINGULAR = Mistake("J J^T is inverted, which fails at a singularity", "np.linalg.pinv works there too.")
-_FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])
+_OTHER_SIZE = Mistake("J J^+ stands for J^+ J, or I has another size", "On which vectors does the projector act?")
+_PROJECTOR = Mistake("the projector is returned, not the joint angles", "To what is it applied, and what is q + ...?")
 
 
 def _projector(J):
@@ -26,7 +22,6 @@ def right(q, J, q_middle, gain):
 
 def _cases(rng):
     middle = (LOW + HIGH) / 2
-    simple = np.array([0.1, 0.2, 0.3]), _FLAT, np.array([1.0, 1, 1]), 0.5
     drawn = [
         (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, n), gain)
         for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (3, 5, -0.4))
@@ -34,13 +29,12 @@ def _cases(rng):
     panda = [np.round(rng.uniform(LOW, HIGH), 2) for _ in range(3)]
     drawn += [(q, panda_jacobian(q), middle, gain) for q, gain in zip(panda, (0.1, 1.0, 0.05), strict=True)]
     stretched = np.array([0.2, 0, 0.4, 0, 0.3, 0, 0.5])  # a singularity: J J^T has no inverse
-    whole = np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25
     return [
-        simple,
+        (np.array([0.1, 0.2, 0.3]), FLAT, np.array([1.0, 1, 1]), 0.5),
         *drawn,
         (panda[0], panda_jacobian(panda[0]), panda[0], 0.3),
         (stretched, panda_jacobian(stretched), middle, 0.2),
-        whole,
+        (np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25),
     ]
 
 
@@ -51,68 +45,18 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda q, *rest: (len(q),),
-        lambda array, q, *rest: (
-            Mistake("the projector is returned, not the joint angles", "Apply it to q_middle - q, and add q.")
-            if array.shape == (len(q), len(q))
-            else None
-        ),
+        lambda array, q, *rest: _PROJECTOR if array.shape == (len(q), len(q)) else None,
     ),
     properties=(
         Property(
             "to first order the end-effector stays: J times the change of q is 0",
-            lambda answer, q, J, q_middle, gain: near(J @ (answer - q), np.zeros(len(J))),
+            lambda answer, q, J, *rest: near(J @ (answer - q), np.zeros(len(J))),
             says=lambda answer, q, J, *rest: f"Yours moves it at {np.abs(J @ (answer - q)).max():.3g}.",
         ),
         Property(
             "of all such changes this one is closest to gain (q_middle - q)",
             lambda answer, *case: near(answer, right(*case)),
         ),
-    ),
-    mistakes=(
-        few_digits(right),
-        Mistake(
-            "the step goes towards the middle without regard to J",
-            _PROJECTOR,
-            lambda q, J, q_middle, gain: q + gain * (q_middle - q),
-        ),
-        Mistake(
-            "only the motion that moves the end-effector is kept",
-            _PROJECTOR,
-            lambda q, J, q_middle, gain: q + gain * np.linalg.pinv(J) @ J @ (q_middle - q),
-        ),
-        *wrong_steps(right),
-        Mistake(
-            "gain is not used",
-            "The step is multiplied by gain.",
-            lambda q, J, q_middle, gain: right(q, J, q_middle, 1.0),
-        ),
-        Mistake(
-            "the step goes towards 0, or along q_middle",
-            "The direction is q_middle - q.",
-            lambda q, J, q_middle, gain: q - gain * _projector(J) @ q,
-            lambda q, J, q_middle, gain: q + gain * _projector(J) @ q_middle,
-        ),
-        Mistake(
-            "q is projected too",
-            "Only the step is projected.",
-            lambda q, J, q_middle, gain: _projector(J) @ (q + gain * (q_middle - q)),
-        ),
-        Mistake(
-            "J^T J stands for J^+ J",
-            "The transpose is not the pseudoinverse: J^T J is no projector.",
-            lambda q, J, q_middle, gain: q + gain * (np.eye(len(q)) - J.T @ J) @ (q_middle - q),
-        ),
-        Mistake(
-            "the unit matrix is an array of ones, or the products are entry by entry",
-            _PROJECTOR,
-            lambda q, J, q_middle, gain: q + gain * (1 - np.linalg.pinv(J) @ J) @ (q_middle - q),
-        ),
-        Mistake(
-            _SINGULAR.name,
-            _SINGULAR.hint,
-            seen=lambda answer, q, J, *rest: np.linalg.svd(J, compute_uv=False)[-1] < 1e-9,
-        ),
-        truncated(right),
     ),
     hints=(
         "The pseudoinverse J^+ gives the shortest joint motion for a motion of the end-effector. J^+ J takes out of "
@@ -122,8 +66,53 @@ EXERCISE = Exercise(
     ),
     library=right,
     errors=(
-        ("LinAlgError", "Singular", _SINGULAR),
+        (
+            "LinAlgError",
+            "Singular",
+            Mistake("J J^T is inverted, which fails at a singularity", "What works there too?"),
+        ),
         ("ValueError", "core dimension", _OTHER_SIZE),
         ("ValueError", "could not be broadcast", _OTHER_SIZE),
     ),
 )
+add_mistakes_of_a_step(EXERCISE)
+
+
+@EXERCISE.mistake(projector=(lambda J: 1, lambda J: np.linalg.pinv(J) @ J))
+def other_part_kept(q, J, q_middle, gain, projector):
+    """the part that moves the end-effector is kept. J^+ J projects on these joint motions: which projector keeps the
+    others?
+    """
+    return q + gain * np.dot(projector(J), q_middle - q)
+
+
+@EXERCISE.mistake
+def gain_unused(q, J, q_middle, gain):
+    """gain is not used. How far does the step go?"""
+    return right(q, J, q_middle, 1.0)
+
+
+@EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
+def towards_zero(q, J, q_middle, gain, direction):
+    """the step goes towards 0, or along q_middle. From where to where should it lead?"""
+    return q + gain * _projector(J) @ direction(q, q_middle)
+
+
+@EXERCISE.mistake
+def q_projected(q, J, q_middle, gain):
+    """q is projected too. To what does the projector belong, to the step or to the joint angles?"""
+    return _projector(J) @ (q + gain * (q_middle - q))
+
+
+@EXERCISE.mistake
+def transpose_for_pseudoinverse(q, J, q_middle, gain):
+    """J^T J stands for J^+ J. Is J^T J a projector, that is, equal to its square?"""
+    return q + gain * (np.eye(len(q)) - J.T @ J) @ (q_middle - q)
+
+
+@EXERCISE.seen
+def full_rank(answer, q, J, *rest):
+    """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there, and the null space
+    has more dimensions: does your formula still hold?
+    """
+    return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9

@@ -4,23 +4,24 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import (
+    HIGH,
+    LOW,
+    READY,
+    T_W0,
+    TABLE,
+    about_x,
+    about_z,
+    frames,
+    modified,
+    standard,
+)
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.panda_dh_ik.panda_fk_mistakes import MISTAKES
-from course_lib.checks.exercises.panda_dh_ik.shared import FLANGE, HIGH, LOW, READY, T_W0, TABLE, frames, steps
-from course_lib.checks.vocabulary import SAME_TWICE, near
+from course_lib.checks.vocabulary import SAME_TWICE, near, products
 
-_ALL = "All eight are asked for: frames 1 to 7, then the flange."
-_JOINED = Mistake("the poses are joined into one large matrix", "np.array(list) stacks them along a new first axis.")
-_SHAPES = {
-    (4, 4): Mistake("only one pose is returned", _ALL),
-    (7, 4, 4): Mistake("one of the eight is left out, most likely the flange", _ALL),
-    (9, 4, 4): Mistake("there is one pose too many, most likely the base", "The first of the eight is frame 1."),
-    (8, 3): Mistake("only the positions are returned", "Each of the eight is a whole pose, 4 x 4."),
-    (3,): Mistake("only one position is returned", _ALL),
-    (8, 3, 3): Mistake("only the rotations are returned", "Each of the eight is a whole pose, 4 x 4."),
-    (8, 3, 4): Mistake("the last rows are missing", "The last row of each pose is 0, 0, 0, 1."),
-} | dict.fromkeys(((32, 4), (4, 4, 8), (4, 32)), _JOINED)
-
+_ROWS = np.tile([0, 0, 0, 1], (8, 1))
+_FLANGE = about_z(0.0, 0.107)
+_STANDARD = np.column_stack([np.vstack([TABLE[1:, :2], [0, 0]]), TABLE[:, 2]])
 _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
@@ -28,7 +29,11 @@ def _known_form(array, q):
     """Return the mistake of an array of another shape, or None; a list of more than nine has grown with each call."""
     if array.shape[1:] == (4, 4) and len(array) > 9:
         return SAME_TWICE.mistake
-    return _SHAPES.get(array.shape)
+    if array.shape == (9, 4, 4):
+        return Mistake("there is one pose too many, most likely the base", "Which frame is the first of the eight?")
+    if array.shape == (8, 3):
+        return Mistake("only the positions are returned", "Each of the eight is a whole pose, 4 x 4.")
+    return None
 
 
 def _cases(rng):
@@ -38,42 +43,34 @@ def _cases(rng):
     return [(q,) for q in (READY, np.zeros(7), bent, *one, *drawn, drawn[0])]
 
 
-def _in_the_one_before(T):
-    """Return each of the eight poses seen from the one before it, the first from the base."""
+def steps(q, table=TABLE, convention=modified, flange=_FLANGE):
+    """Return each frame in the one before, and the flange in the last: (n + 1, 4, 4)."""
+    return np.array([convention(*row, theta) for row, theta in zip(table, q, strict=True)] + [flange])
+
+
+def _chain(*steps, base=T_W0):
+    return np.array(products([base, *steps])[2:])
+
+
+def _seen_from_the_one_before(T):
     return np.linalg.solve(np.concatenate([T_W0[None], T[:-1]]), T)
-
-
-def _column_off(ours, yours):
-    """Return in words which position is wrong, else which axis."""
-    if not near(yours[:3, 3], ours[:3, 3]):
-        return f"is at {format_tuple(ours[:3, 3])}; yours at {format_tuple(yours[:3, 3])}."
-    i = int(np.argmax(np.abs(ours - yours).max(0)))
-    return (
-        f"has its {'xyz'[i]} axis along {format_tuple(ours[:3, i])}; yours has it along {format_tuple(yours[:3, i])}."
-    )
-
-
-def _first_off(T, right):
-    return next((k for k in range(8) if not near(T[k], right[k])), 0)
-
-
-def _off(T, q):
-    k = _first_off(T, frames(q))
-    return f"With these angles {_NAMES[k]}, pose {k} of yours, {_column_off(frames(q)[k], T[k])}"
-
-
-def _off_from_the_one_before(T, q):
-    seen, wanted = _in_the_one_before(T), steps(q)
-    k = _first_off(seen, wanted)
-    if k == 7:
-        return f"From frame 7 the flange {_column_off(wanted[7], seen[7])}"
-    a, alpha, d = TABLE[k]
-    row = f"a = {a:g}, alpha = {np.rad2deg(alpha):.0f} degrees, d = {d:g}"
-    return f"In row {k + 1} of the table, {row}: from frame {k} frame {k + 1} {_column_off(wanted[k], seen[k])}"
 
 
 def _regular(T):
     return np.linalg.norm(T[:, :3, :3], axis=(1, 2)).max() < 10 and np.abs(np.linalg.det(T[:, :3, :3]) - 1).max() < 0.1
+
+
+def _off(T, q):
+    """Return in words which of your poses is the first that is wrong, and in what."""
+    right = frames(q)
+    k = next(k for k in range(8) if not near(T[k], right[k]))
+    if not near(T[k, :3, 3], right[k, :3, 3]):
+        wanted, yours, what = right[k, :3, 3], T[k, :3, 3], "is at"
+    else:
+        i = int(np.argmax(np.abs(T[k] - right[k]).max(0)))
+        wanted, yours, what = right[k, :3, i], T[k, :3, i], f"has its {'xyz'[i]} axis along"
+    row = f" (row {k + 1} of the table)" if k < 7 else ""
+    return f"The first that differs is {_NAMES[k]}{row}: it {what} {format_tuple(wanted)}, yours {format_tuple(yours)}."
 
 
 EXERCISE = Exercise(
@@ -86,7 +83,7 @@ EXERCISE = Exercise(
         SAME_TWICE,
         Property(
             "the last row of each pose is (0, 0, 0, 1)",
-            lambda T, q: near(T[:, 3], np.tile([0, 0, 0, 1], (8, 1))),
+            lambda T, q: near(T[:, 3], _ROWS),
             says=lambda T, q: f"Yours are {format_tuple(T[0, 3])} in the first, {format_tuple(T[-1, 3])} in the last.",
         ),
         Property(
@@ -95,22 +92,13 @@ EXERCISE = Exercise(
             says=_off,
         ),
         Property(
-            "each frame, seen from the one before, is the step of its row of the table",
-            lambda T, q: not _regular(T) or near(_in_the_one_before(T)[:7], steps(q)[:7]),
-            says=_off_from_the_one_before,
-        ),
-        Property(
-            f"the flange is {FLANGE} m along the z axis of frame 7, with the same axes",
-            lambda T, q: not _regular(T) or near(_in_the_one_before(T)[7], steps(q)[7]),
-            says=_off_from_the_one_before,
-        ),
-        Property(
-            "the pose of frame i in the world is T_world_base T_1 ... T_i",
-            lambda T, q: near(T, frames(q)),
+            "each frame, seen from the one before, is the step of its row of the table, and the flange is 0.107 m "
+            "along the z axis of frame 7",
+            lambda T, q: not _regular(T) or near(_seen_from_the_one_before(T), steps(q)),
             says=_off,
         ),
+        Property("the pose of frame i in the world is T_world_base T_1 ... T_i", lambda T, q: near(T, frames(q)), _off),
     ),
-    mistakes=MISTAKES,
     hints=(
         "Begin with the pose of the base in the world, and multiply by one step for each row of the table.",
         "In the loop: T = T @ dh_modified(a, alpha, d, theta). Append each T to a list.",
@@ -119,3 +107,76 @@ EXERCISE = Exercise(
     library=frames,
     forbidden=("course_lib.arms.panda", "course_lib.arms.SerialArm"),
 )
+
+
+@EXERCISE.mistake
+def base_left_out(q):
+    """the base is left out: these are poses seen from the base. Where is the base in the world?"""
+    return _chain(*steps(q), base=np.eye(4))
+
+
+@EXERCISE.mistake(where=("right", "each step", "flange only"))
+def base_misplaced(q, where):
+    """the base's pose is not the left factor, once, of every pose. Should it be multiplied before, in or after the
+    loop?
+    """
+    seen_from_base = _chain(*steps(q), base=np.eye(4))
+    if where == "right":
+        return seen_from_base @ T_W0
+    if where == "each step":
+        return np.array(products(T_W0 @ steps(q))[1:])
+    return np.concatenate([seen_from_base[:7], T_W0 @ seen_from_base[7:]])
+
+
+@EXERCISE.mistake(offset=(np.eye(4), about_z(0, -0.107), about_z(0, 0.214), about_x(0, 0.107), about_z(0, 0.109)))
+def flange_misplaced(q, offset):
+    """the flange is in the wrong place relative to frame 7. How far is it, and along which axis?"""
+    return _chain(*steps(q, flange=offset))
+
+
+@EXERCISE.mistake
+def flange_along_the_world_s_z(q):
+    """the flange is moved along the world's z, not along its own. On which side of T does that step stand?"""
+    return np.concatenate([frames(q)[:7], [_FLANGE @ frames(q)[6]]])
+
+
+@EXERCISE.mistake(base=(T_W0, np.eye(4)))
+def not_multiplied_up(q, base):
+    """the poses are not multiplied up: each is seen from the frame before. Where do you keep the product so far?"""
+    return base @ steps(q)
+
+
+@EXERCISE.mistake
+def reverse_order(q):
+    """the steps are multiplied in the reverse order. From which frame is each step seen?"""
+    T = [T_W0]
+    for step in steps(q):
+        T.append(step @ T[-1])
+    return np.array(T[1:])
+
+
+@EXERCISE.mistake(last=(6, 7))
+def one_and_the_same_matrix(q, last):
+    """all poses are one and the same matrix, changed in place. T @= ... and T[:] = ... change the matrix that is in the
+    list already.
+    """
+    return np.concatenate([[frames(q)[last]] * 7, frames(q)[7:]])
+
+
+@EXERCISE.mistake(joints=([3, 5], *([i] for i in range(7))))
+def joint_reversed(q, joints):
+    """a joint rotates in the opposite direction. Has one of the angles, or an alpha, another sign than in the table?"""
+    q[joints] *= -1
+    return frames(q)
+
+
+@EXERCISE.mistake(pair=((TABLE, standard), (_STANDARD, modified), (_STANDARD, standard)))
+def conventions_mixed_up(q, pair):
+    """the standard convention, or its table, is used. Which function belongs to modified_table?"""
+    return _chain(*steps(q, *pair))
+
+
+@EXERCISE.mistake
+def base_first(q):
+    """the first pose is that of the base, and the flange is left out. Which are the first and the last of the eight?"""
+    return np.concatenate([[T_W0], frames(q)[:7]])

@@ -2,45 +2,21 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable, same
+from course_lib.checks.exercises.panda_dh_ik.shared import pose_error, roll_pitch_yaw
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.panda_dh_ik.pose_error_mistakes import (
-    MISTAKES,
-    alike,
-    angle_between,
-    nearly_pi,
-    pose_error,
-    position_between,
-    rotation_between,
-)
 from course_lib.checks.vocabulary import FINE, any_pose, away_from_zero, near, unit
-from course_lib.rigid import transform
-from course_lib.rotations import exp_so3, length
+from course_lib.rigid import inverse, log_se3, transform
+from course_lib.rotations import exp_so3, length, log_so3, matrix_to_quaternion
 
+_NEARLY_PI = np.pi - 1e-6  # rad; beyond it phi and -phi are both right
 # As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below pi.
 _ROUNDED_PI = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
-_TINY = 1e-6  # below it, rounding takes part of the digits of a product of rotations
-_AT_NO_ROTATION = Mistake(
-    "the logarithm divides by zero, or asks arccos outside [-1, 1], at hardly any rotation",
-    "The trace of R_target R^T is 3 there, or slightly more. rotations.log_so3 handles it.",
-)
-_SIX = "e has six numbers: the difference of the positions, then the rotation vector phi. np.concatenate joins them."
-_HALVES = Mistake("the halves are not joined", _SIX)
-_fitted = numbers(
-    lambda T, T_target: (6,),
-    {
-        (2, 3): _HALVES,
-        (3, 2): _HALVES,
-        (3,): Mistake("only one half is returned", _SIX),
-        (2,): Mistake("two lengths are returned", _SIX + " Lengths alone lose the directions."),
-        (4, 4): Mistake("a matrix is returned", _SIX),
-        (7,): Mistake(
-            "the difference of positions and quaternions is returned",
-            "Seven numbers fit no Jacobian of six rows. " + _SIX,
-        ),
-    },
-)
+_HALVES = Mistake("the halves are not joined", "e has six numbers. np.concatenate joins arrays.")
+_NO_ROTATION = Mistake("the logarithm is asked of something that is no rotation", "By what are rotations compared?")
+_WHOLE_POSE = Mistake("the logarithm is given the whole pose", "Which block of T is the rotation?")
+_fitted = numbers(lambda *case: (6,), dict.fromkeys([(2, 3), (3, 2)], _HALVES))
 
 
 def _read(value, T, T_target):
@@ -48,11 +24,27 @@ def _read(value, T, T_target):
     try:
         return _fitted(value, T, T_target)
     except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and length(pose_error(T, T_target)[3:]) < _TINY:
-            raise Unreadable(str(wrong), _AT_NO_ROTATION) from None
         if isinstance(value, list | tuple) and [np.size(part) for part in value] == [3, 3]:
             raise Unreadable(str(wrong), _HALVES) from None
         raise
+
+
+def _between(T, T_target):
+    return T_target[:3, 3] - T[:3, 3], T_target[:3, :3] @ T[:3, :3].T
+
+
+def _angle(T, T_target):
+    return length(pose_error(T, T_target)[3:])
+
+
+def _rotated(T, phi):
+    """Return the pose, and the same rotated by phi about its own origin."""
+    return T, transform(exp_so3(phi) @ T[:3, :3], T[:3, 3])
+
+
+def _moved(T, rng):
+    """Return the pose, and another in another position, rotated by an angle well below pi."""
+    return T, transform(exp_so3(rng.uniform(0.8, 2.6) * unit(rng)) @ T[:3, :3], away_from_zero(rng, 3))
 
 
 def _cases(rng):
@@ -67,55 +59,50 @@ def _cases(rng):
     ]
     any_two = [_moved(any_pose(rng), rng) for _ in range(4)]
     far = [(transform(np.eye(3), [20.0, -30, 5]) @ T, T_target) for T, T_target in any_two[:2]]
-    same = [any_pose(rng) for _ in range(6)]
-    shifted = [(T, transform(T[:3, :3], away_from_zero(rng, 3))) for T in same[:2]]
+    there = [any_pose(rng) for _ in range(6)]
+    shifted = [(T, transform(T[:3, :3], away_from_zero(rng, 3))) for T in there[:2]]
     angles = [10 * degree, 90 * degree, 170 * degree, 179.9 * degree, 1e-9, 1e-9, 1e-9, 1e-5, 3e-4, 3e-3]
     angles += [np.pi - 3e-4, np.pi - 1e-5, np.pi - 1e-9, np.pi, np.pi]
     rotated = [_rotated(any_pose(rng), angle * unit(rng)) for angle in angles]
     nearly_half = (np.pi - 2e-4) * unit(rng)  # and its opposite: of two opposite axes only one is right
-    rotated += [_rotated(same[0], phi) for phi in (nearly_half, -nearly_half)]
+    rotated += [_rotated(there[0], phi) for phi in (nearly_half, -nearly_half)]
     rotated += [_rotated(T, np.pi * axis) for T in (np.eye(4), at) for axis in np.eye(3)]
     rotated += [_rotated(transform(exp_so3(179 * degree * x), [0.5, 0, 1]), 2 * degree * x)]
     rotated += [(T, T @ _ROUNDED_PI) for T in (np.eye(4), at)]
-    return [*named, *any_two, *far, *((T, T.copy()) for T in same), *shifted, *rotated, named[1]]
-
-
-def _rotated(T, phi):
-    """Return the pose, and the same rotated by phi about its own origin."""
-    return T, transform(exp_so3(phi) @ T[:3, :3], T[:3, 3])
-
-
-def _moved(T, rng):
-    """Return the pose, and another in another position, rotated by an angle well below pi."""
-    return T, transform(exp_so3(rng.uniform(0.8, 2.6) * unit(rng)) @ T[:3, :3], away_from_zero(rng, 3))
-
-
-def _same_orientation(T, T_target):
-    return np.array_equal(T[:3, :3], T_target[:3, :3])
+    return [*named, *any_two, *far, *((T, T.copy()) for T in there), *shifted, *rotated, named[1]]
 
 
 def _fine(T, T_target):
     """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some digits."""
-    to_half = np.pi - angle_between(T, T_target)
-    return 1e-7 if nearly_pi(T, T_target) else max(FINE, 1e-14 / to_half**2)
+    angle = _angle(T, T_target)
+    return 1e-7 if angle > _NEARLY_PI else max(FINE, 1e-14 / (np.pi - angle) ** 2)
 
 
-def _off_rotation(e, T, T_target):
-    wanted = pose_error(T, T_target)[3:]
-    return (
-        f"{np.rad2deg(length(wanted)):.4g} degrees are between them, phi = {format_tuple(wanted)}; yours are "
-        f"{np.rad2deg(length(e[3:])):.4g}, phi = {format_tuple(e[3:])}."
-    )
+def _gap(e, *case):
+    return length(e[3:] - pose_error(*case)[3:])
 
 
-def _off_tiny(e, T, T_target):
-    return (
-        f"The angle between them is {angle_between(T, T_target):.3g} rad; yours differs by {_gap(e, T, T_target):.2g}."
-    )
+def _off(e, *case):
+    wanted = pose_error(*case)
+    if not near(e[:3], wanted[:3]):
+        return f"That is {format_tuple(wanted[:3])}; yours are {format_tuple(e[:3])}."
+    found = f"{length(e[3:]):.4g} rad, phi = {format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
+    return f"{length(wanted[3:]):.4g} rad are between them, phi = {format_tuple(wanted[3:])}; yours are {found}."
 
 
-def _gap(e, T, T_target):
-    return length(e[3:] - pose_error(T, T_target)[3:])
+def _alike(e, predicted, *case, up_to_two_pi=False):
+    """Return whether two errors are the same, phi to the digits that a small angle has, and up to its sign at pi."""
+    e, predicted = np.asarray(e, float), np.asarray(predicted, float)
+    if e.shape != (6,) or not same(e[:3], predicted[:3]):
+        return False
+    phi = predicted[3:]
+    gaps = [e[3:] - guess for guess in ((phi, -phi) if length(phi) > _NEARLY_PI else (phi,))]
+    gaps = [gap - up_to_two_pi * 2 * np.pi * np.round(gap / (2 * np.pi)) for gap in gaps]
+    return min(np.abs(gap).max() for gap in gaps) <= 1e-4 * min(_angle(*case), 0.01) + 1e-12
+
+
+def _alike_up_to_two_pi(*case):
+    return _alike(*case, up_to_two_pi=True)
 
 
 EXERCISE = Exercise(
@@ -127,52 +114,46 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "at the target the error is 0",
-            lambda e, T, T_target: np.abs(e).max() < FINE,
+            lambda e, *case: np.abs(e).max() < FINE,
             where=lambda T, T_target: np.array_equal(T, T_target),
         ),
         Property(
             "the first three numbers are p_target - p, along the world's axes",
-            lambda e, T, T_target: near(e[:3], position_between(T, T_target)),
-            says=lambda e, T, T_target: (
-                f"That is {format_tuple(position_between(T, T_target))}; yours are {format_tuple(e[:3])}."
-            ),
+            lambda e, *case: near(e[:3], _between(*case)[0]),
+            _off,
         ),
         Property(
             "if both poses have the same orientation, the last three numbers are 0",
-            lambda e, T, T_target: np.abs(e[3:]).max() < FINE,
-            says=lambda e, T, T_target: f"Yours are {format_tuple(e[3:])}.",
-            where=_same_orientation,
+            lambda e, *case: np.abs(e[3:]).max() < FINE,
+            _off,
+            where=lambda T, T_target: np.array_equal(T[:3, :3], T_target[:3, :3]),
         ),
         Property(
             "the rotation vector phi takes R to R_target: exp([phi]) R = R_target",
-            lambda e, T, T_target: (
-                np.abs(exp_so3(e[3:]) - rotation_between(T, T_target)).max() < 10 * _fine(T, T_target)
-            ),
-            says=_off_rotation,
+            lambda e, *case: np.abs(exp_so3(e[3:]) - _between(*case)[1]).max() < 10 * _fine(*case),
+            _off,
         ),
         Property(
             "phi is the shortest rotation: its angle is at most pi",
-            lambda e, T, T_target: length(e[3:]) < np.pi + max(1e-6, _fine(T, T_target)),
-            says=_off_rotation,
-            mistake=Mistake(
-                "the longer rotation is taken",
-                "2 pi - a about the opposite axis is the same rotation by a smaller angle.",
-            ),
+            lambda e, *case: length(e[3:]) < np.pi + max(1e-6, _fine(*case)),
+            _off,
+            mistake=Mistake("the longer rotation is taken", "By which smaller angle does the same rotation succeed?"),
         ),
         Property(
             "a tiny rotation keeps its digits, as the last steps to a target need them",
-            lambda e, T, T_target: _gap(e, T, T_target) <= 1e-5 * angle_between(T, T_target),
-            says=_off_tiny,
-            where=lambda T, T_target: 0 < angle_between(T, T_target) < 1e-2 and not _same_orientation(T, T_target),
+            lambda e, *case: _gap(e, *case) <= 1e-5 * _angle(*case),
+            _off,
+            where=lambda T, T_target: (
+                0 < _angle(T, T_target) < 1e-2 and not np.array_equal(T[:3, :3], T_target[:3, :3])
+            ),
         ),
         Property(
             "phi is the logarithm of R_target R^T as a rotation vector",
-            lambda e, T, T_target: _gap(e, T, T_target) < _fine(T, T_target),
-            says=_off_rotation,
-            where=lambda T, T_target: not nearly_pi(T, T_target),
+            lambda e, *case: _gap(e, *case) < _fine(*case),
+            _off,
+            where=lambda *case: _angle(*case) <= _NEARLY_PI,
         ),
     ),
-    mistakes=MISTAKES,
     hints=(
         "Positions may be subtracted. Rotations are compared by a product: "
         "the rotation between them is X with X R = R_target.",
@@ -180,21 +161,84 @@ EXERCISE = Exercise(
         "np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)])",
     ),
     library=pose_error,
-    alike=alike,
-    errors=(
-        (
-            "ValueError",
-            "is not a rotation",
-            Mistake(
-                "the logarithm is asked of something that is no rotation",
-                "Rotations are compared by a product, R_target @ R.T, not by a difference; * is entry by entry.",
-            ),
-        ),
-        (
-            "ValueError",
-            "of shape (..., 3, 3)",
-            Mistake("the logarithm is given the whole pose", "It takes the block: T[:3, :3]."),
-        ),
-    ),
+    alike=_alike,
+    errors=(("ValueError", "is not a rotation", _NO_ROTATION), ("ValueError", "of shape (..., 3, 3)", _WHOLE_POSE)),
     forbidden=("course_lib.ik.pose_error",),
 )
+
+
+@EXERCISE.seen
+def at_pi(e, *case):
+    """pi is taken for a rotation of 0, or its axis is wrong. What is X - X^T at a half turn, and what is the sine?"""
+    return _angle(*case) > np.pi - 1e-3 and near(e[:3], _between(*case)[0])
+
+
+@EXERCISE.seen
+def small_angles(e, *case):
+    """digits of small rotations are lost, or cut off to zero. How far does an angle of 1e-9 change the trace, whose
+    arccos you may take?
+    """
+    return _angle(*case) < 0.02 and near(e[:3], _between(*case)[0]) and _gap(e, *case) < 2e-2
+
+
+@EXERCISE.mistake(signs=((1, -1), (-1, 1)))
+def half_negated(T, T_target, signs):
+    """one half has the wrong sign. The error leads from T to T_target: both halves do."""
+    return np.repeat(signs, 3) * pose_error(T, T_target)
+
+
+@EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
+def from_the_end_effector(T, T_target, halves):
+    """the error, or one half of it, is seen from the end-effector. Along which axes are the rows of the Jacobian?"""
+    R, e = T[:3, :3], pose_error(T, T_target)
+    seen = R.T @ e[:3], log_so3(R.T @ T_target[:3, :3])
+    return np.where(np.repeat(halves, 3), np.concatenate(seen), e)
+
+
+@EXERCISE.mistake(position=(lambda T, G: (G @ inverse(T))[:3, 3], lambda T, G: -(T @ inverse(G))[:3, 3]))
+def space_translation(T, T_target, position):
+    """the translation holds a part of the rotation: it is that of T_target T^-1, or of T T_target^-1. Which point's
+    velocity do the upper rows of the Jacobian give?
+    """
+    return np.append(position(T, T_target), pose_error(T, T_target)[3:])
+
+
+@EXERCISE.mistake(motion=(lambda T, G: G @ inverse(T), lambda T, G: inverse(T) @ G), order=(3, 0))
+def logarithm_of_the_pose(T, T_target, motion, order):
+    """this is the logarithm of a whole pose. Its first three numbers are the angular part, and the others no difference
+    of positions: is each half what the task says?
+    """
+    return np.roll(log_se3(motion(T, T_target)), order)
+
+
+def _quaternion(R):
+    return 2 * matrix_to_quaternion(R)[1:]
+
+
+@EXERCISE.mistake(measure=(roll_pitch_yaw, lambda R: roll_pitch_yaw(R)[::-1]), alike=_alike_up_to_two_pi)
+def angles_subtracted(T, T_target, measure):
+    """roll, pitch and yaw are subtracted. From 179 to -179 degrees it is 2, not -358; and do such differences fit a
+    Jacobian of angular velocities?
+    """
+    return np.concatenate([_between(T, T_target)[0], measure(T_target[:3, :3]) - measure(T[:3, :3])])
+
+
+@EXERCISE.mistake(measure=(log_so3, _quaternion, lambda R: _quaternion(R) / 2))
+def vectors_subtracted(T, T_target, measure):
+    """rotation vectors, or quaternions, are subtracted. Do rotations about different axes add up?"""
+    return np.concatenate([_between(T, T_target)[0], measure(T_target[:3, :3]) - measure(T[:3, :3])])
+
+
+@EXERCISE.mistake(
+    size=(np.sin, lambda a: 2 * np.sin(a / 2), lambda a: np.sin(a / 2), lambda a: 1, np.rad2deg, lambda a: 2 * a)
+)
+def other_length(T, T_target, size):
+    """phi has the right axis, but its length is not the angle. How long is a rotation vector?"""
+    e, angle = pose_error(T, T_target), _angle(T, T_target)
+    return np.append(e[:3], size(angle) / angle * e[3:]) if angle > 0 else e
+
+
+@EXERCISE.mistake(between=(lambda R, R_t: R_t @ R, lambda R, R_t: R @ R_t, lambda R, R_t: R_t))
+def not_transposed(T, T_target, between):
+    """R is not transposed, or left out. Which X takes R to R_target, so that X R = R_target?"""
+    return np.append(_between(T, T_target)[0], log_so3(between(T[:3, :3], T_target[:3, :3])))

@@ -2,55 +2,41 @@
 
 import numpy as np
 
+from course_lib import ik
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY
 from course_lib.checks.vocabulary import remembered
-from course_lib.rotations import exp_so3, log_so3
+from course_lib.rotations import exp_so3
 
-REACHED = 1e-3  # metres and radians
-
-
-def _errors_and_jacobians(q, targets):
-    """Return the errors (n, 6) and the Jacobians (n, 6, 7), both in the order (v, omega)."""
-    frames = PANDA.frames(q)
-    T, z, o = frames[:, -1], frames[:, :-1, :3, 2], frames[:, :-1, :3, 3]
-    phi = log_so3(targets[:, :3, :3] @ np.swapaxes(T[:, :3, :3], -1, -2))
-    J = np.concatenate([np.cross(z, T[:, None, :3, 3] - o), z], -1)
-    return np.concatenate([targets[:, :3, 3] - T[:, :3, 3], phi], -1), np.swapaxes(J, -1, -2)
+_REACHED = 1e-3  # metres and radians
+# From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the third to 0.04 mm.
+_PASSING = np.array([-0.107, 0.83, 0.509, -0.359, 1.817, 0.075, -1.281])
+_PASSED = np.array([-0.0783, 0.7986, 0.3386, -0.3516, 2.0003, 0.0513, -1.2196])
 
 
-def _descended(targets, q0, eps, steps, clip="each", sign=1):
+def _descended(targets, q0, eps, steps, clip="each"):
     """Return the errors (steps + 1, n, 6), those after the last step included; clip: "each" step, at the "end"."""
-    q, seen = np.zeros((len(targets), 7)) + q0, []
-    for _ in range(steps):
-        e, J = _errors_and_jacobians(q, targets)
-        seen.append(e)
+    q, errors = np.zeros((len(targets), 7)) + q0, []
+    for _ in range(int(steps)):
+        J, e = PANDA.geometric_jacobian(q), ik.pose_error(PANDA.fk(q), targets)
+        errors.append(e)
         A = J @ np.swapaxes(J, -1, -2) + eps * np.eye(6)
-        q = q + sign * np.einsum("nij,ni->nj", J, np.linalg.solve(A, e[..., None])[..., 0])
+        q = q + np.einsum("nij,ni->nj", J, np.linalg.solve(A, e[..., None])[..., 0])
         q = np.clip(q, LOW, HIGH) if clip == "each" else q
     q = np.clip(q, LOW, HIGH) if clip == "end" else q
-    inside = ((q >= LOW) & (q <= HIGH)).all(-1, keepdims=True)
-    return np.array([*seen, _errors_and_jacobians(q, targets)[0]]), inside[:, 0]
+    return np.array([*errors, ik.pose_error(PANDA.fk(q), targets)])
 
 
-def _small(e, halves=(0, 1)):
-    sizes = np.linalg.norm(e.reshape(-1, 2, 3), axis=-1)
-    return (sizes[:, list(halves)] <= REACHED).all(-1)
+def _sizes(errors):
+    """Return the lengths of both halves, (..., 2): radians and metres."""
+    return np.linalg.norm(errors.reshape(*errors.shape[:-1], 2, 3), axis=-1)
 
 
 @remembered
 def right(targets, q0, eps, steps):
     """Return the right answer, computed once for equal arguments."""
-    return _small(_descended(targets, q0, eps, int(steps))[0][-1])
-
-
-def _clear(targets, q0, eps, steps):
-    """Return for which targets the answer does not hang on one step more or less, or on the last digits."""
-    errors, _ = _descended(targets, q0, eps, steps + 2)
-    sizes = np.linalg.norm(errors.reshape(-1, len(targets), 2, 3), axis=-1).max(-1)
-    near_end = sizes[-4:]
-    return (near_end < REACHED / 3).all(0) | (near_end > 20 * REACHED).all(0)
+    return (_sizes(_descended(targets, q0, eps, steps)[-1]) < _REACHED).all(-1)
 
 
 def _case(rng, n, q0, eps, steps, spread, limited=False):
@@ -59,14 +45,13 @@ def _case(rng, n, q0, eps, steps, spread, limited=False):
     limited: one of those not reached is reached by whoever ignores the limits.
     """
     while True:
-        q = np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH)
-        targets = PANDA.fk(q)
-        targets = targets[_clear(targets, q0, eps, steps)][:n]
+        targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
+        near_end = _sizes(_descended(targets, q0, eps, steps + 2)[-4:]).max(-1)
+        targets = targets[(near_end < _REACHED / 3).all(0) | (near_end > 20 * _REACHED).all(0)][:n]
         found = right(targets, q0, eps, steps)
         if len(targets) < n or found.all() or not found.any():
             continue
-        beyond = np.abs(_descended(targets, q0, eps, steps, clip="")[0][-1]).max(-1) < REACHED / 3
-        if not limited or (beyond & ~found).any():
+        if not limited or (limits_ignored(targets, q0, eps, steps, clip="") & ~found).any():
             return targets, q0, eps, steps
 
 
@@ -74,37 +59,25 @@ def _cases(rng):
     near = PANDA.fk(READY + 0.1 * rng.uniform(-1, 1, (3, 7)))
     far = near[0].copy()
     far[0, 3] = 3.0
-    here = PANDA.fk(READY)
-    halves = np.array([here, here, here])  # reached; with the right position only; with the right orientation only
-    halves[1, :3, :3] = exp_so3([0.03, -0.02, 0.03]) @ here[:3, :3]
-    halves[2, :3, 3] += [0.02, -0.02, 0.01]
-    others = READY + 0.4 * rng.uniform(-1, 1, 7)
+    halves = np.tile(PANDA.fk(READY), (6, 1, 1))  # some with the right position, or the right orientation, only
+    angles, metres = np.array([[0, 0.04, 0, 0.8e-3, 1.3e-3, 0], [0, 0, 0.03, 0.8e-3, 0, 1.3e-3]])
+    halves[:, :3, :3] = exp_so3(angles[:, None] / np.sqrt([3, 3, 3])) @ halves[:, :3, :3]
+    halves[:, :3, 3] += metres[:, None] / np.sqrt([3, 3, 3])
+    others = np.clip(READY + 0.4 * rng.uniform(-1, 1, 7), LOW, HIGH)
+    passed, starts = PANDA.fk(np.array([_PASSED, READY])), np.array([_PASSING, others])
     return [
         (np.array([near[0], far]), READY, 0.01, 20),
         _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
-        _case(rng, 6, np.clip(others, LOW, HIGH), 0.05, 35, 1.5),
+        _case(rng, 6, others, 0.05, 35, 1.5),
         (near, READY, 0.01, 15),
-        (halves, READY, 100.0, 2),
+        (halves, READY, 1000.0, 2),
+        *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
     ]
-
-
-def _other(**options):
-    """Return an answer by another descent."""
-    return lambda targets, q0, eps, steps: _small(_descended(targets, q0, eps, steps, **options)[0][-1])
-
-
-def _half(k):
-    return lambda targets, q0, eps, steps: _small(_descended(targets, q0, eps, steps)[0][-1], [k])
-
-
-def _not_inside(targets, q0, eps, steps):
-    errors, inside = _descended(targets, q0, eps, steps, clip="")
-    return _small(errors[-1]) & inside
 
 
 _ONE_MATRIX = Mistake(
     "a batch is transposed, multiplied or solved as if it were one matrix",
-    "J has the shape (n, 6, 7): its transposes are np.swapaxes(J, -1, -2), and e needs the shape (n, 6, 1).",
+    "J has the shape (n, 6, 7): what does J.T do to it, and which shape does e need?",
 )
 
 EXERCISE = Exercise(
@@ -120,51 +93,75 @@ EXERCISE = Exercise(
         Property(
             "the answer is True or False for each target",
             lambda found, *case: np.isin(found, [0, 1]).all(),
-            mistake=Mistake("errors or counts are returned", "Compare the lengths of both halves of e with 1e-3."),
+            mistake=Mistake("something other than True or False is returned", "With what are both errors compared?"),
         ),
         Property(
-            "a target is reached if damped steps, each clipped to the limits, bring both parts of its error below 1e-3",
+            "a target is reached if after the last of the damped steps, each clipped to the limits, both halves of its "
+            "error are below 1e-3",
             lambda found, *case: (found == right(*case)).all(),
             says=lambda found, *case: (
                 f"In yours {int(found.sum())} of {len(found)} are reached; {int(right(*case).sum())} are."
             ),
         ),
     ),
-    mistakes=(
-        Mistake("the answer is negated", "True means: reached.", lambda *case: ~right(*case)),
-        Mistake(
-            "every target counts as reached",
-            "Test the error at the end.",
-            lambda targets, *r: np.ones(len(targets), bool),
-        ),
-        Mistake(
-            "no target counts as reached",
-            "Print the error after each step.",
-            lambda targets, *r: np.zeros(len(targets), bool),
-        ),
-        Mistake("the limits are ignored", "Clip after each step: an arm cannot go beyond its limits.", _other(clip="")),
-        Mistake(
-            "the limits are applied at the end only",
-            "Clip after each step: then the next one starts from a configuration that the arm can take.",
-            _other(clip="end"),
-            _not_inside,
-        ),
-        Mistake("only the position is tested", "Both halves of the error have to be small.", _half(0)),
-        Mistake("only the orientation is tested", "Both halves of the error have to be small.", _half(1)),
-        Mistake(
-            "another damping is used",
-            "eps is given, and stays the same in all steps.",
-            *(lambda t, q, eps, s, f=f: right(t, q, f(eps), s) for f in (np.square, np.sqrt, lambda eps: 1e-9)),
-        ),
-    ),
     hints=(
         "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape (n, 4, 4). Begin with "
-        "q = np.tile(q0, (len(targets), 1)), and take `steps` steps with all targets at once.",
+        "q = np.zeros((len(targets), 7)) + q0, and take `steps` steps with all targets at once.",
         "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of shape (n, 6, 6), then "
         "J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
         "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], are to be below 1e-3.",
     ),
     library=right,
+    tries_arguments=False,
     errors=(("ValueError", "core dimension", _ONE_MATRIX),),
     forbidden=("course_lib.ik.solve",),
 )
+
+
+@EXERCISE.mistake
+def negated(*case):
+    """the answer is negated. What does True mean?"""
+    return ~right(*case)
+
+
+@EXERCISE.mistake(answer=(True, False))
+def always_the_same(targets, *rest, answer):
+    """all targets get the same answer. Print the error after each step: for which targets does it decrease?"""
+    return np.full(len(targets), answer)
+
+
+@EXERCISE.mistake(clip=("", "end"))
+def limits_ignored(*case, clip):
+    """the limits are ignored, or applied at the end only. From which configuration does each step start?"""
+    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1)
+
+
+@EXERCISE.mistake(
+    size=(
+        lambda e: _sizes(e)[:, 0],
+        lambda e: _sizes(e)[:, 1],
+        lambda e: np.linalg.norm(e, axis=-1),
+        lambda e: np.abs(e).max(-1),
+    )
+)
+def other_test(*case, size):
+    """something other than the lengths of both halves of the error is tested. Which two numbers have to be small?"""
+    return size(_descended(*case)[-1]) < _REACHED
+
+
+@EXERCISE.mistake(first=(0, 1))
+def at_any_time(*case, first):
+    """a target counts as reached if it is at any step. When does the task ask for the error?"""
+    return (_sizes(_descended(*case)[first:]) < _REACHED).all(-1).any(0)
+
+
+@EXERCISE.mistake(other=(lambda steps: steps - 1, lambda steps: steps + 1, lambda steps: 20, lambda steps: 50))
+def other_number_of_steps(targets, q0, eps, steps, other):
+    """the number of steps is not `steps`. How often does the loop run, and is the error computed after the last one?"""
+    return right(targets, q0, eps, other(steps))
+
+
+@EXERCISE.mistake(other=(np.square, np.sqrt, lambda eps: 1e-9))
+def other_damping(targets, q0, eps, steps, other):
+    """the number on the diagonal is not eps. Does it stay the same in all steps?"""
+    return right(targets, q0, other(eps), steps)

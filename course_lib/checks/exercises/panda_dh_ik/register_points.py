@@ -4,26 +4,25 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.panda_dh_ik import shared_points as sets
-from course_lib.checks.exercises.panda_dh_ik.register_points_mistakes import MISTAKES
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.exercises.panda_dh_ik.shared_points import (
     IS_A_POSE,
     TRIANGLE,
-    centroid,
     close,
-    compared,
-    exact,
+    difference,
+    exactly,
+    in_a_plane,
     moved,
+    noisy,
+    product,
     read_pose,
+    reflecting,
     registered,
     size,
-    squares,
 )
-from course_lib.checks.vocabulary import SAME_TWICE, any_pose, near
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.rigid import transform
-from course_lib.rotations import rot_x, rot_z
+from course_lib.rotations import nearest_so, rot_x, rot_z
 
 _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
 _WHOLE_ROTATED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
@@ -31,9 +30,28 @@ _WHOLE_APART = np.array([[1, 2, 3], [2, 5, 3], [-1, 2, 4], [1, 2, 5]])
 _WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
 
 
+def _without_weight(rng, n, noise):
+    """Return two cases that differ only in points of no weight, which lie far off."""
+    left_out, weights = rng.choice(n, n - 3, replace=False), _uneven(rng, n)
+    weights[left_out] = 0
+    src, dst, _ = noisy(rng, weights, noise) if noise else exactly(rng, weights)
+    cases = []
+    for _ in range(2):
+        src, dst = src.copy(), dst.copy()
+        src[left_out] = away_from_zero(rng, (n - 3, 3), 0.5, 2.5)
+        dst[left_out] = away_from_zero(rng, (n - 3, 3), 3.0, 6.0)
+        cases.append((src, dst, weights))
+    return cases
+
+
+def _uneven(rng, n):
+    """Return n weights that are not all the same, in random order."""
+    return np.resize([0.5, 2.0, 1.0, 4.0, 3.0], n)[rng.permutation(n)]
+
+
 def _cases(rng):
     about_z, about_x = (transform(rot(np.pi / 2), [1.0, 2, 3]) for rot in (rot_z, rot_x))
-    three, four, five, many = (sets.uneven(rng, n) for n in (3, 4, 5, 16))
+    three, four, five, many = (_uneven(rng, n) for n in (3, 4, 5, 16))
     named = [
         (TRIANGLE, TRIANGLE, np.ones(3)),
         (TRIANGLE, TRIANGLE + np.array([1, 2, 3]), np.ones(3)),
@@ -41,15 +59,15 @@ def _cases(rng):
         (TRIANGLE, moved(about_x, TRIANGLE), np.array([1.0, 2, 3])),
         (_WHOLE, _WHOLE_ROTATED, _WHOLE_WEIGHTS),
     ]
-    drawn = [sets.exactly(rng, weights) for weights in (np.ones(4), four, many)]
-    planes = [*sets.in_a_plane(rng), *(sets.exactly(rng, three) for _ in range(3))]
-    weightless = [*sets.without_weight(rng, 4, 0), *sets.without_weight(rng, 5, 0.3)]
-    noise = [sets.noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
+    drawn = [exactly(rng, weights) for weights in (np.ones(4), four, many)]
+    planes = [*in_a_plane(rng), *(exactly(rng, three) for _ in range(3))]
+    weightless = [*_without_weight(rng, 4, 0), *_without_weight(rng, 5, 0.3)]
+    noise = [noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
     src, dst, _ = noise[2]
     scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250)]
     centred = moved(about_x @ any_pose(rng), src)
-    centred = centred - centroid(centred, four)
-    over = [sets.reflecting(rng, weights) for weights in (np.ones(4), np.ones(5), four, five, many)]
+    centred = centred - four @ centred / four.sum()
+    over = [reflecting(rng, weights) for weights in (np.ones(4), np.ones(5), four, five, many)]
     shift = np.array([100, -80, 60])
     away = [(src + shift, dst, four), (src, dst + shift, four), (src + 90, dst - 120, four)]
     small = [(1e-3 * a, 1e-3 * b, 1e-3 * four) for a, b, _ in (noise[2], over[2])]
@@ -57,52 +75,48 @@ def _cases(rng):
     return [*named, *drawn, *planes, *weightless, *noise, *scaled, *over, *away, *small, *others]
 
 
+def _squares(T, src, dst, weights):
+    return weights @ ((moved(T, src) - dst) ** 2).sum(-1)
+
+
+def _exact(src, dst, weights):
+    off = np.abs(moved(registered(src, dst, weights), src) - dst)
+    return weights.all() and off.max() < 1e-10 * size(src, dst)
+
+
 def _farthest(T, src, dst, weights):
-    off = np.linalg.norm(moved(T, src) - dst, axis=1)
-    i = int(np.argmax(off > 0.5 * off.max()))
-    taken = format_tuple(moved(T, src)[i])
-    return f"T takes src[{i}] = {format_tuple(src[i])} to {taken}; dst[{i}] is {format_tuple(dst[i])}."
-
-
-def _no_larger(T, src, dst, weights):
-    least = squares(registered(src, dst, weights), src, dst, weights)
-    return squares(T, src, dst, weights) <= least + 1e-9 * weights.sum() * size(dst - centroid(dst, weights)) ** 2
-
-
-def _sums(T, *case):
-    return f"With yours it is {squares(T, *case):.6g}; {squares(registered(*case), *case):.6g} is possible."
-
-
-def _off(T, *case):
-    right = registered(*case)
-    i = int(np.argmax(np.abs(T - right).max(0)))
-    return compared(f"Column {i} of T", T[:3, i], right[:3, i])
+    i = int(np.argmax(np.linalg.norm(moved(T, src) - dst, axis=1)))
+    return f"T takes src[{i}] = {src[i].round(4)} to {moved(T, src)[i].round(4)}; dst[{i}] is {dst[i].round(4)}."
 
 
 def _first_other(alike):
-    """Return the position of the first answer that is not that of an earlier case; alike(case, other): it should be."""
+    """Return a function that finds the first answer that is not that of an earlier case, but should be, being alike."""
 
     def first(values, cases):
         for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
-            if earlier[0].shape == later[0].shape and alike(earlier, later) and not close(values[j], values[i]):
+            if earlier[0].shape == later[0].shape and alike(*earlier, *later) and not close(values[j], values[i]):
                 return j
         return None
 
     return first
 
 
-def _but_for_the_weightless(case, other):
-    (src, dst, weights), (src_2, dst_2, weights_2) = case, other
+def _but_for_the_weightless(src, dst, weights, src_2, dst_2, weights_2):
     seen = weights > 0
-    return np.array_equal(weights, weights_2) and all(
-        map(np.array_equal, (src[seen], dst[seen]), (src_2[seen], dst_2[seen]))
-    )
+    return np.array_equal(weights, weights_2) and np.array_equal((src[seen], dst[seen]), (src_2[seen], dst_2[seen]))
 
 
-def _but_for_a_factor(case, other):
-    (src, dst, weights), (src_2, dst_2, weights_2) = case, other
+def _but_for_a_factor(src, dst, weights, src_2, dst_2, weights_2):
     factor = weights_2.sum() / weights.sum()
-    return np.array_equal(src, src_2) and np.array_equal(dst, dst_2) and np.allclose(weights_2, factor * weights)
+    return np.array_equal((src, dst), (src_2, dst_2)) and np.allclose(weights_2, factor * weights)
+
+
+def _least(T, src, dst, weights):
+    least, spread = (
+        _squares(registered(src, dst, weights), src, dst, weights),
+        size(dst - weights @ dst / weights.sum()),
+    )
+    return _squares(T, src, dst, weights) <= least + 1e-9 * weights.sum() * spread**2
 
 
 EXERCISE = Exercise(
@@ -117,27 +131,30 @@ EXERCISE = Exercise(
         Property(
             "if dst is src moved by a pose, T takes each point to its partner",
             lambda T, src, dst, weights: near(moved(T, src), dst),
-            says=_farthest,
-            where=lambda *case: case[2].all() and exact(*case),
+            _farthest,
+            where=_exact,
         ),
         Property(
-            "a point of weight 0 changes nothing, wherever it lies",
-            _first_other(_but_for_the_weightless),
-            across=True,
+            "a point of weight 0 changes nothing, wherever it lies", _first_other(_but_for_the_weightless), across=True
         ),
         Property(
             "weights that are all multiplied by one factor give the same T",
             _first_other(_but_for_a_factor),
             across=True,
         ),
-        Property("no pose has a smaller sum of w_i |T src_i - dst_i|^2", _no_larger, says=_sums),
+        Property(
+            "no pose has a smaller sum of w_i |T src_i - dst_i|^2",
+            _least,
+            says=lambda T, *case: (
+                f"With yours it is {_squares(T, *case):.6g}; {_squares(registered(*case), *case):.6g} is possible."
+            ),
+        ),
         Property(
             "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least",
             lambda T, *case: close(T, registered(*case)),
-            _off,
+            lambda T, *case: difference(T, registered(*case)),
         ),
     ),
-    mistakes=MISTAKES,
     hints=(
         "Subtract the centroids first: a_i = src_i - c_src and b_i = dst_i - c_dst. Then only R is left to find.",
         "The sum is least if trace(R^T B) is largest, with B = sum of w_i b_i a_i^T: R is the rotation nearest to B. "
@@ -151,10 +168,134 @@ EXERCISE = Exercise(
         (
             "ValueError",
             "is not a rotation",
-            Mistake(
-                "rigid.transform is given a reflection: the sign of the determinant is missing",
-                "U V^T may be a reflection. One sign has to change before the product, at the smallest singular value.",
-            ),
+            Mistake("rigid.transform is given a reflection", "Which sign makes U V^T a rotation, and costs least?"),
         ),
     ),
 )
+
+
+def _share(weights):
+    return weights / weights.sum()
+
+
+def _alike(weights):
+    return np.full(len(weights), 1 / len(weights))
+
+
+def _fit(src, dst, weights, centre=_share, pull=_share, rotation=nearest_so):
+    """Return the pose with other weights of the centroids, or of the sum of the b_i a_i^T, or another R of the sum."""
+    c, d = centre(weights) @ src, centre(weights) @ dst
+    R = rotation((pull(weights)[:, None] * (dst - d)).T @ (src - c))
+    return pose(R, d - R @ c)
+
+
+@EXERCISE.mistake(pair=((_alike, _alike), (_alike, _share), (_share, _alike)))
+def weights_missing(*case, pair):
+    """the weights are missing, in the centroids, in the sum of the b_i a_i^T, or in both. A point of weight 3 counts as
+    three points: where?
+    """
+    return _fit(*case, *pair)
+
+
+@EXERCISE.mistake(power=(2, 0.5), twice=(False, True))
+def power_of_the_weights(src, dst, weights, power, twice):
+    """squares or square roots of the weights stand for the weights. How often does w_i multiply each b_i a_i^T?"""
+    return _fit(src, dst, weights, lambda w: _share(w**power) if twice else _share(w), lambda w: w**power)
+
+
+@EXERCISE.mistake(centre=(np.copy, lambda weights: weights / len(weights)))
+def not_divided(*case, centre):
+    """the weighted sum is not divided by the sum of the weights. What is a weighted mean divided by?"""
+    return _fit(*case, centre)
+
+
+@EXERCISE.mistake
+def not_centred(src, dst, weights):
+    """the centroids are not subtracted before R is computed. How do a rotation and a translation look far away?"""
+    R = nearest_so((weights[:, None] * dst).T @ src)
+    return pose(R, _share(weights) @ (dst - src @ R.T))
+
+
+@EXERCISE.mistake(whole=(False, True))
+def rotation_transposed(*case, whole):
+    """R^T stands for R. Which of the points moves, and on which side do the b_i stand in the sum of the b_i a_i^T?"""
+    T = registered(*case)
+    return pose(T[:3, :3].T, T[:3, 3]) if whole else _fit(*case, rotation=lambda B: nearest_so(B.T))
+
+
+@EXERCISE.mistake(
+    position=(
+        lambda R, c, d: d - c,
+        lambda R, c, d: R @ c - d,
+        lambda R, c, d: R @ c + d,
+        lambda R, c, d: d - R.T @ c,
+        lambda R, c, d: c - R @ d,
+        lambda R, c, d: R @ (d - c),
+        lambda R, c, d: d,
+        lambda R, c, d: 0 * d,
+    )
+)
+def other_position(src, dst, weights, position):
+    """R is right, and p is not. To which point does T take the centroid of src?"""
+    R = registered(src, dst, weights)[:3, :3]
+    return pose(R, position(R, _share(weights) @ src, _share(weights) @ dst))
+
+
+def _reflection(*case):
+    """Return R with a sign at the smallest singular value that does not belong there."""
+    R, normal = registered(*case)[:3, :3], np.linalg.svd(product(*case))[2][2]
+    return R - 2 * np.outer(R @ normal, normal)
+
+
+def _has_block(T, block, src, dst, weights):
+    return same(T, pose(block, _share(weights) @ (dst - src @ block.T)))
+
+
+@EXERCISE.seen
+def sign_of_zero(T, *case):
+    """the sign is taken from the determinant of the sum of the b_i a_i^T. What is it for points in a plane, but for
+    rounding? Whose determinant is always +1 or -1?
+    """
+    M, flat = _reflection(*case), abs(np.linalg.det(product(*case))) < 1e-9
+    return flat and (_has_block(T, M, *case) or _has_block(T, (M + registered(*case)[:3, :3]) / 2, *case))
+
+
+@EXERCISE.seen
+def sign_missing(T, *case):
+    """U V^T is returned as it is, a reflection if its determinant is -1. At which singular value does a change of sign
+    cost least?
+    """
+    return np.linalg.det(product(*case)) < 1e-9 and _has_block(T, _reflection(*case), *case)
+
+
+@EXERCISE.seen
+def sign_always(T, *case):
+    """the sign is always changed. How do you see whether U V^T is a reflection?"""
+    return _has_block(T, _reflection(*case), *case)
+
+
+@EXERCISE.seen
+def finished_rotation_changed(T, *case):
+    """a column or row of the finished R is negated. That is a rotation: is it the best one?"""
+    signs = [*(1 - 2 * np.eye(3)), *(1 - 2 * np.eye(3))[:, :, None], -1]
+    return any(_has_block(T, _reflection(*case) * each, *case) for each in signs)
+
+
+@EXERCISE.seen
+def sign_elsewhere(T, *case):
+    """the sign is put at another singular value than the smallest. Where does it cost least?"""
+    M, axes = _reflection(*case), np.linalg.svd(product(*case))[2][:2]
+    return any(_has_block(T, M - 2 * np.outer(M @ axis, axis), *case) for axis in axes)
+
+
+@EXERCISE.seen
+def transposed_once_too_often(T, *case):
+    """numpy's third result is taken for V, or a factor is transposed once too often. What does np.linalg.svd return?"""
+    U, _, Vt = np.linalg.svd(product(*case))
+    signs = np.array(list(itertools.product([1, -1], repeat=3)))
+    for left, right, along in ((U.T, Vt, -1), (Vt, U.T, -1), (U, Vt.T, -2), (Vt.T, U, -2)):
+        made = (left * signs[:, None]) @ right
+        made = made * np.sign((made * T[:3, :3]).sum(along, keepdims=True))
+        if (np.abs(made - T[:3, :3]).max((1, 2)) < 1e-6).any():
+            return True
+    return False

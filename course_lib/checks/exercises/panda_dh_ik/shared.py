@@ -1,20 +1,15 @@
-"""The Panda by its DH table: the right poses and Jacobian, and poses by other tables and conventions.
-
-A row of a table is (a, alpha, d); the joint's angle is theta. A convention is `modified` or `standard`.
-"""
-
-import functools
+"""What several exercises about the Panda need: its DH table, poses and Jacobian, and the right answers they share."""
 
 import numpy as np
 
+from course_lib import ik
 from course_lib.arms import panda
-from course_lib.checks.exercise import Mistake
-from course_lib.checks.vocabulary import products, remembered
+from course_lib.checks.vocabulary import remembered
 from course_lib.rigid import transform
+from course_lib.rotations import rot_x, rot_z
 
 _QUARTER = np.pi / 2
-BASE, FLANGE = (-0.2, 0.13, 0.6), 0.107
-T_W0 = transform(np.eye(3), BASE)
+T_W0 = transform(np.eye(3), [-0.2, 0.13, 0.6])
 TABLE = np.array(
     [
         [0, 0, 0.333],
@@ -29,28 +24,17 @@ TABLE = np.array(
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 PANDA = panda()  # made here, because no answer may call what makes it
 LOW, HIGH = PANDA.limits.T
+FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])  # a Jacobian to compute with by hand
 
 
 def about_x(alpha, a=0.0):
     """Return the pose of a rotation about x by `alpha` and a translation along x by `a`."""
-    c, s = np.cos(alpha), np.sin(alpha)
-    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+    return transform(rot_x(alpha), [a, 0, 0])
 
 
 def about_z(theta, d=0.0):
     """Return the pose of a rotation about z by `theta` and a translation along z by `d`."""
-    c, s = np.cos(theta), np.sin(theta)
-    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-
-
-def along_x(a):
-    """Return the pose of a translation along x."""
-    return about_x(0.0, a)
-
-
-def along_z(d):
-    """Return the pose of a translation along z."""
-    return about_z(0.0, d)
+    return transform(rot_z(theta), [0, 0, d])
 
 
 def modified(a, alpha, d, theta):
@@ -61,67 +45,6 @@ def modified(a, alpha, d, theta):
 def standard(a, alpha, d, theta):
     """Return Rot_z Trans_z Trans_x Rot_x, the convention of Denavit and Hartenberg."""
     return about_z(theta, d) @ about_x(alpha, a)
-
-
-def joined(order, join=np.matmul):
-    """Return an answer: the steps in this order, X a Z d for Rot_x, Trans_x, Rot_z, Trans_z; join: their product."""
-
-    def answer(a, alpha, d, theta):
-        steps = {"X": about_x(alpha), "a": along_x(a), "Z": about_z(theta), "d": along_z(d)}
-        return functools.reduce(join, [steps[name] for name in order])
-
-    return answer
-
-
-def steps(q, table=TABLE, convention=modified, flange=None):
-    """Return each frame in the one before, and the flange in the last: (n + 1, 4, 4).
-
-    Examples
-    --------
-    >>> steps(READY).shape
-    (8, 4, 4)
-    """
-    flange = along_z(FLANGE) if flange is None else flange
-    return np.array([convention(*row, theta) for row, theta in zip(table, q, strict=True)] + [flange])
-
-
-def chain(table=TABLE, convention=modified, flange=None, base=T_W0, angles=np.copy):
-    """Return an answer to panda_fk: the poses by another table, convention, flange, base, or other angles."""
-    return lambda q: np.array(products([base, *steps(angles(q), table, convention, flange)])[2:])
-
-
-def truncated(right):
-    """Return the mistake of an array that has room for whole numbers only.
-
-    Examples
-    --------
-    >>> truncated(lambda x: x / 2).answers[0](3)
-    np.float64(1.0)
-    """
-
-    def seen(value, *case):
-        return np.array_equal(value, np.trunc(value)) and not np.allclose(right(*case), np.round(right(*case)))
-
-    return Mistake(
-        "digits after the point are cut off",
-        "np.zeros has room for digits; with dtype=int, or made like an array of whole numbers, it has not.",
-        lambda *case: np.trunc(right(*case)),
-        seen=seen,
-    )
-
-
-def edited(*entries):
-    """Return the table with other entries; each is (row, column, number).
-
-    Examples
-    --------
-    >>> float(edited((0, 2, 0.5))[0, 2])
-    0.5
-    """
-    table = TABLE.copy()
-    for row, column, number in entries:
-        table[row, column] = number
-    return table
 
 
 @remembered
@@ -138,3 +61,43 @@ def flange(q):
 def panda_jacobian(q):
     """Return the Jacobian (6, 7) of the Panda's flange, (v, omega)."""
     return np.roll(PANDA.geometric_jacobian(q), 3, axis=0)
+
+
+@remembered
+def pose_error(T, T_target):
+    """Return the right pose error (6,), (v, omega); at an angle of pi phi and -phi are both right."""
+    return np.roll(ik.pose_error(T, T_target), 3)
+
+
+def roll_pitch_yaw(R):
+    """Return the angles of R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)."""
+    pitch = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
+
+
+def damped(q, J, e, eps):
+    """Return the angles after a damped step, by singular values: nothing is lost to rounding."""
+    U, s, Vt = np.linalg.svd(J, full_matrices=False)
+    return q + Vt.T @ (s / (s**2 + eps) * (U.T @ e))
+
+
+def panda_step(rng):
+    """Return joint angles of the Panda, their Jacobian and an error."""
+    q = np.round(rng.uniform(LOW, HIGH), 2)
+    return q, panda_jacobian(q), np.round(rng.uniform(0.2, 0.9, 6) * rng.choice([-1, 1], 6), 2)
+
+
+def add_mistakes_of_a_step(exercise, *others):
+    """Add the mistakes in the last line of a step from its first argument, q; others: more steps that are negated."""
+
+    @exercise.mistake(answer=(exercise.library, *others))
+    def away(q, *rest, answer):
+        """the step leads away from the target. Is the error the target minus what is reached, or the other way round?
+        The step has one sign, not two.
+        """
+        return 2 * q - answer(q, *rest)
+
+    @exercise.mistake(sign=(1, -1))
+    def step_only(q, *rest, sign):
+        """only the step is returned. The answer is the joint angles after the step."""
+        return sign * (exercise.library(q, *rest) - q)

@@ -4,14 +4,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import roll_pitch_yaw
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.exercises.panda_dh_ik.pose_error_mistakes import roll_pitch_yaw
-from course_lib.checks.vocabulary import any_pose, few_digits, near, orthogonality_error
+from course_lib.checks.vocabulary import any_pose, near, orthogonality_error
 from course_lib.rigid import exp_se3, inverse, log_se3, transform
 from course_lib.rotations import exp_so3, log_so3, nearest_so, rot_x, rot_y, rot_z
 
-_AXIS = "From A to B there is one rotation, R_B R_A^T. Make the same rotation by a share s of its angle."
-_LINE = "The position at s is p_A + s (p_B - p_A)."
+_HALF = Mistake("only positions or only rotations are returned", "One whole pose for each s.")
 
 
 def _rotations(A, B, s):
@@ -22,11 +21,9 @@ def _positions(A, B, s):
     return A[:3, 3] + s[:, None] * (B[:3, 3] - A[:3, 3])
 
 
-def _with(rotations=_rotations, positions=_positions):
-    return lambda A, B, s: transform(rotations(A, B, s), positions(A, B, s))
-
-
-right = _with()
+def right(A, B, s):
+    """Return the right answer."""
+    return transform(_rotations(A, B, s), _positions(A, B, s))
 
 
 def _cases(rng):
@@ -36,23 +33,9 @@ def _cases(rng):
     moved = transform(A[:3, :3], A[:3, 3] + [0.3, -0.2, 0.5])
     tiny = transform(exp_so3([3e-6, -2e-6, 1e-6]) @ A[:3, :3], B[:3, 3])
     wide = transform(exp_so3([1.9, -1.6, 1.5]) @ A[:3, :3], A[:3, 3])
-    cases = [
-        (np.eye(4), quarter, ends),
-        (quarter, np.eye(4), five),
-        (A, B, five),
-        (B, A, np.sort(rng.uniform(0, 1, 4))),
-    ]
-    return [*cases, (A, moved, ends), (A, wide, five), (A, tiny, ends), (A, A.copy(), ends), (A, B, np.array([0.25]))]
-
-
-def _euler(A, B, s):
-    angles = [roll_pitch_yaw(T[:3, :3]) for T in (A, B)]
-    roll, pitch, yaw = (angles[0] + s[:, None] * (angles[1] - angles[0])).T
-    return rot_z(yaw) @ rot_y(pitch) @ rot_x(roll)
-
-
-def _entries(A, B, s):
-    return A + s[:, None, None] * (B - A)
+    simple = [(np.eye(4), quarter, ends), (quarter, np.eye(4), five), (A, B, five)]
+    others = [(B, A, np.sort(rng.uniform(0, 1, 4))), (A, B, np.array([0.25]))]
+    return [*simple, *others, (A, moved, ends), (A, wide, five), (A, tiny, ends), (A, A.copy(), ends)]
 
 
 def _off(T, A, B, s):
@@ -71,13 +54,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda A, B, s: (len(s), 4, 4),
-        lambda array, A, B, s: (
-            Mistake("only one pose is returned", "One pose for each s: shape (len(s), 4, 4).")
-            if array.shape == (4, 4)
-            else Mistake("only positions or only rotations are returned", "One whole pose for each s.")
-            if array.shape in ((len(s), 3), (len(s), 3, 3))
-            else None
-        ),
+        lambda array, A, B, s: _HALF if array.shape in ((len(s), 3), (len(s), 3, 3)) else None,
     ),
     properties=(
         Property(
@@ -90,78 +67,85 @@ EXERCISE = Exercise(
         Property(
             "the positions are on the straight line, at the share s between A and B",
             lambda T, *case: near(T[:, :3, 3], right(*case)[:, :3, 3]),
-            says=_off,
+            _off,
         ),
         Property(
             "the rotation from A to the pose at s is about the axis of the rotation from A to B, by s times its angle",
             lambda T, *case: near(T[:, :3, :3], right(*case)[:, :3, :3]),
-            says=_off,
-        ),
-    ),
-    mistakes=(
-        few_digits(right),
-        Mistake(
-            "the entries of the matrices are interpolated",
-            "Between two rotation matrices there is no straight line of rotation matrices. " + _AXIS,
-            _entries,
-            lambda A, B, s: transform(nearest_so(_entries(A, B, s)[:, :3, :3]), _positions(A, B, s)),
-        ),
-        Mistake(
-            "the path is a screw motion, not a straight line",
-            "The logarithm of the whole pose couples translation to rotation: the position moves on a helix. " + _LINE,
-            lambda A, B, s: exp_se3(s[:, None] * log_se3(B @ inverse(A))) @ A,
-            lambda A, B, s: A @ exp_se3(s[:, None] * log_se3(inverse(A) @ B)),
-        ),
-        Mistake("roll, pitch and yaw are interpolated", _AXIS, _with(_euler)),
-        Mistake(
-            "the rotation does not change",
-            _AXIS,
-            _with(lambda A, B, s: np.tile(A[:3, :3], (len(s), 1, 1))),
-            _with(lambda A, B, s: np.tile(B[:3, :3], (len(s), 1, 1))),
-        ),
-        Mistake(
-            "the position does not change",
-            _LINE,
-            _with(positions=lambda A, B, s: np.tile(A[:3, 3], (len(s), 1))),
-            _with(positions=lambda A, B, s: np.tile(B[:3, 3], (len(s), 1))),
-        ),
-        Mistake(
-            "the path leads from B to A",
-            "s = 0 is A.",
-            lambda A, B, s: right(B, A, s),
-            lambda A, B, s: right(A, B, s)[::-1],
-        ),
-        Mistake(
-            "the rotation is on the wrong side of R_A, or its logarithm is that of R_A^T R_B",
-            "log(R_B R_A^T) is along the world's axes and is multiplied from the left, log(R_A^T R_B) from the right.",
-            _with(lambda A, B, s: A[:3, :3] @ exp_so3(s[:, None] * log_so3(B[:3, :3] @ A[:3, :3].T))),
-            _with(lambda A, B, s: exp_so3(s[:, None] * log_so3(A[:3, :3].T @ B[:3, :3])) @ A[:3, :3]),
-        ),
-        Mistake(
-            "R_A is left out",
-            "At s = 0 the orientation is that of A.",
-            _with(lambda A, B, s: exp_so3(s[:, None] * log_so3(B[:3, :3] @ A[:3, :3].T))),
-        ),
-        Mistake(
-            "the rotation has the wrong sign",
-            "At s = 1 the orientation is that of B.",
-            _with(lambda A, B, s: exp_so3(-s[:, None] * log_so3(B[:3, :3] @ A[:3, :3].T)) @ A[:3, :3]),
-        ),
-        Mistake(
-            "the rotation vectors of A and B are interpolated",
-            "Rotations about different axes do not add up. " + _AXIS,
-            _with(lambda A, B, s: exp_so3(log_so3(A[:3, :3]) + s[:, None] * (log_so3(B[:3, :3]) - log_so3(A[:3, :3])))),
-        ),
-        Mistake(
-            "s is not used: the poses are evenly spaced",
-            "The k-th pose belongs to s[k].",
-            lambda A, B, s: right(A, B, np.linspace(0, 1, len(s))),
+            _off,
         ),
     ),
     hints=(
-        "Positions and rotations are interpolated apart. " + _LINE,
+        "Positions and rotations are interpolated apart. The position at s is p_A + s (p_B - p_A).",
         "phi = log(R_B R_A^T) is the whole rotation from A to B. A fraction s of it is exp([s phi]), left of R_A.",
         "rotations.exp_so3 takes a batch: s[:, None] * phi has shape (n, 3). rigid.transform(R, p) joins both.",
     ),
     library=right,
 )
+
+
+@EXERCISE.mistake(repaired=(False, True))
+def entries_interpolated(A, B, s, repaired):
+    """the entries of the matrices are interpolated. Does the angle then grow evenly from A to B?"""
+    T = A + s[:, None, None] * (B - A)
+    return transform(nearest_so(T[:, :3, :3]), T[:, :3, 3]) if repaired else T
+
+
+@EXERCISE.mistake(side=("left", "right"))
+def screw_motion(A, B, s, side):
+    """the path is a screw motion, not a straight line. What does the logarithm of a whole pose couple?"""
+    if side == "left":
+        return exp_se3(s[:, None] * log_se3(B @ inverse(A))) @ A
+    return A @ exp_se3(s[:, None] * log_se3(inverse(A) @ B))
+
+
+@EXERCISE.mistake
+def angles_interpolated(A, B, s):
+    """roll, pitch and yaw are interpolated. Do three angles that grow evenly make a rotation about one axis?"""
+    first, last = (roll_pitch_yaw(T[:3, :3]) for T in (A, B))
+    roll, pitch, yaw = (first + s[:, None] * (last - first)).T
+    return transform(rot_z(yaw) @ rot_y(pitch) @ rot_x(roll), _positions(A, B, s))
+
+
+@EXERCISE.mistake
+def vectors_interpolated(A, B, s):
+    """the rotation vectors of A and B are interpolated. Do rotations about different axes add up?"""
+    a, b = log_so3(A[:3, :3]), log_so3(B[:3, :3])
+    return transform(exp_so3(a + s[:, None] * (b - a)), _positions(A, B, s))
+
+
+@EXERCISE.mistake(what=("rotation", "position"), of=("A", "B"))
+def half_kept(A, B, s, what, of):
+    """the rotation, or the position, does not change along the path. What should it be at s = 0, and what at s = 1?"""
+    T, kept = right(A, B, s), A if of == "A" else B
+    part = np.s_[:, :3, :3] if what == "rotation" else np.s_[:, :3, 3]
+    T[part] = kept[part[1:]]
+    return T
+
+
+@EXERCISE.mistake
+def from_B_to_A(A, B, s):
+    """the path leads from B to A. Which pose belongs to s = 0?"""
+    return right(B, A, s)
+
+
+@EXERCISE.mistake(
+    rotations=(
+        lambda R, Q, s: R @ exp_so3(s * log_so3(Q @ R.T)),
+        lambda R, Q, s: exp_so3(s * log_so3(R.T @ Q)) @ R,
+        lambda R, Q, s: exp_so3(s * log_so3(Q @ R.T)),
+        lambda R, Q, s: exp_so3(-s * log_so3(Q @ R.T)) @ R,
+        lambda R, Q, s: exp_so3(s * log_so3(Q @ R)) @ R,
+    )
+)
+def wrong_side(A, B, s, rotations):
+    """R_A is left out, on the wrong side, or transposed where it should not be, or the reverse. Which orientations does
+    your formula give at s = 0 and at s = 1?
+    """
+    return transform(rotations(A[:3, :3], B[:3, :3], s[:, None]), _positions(A, B, s))
+
+
+@EXERCISE.mistake
+def s_unused(A, B, s):
+    """s is not used: the poses are evenly spaced. To which s does the k-th pose belong?"""
+    return right(A, B, np.linspace(0, 1, len(s)))

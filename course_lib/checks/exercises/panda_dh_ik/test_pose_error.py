@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from course_lib.checks.exercises.panda_dh_ik.pose_error_mistakes import pose_error, roll_pitch_yaw
+from course_lib.checks.exercises.panda_dh_ik.shared import pose_error, roll_pitch_yaw
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.rigid import inverse, is_se
 from course_lib.rotations import length, log_so3, matrix_to_quaternion
 
 
-def _checked(error):
+def _version(kind, error, right=False, example=False):
     """Return the candidate that refuses what is no pose, as the library does."""
 
     def candidate(T, T_target):
@@ -16,7 +16,7 @@ def _checked(error):
             raise ValueError("T and T_target are poses")
         return error(T, T_target)
 
-    return candidate
+    return Version(kind, candidate, right, example)
 
 
 def _with_phi(phi_of):
@@ -42,25 +42,19 @@ def _stretched(factor):
     return _with_phi(phi)
 
 
-def _right(kind, error):
-    return Version(kind, _checked(error), right=True)
+def _scaled(upper, lower):
+    return lambda *pair: pose_error(*pair) * np.repeat([upper, lower], 3)
 
 
-def _wrong(kind, error):
-    return Version(kind, _checked(error), right=False)
-
-
+_SIGN = "with a wrong sign"
 _FRAME = "that is seen from another frame"
+_SUBTRACTED = "that subtracts what cannot be subtracted"
 _ANGLE = "whose angle is wrong for large rotations"
 
 EXERCISE = WriteTest(
     name="test_pose_error",
     points=2,
     arguments=("pose_error",),
-    cases=lambda rng: [],
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=(
         "You need no right version to compare with: an error is right if applying it to T gives T_target.",
         "Applying it means: add the first half to the position, and multiply the rotation by exp([phi]) on the left. "
@@ -70,26 +64,23 @@ EXERCISE = WriteTest(
     ),
     shapes=((4, 4), (4, 4)),
     versions=(
-        _right("that is as in the text", pose_error),
-        _right("that goes by the quaternion", _with_phi(_by_quaternion)),
-        _right("whose last digits differ", lambda *pair: pose_error(*pair) * (1 + 1e-13)),
-        _right("that returns a list", lambda *pair: pose_error(*pair).tolist()),
-        _wrong("with a wrong sign", lambda *pair: -pose_error(*pair)),
-        _wrong("with a wrong sign", lambda *pair: pose_error(*pair) * [1, 1, 1, -1, -1, -1]),
-        _wrong("with a wrong sign", lambda *pair: pose_error(*pair) * [-1, -1, -1, 1, 1, 1]),
-        _wrong("in another order", lambda *pair: np.roll(pose_error(*pair), 3)),
-        _wrong(_FRAME, _with_phi(lambda R, R_target: log_so3(R.T @ R_target))),
-        _wrong(_FRAME, _with_position(lambda T, T_target: (T_target @ inverse(T))[:3, 3])),
-        _wrong(_FRAME, _with_position(lambda T, T_target: T[:3, :3].T @ pose_error(T, T_target)[:3])),
-        _wrong("that subtracts what cannot be subtracted", _with_phi(lambda R, R_t: log_so3(R_t) - log_so3(R))),
-        _wrong(
-            "that subtracts what cannot be subtracted",
-            _with_phi(lambda R, R_t: roll_pitch_yaw(R_t) - roll_pitch_yaw(R)),
-        ),
-        _wrong(_ANGLE, _stretched(np.sin)),
-        _wrong(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
-        _wrong("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
-        _wrong("that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))),
-        _wrong("in degrees", lambda *pair: np.concatenate([pose_error(*pair)[:3], np.rad2deg(pose_error(*pair)[3:])])),
+        _version("that is as in the text", pose_error, right=True),
+        _version("that goes by the quaternion", _with_phi(_by_quaternion), right=True),
+        _version("whose last digits differ", lambda *pair: pose_error(*pair) * (1 + 1e-13), right=True),
+        _version("that returns six zeros for every pair", lambda *pair: np.zeros(6), example=True),
+        _version(_SIGN, _scaled(-1, -1)),
+        _version(_SIGN, _scaled(1, -1)),
+        _version(_SIGN, _scaled(-1, 1)),
+        _version("in another order", lambda *pair: np.roll(pose_error(*pair), 3)),
+        _version(_FRAME, _with_phi(lambda R, R_target: log_so3(R.T @ R_target))),
+        _version(_FRAME, _with_position(lambda T, T_target: (T_target @ inverse(T))[:3, 3])),
+        _version(_FRAME, _with_position(lambda T, T_target: T[:3, :3].T @ pose_error(T, T_target)[:3])),
+        _version(_SUBTRACTED, _with_phi(lambda R, R_target: log_so3(R_target) - log_so3(R))),
+        _version(_SUBTRACTED, _with_phi(lambda R, R_target: roll_pitch_yaw(R_target) - roll_pitch_yaw(R))),
+        _version(_ANGLE, _stretched(np.sin)),
+        _version(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
+        _version("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
+        _version("that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))),
+        _version("in degrees", _scaled(1, 180 / np.pi)),
     ),
 )

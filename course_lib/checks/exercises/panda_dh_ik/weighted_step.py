@@ -1,34 +1,23 @@
 """weighted_step: a damped step in which each row of the error has a weight, such as for metres and radians."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.ik_step_dls import panda_step, step_of
-from course_lib.checks.vocabulary import away_from_zero, few_digits, wrong_steps
-
-_ROOT = "A row r e_i adds (r e_i)^2 to the sum of squares. Which r makes that w_i e_i^2?"
-_BOTH = "The residual is e - J delta: each of its rows has one factor, which multiplies the row of J and that of e."
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.panda_dh_ik.shared import FLAT, add_mistakes_of_a_step, damped, panda_step
+from course_lib.checks.vocabulary import away_from_zero
 
 
 def right(q, J, e, eps, weights):
     """Return the right answer: the damped step of the weighted rows."""
     roots = np.sqrt(weights)
-    return step_of(q, roots[:, None] * J, roots * e, eps)
-
-
-def _scaled(rows, error):
-    """Return an answer: J multiplied by rows(weights), e by error(weights)."""
-    return lambda q, J, e, eps, weights: step_of(q, rows(weights)[:, None] * J, error(weights) * e, eps)
-
-
-def _with(weights_of):
-    return lambda q, J, e, eps, weights: right(q, J, e, eps, weights_of(weights))
+    return damped(q, roots[:, None] * J, roots * e, eps)
 
 
 def _cases(rng):
-    flat = np.array([[1.0, 0, 0], [0, 1, 0]])
-    cases = [(np.zeros(3), flat, np.array([1.0, 2]), 1.0, np.array([1.0, 3]))]
+    cases = [(np.zeros(3), FLAT, np.array([1.0, 2]), 1.0, np.array([1.0, 3]))]
     for m, n in ((2, 4), (3, 3), (3, 2)):
         drawn = away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, m)
         cases.append((*drawn, 0.3, np.round(rng.uniform(0.2, 4, m), 2)))
@@ -61,28 +50,6 @@ EXERCISE = Exercise(
         ),
         Property("the step minimizes the sum of w_i (e - J delta)_i^2, plus eps |delta|^2", _close),
     ),
-    mistakes=(
-        few_digits(right),
-        Mistake("the weights come in as their squares", _ROOT, _scaled(np.copy, np.copy)),
-        Mistake(
-            "only one of J and e is weighted",
-            _BOTH,
-            *(_scaled(*pair) for f in (np.copy, np.sqrt) for pair in ((f, np.ones_like), (np.ones_like, f))),
-        ),
-        Mistake("J and e are weighted differently", _BOTH, _scaled(np.copy, np.sqrt), _scaled(np.sqrt, np.copy)),
-        Mistake("the weights are not used", _ROOT, _with(np.ones_like)),
-        Mistake(
-            "the rows are divided by the weights, or by their roots",
-            "A larger weight makes a part of the error count more.",
-            *(lambda *case, k=k: right(*case[:-1], case[-1] ** k) if case[-1].all() else None for k in (-1.0, -2.0)),
-        ),
-        Mistake(
-            "the weights are scaled to the sum 1",
-            "Only the ratio of the weights to eps counts: take them as they are given.",
-            _with(lambda w: w / w.sum()),
-        ),
-        *wrong_steps(right),
-    ),
     hints=(
         "A sum of weighted squares is a plain sum of squares of other numbers: multiply each row by a factor.",
         "w_i (e_i - J_i delta)^2 is the square of r_i e_i - r_i J_i delta, with r_i the square root of w_i.",
@@ -90,3 +57,34 @@ EXERCISE = Exercise(
     ),
     library=right,
 )
+add_mistakes_of_a_step(EXERCISE)
+
+
+@EXERCISE.mistake
+def squared_weights(q, J, e, eps, weights):
+    """the weights come in as their squares. A row r e_i adds (r e_i)^2 to the sum: which r makes that w_i e_i^2?"""
+    return damped(q, weights[:, None] * J, weights * e, eps)
+
+
+@EXERCISE.mistake(pair=itertools.permutations((np.ones_like, np.sqrt, np.copy), 2))
+def weighted_differently(q, J, e, eps, weights, pair):
+    """J and e are not weighted alike. The residual is e - J delta: what multiplies each of its rows?"""
+    return damped(q, pair[0](weights)[:, None] * J, pair[1](weights) * e, eps)
+
+
+@EXERCISE.mistake
+def weights_unused(q, J, e, eps, weights):
+    """the weights are not used. By which factor does a row of J and e count more?"""
+    return damped(q, J, e, eps)
+
+
+@EXERCISE.mistake(power=(-1, -2))
+def divided(*case, power):
+    """the rows are divided by the weights, or by their roots. Should a larger weight make an error count more?"""
+    return right(*case[:-1], case[-1] ** power) if case[-1].all() else None
+
+
+@EXERCISE.mistake
+def scaled_to_one(*case):
+    """the weights are scaled to the sum 1. What does that do to the ratio between the weights and eps?"""
+    return right(*case[:-1], case[-1] / case[-1].sum())
