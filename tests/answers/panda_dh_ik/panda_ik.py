@@ -80,11 +80,6 @@ def wrong_limits_ignored(T, q0):
     return search(T, q0, clip=False)
 
 
-def wrong_wrapped_to_whole_turns(T, q0):
-    """multiples of 2 pi are added, and lead out of the limits"""
-    return search(T, q0) % (2 * np.pi)
-
-
 def wrong_base_forgotten(T, q0):
     """the base is forgotten"""
     return search(T, q0, starts=2, T_base=np.eye(4))

@@ -39,23 +39,13 @@ def right_scipys(src, dst, weights):
 
 
 def wrong_reflections_stay(src, dst, weights):
-    """U V^T is returned as it is, a reflection if its determinant is -1"""
+    """U V^T has the same sign for all points"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ Ut)
 
 
 def wrong_as_in_the_report(src, dst, weights):
-    """a column or row of the finished R is negated"""
+    """the sign is changed in a row or column of the finished R"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ Ut * [1, 1, np.linalg.det(V @ Ut)])
-
-
-def wrong_sign_at_the_largest(src, dst, weights):
-    """another singular value than the smallest"""
-    return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([np.linalg.det(V @ Ut), 1, 1]) @ Ut)
-
-
-def wrong_sign_always(src, dst, weights):
-    """the sign is always changed"""
-    return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, -np.linalg.det(V @ Ut)]) @ Ut)
 
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):

@@ -28,21 +28,6 @@ def mug_scene(rng):
     The mug stands 25 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of straight ahead, where
     the arm can grasp it from above. The points have 1 mm of noise. Up to three of them are wrong: some centimetres off,
     in nearly the same direction.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    T : ndarray, shape (4, 4)
-    points : ndarray, shape (7, 3)
-
-    Examples
-    --------
-    >>> T, points = mug_scene(np.random.default_rng(0))
-    >>> float(T[2, 3]), points.shape
-    (0.6, (7, 3))
     """
     radius, bearing = rng.uniform(0.25, 0.65), rng.uniform(-2, 2)
     x, y = T_W0[:2, 3] + radius * np.array([np.cos(bearing), np.sin(bearing)])
@@ -71,11 +56,6 @@ def picked(T_mug, joints, T_fg):
         At the end the gripper is within 5 mm of the mug's axis, within 10 degrees of the vertical and 3 to 8 cm above
         the table; at the beginning it is 15 cm above that; all angles are within the limits, and no joint moves by more
         than 0.4 rad in a step.
-
-    Examples
-    --------
-    >>> picked(np.eye(4), [[np.nan] * 7], np.eye(4))
-    False
     """
     joints, arm = np.asarray(joints, float), panda()
     low, high = arm.limits.T

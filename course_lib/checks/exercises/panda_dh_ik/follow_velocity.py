@@ -109,7 +109,6 @@ EXERCISE = Exercise(
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
     library=right,
-    tries_arguments=False,
     errors=(
         ("LinAlgError", "Singular", Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?")),
     ),
@@ -162,18 +161,6 @@ def jacobian_of_the_start(*case):
 def dt_unused(q, v, dt, *rest):
     """dt is not used. How far do the joints move in a step of dt seconds?"""
     return _walked(q, v, 1.0, *rest)
-
-
-@EXERCISE.mistake
-def order_of_v(q, v, *rest):
-    """v is taken in the order (omega, v). In which order are the rows of J?"""
-    return right(q, np.roll(v, 3), *rest)
-
-
-@EXERCISE.mistake(sign=(-1, 0))
-def backwards(q, v, *rest, sign):
-    """the arm moves backwards, or not at all. What is added to the configuration before?"""
-    return right(q, sign * v, *rest)
 
 
 @EXERCISE.mistake

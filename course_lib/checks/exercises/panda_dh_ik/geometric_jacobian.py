@@ -11,9 +11,7 @@ from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, n
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
-_HALF = Mistake("only one half of the Jacobian is returned", "Each column has six numbers.")
 _FLANGE_TOO = Mistake("the flange's frame is counted as a joint's", "Which joint does the last frame belong to?")
-_APART = Mistake("v and omega are not in one column", "One column for each joint, six numbers each: shape (6, n).")
 _SEVEN = Mistake("the arm is taken to have seven joints", "How many joints does an arm with these frames have?")
 _ABOVE, _BELOW = slice(0, 3), slice(3, 6)
 
@@ -37,11 +35,7 @@ def _known_form(array, frames):
     if array.ndim == 2 and len(array) == 6 and shape[1] > n:
         a_flange_s = shape[1] == n + 1 and np.abs(array[:3, -1]).max() < 1e-9  # it does not move itself
         return _FLANGE_TOO if a_flange_s else SAME_TWICE.mistake
-    if shape == (n + 1, 6):
-        return _FLANGE_TOO
-    if shape in ((3, n), (n, 3)):
-        return _HALF
-    return _APART if shape in ((2, 3, n), (2, n, 3), (n, 2, 3), (3, 2 * n), (2 * n, 3)) else None
+    return _FLANGE_TOO if shape == (n + 1, 6) else None
 
 
 def _drawn(rng, n):
@@ -127,31 +121,22 @@ def point_on_the_axis_left_out(frames):
     return _jacobian(z, 0 * o, p)
 
 
-@EXERCISE.mistake(k=(0, 1))
-def other_column(frames, k):
-    """the x or y axis is taken, not z. Which column of the rotation is the axis of the joint?"""
-    return _jacobian(frames[:-1, :3, k], *_parts(frames)[1:])
+@EXERCISE.mistake(axis=(np.s_[:3, 0], np.s_[:3, 1], np.s_[2, :3]))
+def other_column(frames, axis):
+    """the x or y axis is taken, or a row of R, not z. Which column of the rotation is the axis of the joint?"""
+    return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
 
 
-@EXERCISE.mistake
-def rows_of_R(frames):
-    """rows of R are taken for its columns. Is z a row or a column of the joint's rotation?"""
-    return _jacobian(frames[:-1, 2, :3], *_parts(frames)[1:])
-
-
-@EXERCISE.mistake(first=(np.eye(4), None))
-def frame_before(frames, first):
-    """frame i - 1 is taken for joint i, as in the standard convention. Which frame does joint i rotate in the modified
-    one?
-    """
-    before = np.concatenate([[frames[0] if first is None else first], frames[:-2]])
-    return _jacobian(before[:, :3, 2], before[:, :3, 3], frames[-1, :3, 3])
-
-
-@EXERCISE.mistake
-def frame_after(frames):
-    """frame i + 1 is taken for joint i. Which frame is frames[0]?"""
-    return _jacobian(frames[1:, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3])
+@EXERCISE.mistake(
+    joints=(
+        lambda frames: frames[1:],
+        lambda frames: [np.eye(4), *frames[:-2]],
+        lambda frames: [frames[0], *frames[:-2]],
+    )
+)
+def other_frame(frames, joints):
+    """frame i - 1 or i + 1 is taken for joint i. Which frame does joint i rotate in the modified convention?"""
+    return right(np.array([*joints(frames), frames[-1]]))
 
 
 @EXERCISE.mistake
@@ -171,9 +156,3 @@ def no_cross_product(frames, v):
     """v is no cross product. How does a point move when a joint rotates: towards the axis, or perpendicular to it?"""
     z, o, p = _parts(frames)
     return np.vstack([v(z, o, p).T, z.T])
-
-
-@EXERCISE.mistake
-def broken_into_rows(frames):
-    """the numbers are in the right order, but broken into rows wrongly. Does reshape exchange rows and columns?"""
-    return right(frames).T.reshape(6, -1)

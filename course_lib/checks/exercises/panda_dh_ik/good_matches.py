@@ -60,11 +60,15 @@ def _case(rng, n, wrong, shift="common", deceives=()):
             return case
 
 
+def _worst_dropped(*case):
+    return worst_dropped(*case, most=9)
+
+
 def _cases(rng):
     drawn = [
         _case(rng, 6, 1),
         _case(rng, 7, 2),
-        _case(rng, 7, 2, deceives=[worst_dropped_until_good]),
+        _case(rng, 7, 2, deceives=[_worst_dropped]),
         _case(rng, 8, 3),
     ]
     drawn += [_case(rng, 5, 0), _case(rng, 9, range(4), "same"), _case(rng, 9, [2, 5, 8], "own")]
@@ -127,34 +131,27 @@ def residuals_of_all(src, dst, tol):
     return _residuals(np.arange(len(src)), src, dst) < tol
 
 
-@EXERCISE.mistake
-def worst_dropped(src, dst, tol):
-    """only the single worst match is dropped. Can a good match look worst, and can there be two wrong ones?"""
-    every = np.arange(len(src))
-    return every != _residuals(every, src, dst).argmax()
-
-
-@EXERCISE.mistake
-def worst_dropped_until_good(src, dst, tol):
-    """the worst match is dropped again and again. Can two wrong matches pull the fit so that a good one goes first?"""
+@EXERCISE.mistake(most=(1, 9))
+def worst_dropped(src, dst, tol, most):
+    """the worst match is dropped, once or again and again. Can a good match look worst beside two wrong ones?"""
     kept = np.arange(len(src))
-    while len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
-        kept = np.delete(kept, _residuals(kept, src, dst)[kept].argmax())
+    for _ in range(most):
+        if len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
+            kept = np.delete(kept, _residuals(kept, src, dst)[kept].argmax())
     return np.isin(np.arange(len(src)), kept)
 
 
-@EXERCISE.mistake(enough=(0, 3))
-def first_triple(src, dst, tol, enough):
-    """one of the first triples is taken. May another one have more matches that agree?"""
-    masks = _masks(src, dst, tol)[1]
-    return masks[(masks.sum(1) > enough).argmax()]
-
-
-@EXERCISE.mistake
-def consecutive_triples(src, dst, tol):
-    """only three matches in a row are tried as triples. How many triples are there?"""
-    masks = [_residuals(slice(i, i + 3), src, dst) < tol for i in range(len(src) - 2)]
-    return max(masks, key=np.sum)
+@EXERCISE.mistake(
+    some=(
+        lambda masks, triples: masks[:1],
+        lambda masks, triples: masks[masks.sum(1) > 3][:1],
+        lambda masks, triples: masks[triples[:, 2] - triples[:, 0] == 2],
+    )
+)
+def some_triples(src, dst, tol, some):
+    """only some of the triples are tried, or the first that will do is taken. How many triples are there?"""
+    triples, masks = _masks(src, dst, tol)
+    return max(some(masks, triples), key=np.sum)
 
 
 @EXERCISE.mistake

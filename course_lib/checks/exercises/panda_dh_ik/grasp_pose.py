@@ -15,7 +15,6 @@ from course_lib.checks.exercises.panda_dh_ik.shared_points import (
     reflecting,
     registered,
 )
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, near, pose
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
@@ -51,23 +50,6 @@ def right(template, scene, T_grasp):
     return _mug(template, scene) @ T_grasp
 
 
-def _rigid(template, scene, T_grasp):
-    return np.abs(moved(_mug(template, scene), template) - scene).max() < 1e-10 * (1 + np.abs(scene).max())
-
-
-def _distances(T, points):
-    return np.linalg.norm(points - T[:3, 3], axis=1)
-
-
-def _distance(T, template, scene, T_grasp):
-    yours, wanted = _distances(T, scene), _distances(T_grasp, template)
-    i = int(np.argmax(np.abs(yours - wanted)))
-    return (
-        f"From the gripper at {format_tuple(T_grasp[:3, 3])} to template[{i}] it is {wanted[i]:.4g}; "
-        f"from yours at {format_tuple(T[:3, 3])} to scene[{i}] it is {yours[i]:.4g}."
-    )
-
-
 def _off(T, *case):
     return difference(T, right(*case))
 
@@ -86,12 +68,6 @@ EXERCISE = Exercise(
             lambda T, template, scene, T_grasp: near(T, T_grasp),
             _off,
             where=lambda template, scene, T_grasp: np.array_equal(template, scene),
-        ),
-        Property(
-            "the gripper is as far from each point of the mug in the scene as it is on the template",
-            lambda T, template, scene, T_grasp: near(_distances(T, scene), _distances(T_grasp, template)),
-            _distance,
-            where=_rigid,
         ),
         Property(
             "the gripper's pose relative to the mug is T_grasp, wherever the mug is",
@@ -126,12 +102,6 @@ def mug_only(template, scene, T_grasp):
 def wrong_order(template, scene, T_grasp):
     """the product is in the wrong order. In T_world_mug T_mug_gripper the inner letters meet: do they in yours?"""
     return T_grasp @ _mug(template, scene)
-
-
-@EXERCISE.mistake(order=(1, -1))
-def scene_to_template(template, scene, T_grasp, order):
-    """the scene is registered to the template. To which frame does T_world_mug take points of the mug's frame?"""
-    return np.matmul(*[_mug(scene, template), T_grasp][::order])
 
 
 def _parts(template, scene, T_grasp):

@@ -215,10 +215,3 @@ def one_half_only(q, T, q0):
     """only the position, or only the orientation, is brought to T_target. How many numbers has the error?"""
     metres, angle = _gaps(flange(q), T)
     return _reachable(T, q0) and min(metres, angle) <= _REACHED < max(metres, angle)
-
-
-@EXERCISE.seen
-def whole_revolutions(q, T, q0):
-    """multiples of 2 pi are added, and lead out of the limits. Where should an angle of joint 6 be, such as -0.02?"""
-    inside = q - 2 * np.pi * np.round((q - (LOW + HIGH) / 2) / (2 * np.pi))
-    return _inside(inside, T, q0) and not _inside(q, T, q0)
