@@ -29,8 +29,3 @@ def wrong_inverse_first(q, J, T, T_target, step):
     """another form"""
     X = rigid.inverse(T_target) @ T
     return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])
-
-
-def wrong_shorter_step(q, J, T, T_target, step):
-    """unnamed"""
-    return q + 0.1 * step * J.T @ pose_error(T, T_target)

@@ -26,11 +26,6 @@ def wrong_steps_apart(a, alpha, d, theta):
     return [rigid.transform(rot_x(alpha), [a, 0, 0]), rigid.transform(rot_z(theta), [0, 0, d])]
 
 
-def wrong_sines_and_cosines(a, alpha, d, theta):
-    """unnamed"""
-    return right_two_halves(a, np.pi / 2 - alpha, d, theta)
-
-
 def wrong_the_librarys(a, alpha, d, theta):
     """course_lib.arms.SerialArm is called"""
     return arms.SerialArm.from_dh([arms.DHRow(a, alpha, d, theta)]).fk([0.0])

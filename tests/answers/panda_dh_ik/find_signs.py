@@ -33,11 +33,3 @@ def wrong_number_of_the_pattern(table, q, poses):
     """another form"""
     patterns = list(itertools.product([1, -1], repeat=len(table)))
     return patterns.index(tuple(right_by_the_sum_of_squares(table, q, poses)))
-
-
-def wrong_by_exact_equality(table, q, poses):
-    """unnamed"""
-    for signs in itertools.product([1, -1], repeat=len(table)):
-        if np.array_equal(np.round(fk(table, signs * q), 12), np.round(poses, 12)):
-            return signs
-    return [1] * len(table)

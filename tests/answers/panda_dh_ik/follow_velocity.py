@@ -58,9 +58,3 @@ def wrong_null_space_of_J_T_J(q, v, dt, n, near, most):
 def wrong_start_left_out(q, v, dt, n, near, most):
     """the start is left out"""
     return right_in_a_loop(q, v, dt, n, near, most)[1:]
-
-
-def wrong_joint_velocities(q, v, dt, n, near, most):
-    """unnamed"""
-    path = right_in_a_loop(q, v, dt, n, near, most)
-    return np.vstack([np.diff(path, axis=0) / dt, np.zeros(7)])

@@ -42,9 +42,3 @@ def wrong_list_kept_between_calls(frames, columns=[]):
 def wrong_seven_joints_only(frames):
     """index 7 is out of bounds"""
     return np.array([np.r_[np.cross(frames[i, :3, 2], frames[7, :3, 3]), frames[i, :3, 2]] for i in range(7)]).T
-
-
-def wrong_absolute_velocity(frames):
-    """unnamed"""
-    J = right_all_joints_at_once(frames)
-    return np.vstack([np.abs(J[:3]), J[3:]])

@@ -30,13 +30,6 @@ def right_in_a_loop_of_permutations_as_a_column(src, dst, tol):
     return best.astype(int)[:, None]
 
 
-def wrong_few_random_triples(src, dst, tol):
-    """unnamed"""
-    random = np.random.default_rng(0)
-    triples = [random.choice(len(src), 3, replace=False) for _ in range(12)]
-    return max((residuals(register_points(src[t], dst[t]), src, dst) < tol for t in triples), key=np.sum)
-
-
 def wrong_indices(src, dst, tol):
     """the numbers of some matches"""
     return np.flatnonzero(right_all_triples(src, dst, tol))[:3]

@@ -29,11 +29,6 @@ def wrong_eps_missing(q, J, e, eps):
     return q + np.linalg.inv(J.T @ J) @ J.T @ e
 
 
-def wrong_inverse_of_J(q, J, e, eps):
-    """must be square"""
-    return q + np.linalg.inv(J) @ e
-
-
 def wrong_size_of_the_unit_matrix(q, J, e, eps):
     """ValueError"""
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(6), e)

@@ -30,18 +30,6 @@ def wrong_basis_of_n_minus_m_vectors(q, J, q_middle, gain):
     return q + gain * N.T @ N @ (q_middle - q)
 
 
-def wrong_inverted(q, J, q_middle, gain):
-    """full rank"""
-    J_plus = J.T @ np.linalg.inv(J @ J.T + 1e-300 * np.eye(len(J)))
-    return q + gain * (np.eye(len(q)) - J_plus @ J) @ (q_middle - q)
-
-
 def wrong_projector(q, J, q_middle, gain):
     """the projector is returned"""
     return np.eye(len(q)) - np.linalg.pinv(J) @ J
-
-
-def wrong_last_singular_vector(q, J, q_middle, gain):
-    """unnamed"""
-    n = np.linalg.svd(J)[2][-1]
-    return q + gain * n * np.sign(n @ (q_middle - q))

@@ -54,11 +54,6 @@ def wrong_base_changed_in_place(q, T=KEPT.copy()):
     return np.array([*frames, T @ FLANGE])
 
 
-def wrong_limits_clipped(q):
-    """unnamed"""
-    return right_step_by_step(np.clip(q, -1.5, 1.5))
-
-
 def wrong_the_librarys_table(q):
     """course_lib.arms.SerialArm is called"""
     return KEPT @ arms.SerialArm.from_dh([arms.DHRow(*row) for row in TABLE], end=FLANGE).frames(q)

@@ -100,11 +100,6 @@ def wrong_stopped_at_the_reports_error(T, q0):
     return search(T, q0, enough=0.02)
 
 
-def wrong_start_at_random(T, q0):
-    """unnamed"""
-    return search(T, np.random.default_rng(5).uniform(low, high))
-
-
 def wrong_zeros_where_nothing_is_found(T, q0):
     """angles are returned for a target out of reach"""
     return np.nan_to_num(search(T, q0))

@@ -69,8 +69,3 @@ def wrong_rotations_subtracted(T, T_target):
 def wrong_logarithm_of_the_pose(T, T_target):
     """its shape is (4, 4)"""
     return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target @ np.linalg.inv(T))])
-
-
-def wrong_weighted(T, T_target):
-    """unnamed"""
-    return right_by_log_so3(T, T_target) * [1, 1, 1, 0.3, 0.3, 0.3]

@@ -44,21 +44,9 @@ def wrong_zero_at_the_target(pose_error):
     return np.allclose(pose_error(PAIRS[0][0], PAIRS[0][0]), 0)
 
 
-def wrong_always_false(pose_error):
-    """refuses everything"""
-    return False
-
-
 def wrong_example_alone(pose_error):
     """unnamed"""
     return np.allclose(pose_error(np.eye(4), transform(rotations.rot_z(0.1), [0, 0, 0])), [0, 0, 0, 0, 0, 0.1])
-
-
-def wrong_one_small_angle(pose_error):
-    """unnamed"""
-    T, G = PAIRS[0]
-    e = np.array(pose_error(T, G))
-    return np.allclose(e[:3], G[:3, 3] - T[:3, 3]) and np.allclose(rotations.exp_so3(e[3:]) @ T[:3, :3], G[:3, :3])
 
 
 def wrong_number(pose_error):

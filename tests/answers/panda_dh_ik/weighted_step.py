@@ -20,11 +20,6 @@ def right_by_stacked_least_squares(q, J, e, eps, weights):
     return list(np.array(q) + np.linalg.lstsq(A, b, rcond=None)[0])
 
 
-def wrong_columns(q, J, e, eps, weights):
-    """ValueError"""
-    return right_by_normal_equations(q, J * np.sqrt(weights), e, eps, weights)
-
-
 def wrong_rounded_weights(q, J, e, eps, weights):
     """unnamed"""
     return right_by_scaled_rows(q, J, e, eps, np.round(weights))
