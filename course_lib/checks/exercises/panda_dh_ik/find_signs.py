@@ -10,18 +10,22 @@ from course_lib.checks.exercises.panda_dh_ik.shared import modified, standard
 from course_lib.rotations import exp_so3
 
 
-def _end(table, q, convention=standard):
-    return np.linalg.multi_dot([np.eye(4), *(convention(*row, t) for row, t in zip(table, q, strict=True)), np.eye(4)])
-
-
 def _patterns(table):
     return np.array(list(itertools.product([1, -1], repeat=len(table))))
 
 
+def _ends(table, q, patterns, convention=standard):
+    """Return the poses of all configurations with each pattern of signs, (patterns, m, 4, 4)."""
+    T = np.eye(4)
+    for row, angles, signs in zip(table, np.transpose(q), np.transpose(patterns), strict=True):
+        steps = {sign: [convention(*row, sign * angle) for angle in angles] for sign in (1, -1)}
+        T = T @ np.array([steps[sign] for sign in signs])
+    return T
+
+
 def _gaps(table, q, poses, convention=standard):
     """Return the largest difference of each pattern and configuration in position and orientation, (2^n, m, 2)."""
-    ends = [[_end(table, signs * angles, convention) for angles in q] for signs in _patterns(table)]
-    gap = np.abs(np.array(ends) - poses)
+    gap = np.abs(_ends(table, q, _patterns(table), convention) - poses)
     return np.stack([gap[..., :3, 3].max(-1), gap[..., :3, :3].max((-1, -2))], -1)
 
 
@@ -49,7 +53,7 @@ def _case(rng, n, zero=None, noise=0.0, deceives=()):
         q = np.round(rng.uniform(0.4, 1.4, (3, n)) * rng.choice([-1, 1], (3, n)), 2)
         if zero is not None:
             q[zero] = 0  # which fits any pattern
-        poses = np.array([_end(table, signs * angles) for angles in q])
+        poses = _ends(table, q, [signs])[0]
         if noise:
             poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
         clear = (signs > 0).any() and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > 0.2
@@ -59,7 +63,7 @@ def _case(rng, n, zero=None, noise=0.0, deceives=()):
 
 def _cases(rng):
     table, q = np.array([[0.5, np.pi / 2, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
-    simple = table, q, np.array([_end(table, [1, -1] * angles) for angles in q])
+    simple = table, q, _ends(table, q, [[1, -1]])[0]
     drawn = [_case(rng, 3, zero=zero, deceives=[other_convention]) for zero in (None, 0, -1)]
     return [simple, *drawn, _case(rng, 4, noise=1e-4, deceives=[one_joint_at_a_time])]
 
