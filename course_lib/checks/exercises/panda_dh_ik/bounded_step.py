@@ -109,12 +109,6 @@ def scaled_afterwards(J, v, bound, eps, size):
 
 
 @EXERCISE.mistake
-def one_direction(J, v, bound, eps):
-    """joints move in one direction only. Which lower bound has a joint that may move in both?"""
-    return lsq_linear(*_stacked(J, v, eps), bounds=(0, bound), method="bvls").x
-
-
-@EXERCISE.mistake
 def undamped(J, v, bound, eps):
     """the damping is left out. Which rows below J make the sum of squares contain eps |q_dot|^2?"""
     return right(J, v, bound, 1e-12)

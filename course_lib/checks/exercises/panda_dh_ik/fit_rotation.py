@@ -114,13 +114,6 @@ def always_changed(src, dst):
 
 
 @EXERCISE.mistake
-def identity_for_reflections(src, dst):
-    """the identity stands for the answer if the product is a reflection. Is there no best rotation for such points?"""
-    R = _by_svd(src, dst)
-    return R if np.linalg.det(R) > 0 else np.eye(3)
-
-
-@EXERCISE.mistake
 def not_centred(src, dst):
     """the centroids are not subtracted. How do a rotation and a translation look far from the origin?"""
     return nearest_so(dst.T @ src)

@@ -120,12 +120,6 @@ def negated(*case):
 
 
 @EXERCISE.mistake
-def all_good(src, *rest):
-    """all matches count as good. With what is each distance compared?"""
-    return np.ones(len(src), bool)
-
-
-@EXERCISE.mistake
 def residuals_of_all(src, dst, tol):
     """the residuals of the fit of all points decide. Which matches does a wrong one make look bad?"""
     return _residuals(np.arange(len(src)), src, dst) < tol

@@ -99,12 +99,6 @@ def towards_zero(q, J, q_middle, gain, direction):
 
 
 @EXERCISE.mistake
-def q_projected(q, J, q_middle, gain):
-    """q is projected too. To what does the projector belong, to the step or to the joint angles?"""
-    return _projector(J) @ (q + gain * (q_middle - q))
-
-
-@EXERCISE.mistake
 def transpose_for_pseudoinverse(q, J, q_middle, gain):
     """J^T J stands for J^+ J. Is J^T J a projector, that is, equal to its square?"""
     return q + gain * (np.eye(len(q)) - J.T @ J) @ (q_middle - q)

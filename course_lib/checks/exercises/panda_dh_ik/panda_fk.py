@@ -162,9 +162,3 @@ def joint_reversed(q, joints):
 def conventions_mixed_up(q, pair):
     """the standard convention, or its table, is used. Which function belongs to modified_table?"""
     return _chain(*steps(q, *pair))
-
-
-@EXERCISE.mistake
-def base_first(q):
-    """the first pose is that of the base, and the flange is left out. Which are the first and the last of the eight?"""
-    return np.concatenate([[T_W0], frames(q)[:7]])

@@ -89,28 +89,6 @@ def _exact(src, dst, weights):
     return weights.all() and off.max() < 1e-10 * size(src, dst)
 
 
-def _first_other(alike):
-    """Return a function that finds the first answer that is not that of an earlier case, but should be, being alike."""
-
-    def first(values, cases):
-        for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
-            if earlier[0].shape == later[0].shape and alike(*earlier, *later) and not close(values[j], values[i]):
-                return j
-        return None
-
-    return first
-
-
-def _but_for_the_weightless(src, dst, weights, src_2, dst_2, weights_2):
-    seen = weights > 0
-    return np.array_equal(weights, weights_2) and np.array_equal((src[seen], dst[seen]), (src_2[seen], dst_2[seen]))
-
-
-def _but_for_a_factor(src, dst, weights, src_2, dst_2, weights_2):
-    factor = weights_2.sum() / weights.sum()
-    return np.array_equal((src, dst), (src_2, dst_2)) and np.allclose(weights_2, factor * weights)
-
-
 EXERCISE = Exercise(
     name="register_points",
     points=2,
@@ -127,15 +105,7 @@ EXERCISE = Exercise(
             where=_exact,
         ),
         Property(
-            "a point of weight 0 changes nothing, wherever it lies", _first_other(_but_for_the_weightless), across=True
-        ),
-        Property(
-            "weights that are all multiplied by one factor give the same T",
-            _first_other(_but_for_a_factor),
-            across=True,
-        ),
-        Property(
-            "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least",
+            "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least: a point of weight 0 changes nothing",
             lambda T, *case: close(T, registered(*case)),
             _off,
         ),
