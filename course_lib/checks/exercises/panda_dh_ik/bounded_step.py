@@ -109,12 +109,6 @@ def scaled_afterwards(J, v, bound, eps, size):
 
 
 @EXERCISE.mistake
-def undamped(J, v, bound, eps):
-    """the damping is left out. Which rows below J make the sum of squares contain eps |q_dot|^2?"""
-    return right(J, v, bound, 1e-12)
-
-
-@EXERCISE.mistake
 def eps_not_a_root(J, v, bound, eps):
     """eps stands for its square root. A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?"""
     return right(J, v, bound, eps**2)

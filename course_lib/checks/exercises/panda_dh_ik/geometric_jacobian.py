@@ -105,38 +105,10 @@ def cross_product_reversed(frames, swapped):
     return np.roll(np.vstack([np.cross(p - o, z).T, z.T]), 3 * swapped, axis=0)
 
 
-@EXERCISE.mistake(swapped=(False, True))
-def flange_left_out(frames, swapped):
-    """p is missing: v is that of the point at the world's origin, as in the space Jacobian. Which point's velocity does
-    the task ask for?
-    """
-    z, o, p = _parts(frames)
-    return np.roll(_jacobian(z, o, 0 * p), 3 * swapped, axis=0)
-
-
-@EXERCISE.mistake
-def point_on_the_axis_left_out(frames):
-    """o is missing. From where to where does the lever arm lead?"""
-    z, o, p = _parts(frames)
-    return _jacobian(z, 0 * o, p)
-
-
 @EXERCISE.mistake(axis=(np.s_[:3, 0], np.s_[:3, 1], np.s_[2, :3]))
 def other_column(frames, axis):
     """the x or y axis is taken, or a row of R, not z. Which column of the rotation is the axis of the joint?"""
     return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
-
-
-@EXERCISE.mistake(
-    joints=(
-        lambda frames: frames[1:],
-        lambda frames: [np.eye(4), *frames[:-2]],
-        lambda frames: [frames[0], *frames[:-2]],
-    )
-)
-def other_frame(frames, joints):
-    """frame i - 1 or i + 1 is taken for joint i. Which frame does joint i rotate in the modified convention?"""
-    return right(np.array([*joints(frames), frames[-1]]))
 
 
 @EXERCISE.mistake
@@ -149,10 +121,3 @@ def last_joint_for_the_flange(frames):
 def along_the_flange_s_axes(frames):
     """v and omega are along the flange's own axes. Along which axes does the task ask for them?"""
     return np.kron(np.eye(2), frames[-1, :3, :3].T) @ right(frames)
-
-
-@EXERCISE.mistake(v=(lambda z, o, p: p - o, lambda z, o, p: z * (p - o), lambda z, o, p: 0 * z))
-def no_cross_product(frames, v):
-    """v is no cross product. How does a point move when a joint rotates: towards the axis, or perpendicular to it?"""
-    z, o, p = _parts(frames)
-    return np.vstack([v(z, o, p).T, z.T])

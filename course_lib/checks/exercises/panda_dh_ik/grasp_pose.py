@@ -93,12 +93,6 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake
-def mug_only(template, scene, T_grasp):
-    """only the pose of the mug is returned. Where is the gripper, seen from the mug?"""
-    return _mug(template, scene)
-
-
-@EXERCISE.mistake
 def wrong_order(template, scene, T_grasp):
     """the product is in the wrong order. In T_world_mug T_mug_gripper the inner letters meet: do they in yours?"""
     return T_grasp @ _mug(template, scene)
@@ -107,20 +101,6 @@ def wrong_order(template, scene, T_grasp):
 def _parts(template, scene, T_grasp):
     T = _mug(template, scene)
     return T[:3, :3], T[:3, 3], T_grasp[:3, :3], T_grasp[:3, 3]
-
-
-@EXERCISE.mistake(
-    of=(
-        lambda R, p, R_g, p_g: pose(R_g, R @ p_g + p),
-        lambda R, p, R_g, p_g: pose(R_g, p + p_g),
-        lambda R, p, R_g, p_g: pose(R_g, p),
-        lambda R, p, R_g, p_g: pose(R, R @ p_g + p),
-        lambda R, p, R_g, p_g: pose(R, p + p_g),
-    )
-)
-def one_rotation_left_out(*case, of):
-    """one of the two rotations is left out. If the mug is rotated, what happens to the gripper on it?"""
-    return of(*_parts(*case))
 
 
 @EXERCISE.mistake(
@@ -143,9 +123,3 @@ def part_of_the_position(*case, of):
 def mug_translated(template, scene, T_grasp, shift):
     """the mug is only translated, and its rotation is left out. May it be rotated in the scene?"""
     return pose(T_grasp[:3, :3], T_grasp[:3, 3] + shift(template, scene))
-
-
-@EXERCISE.mistake(join=(np.multiply, np.add))
-def no_matrix_product(template, scene, T_grasp, join):
-    """the two poses are added, or multiplied entry by entry. Which product applies one pose after another?"""
-    return join(_mug(template, scene), T_grasp)

@@ -113,28 +113,10 @@ EXERCISE = Exercise(
 add_mistakes_of_a_step(EXERCISE)
 
 
-@EXERCISE.mistake
-def undamped(q, J, e, eps):
-    """eps is not used: this is the step of the pseudoinverse. To what is eps times the unit matrix added?"""
-    return q + np.linalg.pinv(J) @ e
-
-
 @EXERCISE.mistake(number=(np.square, np.sqrt, np.reciprocal, np.ones_like))
 def another_number(q, J, e, eps, number):
     """the number on the diagonal is not eps. Is it squared, is a root taken, or is the unit matrix added without it?"""
     return damped(q, J, e, number(eps))
-
-
-@EXERCISE.mistake(factor=(lambda eps: 1, lambda eps: eps, lambda eps: 1 / eps))
-def transpose_step(q, J, e, eps, factor):
-    """this is a step along J^T e: no equations are solved. Which inverse stands between J^T and e?"""
-    return q + factor(eps) * J.T @ e
-
-
-@EXERCISE.mistake
-def not_inverted(q, J, e, eps):
-    """e is multiplied by the matrix, not by its inverse. What does np.linalg.solve(A, b) return?"""
-    return q + J.T @ (J @ J.T + eps * np.eye(len(e))) @ e
 
 
 @EXERCISE.mistake(wide=(True, False))

@@ -86,12 +86,6 @@ def other_part_kept(q, J, q_middle, gain, projector):
     return q + gain * np.dot(projector(J), q_middle - q)
 
 
-@EXERCISE.mistake
-def gain_unused(q, J, q_middle, gain):
-    """gain is not used. How far does the step go?"""
-    return right(q, J, q_middle, 1.0)
-
-
 @EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
 def towards_zero(q, J, q_middle, gain, direction):
     """the step goes towards 0, or along q_middle. From where to where should it lead?"""

@@ -101,19 +101,6 @@ def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
 
 
-@EXERCISE.mistake(where=("right", "each step", "flange only"))
-def base_misplaced(q, where):
-    """the base's pose is not the left factor, once, of every pose. Should it be multiplied before, in or after the
-    loop?
-    """
-    seen_from_base = _chain(*steps(q), base=np.eye(4))
-    if where == "right":
-        return seen_from_base @ T_W0
-    if where == "each step":
-        return np.array(products(T_W0 @ steps(q))[1:])
-    return np.concatenate([seen_from_base[:7], T_W0 @ seen_from_base[7:]])
-
-
 @EXERCISE.mistake(
     flange=(
         lambda T: T,
@@ -128,34 +115,12 @@ def flange_misplaced(q, flange):
     return np.concatenate([frames(q)[:7], [flange(frames(q)[6])]])
 
 
-@EXERCISE.mistake(base=(T_W0, np.eye(4)))
-def not_multiplied_up(q, base):
-    """the poses are not multiplied up: each is seen from the frame before. Where do you keep the product so far?"""
-    return base @ steps(q)
-
-
-@EXERCISE.mistake
-def reverse_order(q):
-    """the steps are multiplied in the reverse order. From which frame is each step seen?"""
-    T = [T_W0]
-    for step in steps(q):
-        T.append(step @ T[-1])
-    return np.array(T[1:])
-
-
 @EXERCISE.mistake(last=(6, 7))
 def one_and_the_same_matrix(q, last):
     """all poses are one and the same matrix, changed in place. T @= ... and T[:] = ... change the matrix that is in the
     list already.
     """
     return np.concatenate([[frames(q)[last]] * 7, frames(q)[7:]])
-
-
-@EXERCISE.mistake(joints=([3, 5], *([i] for i in range(7))))
-def joint_reversed(q, joints):
-    """a joint rotates in the opposite direction. Has one of the angles, or an alpha, another sign than in the table?"""
-    q[joints] *= -1
-    return frames(q)
 
 
 @EXERCISE.mistake(pair=((TABLE, standard), (_STANDARD, modified), (_STANDARD, standard)))

@@ -159,12 +159,6 @@ def small_angles(e, *case):
     return _angle(*case) < 0.02 and near(e[:3], _between(*case)[0]) and _gap(e, *case) < 2e-2
 
 
-@EXERCISE.mistake(signs=((1, -1), (-1, 1)))
-def half_negated(T, T_target, signs):
-    """one half has the wrong sign. The error leads from T to T_target: both halves do."""
-    return np.repeat(signs, 3) * pose_error(T, T_target)
-
-
 @EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
 def from_the_end_effector(T, T_target, halves):
     """the error, or one half of it, is seen from the end-effector. Along which axes are the rows of the Jacobian?"""
@@ -209,9 +203,3 @@ def other_length(T, T_target, size):
     """phi has the right axis, but its length is not the angle. How long is a rotation vector?"""
     e, angle = pose_error(T, T_target), _angle(T, T_target)
     return np.append(e[:3], size(angle) / angle * e[3:]) if angle > 0 else e
-
-
-@EXERCISE.mistake(between=(lambda R, R_t: R_t @ R, lambda R, R_t: R @ R_t, lambda R, R_t: R_t))
-def not_transposed(T, T_target, between):
-    """R is not transposed, or left out. Which X takes R to R_target, so that X R = R_target?"""
-    return np.append(_between(T, T_target)[0], log_so3(between(T[:3, :3], T_target[:3, :3])))

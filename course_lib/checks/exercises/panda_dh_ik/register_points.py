@@ -158,26 +158,6 @@ def power_of_the_weights(src, dst, weights, power, twice):
     return _fit(src, dst, weights, lambda w: _share(w**power) if twice else _share(w), lambda w: w**power)
 
 
-@EXERCISE.mistake(centre=(np.copy, lambda weights: weights / len(weights)))
-def not_divided(*case, centre):
-    """the weighted sum is not divided by the sum of the weights. What is a weighted mean divided by?"""
-    return _fit(*case, centre)
-
-
-@EXERCISE.mistake
-def not_centred(src, dst, weights):
-    """the centroids are not subtracted before R is computed. How do a rotation and a translation look far away?"""
-    R = nearest_so((weights[:, None] * dst).T @ src)
-    return pose(R, _share(weights) @ (dst - src @ R.T))
-
-
-@EXERCISE.mistake(whole=(False, True))
-def rotation_transposed(*case, whole):
-    """R^T stands for R. Which of the points moves, and on which side do the b_i stand in the sum of the b_i a_i^T?"""
-    T = registered(*case)
-    return pose(T[:3, :3].T, T[:3, 3]) if whole else _fit(*case, rotation=lambda B: nearest_so(B.T))
-
-
 @EXERCISE.mistake(
     position=(
         lambda R, c, d: d - c,

@@ -4,11 +4,10 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import roll_pitch_yaw
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import any_pose, near, orthogonality_error
 from course_lib.rigid import exp_se3, inverse, log_se3, transform
-from course_lib.rotations import exp_so3, log_so3, nearest_so, rot_x, rot_y, rot_z
+from course_lib.rotations import exp_so3, log_so3, nearest_so, rot_z
 
 _HALF = Mistake("only positions or only rotations are returned", "One whole pose for each s.")
 
@@ -100,14 +99,6 @@ def screw_motion(A, B, s, side):
 
 
 @EXERCISE.mistake
-def angles_interpolated(A, B, s):
-    """roll, pitch and yaw are interpolated. Do three angles that grow evenly make a rotation about one axis?"""
-    first, last = (roll_pitch_yaw(T[:3, :3]) for T in (A, B))
-    roll, pitch, yaw = (first + s[:, None] * (last - first)).T
-    return transform(rot_z(yaw) @ rot_y(pitch) @ rot_x(roll), _positions(A, B, s))
-
-
-@EXERCISE.mistake
 def vectors_interpolated(A, B, s):
     """the rotation vectors of A and B are interpolated. Do rotations about different axes add up?"""
     a, b = log_so3(A[:3, :3]), log_so3(B[:3, :3])
@@ -121,12 +112,6 @@ def half_kept(A, B, s, what, of):
     part = np.s_[:, :3, :3] if what == "rotation" else np.s_[:, :3, 3]
     T[part] = kept[part[1:]]
     return T
-
-
-@EXERCISE.mistake
-def from_B_to_A(A, B, s):
-    """the path leads from B to A. Which pose belongs to s = 0?"""
-    return right(B, A, s)
 
 
 @EXERCISE.mistake(

@@ -43,7 +43,9 @@ EXERCISE = Exercise(
         Property(
             "all steps together take as long as the duration",
             lambda h, duration, dt: abs(np.sum(h) - duration) < FINE,
-            says=lambda h, duration, dt: f"They should take {duration:.6g} s; yours take {np.sum(h) - duration:+.2g} s more.",
+            says=lambda h, duration, dt: (
+                f"They should take {duration:.6g} s; yours take {np.sum(h) - duration:+.2g} s more."
+            ),
         ),
         Property(
             "no step is lost, and none has length 0",
