@@ -24,7 +24,7 @@ class Mistake:
         alike(value, predicted, *arguments): whether a value is what was predicted; otherwise that of the exercise.
     """
 
-    def __init__(self, name, hint, *answers, seen=None, part=None, alike=None, shadowed_by=""):
+    def __init__(self, name, hint, *answers, seen=None, part=None, alike=None):
         self.name, self.hint, self.answers = name, hint, answers
         self.seen, self.part, self.alike = seen, part, alike
 
