@@ -32,9 +32,11 @@ def _cases(rng):
     moved = transform(A[:3, :3], A[:3, 3] + [0.3, -0.2, 0.5])
     tiny = transform(exp_so3([3e-6, -2e-6, 1e-6]) @ A[:3, :3], B[:3, 3])
     wide = transform(exp_so3([1.9, -1.6, 1.5]) @ A[:3, :3], A[:3, 3])
+    # The quaternions with w > 0 of these two point away from each other: the shorter arc leads to -q
+    beyond = [transform(exp_so3([angle, 0, 0]), A[:3, 3]) for angle in (2.8, -2.8)]
     simple = [(np.eye(4), quarter, ends), (quarter, np.eye(4), five), (A, B, five)]
     others = [(B, A, np.sort(rng.uniform(0, 1, 4))), (A, B, np.array([0.25]))]
-    return [*simple, *others, (A, moved, ends), (A, wide, five), (A, tiny, ends), (A, A.copy(), ends)]
+    return [*simple, *others, (A, moved, ends), (A, wide, five), (A, tiny, ends), (A, A.copy(), ends), (*beyond, five)]
 
 
 def _off(T, A, B, s):
