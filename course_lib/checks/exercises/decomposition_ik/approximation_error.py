@@ -117,24 +117,6 @@ def wrong_axis(*case):
     return distances(*case, lambda d: np.linalg.norm(d, axis=1))
 
 
-@EXERCISE.mistake(exact=(solutions, lambda xy: xy[:, None]))
-def between_angles(xy, angles, exact):
-    """the distance is measured between joint angles. What unit has it, and which is asked for?"""
-    return np.linalg.norm(angles - exact(xy), axis=-1)
-
-
-@EXERCISE.mistake(
-    tip=(
-        lambda q1, q2: np.exp(1j * q1) + np.exp(1j * q2),
-        lambda q1, q2: np.exp(1j * q1),
-        lambda q1, q2: np.exp(1j * (q1 + q2)),
-    )
-)
-def another_arm(xy, angles, tip):
-    """the forward kinematics is not that of fk_2r. How many links has the arm, and from where is q2 counted?"""
-    return np.abs(tip(*np.moveaxis(angles, -1, 0)) - (xy[:, :1] + 1j * xy[:, 1:]))
-
-
 @EXERCISE.mistake(late=(True, False))
 def zero_for_none(xy, angles, late):
     """a missing prediction is taken for 0. What would the distance 0 say about it?"""
@@ -145,9 +127,3 @@ def zero_for_none(xy, angles, late):
 def not_metres(*case, factor):
     """the distances are not in metres. In which unit are the links, and xy?"""
     return factor * distances(*case)
-
-
-@EXERCISE.mistake(one=(lambda a, b: np.fmin(a, b), lambda a, b: (a + b) / 2))
-def one_for_both(xy, angles, one):
-    """both distances are the same: the better one, or the mean. What would stay hidden if one were quite wrong?"""
-    return one(*distances(xy, angles).T)[:, None] * [1, 1]

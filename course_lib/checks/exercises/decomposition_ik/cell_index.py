@@ -167,48 +167,13 @@ def each_number_by_itself(*case, edge):
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
 
 
-@EXERCISE.mistake(edge=(_EDGES[1], lambda index, *rest: index))
-def cut_towards_zero(xy, low, high, n, edge):
-    """int() cuts towards zero, so that positions just below low come into cell 0. What is int(-0.4)?"""
-    index = edge(np.trunc(_parts(xy, low, high, n)), xy, high, n)
-    return np.where(((index < 0) | (index >= n)).any(axis=1, keepdims=True), -1, index).astype(int)
-
-
 @EXERCISE.mistake
 def row_first(*case):
     """the row stands first, and then the column. Which of the two is counted along x?"""
     return cell_index(*case)[:, ::-1]
 
 
-@EXERCISE.mistake(
-    parts=(
-        lambda xy, low, high, n: _parts(xy, low, high, n - 1),
-        lambda xy, low, high, n: _parts(xy, low, high, n + 1),
-        lambda xy, low, high, n: (xy - low) / high * n,
-        lambda xy, low, high, n: (xy - low) / (high - low)[0] * n,
-        lambda xy, low, high, n: (xy - low) / (high - low)[1] * n,
-        lambda xy, low, high, n: (xy - low) / (high - low),
-    ),
-    edge=_EDGES,
-)
-def another_width(*case, parts, edge):
-    """the cells have another width than asked for. How wide is one along x, how wide along y, if there are n?"""
-    return cell_index(*case, parts=parts, edge=edge)
-
-
-@EXERCISE.mistake(sign=(0, 1), edge=_EDGES)
-def low_not_subtracted(*case, sign, edge):
-    """low is not subtracted from the positions. Where does cell 0 begin?"""
-    return cell_index(*case, parts=lambda xy, low, high, n: (xy + sign * low) / (high - low) * n, edge=edge)
-
-
 @EXERCISE.mistake(edge=_EDGES)
 def rounded(*case, edge):
     """the number is rounded to the nearest. In which cell is a position that is 0.7 widths from low?"""
     return cell_index(*case, to_whole=np.round, edge=edge)
-
-
-@EXERCISE.mistake(outside=(_outside, lambda xy, low, high: False))
-def counted_from_1(*case, outside):
-    """cells are counted from 1. What are the numbers of the first and the last one?"""
-    return np.where(outside(*case[:3]), -1, cell_index(*case) + 1)

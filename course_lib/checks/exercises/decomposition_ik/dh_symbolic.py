@@ -129,19 +129,6 @@ def entry_by_entry(*case, cut):
 
 
 @EXERCISE.mistake
-def sine_for_cosine(a, alpha, d, theta):
-    """sine and cosine are swapped. Which of the two is 1 at the angle 0?"""
-    c, s, ca, sa = np.sin(theta), np.cos(theta), np.sin(alpha), np.cos(alpha)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-@EXERCISE.mistake(k=range(4))
-def left_out(*case, k):
-    """one of a, alpha, d, theta is left out. Find each of the four in your formula."""
-    return _right(*(0 if i == k else argument for i, argument in enumerate(case)))
-
-
-@EXERCISE.mistake
 def degrees(a, alpha, d, theta):
     """the angles are taken for degrees. In which unit does SymPy's cosine take an angle?"""
     return _right(a, np.deg2rad(alpha), d, np.deg2rad(theta))

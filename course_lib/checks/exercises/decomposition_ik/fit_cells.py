@@ -5,8 +5,8 @@ from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, position, solutions, with_one
-from course_lib.checks.exercises.decomposition_ik.split_branches import labelled, split_branches
+from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, solutions, with_one
+from course_lib.checks.exercises.decomposition_ik.split_branches import split_branches
 from course_lib.checks.format_numbers import format_tuple
 
 _COUNT = Mistake("count is not used for the number of cells", "May the last cells be empty? How many models are asked?")
@@ -153,25 +153,6 @@ def another_order(*case, fit):
     return fit_cells(*case, fit=fit)
 
 
-@EXERCISE.mistake(row=(lambda row: row, np.zeros_like, lambda row: np.full_like(row, np.nan)))
-def only_q1(*case, row):
-    """only q1 has a model of its own. How many rows has a model?"""
-    q1 = fit_cells(*case)[:, :, 0]
-    return np.stack([q1, row(q1)], axis=2)
-
-
-@EXERCISE.mistake(chosen=([0, 0], [0, 1]))
-def one_model_for_both(*case, chosen):
-    """one model serves both branches. Between which points does a plane through both elbows lie?"""
-    return fit_cells(*case, split=lambda q: np.zeros(len(q)))[:, chosen]
-
-
-@EXERCISE.mistake
-def models_of_positions(*case):
-    """these are models of the positions by the joint angles. Which of the two does a query give?"""
-    return fit_cells(*case, fit=lambda xy, q: _least_squares(q, xy))
-
-
 @EXERCISE.mistake(mixed=(True, False))
 def outside_in_the_last_cell(xy, q, cell, count, mixed):
     """the samples outside all cells, with number -1, go into the last cell. Which entry of an array has index -1?"""
@@ -193,17 +174,3 @@ def zero_for_none(*case):
 def another_limit(*case, least, fit):
     """the number of samples that a model needs is not 3. Has a cluster of exactly 2 a model, and one of exactly 3?"""
     return fit_cells(*case, fit=fit, least=least)
-
-
-@EXERCISE.mistake(
-    split=(
-        *(lambda q, n=n: labelled(q, number=None, n_init=n) for n in (1, 10)),
-        *(lambda q, n=n: labelled(q, position, n_init=n) for n in (1, 10)),
-        *(lambda q, n=n: labelled(q, position, None, n) for n in (1, 10)),
-        lambda q: 1 - split_branches(q),
-        lambda q: q[:, 1] < 0,
-    )
-)
-def other_clusters(*case, split):
-    """the clusters, or their order, are not those of split_branches. Do you call it, for a cell's joint angles?"""
-    return fit_cells(*case, split=split)

@@ -89,18 +89,6 @@ def q1_with_another_term(terms, q, extra):
 
 
 @EXERCISE.mistake
-def factor_of_the_closed_form(terms, q):
-    """the factor of q2 is not fitted but set to -1/2. Would that be true for links of different lengths?"""
-    return np.array([[*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5], fit_square(terms, q)[1]])
-
-
-@EXERCISE.mistake
-def squared_afterwards(terms, q):
-    """the coefficients are squared, not the samples. Is the square of a fit the fit of the square?"""
-    return np.array([fit_square(terms, q)[0], [*_least_squares(terms, q[:, 1]) ** 2, 0]])
-
-
-@EXERCISE.mistake
 def constant_term_lost(terms, q):
     """the constant term is lost. LinearRegression fits one of its own: where does it keep it, and what of the ones?"""
     return fit_square(terms, q, solve=lambda A, b: _least_squares(A - A.mean(axis=0), b - b.mean()))
@@ -111,9 +99,3 @@ def square_by_q2(terms, q):
     """the square of q2 has a term in q2. What does a query know when it computes the square?"""
     columns = np.column_stack([terms, q[:, 1]])
     return np.array([fit_square(terms, q)[0], _least_squares(columns, q[:, 1] ** 2)])
-
-
-@EXERCISE.mistake(change=(lambda model: model[::-1], lambda model: np.roll(model, 1, axis=1)))
-def another_order(*case, change):
-    """the rows, or the columns, stand in another order. Which row belongs to q1, and which column to q2?"""
-    return change(fit_square(*case))

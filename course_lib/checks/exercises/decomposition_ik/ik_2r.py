@@ -139,22 +139,10 @@ def answered_out_of_reach(xy, answer):
     return answer(xy) if _outside(xy) else None
 
 
-@EXERCISE.mistake(row=(0, 1))
-def one_solution_twice(xy, row):
-    """only one solution is returned, twice. On which two sides of the line to the tip can the elbow be?"""
-    return ik_2r(xy)[[row, row]]
-
-
 @EXERCISE.mistake(order=((slice(None, None, -1), slice(None)), (slice(None), slice(None, None, -1))))
 def another_order(xy, order):
     """the rows, or the angles in them, stand in another order. Which solution is first, and which angle in its row?"""
     return ik_2r(xy)[order]
-
-
-@EXERCISE.mistake
-def from_the_x_axis(xy):
-    """q2 is counted from the x axis. By how much does the second link bend from the direction of the first?"""
-    return np.cumsum(ik_2r(xy), axis=1)
 
 
 def _with_q1(xy, q1):
@@ -166,13 +154,6 @@ def _with_q1(xy, q1):
 def same_q1(xy, row):
     """q1 is the same for both solutions. Does the first link point to the same side of the tip for both elbows?"""
     return _with_q1(xy, lambda q2: ik_2r(xy)[row, 0])
-
-
-@EXERCISE.mistake(factor=(0, -1, 2, -2))
-def elbow_correction(xy, factor):
-    """q1 is not half of q2 away from the direction to the tip, or to its other side. If the arm bends to the left,
-    on which side of the line to the tip does the first link point?"""
-    return _with_q1(xy, lambda q2: np.arctan2(xy[1], xy[0]) - factor * q2 / 2)
 
 
 @EXERCISE.mistake(
@@ -187,26 +168,3 @@ def another_direction(xy, direction, factor):
     """the direction to the tip is right in some quadrants only. Which of atan(y / x), atan2(x, y) and atan2(y, x) is
     -pi / 2 for (0, -1), and near pi for (-1, 0)?"""
     return _with_q1(xy, lambda q2: direction(*xy) - factor * q2 / 2)
-
-
-@EXERCISE.mistake(with_q1=(True, False), swapped=(True, False))
-def angle_inside(xy, with_q1, swapped):
-    """the angle inside the elbow is taken for q2. What is q2 when the arm is stretched?"""
-    q = ik_2r(xy)
-    q2 = np.array([1, -1]) * (np.pi - np.abs(q[:, 1]))
-    q1 = np.arctan2(xy[1], xy[0]) - q2 / 2 if with_q1 else q[:, 0]
-    return np.column_stack([q1, q2])[:: -1 if swapped else 1]
-
-
-@EXERCISE.mistake(
-    cosine=(lambda r: r**2 - 2, lambda r: (r**2 - 1) / 2, lambda r: r**2 / 2, lambda r: (r - 2) / 2, lambda r: r / 2),
-    clipped=(True, False),
-)
-def another_cosine(xy, cosine, clipped):
-    """the cosine of q2 is not that of the law of cosines. What should it be at r = 2, and at r = 0?"""
-    r = np.linalg.norm(xy)
-    found = cosine(r)
-    if clipped and _outside(xy):
-        return np.full((2, 2), np.nan)
-    q2 = np.arccos(np.clip(found, -1, 1) if clipped else found) * np.array([1, -1])
-    return np.column_stack([np.arctan2(xy[1], xy[0]) - q2 / 2, q2])

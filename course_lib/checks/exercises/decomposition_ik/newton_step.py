@@ -72,21 +72,6 @@ def no_inverse(q, xy, solve):
     return newton_step(q, xy, solve=solve)
 
 
-_SIGNS = [np.where(np.reshape(flipped, (2, 2)), -1, 1) for flipped in np.ndindex(2, 2, 2, 2) if 0 < sum(flipped) < 4]
-
-
-@EXERCISE.mistake(signs=_SIGNS)
-def sign_in_the_jacobian(q, xy, signs):
-    """an entry of J has the wrong sign. What are the derivatives of the sine and the cosine?"""
-    return newton_step(q, xy, lambda q: _jacobian(q) * signs)
-
-
-@EXERCISE.mistake(residual=(lambda q, xy: xy - q, lambda q, xy: xy))
-def not_the_residual(q, xy, residual):
-    """the position that q leads to is not subtracted from xy. Which function gives it?"""
-    return newton_step(q, xy, residual=residual)
-
-
 @EXERCISE.mistake(
     jacobian=(
         lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),

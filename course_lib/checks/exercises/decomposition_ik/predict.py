@@ -132,17 +132,3 @@ def axes(*case, change):
     angles = predict(*case)
     changed = change(angles)
     return changed if changed.shape == angles.shape else None
-
-
-@EXERCISE.mistake(
-    change=(lambda angles: angles[:, [0, 0]], lambda angles: angles.mean(axis=1, keepdims=True)[:, [0, 0]])
-)
-def one_pair(*case, change):
-    """only one pair of angles is predicted for each query. How many branches are there, and what lies between them?"""
-    return change(predict(*case))
-
-
-@EXERCISE.mistake(at=(0, 1))
-def one_model_for_all(models, cell, xy, at):
-    """all queries get the models of one cell. Which cell is that of query i?"""
-    return predict(models, np.where(cell < 0, cell, cell[0] if at else 0), xy) if not at or cell[0] >= 0 else None

@@ -98,9 +98,3 @@ def another_branch(model, terms, sign, other):
 def another_term(*case, last):
     """q1 has no term in q2, or one in its square or its size. Of what is the last entry of row 0 the factor?"""
     return predict_square(*case, last=last)
-
-
-@EXERCISE.mistake(model_too=(False, True))
-def angles_swapped(model, *rest, model_too):
-    """q1 and q2 are swapped, in the answer or in the model. Which of them stands first?"""
-    return predict_square(model[::-1], *rest) if model_too else predict_square(model, *rest)[:, ::-1]

@@ -78,14 +78,6 @@ EXERCISE = Exercise(
 add_mistakes_of_a_step(EXERCISE)
 
 
-@EXERCISE.mistake(projector=(lambda J: 1, lambda J: np.linalg.pinv(J) @ J))
-def other_part_kept(q, J, q_middle, gain, projector):
-    """the part that moves the end-effector is kept. J^+ J projects on these joint motions: which projector keeps the
-    others?
-    """
-    return q + gain * np.dot(projector(J), q_middle - q)
-
-
 @EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
 def towards_zero(q, J, q_middle, gain, direction):
     """the step goes towards 0, or along q_middle. From where to where should it lead?"""

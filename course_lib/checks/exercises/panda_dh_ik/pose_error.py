@@ -151,14 +151,6 @@ def at_pi(e, *case):
     return _angle(*case) > np.pi - 1e-3 and near(e[:3], _between(*case)[0])
 
 
-@EXERCISE.seen
-def small_angles(e, *case):
-    """digits of small rotations are lost, or cut off to zero. How far does an angle of 1e-9 change the trace, whose
-    arccos you may take?
-    """
-    return _angle(*case) < 0.02 and near(e[:3], _between(*case)[0]) and _gap(e, *case) < 2e-2
-
-
 @EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
 def from_the_end_effector(T, T_target, halves):
     """the error, or one half of it, is seen from the end-effector. Along which axes are the rows of the Jacobian?"""

@@ -1,7 +1,5 @@
 """register_points: the pose that lays points on their partners, each with a weight."""
 
-import itertools
-
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
@@ -187,15 +185,6 @@ def _has_block(T, block, src, dst, weights):
 
 
 @EXERCISE.seen
-def sign_of_zero(T, *case):
-    """the sign is taken from the determinant of the sum of the b_i a_i^T. What is it for points in a plane, but for
-    rounding? Whose determinant is always +1 or -1?
-    """
-    M, flat = _reflection(*case), abs(np.linalg.det(product(*case))) < 1e-9
-    return flat and (_has_block(T, M, *case) or _has_block(T, (M + registered(*case)[:3, :3]) / 2, *case))
-
-
-@EXERCISE.seen
 def sign_missing(T, *case):
     """U V^T has the same sign for all points: it is returned as it is, or always changed. How do you see whether it is
     a reflection, and at which singular value does a change of sign cost least?
@@ -212,16 +201,3 @@ def sign_elsewhere(T, *case):
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]
     return any(_has_block(T, block, *case) for block in blocks)
-
-
-@EXERCISE.seen
-def transposed_once_too_often(T, *case):
-    """numpy's third result is taken for V, or a factor is transposed once too often. What does np.linalg.svd return?"""
-    U, _, Vt = np.linalg.svd(product(*case))
-    signs = np.array(list(itertools.product([1, -1], repeat=3)))
-    for left, right, along in ((U.T, Vt, -1), (Vt, U.T, -1), (U, Vt.T, -2), (Vt.T, U, -2)):
-        made = (left * signs[:, None]) @ right
-        made = made * np.sign((made * T[:3, :3]).sum(along, keepdims=True))
-        if (np.abs(made - T[:3, :3]).max((1, 2)) < 1e-6).any():
-            return True
-    return False

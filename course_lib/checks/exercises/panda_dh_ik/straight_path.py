@@ -107,15 +107,6 @@ def vectors_interpolated(A, B, s):
     return transform(exp_so3(a + s[:, None] * (b - a)), _positions(A, B, s))
 
 
-@EXERCISE.mistake(what=("rotation", "position"), of=("A", "B"))
-def half_kept(A, B, s, what, of):
-    """the rotation, or the position, does not change along the path. What should it be at s = 0, and what at s = 1?"""
-    T, kept = right(A, B, s), A if of == "A" else B
-    part = np.s_[:, :3, :3] if what == "rotation" else np.s_[:, :3, 3]
-    T[part] = kept[part[1:]]
-    return T
-
-
 @EXERCISE.mistake(
     rotations=(
         lambda R, Q, s: R @ exp_so3(s * log_so3(Q @ R.T)),

@@ -82,9 +82,3 @@ def weights_unused(q, J, e, eps, weights):
 def divided(*case, power):
     """the rows are divided by the weights, or by their roots. Should a larger weight make an error count more?"""
     return right(*case[:-1], case[-1] ** power) if case[-1].all() else None
-
-
-@EXERCISE.mistake
-def scaled_to_one(*case):
-    """the weights are scaled to the sum 1. What does that do to the ratio between the weights and eps?"""
-    return right(*case[:-1], case[-1] / case[-1].sum())

@@ -4,13 +4,10 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
-    WRONG_ADJOINTS,
     arms,
-    before,
     columns,
     exponentials,
     first_off,
-    in_blocks,
     jacobian,
     read_jacobian,
     tool_pose,
@@ -88,26 +85,11 @@ def half_way(screws, M, q, change):
     return change(R, jacobian(screws, q), _right(screws, M, q))
 
 
-@EXERCISE.mistake(of=(lambda T: T, inverse))
-def transposed_for_inverted(screws, M, q, of):
-    """an adjoint is transposed where it is to be inverted. For which matrices is that the same?"""
-    return adjoint(of(tool_pose(screws, M, q))).T @ jacobian(screws, q)
-
-
 def _from_the_tool(screws, M, q, others=lambda each, i: each[i + 1 :][::-1], sign=-1, move=adjoint):
     """Return the columns of somebody who begins at the end-effector: others(exponentials, i) move column i."""
     B = screws @ adjoint(inverse(M)).T
     each = exponentials(B, sign * q)
     return columns([move(products(others(each, i))[-1]) for i in range(len(q))], B)
-
-
-@EXERCISE.mistake(form=WRONG_ADJOINTS, from_the_tool=(False, True))
-def wrong_adjoint(screws, M, q, form, from_the_tool):
-    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint pass its own check?"""
-    if from_the_tool:
-        return _from_the_tool(screws, M, q, move=lambda T: in_blocks(T, form))
-    J = columns([in_blocks(T, form) for T in before(screws, q)], screws)
-    return in_blocks(inverse(tool_pose(screws, M, q)), form) @ J
 
 
 @EXERCISE.mistake
@@ -120,9 +102,3 @@ def minus_missing(screws, M, q):
 def other_joints(screws, M, q, others):
     """the exponentials of the body screws are in the wrong order, or of the wrong joints. Which move column i?"""
     return _from_the_tool(screws, M, q, others)
-
-
-@EXERCISE.mistake
-def last_joint_first(screws, M, q):
-    """the columns stand in the reverse order. In which order does your loop note them?"""
-    return _right(screws, M, q)[:, ::-1]

@@ -149,10 +149,6 @@ def _axis(twist):
     return a, hat(twist[:3] / a)
 
 
-def _R(a, N, sine=np.sin, versine=_versine):
-    return np.eye(3) + sine(a) * N + versine(a) * N @ N
-
-
 def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1):
     return (straight(a) * np.eye(3) + first(a) * N + second(a) * N @ N) @ v / a**power
 
@@ -173,12 +169,6 @@ def series_cut(twist, terms):
 def p_is_v(twist, rotated):
     """p is v, or R v. That is the velocity at the beginning, or at the end, of the motion: what is it on the way?"""
     return exp_so3(rotated * twist[:3]) @ twist[3:]
-
-
-@EXERCISE.mistake(part=COLUMN, times=(lambda G: G[:, 0], lambda G: G[:, 2], lambda G: G.sum(1), lambda G: G.sum(0)))
-def no_factor_v(twist, times):
-    """the factor v is missing. p is a vector, I a + (1 - cos a) [n] + ... a matrix: what is it multiplied by?"""
-    return times(_p(*_axis(twist), np.eye(3), power=0))
 
 
 @EXERCISE.mistake(

@@ -106,22 +106,10 @@ def center_not_rotated(screws, M, q, mass, center, origin):
     return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f))
 
 
-@EXERCISE.mistake(change=(lambda m, f: (0 * m, f), lambda m, f: (-m, f), lambda m, f: (f, m)))
-def moment_wrong(screws, M, q, mass, center, change):
-    """the moment is left out, has its sign changed, or is in the wrong half. Which has a force f that acts at p?"""
-    return _by(screws, M, q, mass, center, lambda p, T, f: change(np.cross(p, f), f))
-
-
 @EXERCISE.mistake
 def weight_along_the_tool(screws, M, q, mass, center):
     """the weight points along the end-effector's z axis. Where is down if the arm moves?"""
     return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f))
-
-
-@EXERCISE.mistake(g=(1, 9.8, 9.80665, 10), with_mass=(True, False))
-def another_weight(screws, M, q, mass, center, g, with_mass):
-    """gravity or the mass is missing, or gravity is another number than the task's. What is the weight of a mass?"""
-    return _right(screws, M, q, mass if with_mass else 1, center) * g / G
 
 
 @EXERCISE.mistake(body_jacobian=(True, False))
@@ -130,10 +118,3 @@ def two_frames(screws, M, q, mass, center, body_jacobian):
     back, F = adjoint(inverse(tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
     J = jacobian(screws, q)
     return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
-
-
-@EXERCISE.mistake(load=(True, False))
-def at_home(screws, M, q, mass, center, load):
-    """the load or the axes are left where they are at home. Where are they at these angles?"""
-    J = jacobian(screws, q) if load else screws.T
-    return -J.T @ _weight(screws, M, 0 * q if load else q, mass, center)

@@ -125,18 +125,6 @@ def square_of_hat(omega, point, theta, square):
     return _rodrigues(omega, theta, square=square)
 
 
-@EXERCISE.mistake(part=_R, sine=(np.sin, lambda a: 1))
-def theta_in_the_matrix(omega, point, theta, sine):
-    """theta multiplies [omega], or stands there without a sine. Where does theta stand in Rodrigues' formula?"""
-    return _rodrigues(theta * omega, theta, sine)
-
-
-@EXERCISE.mistake(part=_P)
-def axis_through_the_origin(omega, point, theta):
-    """the axis is taken through the origin: p = 0. Where does your first matrix take the point on the axis?"""
-    return np.zeros(3)
-
-
 @EXERCISE.mistake(part=_P, sign=(1, -1), rotated=(False, True))
 def point_for_p(omega, point, theta, sign, rotated):
     """p is the point itself, or the point rotated. T takes x to R x + p. Which p keeps the point where it is?"""
@@ -147,12 +135,6 @@ def point_for_p(omega, point, theta, sign, rotated):
 def sign_in_p(omega, point, theta, p):
     """a sign in p is wrong, or R is transposed in it. T takes x to R x + p. Which p keeps the point where it is?"""
     return p(exp_so3(theta * omega), point)
-
-
-@EXERCISE.mistake(part=1, change=(np.copy, np.transpose, np.negative))
-def no_inverse(omega, point, theta, change):
-    """the second matrix is the first again, its transpose or its negative. Solve y = R x + p for x: what is left?"""
-    return change(_right(omega, point, theta)[0])
 
 
 @EXERCISE.mistake(

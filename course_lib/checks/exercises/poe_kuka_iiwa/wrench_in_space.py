@@ -74,12 +74,6 @@ def _in_halves(F_b, T, form):
     return np.concatenate(form(F_b[:3], F_b[3:], T[:3, :3], T[:3, 3]))
 
 
-@EXERCISE.mistake
-def moment_left_out(F_b, T):
-    """the moment of the force is left out. Which moment about the base's origin has a force that acts at p?"""
-    return _in_halves(F_b, T, lambda m, f, R, p: (R @ m, R @ f))
-
-
 @EXERCISE.mistake(
     form=(
         lambda m, f, R, p: (R @ m - np.cross(p, R @ f), R @ f),

@@ -164,23 +164,3 @@ def from_the_frame_before(theta, second, third):
     """each frame is seen from the one before it, not from the base. What takes T_12 to T_02?"""
     T = [_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]
     return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
-
-
-@EXERCISE.mistake
-def sine_and_cosine_swapped(theta):
-    """sine and cosine are swapped in the positions. At theta = 0 a link lies along x: which of the two is 1 there?"""
-    T = _right(theta)
-    T[:, [0, 1], 2] = T[:, [1, 0], 2]
-    return T
-
-
-@EXERCISE.mistake
-def base_for_joint_1(theta):
-    """the base's own frame is given for joint 1's. Frame 1 is carried by joint 1: how is it rotated?"""
-    return np.array([np.eye(3), *_right(theta)[1:]])
-
-
-@EXERCISE.mistake
-def tip_at_joint_2(theta):
-    """the tip's frame is that of joint 2. How far from joint 2 is the tip, and in which direction?"""
-    return _right(theta)[[0, 1, 1]]

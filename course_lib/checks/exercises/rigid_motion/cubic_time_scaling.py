@@ -147,12 +147,6 @@ def goal_for_change(t, T, s0, s1, v0, v1):
     return cubic_time_scaling(t, T, s0, s0 + s1, v0, v1)
 
 
-@EXERCISE.mistake
-def s0_not_added(t, T, s0, s1, v0, v1):
-    """s0 is not added. At t = 0 all powers of t vanish: what remains?"""
-    return cubic_time_scaling(t, T, s0, s1, v0, v1) - s0
-
-
 @EXERCISE.mistake(second=((3, -1, -2), (3, -1, -1), (2, -2, -1), (3, 2, 1), (3, -2, 1), (3, 2, -1), (-3, -2, -1)))
 def second_coefficient(t, T, s0, s1, v0, v1, second):
     """the coefficient of u^2 has a wrong number or sign. Differentiate your polynomial on paper: which of the four
@@ -165,12 +159,6 @@ def third_coefficient(t, T, s0, s1, v0, v1, third):
     """the coefficient of u^3 has a wrong number or sign. Differentiate your polynomial on paper: which of the four
     conditions does it violate?"""
     return _cubic(t / T, s0, s1, v0 * T, v1 * T, third=third)
-
-
-@EXERCISE.mistake
-def duration_ignored(t, T, s0, s1, v0, v1):
-    """T is left out: the motion is over after one second. The cubic is one of u = t / T, which goes from 0 to 1."""
-    return _cubic(t, s0, s1, v0, v1)
 
 
 @EXERCISE.mistake

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
-from course_lib.checks.vocabulary import FINE, partial_sum
+from course_lib.checks.vocabulary import FINE
 from course_lib.rigid import exp_se2
 
 _TWO = Mistake("only the rotation is returned", "The answer is a pose: rotation, position and the row (0, 0, 1).")
@@ -20,11 +20,6 @@ def _cases(rng):
     edge = [[np.pi, 1.0, 2.0], [-np.pi, 1.0, 2.0], [7.0, 1.0, -1.0], [2 * np.pi, 1.0, 2.0]]
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
     return [(np.array(twist),) for twist in [*ordinary, *drawn, *edge, *none, *small]]
-
-
-def _hat(twist):
-    omega, vx, vy = twist
-    return np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
 
 
 def _apart(T, twist):
@@ -122,16 +117,3 @@ def sinc(twist, across):
 def order_of_the_twist(twist):
     """the twist is read as (vx, vy, omega). A twist is (omega, vx, vy): the angular velocity comes first."""
     return exp_se2(twist[[2, 0, 1]])
-
-
-@EXERCISE.mistake(terms=range(2, 21))
-def series_cut(twist, terms):
-    """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
-    return partial_sum(_hat(twist), terms)
-
-
-@EXERCISE.mistake
-def entry_by_entry(twist):
-    """the exponential is taken entry by entry. np.exp(M) is not the exponential of a matrix, whose powers are
-    products of matrices."""
-    return np.exp(_hat(twist))

@@ -17,7 +17,6 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     scaling,
     straight,
     timed,
-    whole_rows,
 )
 from course_lib.checks.exercises.rigid_motion.shared import change as right_change
 from course_lib.planar import interpolate_body, wrap_angle
@@ -102,12 +101,6 @@ def an_end_missing(start, goal, n, u):
     return _path(start, goal, n, s=cubic(u(n)))
 
 
-@EXERCISE.mistake(seen=whole_rows)
-def whole_numbers(start, goal, n):
-    """digits after the point are cut off. np.array([0, 0, 3]) holds whole numbers only: np.array(..., float)."""
-    return np.trunc(interpolate_body(start, goal, n)) if np.array([start, goal]).dtype.kind == "i" else None
-
-
 @EXERCISE.mistake(
     wrap=(wrap_angle, lambda theta: np.mod(theta, REVOLUTION)), alike=lambda rows, p, *case: same(rows, p)
 )
@@ -126,37 +119,6 @@ def not_wrapped(start, goal, n):
 
 
 @EXERCISE.mistake
-def angles_wrapped(start, goal, n):
-    """the two angles are wrapped, and not their difference. 2.6 and -2.2 are wrapped already: is their difference?"""
-    return _angle_changes(start, goal, n, wrap_angle(goal[2]) - wrap_angle(start[2]))
-
-
-@EXERCISE.mistake(sign=(1, -1))
-def one_direction(start, goal, n, sign):
-    """the body always rotates in the same direction. If a difference is above pi, or below -pi, which one is
-    shorter?"""
-    return _angle_changes(start, goal, n, sign * np.mod(sign * (goal[2] - start[2]), REVOLUTION))
-
-
-@EXERCISE.mistake
 def sign_lost(start, goal, n):
     """the difference has lost its sign. A clockwise rotation is negative."""
     return _angle_changes(start, goal, n, abs(wrap_angle(goal[2] - start[2])))
-
-
-@EXERCISE.mistake
-def other_direction(start, goal, n):
-    """the body rotates in the opposite direction. In which order do start and goal stand in the difference?"""
-    return _angle_changes(start, goal, n, wrap_angle(start[2] - goal[2]))
-
-
-@EXERCISE.mistake
-def theta_kept(start, goal, n):
-    """theta is not interpolated. The change has three numbers: x, y and theta."""
-    return _angle_changes(start, goal, n, 0)
-
-
-@EXERCISE.mistake
-def goal_for_change(start, goal, n):
-    """goal stands where goal - start belongs. What is scaled is the change from start to goal."""
-    return _path(start, goal, n, goal)

@@ -6,11 +6,9 @@ from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.interpolate_body import between, plain_cases, rotating_cases
 from course_lib.checks.exercises.rigid_motion.shared import (
     ENDS,
-    GRIDS,
     SHORTER_ARC,
     TIME_SCALINGS,
     change,
-    cubic,
     deviation,
     on_a_line,
     one_arc_is_shorter,
@@ -73,14 +71,6 @@ def _fits(rows, path, start, goal):
     return deviation(rows, path) <= fine * size(start, goal)
 
 
-def _tiny_angle(start, goal, n):
-    return 0 < _angle(start, goal) < SMALL
-
-
-def _off_the_line(rows, start, goal, n):
-    return np.abs(rows - straight(start, change(start, goal), scaling(n)))[:, :2].max()
-
-
 def _rows(T, *case):
     rows = np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
     return rows if one_arc_is_shorter(*case) else None
@@ -137,12 +127,6 @@ def _screw(start, goal, n, s=None, angle=None):
     return by_screw(start, goal, scaling(n) if s is None else s, angle) if one_arc_is_shorter(start, goal, n) else None
 
 
-@EXERCISE.mistake(seen=lambda rows, *case: _tiny_angle(*case) and _off_the_line(rows, *case) < 1e-9 * size(*case[:2]))
-def small_rotation_for_none(start, goal, n):
-    """a small rotation is taken for none. A rotation by 0.001 rad bends the path by a millimetre or so."""
-    return straight(start, change(start, goal), scaling(n)) if _tiny_angle(start, goal, n) else None
-
-
 @EXERCISE.mistake(difference=(change, np.subtract))
 def straight_line(start, goal, n, difference):
     """x, y and theta are interpolated each by itself: a straight line. Here the velocity is constant in the body's
@@ -157,12 +141,6 @@ def other_time_scaling(start, goal, n, s):
     """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
     0, 1/2 and 1, and slow at both ends."""
     return _screw(start, goal, n, s(np.linspace(0, 1, n)))
-
-
-@EXERCISE.mistake(u=GRIDS)
-def an_end_missing(start, goal, n, u):
-    """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
-    return _screw(start, goal, n, cubic(u(n)))
 
 
 @EXERCISE.mistake
@@ -180,22 +158,6 @@ def longer_arc(start, goal, n):
 def wrong_side(start, goal, n, product):
     """the displacement is given in one frame and applied in the other. T_start^-1 T_goal is seen from start: on
     which side of T_start does its exponential stand?"""
-    return _by_matrices(start, goal, n, product)
-
-
-@EXERCISE.mistake(
-    product=(lambda T0, T1, move: T0 @ move(inverse(T1) @ T0), lambda T0, T1, move: T0 @ move(T0 @ inverse(T1)))
-)
-def from_goal_to_start(start, goal, n, product):
-    """the displacement is from goal to start. Which of the two poses is inverted?"""
-    return _by_matrices(start, goal, n, product)
-
-
-@EXERCISE.mistake(
-    product=(lambda T0, T1, move: T0 @ move(T1), lambda T0, T1, move: move(T1), lambda T0, T1, move: move(T1) @ T0)
-)
-def goal_alone(start, goal, n, product):
-    """the logarithm of T_goal alone is taken. Which displacement remains, as start sees it?"""
     return _by_matrices(start, goal, n, product)
 
 

@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rigid_motion.shared import FINE, REVOLUTION
+from course_lib.checks.exercises.rigid_motion.shared import FINE
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.rigid import exp_se2, inverse, log_se2
+from course_lib.rigid import exp_se2, log_se2
 
 _MATRIX = Mistake("the matrix [V] is returned", "The answer is the three numbers of the twist, (omega, vx, vy).")
 
@@ -108,13 +108,6 @@ def omega_negated(T, v_too):
     return _unless_right(np.append(-_angle(T), _v(T, -_angle(T)) if v_too else _v(T)), T)
 
 
-@EXERCISE.mistake(v_too=(True, False))
-def from_zero(T, v_too):
-    """omega lies between 0 and 2 pi. The shorter rotation is asked for."""
-    omega = np.mod(_angle(T), REVOLUTION)
-    return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
-
-
 @EXERCISE.mistake(R=(lambda T: np.eye(2), lambda T: T[:2, :2].T, lambda T: T[:2, :2]))
 def as_if_not_rotating(T, R):
     """v is the position, rotated or not, as if the body rotated before or after it moves. Which v leads to this
@@ -123,20 +116,7 @@ def as_if_not_rotating(T, R):
 
 
 @EXERCISE.mistake
-def not_solved(T):
-    """p = A v is not solved for v: A is applied to p. The exponential computes p from v. Here p is given, and v is
-    asked for."""
-    return _unless_right(np.append(_angle(T), _V(_angle(T)) @ T[:2, 2]), T)
-
-
-@EXERCISE.mistake
 def signs_exchanged(T):
     """the signs of the terms with 1 - cos(omega) are exchanged. Test it with a quarter of a circle: the twist (pi/2,
     1, 0) leads to (2/pi, 2/pi)."""
     return _unless_right(np.append(_angle(T), np.linalg.solve(_V(_angle(T)).T, T[:2, 2])), T)
-
-
-@EXERCISE.mistake
-def of_the_inverse(T):
-    """the logarithm of the inverse is returned. The body starts at the identity and ends at T."""
-    return log_se2(inverse(T))

@@ -109,23 +109,4 @@ def elapsed_twice(start, plan, dt):
     return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
 
 
-@EXERCISE.mistake
-def start_not_added(start, plan, dt):
-    """start is not added after the first row. From where do the angles go on?"""
-    return np.array([start, *propagate_arm([0, 0], plan, dt)[1:]])
-
-
-@EXERCISE.mistake(change=(lambda w: w[::-1], np.cumsum, lambda w: w[[0, 0]], lambda w: w * [1, 0]))
-def velocities_mixed_up(start, plan, dt, change):
-    """a joint does not move with its own velocity. theta1 grows by w1, and theta2, which is measured from the first
-    link?"""
-    return follow(lambda angles, velocity, h: angles + change(velocity) * h)(start, plan, dt)
-
-
-@EXERCISE.mistake
-def not_times_h(start, plan, dt):
-    """the velocities are not multiplied by the length of the step. rad/s times s is rad."""
-    return follow(lambda angles, velocity, h: angles + velocity)(start, plan, dt)
-
-
 add_step_mistakes(EXERCISE, propagate_arm, _step, ARM)

@@ -154,16 +154,6 @@ def _theta_kept(start, plan, dt, from_start=False):
     return np.array(poses)
 
 
-def _mixed(x_after, y_after):
-    """Euler's method with theta at the end of the step in x, or in y."""
-
-    def move(pose, velocity, h):
-        ends = [rotated(pose[2] + after * velocity[2] * h, velocity[:2]) for after in (x_after, y_after)]
-        return pose + np.array([ends[0][0], ends[1][1], velocity[2]]) * h
-
-    return follow(move)
-
-
 EXERCISE = Exercise(
     name="propagate_body",
     points=3,
@@ -211,13 +201,6 @@ def exact_arc(start, plan, dt):
     return propagate_body_exact(start, plan, dt)
 
 
-@EXERCISE.mistake(time_of=("elapsed", "duration"))
-def theta_assigned(start, plan, dt, time_of):
-    """theta is assigned where it should be added, as in the printed rule theta = omega t. The body had an angle
-    before the step."""
-    return assigned(euler, time_of)(start, plan, dt)
-
-
 @EXERCISE.mistake
 def axes_of_the_world(start, plan, dt):
     """the velocities are taken along the axes of the world. (vx, vy) is ahead and to the left of the body: what
@@ -242,18 +225,6 @@ def theta_kept(start, plan, dt, from_start):
 def sideways_ignored(start, plan, dt):
     """vy is ignored. Both columns of R(theta) count: the second is the direction to the left of the body."""
     return _moved((start, plan, dt), lambda v: v * [1, 0, 1])
-
-
-@EXERCISE.mistake(after=((0, 1), (1, 0)))
-def theta_between(start, plan, dt, after):
-    """theta changes between x and y: y moves with the new theta. Both move with the old theta."""
-    return _mixed(*after)(start, plan, dt)
-
-
-@EXERCISE.mistake
-def not_times_h(start, plan, dt):
-    """the velocities are not multiplied by the length of the step. m/s times s is m."""
-    return follow(lambda pose, velocity, h: euler(pose, velocity, 1.0))(start, plan, dt)
 
 
 add_step_mistakes(EXERCISE, propagate_body, euler, BODY)

@@ -8,7 +8,6 @@ from course_lib.checks.exercises.rigid_motion.propagate_body import (
     THETA,
     body_cases,
     drawn_case,
-    euler,
     move_by,
     read_poses,
 )
@@ -19,7 +18,6 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     follow,
     form,
     goes_straight,
-    lengths,
     near,
     same_rows,
     size_of,
@@ -128,12 +126,6 @@ def _twist_step(twist):
     return follow(move)
 
 
-@EXERCISE.mistake(share=(0, 1))
-def euler_steps(start, plan, dt, share):
-    """each step goes straight: this is Euler's method. While the body rotates, its path bends."""
-    return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
-
-
 @EXERCISE.mistake
 def midpoint_steps(start, plan, dt):
     """each step goes straight, with an angle halfway between its ends. That is closer than Euler's method, and still
@@ -166,34 +158,6 @@ def not_times_h(start, plan, dt, theta):
     def move(pose, velocity, h):
         x, y, angle = exact(pose, velocity, 1.0)
         return np.array([x, y, angle if theta else pose[2] + velocity[2] * h])
-
-    return follow(move)(start, plan, dt)
-
-
-@EXERCISE.mistake
-def all_together(start, plan, dt):
-    """one exponential is taken of all velocities together. exp(A) exp(B) is not exp(A + B): each pair has its own."""
-    total, poses = np.zeros(3), [np.array(start, float)]
-    for velocity, duration in plan:
-        for h in lengths(duration, dt):
-            total = total + np.array(velocity, float) * h
-            poses.append(exact(poses[0], total, 1.0))
-    return np.array(poses)
-
-
-@EXERCISE.mistake
-def elapsed_twice(start, plan, dt):
-    """the time since the pair began is counted from the row before. Either the pose at the pair's beginning and the
-    time since then, or the row before and one step."""
-    return follow(exact, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
-
-
-@EXERCISE.mistake(bound=(1e-4, 0.1))
-def slow_rotations(start, plan, dt, bound):
-    """slow rotations are taken for none. Does rigid.exp_se2 need a branch for omega = 0?"""
-
-    def move(pose, velocity, h):
-        return (euler if abs(velocity[2]) < bound else exact)(pose, velocity, h)
 
     return follow(move)(start, plan, dt)
 

@@ -38,11 +38,6 @@ GRIDS = (  # of u, without one of the ends
 )
 
 
-def whole_rows(rows, start, goal, n):
-    """Return whether rows are cut off to whole numbers where start and goal are such."""
-    return np.array([start, goal]).dtype.kind == "i" and np.array_equal(rows, np.trunc(rows))
-
-
 def scaling(n):
     """Return n values of the cubic time scaling, from 0 to 1."""
     return cubic(np.linspace(0, 1, n))

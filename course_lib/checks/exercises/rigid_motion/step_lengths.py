@@ -103,9 +103,3 @@ def equal_lengths(duration, dt):
     """all steps are of equal length. 0.25 s in steps of 0.1 s is 0.1, 0.1 and 0.05 s."""
     n = _count(duration, dt)
     return [duration / n] * n
-
-
-@EXERCISE.mistake(times=(np.cumsum, lambda h: np.append(0, np.cumsum(h)), lambda h: np.append(0, np.cumsum(h))[:-1]))
-def times_returned(duration, dt, times):
-    """the times at which the steps begin or end are returned. What is the length of a step, given two such times?"""
-    return times(lengths(duration, dt))

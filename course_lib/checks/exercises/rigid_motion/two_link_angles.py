@@ -132,10 +132,3 @@ def inside_the_triangle(tip, theta1_too):
     stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
     return angles if theta1_too else np.column_stack([_right(tip)[:, 0], angles[:, 1]])
-
-
-@EXERCISE.mistake(cosine=(lambda d: (np.sqrt(d) - 2) / 2, lambda d: d - 2, lambda d: (d - 1) / 2, lambda d: d / 2))
-def law_of_cosines(tip, cosine):
-    """the law of cosines has a wrong number, or the distance where its square belongs. Which cosine has theta2 for
-    the tip (1, 1), where the elbow is a right angle?"""
-    return _solutions(tip, np.arccos(np.clip(cosine(tip @ tip), -1, 1)))

@@ -127,18 +127,6 @@ def arctan(R, which):
     return None if _lock(R) else angles
 
 
-@EXERCISE.mistake
-def lock_set_to_zero(R):
-    """at gimbal lock all of the rest is set to zero. One angle may be chosen freely. The other then follows from R."""
-    return np.array([0.0, _right(R)[1], 0.0]) if _lock(R) else None
-
-
-@EXERCISE.mistake(change=([1, 1, -1], [1, -1, 1]))
-def lock_sign(R, change):
-    """at gimbal lock an angle has the wrong sign. Check it with Rz(0.4) Ry(pi/2), and with Ry(-pi/2)."""
-    return _right(R) * change if _lock(R) else None
-
-
 @EXERCISE.mistake(seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1)
 def lock_too_soon(R):
     """near gimbal lock the formula for the exact lock is used too soon. Its error is about cos(beta): how small has

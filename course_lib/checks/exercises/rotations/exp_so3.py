@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.vocabulary import orthogonality_error, partial_sum, unit
-from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
+from course_lib.rotations import exp_so3, hat
 
 
 def _cases(rng):
@@ -79,20 +79,6 @@ def length_not_divided_out(w):
     return _formula(w, N=hat(w))
 
 
-@EXERCISE.mistake
-def sign_in_hat(w):
-    """[n] has a wrong sign in one entry. [n] is skew-symmetric: [n]^T = -[n]."""
-    N = hat(w / np.linalg.norm(w))
-    N[1, 2] *= -1
-    return _formula(w, N=N)
-
-
-@EXERCISE.mistake
-def brackets_missing(w):
-    """brackets are missing around 1 - cos(a). The product binds before the difference."""
-    return _formula(w, versine=lambda a: -np.cos(a)) + 1
-
-
 @EXERCISE.mistake(terms=range(2, 21))
 def series_cut(w, terms):
     """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
@@ -104,9 +90,3 @@ def square_entry_by_entry(w):
     """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
     a, N = np.linalg.norm(w), hat(w / np.linalg.norm(w))
     return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N
-
-
-@EXERCISE.mistake(order=(1, -1))
-def rotations_in_a_row(w, order):
-    """the rotations about x, y and z are multiplied. There is one rotation, about the axis w itself."""
-    return np.linalg.multi_dot([rot_z(w[2]), rot_y(w[1]), rot_x(w[0])][::order])

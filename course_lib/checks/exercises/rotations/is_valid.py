@@ -175,12 +175,6 @@ def one_shape_alone(X, kind, tol, shape):
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
 
 
-@EXERCISE.mistake(det=(lambda d, tol: True, lambda d, tol: abs(abs(d) - 1) <= tol))
-def reflections_accepted(X, kind, tol, det):
-    """of a rotation only R^T R = I is asked. A mirror has R^T R = I too. What tells it from a rotation?"""
-    return _only("rotation", X, kind, lambda R: orthogonality_error(R) <= tol and det(np.linalg.det(R), tol))
-
-
 @EXERCISE.mistake(about=_SHAPES)
 def negative_errors_pass(X, kind, tol, about):
     """a negative error always passes. An error of -0.5 is as wrong as 0.5."""
@@ -211,12 +205,6 @@ def other_length(X, kind, tol, size):
     """the length of a quaternion is ignored, or is not the root of the sum of the squares. Within a tolerance the
     square is not the same."""
     return _only("quaternion", X, kind, lambda q: abs(size(q) - 1) <= tol)
-
-
-@EXERCISE.mistake(about=_SHAPES, fixed=(1e-12, 1e-8, 1e-6, 1e-5, 1e-3, 1e-2))
-def tol_not_used(X, kind, tol, about, fixed):
-    """tol is not used. Compare each error with the tolerance you are given, not with a fixed one."""
-    return _only(about, X, kind, lambda X: is_valid(X, kind, fixed))
 
 
 @EXERCISE.mistake(det=("det within tol", "det positive"), size=(np.linalg.norm, lambda E: np.abs(E).mean()))

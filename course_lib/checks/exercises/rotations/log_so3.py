@@ -172,28 +172,7 @@ def inaccurate_near_half_turns(R):
 
 
 @EXERCISE.mistake
-def transposed(R):
-    """the sign is wrong: this is the logarithm of R^T. [n] has n1 in row 3, column 2. Which entry of R - R^T is
-    that?"""
-    return -log_so3(R)
-
-
-@EXERCISE.mistake(power=(1, 2))
-def sine_wrong(R, power):
-    """a factor sin(a) is left over, or taken for a. (R - R^T)/2 is sin(a) [n]: the answer is a n."""
-    a = _angle(R)
-    return log_so3(R) / (a or 1) * (np.sin(a) if power == 1 else a * np.sin(a))
-
-
-@EXERCISE.mistake
 def arcsin(R):
     """the angle is wrong beyond 90 degrees. arcsin gives the same angle for a and pi - a. Which part of R tells them
     apart?"""
     return log_so3(R) / (_angle(R) or 1) * min(_angle(R), np.pi - _angle(R))
-
-
-@EXERCISE.mistake(cosine=(lambda t: t / 2 - 1, lambda t: t - 1, lambda t: t / 2, lambda t: (t + 1) / 2))
-def trace_wrong(R, cosine):
-    """the angle is computed from the trace with a wrong constant. The trace is 1 + 2 cos(a): solve it for a."""
-    a = np.arccos(np.clip(cosine(np.trace(R)), -1, 1))
-    return log_so3(R) / (_angle(R) or 1) * a

@@ -7,9 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rotations.shared import (
     damaged_rotations,
     distances,
-    gram_schmidt,
     is_rotation,
-    last_column_negated,
     ones,
     polar,
 )
@@ -99,12 +97,6 @@ def translation_rotated(T, turn):
 def whole_matrix(T, repair):
     """the whole of T is made a rotation. Only its upper left block is one."""
     return repair(T)
-
-
-@EXERCISE.mistake(block=(last_column_negated, gram_schmidt))
-def not_the_nearest(T, block):
-    """the block is a rotation, or orthogonal, but not the nearest. Your nearest_so does better."""
-    return _corrected(T, block)
 
 
 @EXERCISE.mistake

@@ -7,12 +7,10 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rotations.shared import (
     damaged_rotations,
     distances,
-    gram_schmidt,
     is_rotation,
     last_column_negated,
     ones,
     polar,
-    right_handed,
 )
 from course_lib.checks.vocabulary import orthogonality_error
 from course_lib.rotations import nearest_so, random_rotations
@@ -89,13 +87,6 @@ def sign_of_det_M(M, sign):
     """the sign comes from det M. A singular M has det M = 0, and yet it has a nearest rotation. Which determinant is
     always +1 or -1?"""
     return polar(M, *ones(M), sign(np.linalg.det(M)))
-
-
-@EXERCISE.mistake(then=(np.copy, right_handed), qr=(gram_schmidt, lambda M: np.linalg.qr(M)[0]))
-def one_after_the_other(M, then, qr):
-    """the columns are made orthogonal one after the other (Gram-Schmidt, QR). That favours the first column. The
-    nearest rotation treats all columns alike."""
-    return then(qr(M))
 
 
 @EXERCISE.mistake(negated=(False, True))

@@ -64,12 +64,6 @@ def factors_swapped(p, q):
     return hamilton_product(q, p)
 
 
-@EXERCISE.mistake
-def cross_missing(p, q):
-    """the cross product is missing. Without it the order of the factors would not matter. What is i j?"""
-    return _term(p, q, cross=0)
-
-
 @EXERCISE.mistake(dot=(1, 0))
 def dot_wrong(p, q, dot):
     """the dot product is missing, or has the wrong sign. What is i i?"""
@@ -80,15 +74,6 @@ def dot_wrong(p, q, dot):
 def own_scalar(p, q):
     """each vector part meets its own scalar. w1 multiplies v2, and w2 multiplies v1."""
     return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * p[1:] + q[0] * q[1:] + np.cross(p[1:], q[1:]))])
-
-
-@EXERCISE.mistake(k=range(1, 4), plus=(True, False))
-def one_sign_of_the_cross_product(p, q, k, plus):
-    """one term of the cross product has the wrong sign. Each entry of v1 x v2 is a difference of two products."""
-    i, j = (k % 3 + 1, (k + 1) % 3 + 1)[:: 1 if plus else -1]
-    pq = hamilton_product(p, q)
-    pq[k] -= (2 if plus else -2) * p[i] * q[j]
-    return pq
 
 
 @EXERCISE.mistake(whole=(True, False))

@@ -92,27 +92,6 @@ def outer_product(q):
 
 
 @EXERCISE.mistake
-def identity_missing(q):
-    """the identity is missing. A small rotation leaves p nearly where it is."""
-    return _combination(q, one=0)
-
-
-@EXERCISE.mistake(power=(0, 2))
-def scalar_wrong(q, power):
-    """w is missing, or squared, in the term with [v]. In that term the scalar occurs once."""
-    return np.eye(3) + 2 * q[0] ** power * hat(q[1:]) + 2 * hat(q[1:]) @ hat(q[1:])
-
-
-@EXERCISE.mistake
 def entry_by_entry(q):
     """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
     return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * hat(q[1:]) ** 2
-
-
-@EXERCISE.mistake(entry=((0, 1), (0, 2), (1, 2), (1, 0), (2, 0), (2, 1)))
-def one_sign(q, entry):
-    """the term with w has the wrong sign in one entry. Entries mirrored at the diagonal differ in the sign of that
-    term only."""
-    R = quaternion_to_matrix(q)
-    R[entry] = R.T[entry]
-    return R

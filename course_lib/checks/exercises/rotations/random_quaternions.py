@@ -15,10 +15,9 @@ from course_lib.checks.exercises.rotations.sampling import (
     shoemake,
     tied,
     uniform_angle,
-    uniform_euler_angles,
     uniform_rotations,
 )
-from course_lib.rotations import matrix_to_quaternion, quaternion_to_matrix, random_quaternions, rot_x, rot_y, rot_z
+from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
 
 def _shoemake(q):
@@ -60,25 +59,11 @@ def one_length_for_all(n, rng):
     return q / np.linalg.norm(q)
 
 
-@EXERCISE.mistake(seen=lambda q, n, rng: np.linalg.norm(q, axis=1).max() < 1 - 1e-9)
-def roots_missing(n, rng):
-    """the roots of s and 1 - s are missing. The squares of the four entries have to add up to 1."""
-    s, one, two = rng.random((3, n)) * [[1], [2 * np.pi], [2 * np.pi]]
-    return shoemake(s, one, two, 1 - s, s)
-
-
 @EXERCISE.mistake(seen=of_many(lambda q: tied(_shoemake(q), ARVO_RANGES)), which=("angles", "s"))
 def one_draw_for_two(n, rng, which):
     """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
     s, x = rng.random((2, n))
     return shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
-
-
-@EXERCISE.mistake(seen=of_many(lambda q: q.min() >= 0))
-def no_negative_entry(n, rng):
-    """no entry is ever negative. That is a sixteenth of the sphere only. What do you draw from?"""
-    q = rng.random((n, 4))
-    return q / np.linalg.norm(q, axis=1, keepdims=True)
 
 
 @EXERCISE.mistake(seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # for uniform ones it is 1/8
@@ -94,13 +79,6 @@ def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v, a = rng.normal(size=(n, 3)), np.pi * rng.random((n, 1))
     return np.hstack([np.cos(a / 2), np.sin(a / 2) * v / np.linalg.norm(v, axis=1, keepdims=True)])
-
-
-@EXERCISE.mistake(seen=of_many(lambda q: uniform_euler_angles(quaternion_to_matrix(q))))
-def uniform_euler(n, rng):
-    """Euler angles are drawn uniformly. Uniform angles are not uniform rotations: near gimbal lock they crowd."""
-    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
-    return matrix_to_quaternion(rot_z(gamma) @ rot_y(beta) @ rot_x(alpha))
 
 
 @EXERCISE.mistake(seen=of_many(lambda q: any(has_gaps(angle, *CIRCLE) for angle in _shoemake(q)[1:])))

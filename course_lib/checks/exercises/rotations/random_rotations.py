@@ -6,23 +6,20 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rotations.sampling import (
     ARVO_RANGES,
-    CIRCLE,
     DRAWS,
     LIBRARY_SAMPLERS,
     ROTATIONS,
     arvo,
     arvo_rotations,
     cases,
-    has_gaps,
     many,
     of_many,
     tied,
     uniform,
     uniform_angle,
-    uniform_euler_angles,
     uniform_rotations,
 )
-from course_lib.rotations import exp_so3, random_rotations, rot_x, rot_y, rot_z
+from course_lib.rotations import exp_so3, random_rotations
 
 
 def _stretched_along_one_axis(R):
@@ -60,14 +57,6 @@ def reflection(n, rng):
     return -random_rotations(n, rng)
 
 
-@EXERCISE.mistake(seen=of_many(lambda R: np.allclose(R, np.swapaxes(R, 1, 2))))
-def no_rotation_about_z(n, rng):
-    """the rotation about z is missing: every draw rotates by 180 degrees. It is the first of the two steps, by an
-    angle of its own."""
-    phi, z = rng.random((2, n)) * [[2 * np.pi], [1]]
-    return arvo_rotations(0 * z, phi, z)
-
-
 @EXERCISE.mistake(seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES)))
 def one_draw_for_two(n, rng):
     """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
@@ -83,25 +72,11 @@ def signs_of_qr(n, rng):
     return Q * np.sign(np.linalg.det(Q))[:, None, None]
 
 
-@EXERCISE.mistake(seen=of_many(lambda R: any(has_gaps(angle, *CIRCLE) for angle in arvo(R)[1:])), top=(1, np.pi))
-def part_of_the_circle(n, rng, top):
-    """an angle does not cover the full circle. Both angles go from 0 to 2 pi."""
-    theta, phi, z = rng.random((3, n)) * [[top], [2 * np.pi], [1]]
-    return arvo_rotations(theta, phi, z)
-
-
 @EXERCISE.mistake(seen=of_many(uniform_angle))
 def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v = rng.normal(size=(n, 3))
     return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))
-
-
-@EXERCISE.mistake(seen=of_many(uniform_euler_angles))
-def uniform_euler(n, rng):
-    """Euler angles are drawn uniformly. Uniform angles are not uniform rotations: near gimbal lock they crowd."""
-    alpha, beta, gamma = rng.random((3, n)) * [[2 * np.pi], [np.pi], [2 * np.pi]]
-    return rot_z(gamma) @ rot_y(beta) @ rot_x(alpha)
 
 
 @EXERCISE.mistake(

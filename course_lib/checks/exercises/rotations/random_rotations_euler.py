@@ -132,12 +132,6 @@ def transposed(n, rng):
     return np.swapaxes(_product(n, rng), 1, 2)
 
 
-@EXERCISE.mistake(seen=of_many(lambda R: _signs(R, 2, 0) == _NEVER_NEGATIVE))
-def sine_in_ry(n, rng):
-    """the sine in Ry has the other sign. Ry by 90 degrees takes e_z to e_x."""
-    return _product(n, rng, (2 * np.pi, -np.pi, 2 * np.pi))
-
-
 @EXERCISE.mistake(
     seen=of_many(lambda R: nearly_uniform(_angles(R)[1], -np.pi / 2, np.pi / 2)),
     beta=((2 * np.pi, 0), (np.pi, -np.pi / 2), (180, 0)),

@@ -182,11 +182,6 @@ def uniform_rotations(matrices):
     )
 
 
-def uniform_euler_angles(R):
-    """Return whether an entry of R is the sine or cosine of a uniform angle; for uniform R the entry is uniform."""
-    return any(uniform(np.arcsin(np.clip(np.abs(R[:, i, j]), 0, 1)), 0, np.pi / 2) for i in range(3) for j in range(3))
-
-
 def uniform_angle(R):
     """Return whether the rotation angle is uniform; for uniform R its density is (1 - cos a)/pi."""
     return uniform(angles_of(R), 0, np.pi)

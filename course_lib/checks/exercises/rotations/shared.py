@@ -58,12 +58,6 @@ def ones(M):
     return [1.0] * (len(M) - 1)
 
 
-def gram_schmidt(M):
-    """Return the columns of M made orthonormal one after the other."""
-    Q, upper = np.linalg.qr(M)
-    return Q * np.sign(np.diag(upper))
-
-
 def distances(R, M):
     """Return a sentence that compares the distances of R and of the nearest rotation to M."""
     return (

@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.shared import same_list
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     ELBOW,
@@ -15,6 +14,7 @@ from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     every_solution,
     list_mistakes,
 )
+from course_lib.checks.format_numbers import format_array
 from course_lib.subproblems import subproblem2, subproblem3
 
 X, Y, Z = np.eye(3)

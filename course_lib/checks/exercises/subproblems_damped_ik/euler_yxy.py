@@ -6,9 +6,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.shared import changed, different, in_degrees, same_list
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import remembered
 from course_lib.rotations import rot_x, rot_y, rot_z
 from course_lib.subproblems import euler_yxy

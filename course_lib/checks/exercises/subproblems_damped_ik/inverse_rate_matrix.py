@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.rate_matrix import quadrants, rates
+from course_lib.checks.format_numbers import format_array
 from course_lib.rotations import rot_y
 
 _SMALL = 0.01  # sines below this are near zero

@@ -6,8 +6,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import argument_degrees
 from course_lib.rotations import rot_x, rot_y, vee
 

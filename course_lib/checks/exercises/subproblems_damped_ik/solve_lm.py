@@ -6,9 +6,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.lm_step import WRAPPED, WRONG_STEPS, allowed, off, step
 from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
+from course_lib.checks.format_numbers import format_array
 
 _TIPS = Mistake(
     "the positions of the tip are returned, not the joint angles",

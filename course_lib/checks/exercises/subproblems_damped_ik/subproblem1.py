@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.format_numbers import format_array
 from course_lib.checks.exercises.subproblems_damped_ik.shared import FINE, across, angle_about, by_arctan, near, rotated
+from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import unit
 from course_lib.subproblems import subproblem1
 
