@@ -13,16 +13,16 @@ from hostile.build import (
     answers,
     book,
     few_exercises,
+    isolated,
     processes,
     said,
     sources,
     traces,
 )
 
-from course_lib.pack.grade.sandbox import NAMESPACES, kind
 from course_lib.pack.grade.submission import grade
 
-pytestmark = pytest.mark.skipif(kind() != NAMESPACES, reason="namespaces are not allowed here")
+pytestmark = isolated
 
 
 @pytest.fixture(autouse=True)
@@ -33,11 +33,7 @@ def only_a_few_exercises(monkeypatch):
 @pytest.fixture
 def graders(tmp_path):
     """A folder such as a grader has, with another student's work and results."""
-    for place in (
-        "grades.csv",
-        "submissions/other/01_rotations.ipynb",
-        "build/grades/feedback/other/01_rotations.html",
-    ):
+    for place in ("grades.csv", "in/other/01_rotations.ipynb", "build/grades/feedback/other/01_rotations.html"):
         file = tmp_path / place
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text("as the grader left it")

@@ -2,7 +2,9 @@
 
 The candidates are several forms of the library's function, and wrong versions of it. None of them is in the student's
 process. The student's test calls a stand-in, which sends the arguments to the process that judges and returns that
-process's answer. So a test can distinguish candidates only by their answers. Their order is drawn from the seed.
+process's answer. Grading asks about each candidate in a process of its own, to which only that one answers: so a test
+can distinguish candidates only by their answers, and not by comparing one with another. Their order is drawn from the
+seed.
 """
 
 import json
@@ -113,12 +115,13 @@ class WriteTest(Exercise):
     def _consultant(self, order):
         """Return a function that answers a call of a candidate; a student controls its argument."""
 
-        def consult(text):
+        def consult(text, only=None):
+            """Answer one call, in JSON; only: the number of the candidate that answers, whatever the call says."""
             try:
                 if len(text) > _MOST_LETTERS:
                     raise ValueError("the arguments are too large")
                 asked = json.loads(text)
-                number = asked["candidate"]
+                number = asked["candidate"] if only is None else only
                 if not isinstance(number, int) or not 0 <= number < len(order):
                     raise ValueError("there is no such function")
                 arguments = self._arguments([from_json(node) for node in asked["arguments"]])

@@ -11,15 +11,17 @@ from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade.class_page import class_page
-from course_lib.pack.grade.collect import find
+from course_lib.pack.grade.collect import find, platform_of
+from course_lib.pack.grade.csv_text import count_noun
 from course_lib.pack.grade.deadline import DeadlineUnclear, read_deadline
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import IDENTITY, RosterUnreadable, gradebook_text, read_roster
+from course_lib.pack.grade.isolation import NONE, NotIsolated
 from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
 from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
-from course_lib.pack.grade.sandbox import notice, remove_old_folders
+from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
-from course_lib.pack.grade.tables import count_noun, graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.tables import graded_files, grades_text, sharing, totals, totals_text
 
 MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
 
@@ -29,7 +31,7 @@ def main(arguments=None, grade=None):
     chosen = _parser().parse_args(arguments)
     try:
         _grade(chosen, grade)
-    except (GradingStopped, MarksUnreadable, RosterUnreadable, DeadlineUnclear) as error:
+    except (GradingStopped, NotIsolated, MarksUnreadable, RosterUnreadable, DeadlineUnclear) as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
     except OSError as error:
@@ -47,10 +49,15 @@ def _parser():
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
     parser.add_argument("--jobs", default="-1", help="how many at once; one for each processor if not given")
     parser.add_argument("--scheduler", default="", help="address of a Dask cluster that does the work, tcp://...")
-    parser.add_argument("--lms", default="", help="also write the totals for this platform: canvas, moodle, gradescope")
+    parser.add_argument(
+        "--lms",
+        default="",
+        help="the platform that exported the files and gets the totals: canvas, moodle, gradescope; or none",
+    )
     parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
     parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
-    parser.add_argument("--late", default="", help="what late ones lose: none, or percent of the points a day")
+    parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
+    parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
     parser.add_argument("--seed", help="of the cases that are asked; drawn once and kept if not given")
     return parser
 
@@ -64,11 +71,14 @@ def _grade(chosen, grade):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
         seed = _seed(output / "seed", given)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
-        grade = grade or Grader(hidden)
+        grade = grade or Grader(hidden, chosen.isolation)
         remove_old_folders()
-        print(notice() or "Each submission runs apart from the others and from this machine.", flush=True)
+        if hasattr(grade, "prepare") and not chosen.scheduler:
+            grade.prepare()
+            how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
+            print(f"Each submission runs {how}.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
-        _write(output, graded_files(outcomes, deadline), chosen.lms, roster)
+        _write(output, graded_files(outcomes, deadline), chosen.lms.replace("none", ""), roster)
 
 
 def _submissions(chosen):
@@ -82,7 +92,11 @@ def _submissions(chosen):
         raise GradingStopped(f"There is no folder {folder}.")
     if folder.resolve() in [output, *output.parents]:
         raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
-    found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")))
+    if chosen.isolation not in ("", NONE):
+        raise GradingStopped(f"ISOLATION={chosen.isolation} is not none, the only choice to make.")
+    if not chosen.lms and (platform := platform_of(folder)):
+        print(f"The names are read as {platform.capitalize()} exports them; LMS=none if they are the students' own.")
+    found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")), chosen.lms or None)
     if not found:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
@@ -91,9 +105,9 @@ def _submissions(chosen):
 
 def _roster(chosen):
     """Return the roster's rows, or None; stop if a setting of the platform is invalid."""
-    if chosen.lms and chosen.lms not in IDENTITY:
-        raise GradingStopped(f"LMS={chosen.lms} is not one of {', '.join(IDENTITY)}.")
-    if chosen.roster and not chosen.lms:
+    if chosen.lms and chosen.lms not in (*IDENTITY, "none"):
+        raise GradingStopped(f"LMS={chosen.lms} is not one of {', '.join(IDENTITY)}, none.")
+    if chosen.roster and chosen.lms in ("", "none"):
         raise GradingStopped("ROSTER= has no meaning without LMS=.")
     return read_roster(Path(chosen.roster)) if chosen.roster else None
 
@@ -174,11 +188,13 @@ def _write(output, everything, platform, roster):
 def _summary(output, everything, listed):
     states = Counter(each.result.get("state", "unreadable" if each.unreadable else "graded") for each in everything)
     said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
-    lines = [f"{output / 'grades.csv'}: {said}."]
+    several = sharing(everything)
+    lines = ["One student in several places, of which the better points of each notebook count:"] if several else []
+    lines += _shortened(several, "more students.")
+    lines.append(f"{output / 'grades.csv'}: {said}.")
     troubled = [e for e in everything if e.unreadable or e.result.get("state") == "refused"]
-    lines += [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled[:MOST_LISTED]]
-    if len(troubled) > MOST_LISTED:
-        lines.append(f"... and {len(troubled) - MOST_LISTED} more, with their reasons in the table.")
+    reasons = [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled]
+    lines += _shortened(reasons, "more, with their reasons in the table.")
     releases = Counter(each.result["release"] or "none" for each in everything if each.graded and not each.unreadable)
     if len(releases) > 1:
         counts = ", ".join(f"{count} from {name}" for name, count in releases.most_common(MOST_LISTED))
@@ -192,6 +208,11 @@ def _summary(output, everything, listed):
             "The table gives the reason for each file that could not be graded; the same command tries it again."
         )
     return "\n".join(lines)
+
+
+def _shortened(lines, words):
+    more = [f"... and {len(lines) - MOST_LISTED} {words}"] if len(lines) > MOST_LISTED else []
+    return lines[:MOST_LISTED] + more
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ import threading
 import time
 import warnings
 
-from course_lib.pack.grade.isolate import die_with_parent
+from course_lib.pack.grade.confine import die_with_parent
 
 CPU_SECONDS = 300  # of the grader's own process, for all of a submission; a right one takes about three
 CLOCK_SECONDS = 4 * 3600  # far longer than the bounds of everything inside: it ends only what hangs
@@ -37,15 +37,6 @@ def cpu_deadline(seconds):
     """Raise CpuDeadline in the block once it has used so many seconds of processor time.
 
     It has no effect outside the main thread, where Python runs no signal handlers, or on a system without such a clock.
-
-    Examples
-    --------
-    >>> with cpu_deadline(0.01):
-    ...     while True:
-    ...         pass
-    Traceback (most recent call last):
-        ...
-    course_lib.pack.grade.bounded.CpuDeadline: more than 0.01 seconds of computing
     """
 
     def ring(signum, frame):
@@ -66,15 +57,7 @@ def cpu_deadline(seconds):
 def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=CLOCK_SECONDS):
     """Return function(*arguments), plain data, from a process of its own with bounded resources.
 
-    Parameters
-    ----------
-    function : callable
-    *arguments
-    cpu_seconds : float, optional
-        Of processor time.
-    memory : int, optional
-        Bytes of address space, in addition to that at the start.
-    clock_seconds : float, optional
+    memory: bytes of address space, in addition to that at the start.
 
     Raises
     ------
@@ -82,11 +65,6 @@ def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, c
         If the function exceeded a bound, or ended its process.
     RuntimeError
         If the function raised: the text holds the exception's type and message.
-
-    Examples
-    --------
-    >>> call_bounded(max, 2, 3)
-    3
     """
     there, here = os.pipe()
     with warnings.catch_warnings():

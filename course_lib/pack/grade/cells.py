@@ -5,11 +5,13 @@ names: every statement that binds or changes a name that the function reads, and
 """
 
 import ast
+import functools
 import re
 import symtable
 from dataclasses import dataclass, field
 
 RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # cell magics around plain Python
+MOST_TRANSFORMED = 100_000  # characters of a cell that IPython reads once for each of its magics
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
@@ -19,21 +21,7 @@ SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # they always bind their names, wha
 
 @dataclass
 class Statement:
-    """One statement at the top of a cell, and the names it binds, reads and changes.
-
-    Parameters
-    ----------
-    cell : int
-        The number of its cell, from 0.
-    tree : ast.stmt
-    binds, reads, changes : set of str
-
-    Examples
-    --------
-    >>> (found,) = statements(["a = b + 1"])
-    >>> found.binds, found.reads
-    ({'a'}, {'b'})
-    """
+    """One statement at the top of a cell (counted from 0), and the names it binds, reads and changes."""
 
     cell: int
     tree: ast.stmt
@@ -43,64 +31,29 @@ class Statement:
 
 
 def statements(sources):
-    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define.
-
-    Parameters
-    ----------
-    sources : list of str
-
-    Returns
-    -------
-    list of Statement
-
-    Examples
-    --------
-    >>> [each.cell for each in statements(["def f(): raise NotImplementedError", "def f(): return 1"])]
-    [1]
-    """
+    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
     found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
     written = {name for each in found if not is_stub(each.tree) for name in each.binds}
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
 
 
 def without_stubs(sources):
-    """Return the sources, with blank lines for the stubs of functions that other cells define.
-
-    Examples
-    --------
-    >>> without_stubs(["def f(): raise NotImplementedError", "def f(): return 1"])
-    ['', 'def f(): return 1']
-    """
+    """Return the sources, with blank lines for the stubs of functions that other cells define."""
     kept = {(each.cell, each.tree.lineno) for each in statements(sources)}
     blanked = []
     for number, source in enumerate(sources):
-        lines = source.splitlines()
-        for tree in parsed(source):
-            if is_stub(tree) and (number, tree.lineno) not in kept:
-                lines[tree.lineno - 1 : tree.end_lineno] = [""] * (tree.end_lineno - tree.lineno + 1)
-        blanked.append("\n".join(lines))
+        lines = plain(source).split("\n")
+        stubs = [tree for tree in parsed(source) if is_stub(tree) and (number, tree.lineno) not in kept]
+        for tree in stubs:
+            lines[tree.lineno - 1 : tree.end_lineno] = [""] * (tree.end_lineno - tree.lineno + 1)
+        blanked.append("\n".join(lines) if stubs else source)
     return blanked
 
 
 def needed(found, names):
-    """Return the statements that functions of these names need: all imports, and whatever affects what they read.
+    """Return the Statements that functions of these names need: all imports, and whatever affects what they read.
 
     A function reads names when it is called, so the search begins before the statement that mentions the function.
-
-    Parameters
-    ----------
-    found : list of Statement
-    names : list of str
-
-    Returns
-    -------
-    list of Statement
-
-    Examples
-    --------
-    >>> found = statements(["a = 1", "slow()", "def f(): return a"])
-    >>> [each.cell for each in needed(found, ["f"])]
-    [0, 2]
     """
     imported = {name for each in found for name in each.binds if isinstance(each.tree, IMPORTS)}
     kept = [isinstance(each.tree, IMPORTS) for each in found]
@@ -123,19 +76,9 @@ def needed(found, names):
 
 
 def alike_alone(found, names):
-    """Return the names whose functions behave the same if only the statements that they need are run.
+    """Return the names whose functions behave the same if only the Statements that they need are run.
 
     This holds if the other statements only define functions and set variables.
-
-    Parameters
-    ----------
-    found : list of Statement
-    names : list of str
-
-    Examples
-    --------
-    >>> alike_alone(statements(["def f(): return 1", "def g(): return 2"]), ["f", "g"])
-    ['f', 'g']
     """
     modules = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
     kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree, modules)}
@@ -161,54 +104,64 @@ def _changes(target):
     return any(isinstance(node, ast.Attribute | ast.Subscript) for node in ast.walk(target))
 
 
-def parsed(source):
-    r"""Return the statements of a cell; if the cell is not valid Python, those of its statements that are.
+# ---- the text of a cell ----
 
-    Examples
-    --------
-    >>> [type(tree).__name__ for tree in parsed("a = 1\nb = = 2\nc = 3")]
-    ['Assign', 'Assign']
-    """
-    plain = without_magics(source)
+
+@functools.lru_cache(maxsize=1000)
+def plain(source):
+    """Return a cell as Python: itself if it is, else what IPython makes of its magics, commands and prompts."""
+    if tree_of(source) is not None or len(source) > MOST_TRANSFORMED:
+        return source
+    from IPython.core.inputtransformer2 import TransformerManager  # here, because few notebooks need it
+
+    first, _, rest = source.lstrip().partition("\n")
+    if first.startswith("%%"):  # the rest of a cell that is timed is run as it is; other magics take it as text
+        return f"\n{plain(rest)}" if first[2:].partition(" ")[0] in RUNS_ITS_CELL else ""
     try:
-        return ast.parse(plain).body
+        return TransformerManager().transform_cell(source)
+    except (SyntaxError, ValueError, RuntimeError, RecursionError, MemoryError):
+        return source
+
+
+def tree_of(source):
+    """Return the ast of a text; None if it is not Python."""
+    try:
+        return ast.parse(source)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return [tree for piece in _pieces(plain) for tree in _parsed_alone(*piece)]
+        return None
 
 
-def without_magics(source):
-    r"""Return the source with blank lines for IPython's magics and shell commands.
+def parsed(source):
+    """Return the statements of a cell; if the cell is not valid Python, those of its statements that are."""
+    tree = tree_of(plain(source))
+    return tree.body if tree else [tree for piece in _pieces(plain(source)) for tree in _parsed_alone(*piece)]
 
-    Examples
-    --------
-    >>> without_magics("%matplotlib inline\nx = 1")
-    '\nx = 1'
-    """
-    lines = source.splitlines()
-    first = next((line for line in lines if line.strip()), "")
-    if first.startswith("%%") and re.match(r"%%(\w*)", first)[1] not in RUNS_ITS_CELL:
-        return ""
-    return "\n".join("" if re.match(r"\s*[%!?]|.*\?$", line) and "#" not in line else line for line in lines)
+
+def _pieces(source):
+    """Return (lines before, text) of the pieces that may be statements: each begins at the left edge."""
+    pieces, after_decorator = [], False
+    for number, line in enumerate(source.split("\n")):
+        begins = re.match(r"[A-Za-z_@(\[{]", line) and not re.match(r"(else|elif|except|finally|case)\b", line)
+        if begins and not after_decorator:
+            pieces.append((number, line))
+        elif pieces:
+            pieces[-1] = (pieces[-1][0], f"{pieces[-1][1]}\n{line}")
+        after_decorator = line.startswith("@")
+    return pieces
+
+
+def _parsed_alone(before, text):
+    tree = tree_of(text)
+    return ast.increment_lineno(tree, before).body if tree else []
 
 
 def no_python(sources, name):
-    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell.
-
-    Parameters
-    ----------
-    sources : list of str
-    name : str
-
-    Examples
-    --------
-    >>> no_python(["def f(:"], "f")
-    'Code cell 1 is not Python: invalid syntax, in line 1, `def f(:`.'
-    """
+    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell."""
     for number, source in enumerate(sources, 1):
         if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
             continue
         try:
-            ast.parse(without_magics(source))
+            ast.parse(plain(source))
         except SyntaxError as error:
             line = (error.text or "").strip()[:100]
             return f"Code cell {number} is not Python: {error.msg}, in line {error.lineno}, `{line}`."
@@ -218,17 +171,12 @@ def no_python(sources, name):
 
 
 def is_stub(tree):
-    """Return whether a statement is a function that only raises NotImplementedError.
-
-    Examples
-    --------
-    >>> is_stub(ast.parse("def f(): raise NotImplementedError").body[0])
-    True
-    """
+    """Return whether a statement is a function that only raises NotImplementedError."""
     if not isinstance(tree, ast.FunctionDef):
         return False
     body = [line for line in tree.body if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]
-    return len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
+    names = (node.id for line in body for node in ast.walk(line) if isinstance(node, ast.Name))
+    return len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in names
 
 
 # ---- one statement ----
@@ -297,27 +245,3 @@ def _base(node):
 def _only_shows(call):
     name = call.func.id if isinstance(call.func, ast.Name) else ""
     return name in ("print", "show", "display") or "check" in _base(call.func)
-
-
-# ---- a cell that is not valid Python ----
-
-
-def _pieces(source):
-    """Return (lines before, text) of the pieces that may be statements: each begins at the left edge."""
-    pieces, after_decorator = [], False
-    for number, line in enumerate(source.splitlines()):
-        begins = re.match(r"[A-Za-z_@(\[{]", line) and not re.match(r"(else|elif|except|finally|case)\b", line)
-        if begins and not after_decorator:
-            pieces.append((number, line))
-        elif pieces:
-            pieces[-1] = (pieces[-1][0], f"{pieces[-1][1]}\n{line}")
-        after_decorator = line.startswith("@")
-    return pieces
-
-
-def _parsed_alone(before, text):
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
-    return ast.increment_lineno(tree, before).body

@@ -8,8 +8,9 @@ import warnings
 from collections import Counter
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.feedback import escaped, page, wide_table
-from course_lib.pack.grade.tables import clean, count_noun, totals
+from course_lib.pack.grade.tables import totals
 
 MOST = 15  # bars of a picture
 INK = "#010203"  # replaced by the page's text colour, light or dark
@@ -18,19 +19,7 @@ COLOURS = {RIGHT: "#3a9d6a", WRONG: "#d9792f", ERROR: "#b8475c", NOT_ATTEMPTED: 
 
 
 def class_page(everything, marks_of):
-    """Return the page about the class.
-
-    Parameters
-    ----------
-    everything : list of GradedFile
-    marks_of : callable
-        marks_of(each) returns the MarkedAnswers of one file.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return the HTML page about the class. everything: GradedFiles; marks_of(each): the MarkedAnswers of one."""
     found = totals(everything, marks_of)
     counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
     graded = [each for each in counting if each.graded and not each.unreadable]

@@ -13,7 +13,8 @@ import unicodedata
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from course_lib.pack.grade.platforms import exported_name
+from course_lib.pack.grade import zips
+from course_lib.pack.grade.platforms import exported_name, recognized
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
 MAX_DEPTH = 20  # folders in folders, of one student
@@ -23,6 +24,7 @@ MAX_COPIES = 3  # of one student's notebook that are graded: the newest ones
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"  # "01_rotations (1)", "01_rotations-Copy2"
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
 CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode", "__macosx", "__pycache__"}
+LINK = "It is a link to another file, and links are not followed."
 
 
 @dataclass(frozen=True)
@@ -38,27 +40,36 @@ class Submission:
     place : str
         The path below the folder of submissions, unique, for messages and hashes.
     path : Path
+    member : str
+        The file's name in the zip at `path`; "" if that is the file itself.
     refused : str
         Why it is not graded, or "".
     modified : float or None
         Seconds since 1970 at which the file was last written.
-    platform_id : str
-        The learning platform's number in the file's name, or "".
+    platform_id, user_id : str
+        The learning platform's number in the file's name, and the same if the platform's gradebook has it too; or "".
     late : bool
         Whether the platform marked the file as late.
-    user_id : str
-        The platform_id if the platform's gradebook has it too, or "".
+    in_folder : bool
+        Whether a folder bears the student's name.
     """
 
     student: str
     notebook: str
     place: str
     path: Path
+    member: str = ""
     refused: str = ""
     modified: float | None = None
     platform_id: str = ""
     late: bool = False
     user_id: str = ""
+    in_folder: bool = False
+
+    @property
+    def top(self):
+        """The file or folder, among those in the folder of submissions, that holds it."""
+        return self.place.partition("/")[0] + ("/" if self.in_folder else "")
 
 
 class Refused(Exception):
@@ -68,7 +79,7 @@ class Refused(Exception):
 # ---- finding ----
 
 
-def find(folder, notebooks):
+def find(folder, notebooks, platform=None):
     """Return the Submissions in a folder, in the order of their places.
 
     Parameters
@@ -77,31 +88,36 @@ def find(folder, notebooks):
         Holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export.
     notebooks : list of str
         The names of the course's notebooks.
-
-    Returns
-    -------
-    list of Submission
+    platform : str, optional
+        The learning platform that exported the files; None to look whether all names are as one exports them.
     """
+    paths = [path for path in sorted(folder.iterdir()) if not _is_clutter(path.name)]
+    platform = platform_of(folder) if platform is None else platform
     found = []
-    for path in sorted(folder.iterdir()):
-        if _is_clutter(path.name):
-            continue
+    for path in paths:
         try:
             if path.is_dir() and not path.is_symlink():
-                found += _in_folder(path, folder, notebooks)
+                found += _in_folder(path, folder, notebooks, platform)
             else:
-                found.append(_flat(path, folder, notebooks))
+                found += _flat(path, folder, notebooks, platform)
         except Exception as problem:  # any problem of one file must not affect the others
-            found.append(_broken(path, problem))
+            found.append(_broken(path, problem, platform))
     found = [replace(each, modified=_modified(each.path)) for each in found]
     return sorted(_newest_copies(_unique_places(_one_name_each(found))), key=lambda submission: submission.place)
 
 
-def _broken(path, problem):
-    name = exported_name(printable(path.stem))
+def platform_of(folder):
+    """Return the platform that seems to have exported all files of a folder, or ""."""
+    paths = [path for path in folder.iterdir() if not _is_clutter(path.name)]
+    folders = [path.name for path in paths if path.is_dir()]
+    return recognized([printable(path.name if path.name in folders else path.stem) for path in paths], folders)
+
+
+def _broken(path, problem, platform):
+    name = exported_name(printable(path.stem), platform)
     reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
     refused = f"It cannot be read: {reason}."
-    return Submission(name.student, "", printable(path.name), path, refused, **_of_platform(name))
+    return Submission(name.student, "", printable(path.name), path, refused=refused, **_of_platform(name))
 
 
 def _of_platform(name):
@@ -121,43 +137,44 @@ def _modified(path):
         return None
 
 
-def _flat(path, folder, notebooks):
-    """Return the Submission for a file directly in the folder, whose name contains the student's."""
-    stem = printable(path.stem)
+def _flat(path, folder, notebooks, platform):
+    """Return the Submissions of a file directly in the folder, whose name contains the student's."""
+    stem, ending = printable(path.stem), path.suffix.lower()
     student, notebook = split(stem, notebooks)
-    name = exported_name(stem if not notebook else student + "_")
+    name = exported_name(stem, platform)
     if name.number:
-        student = name.student
-        notebook = notebook or split(name.rest, notebooks)[1] or name.rest
+        student, notebook = name.student, split(name.rest, notebooks)[1] or name.rest
     refused = ""
     if path.is_symlink():
-        refused = "It is a link to another file, and links are not followed."
-    elif path.suffix.lower() != ".ipynb":
+        refused = LINK
+    elif ending not in (".ipynb", ".zip"):
         refused = "It is not a notebook: its name does not end in .ipynb."
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
-    if path.is_symlink() and not path.suffix and not notebook:  # a link in place of a student's folder
+    if path.is_symlink() and not ending and not notebook:  # a link in place of a student's folder
         student = printable(path.name)
-    if not notebook and not refused:  # another name: its exercises determine which notebook it is
+    if not student and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
-    place = printable(path.relative_to(folder))
-    return Submission(student, notebook, place, path, refused, **_of_platform(name))
+    whole = Submission(student, notebook, printable(path.relative_to(folder)), path, **_of_platform(name))
+    return _in_zip(whole, notebooks) if ending == ".zip" and not refused else [replace(whole, refused=refused)]
 
 
-def _in_folder(top, folder, notebooks):
+def _in_folder(top, folder, notebooks, platform):
     """Return the Submissions in a student's folder, whose name is the student's."""
     place = printable(top.name)
-    name = exported_name(place)
-    whole = Submission(name.student or place, "", place, top, **_of_platform(name))
+    name = exported_name(place, platform) if platform == "moodle" else exported_name("", "")
+    whole = Submission(name.student or place, "", place, top, in_folder=True, **_of_platform(name))
     files, others, problems = _walk(top)
     found = []
     for path, is_link in files[:MAX_LISTED]:
+        each = replace(whole, place=printable(path.relative_to(folder)), path=path)
+        is_zip = path.suffix.lower() == ".zip"
+        if is_zip and not is_link:
+            found += _in_zip(each, notebooks)
+            continue
         stem = printable(path.stem)
         named = (split(stem, notebooks)[1] or stem) if path.suffix.lower() == ".ipynb" else ""
-        reason = "It is a link to another file, and links are not followed." if is_link else ""
-        found.append(
-            replace(whole, notebook=named, place=printable(path.relative_to(folder)), path=path, refused=reason)
-        )
+        found.append(replace(each, notebook=named, refused=LINK if is_link else ""))
     if len(files) > MAX_LISTED:
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
     if not found and not problems:
@@ -168,11 +185,33 @@ def _in_folder(top, folder, notebooks):
     return found
 
 
+def _in_zip(whole, notebooks):
+    """Return the Submissions in a zip that a student handed in; `whole` is the zip's own."""
+    try:
+        names = [name for name in zips.notebooks_in(whole.path) if not any(map(_is_clutter, name.split("/")))]
+    except zips.ZipRefused as reason:
+        return [replace(whole, refused=str(reason))]
+    stems = [printable(name.rpartition("/")[2]).removesuffix(".ipynb") for name in names]
+    if not whole.in_folder and len(stems) > 1 and recognized(stems, []):
+        reason = "It looks like a learning platform's export of a class: unpack it into the folder of submissions."
+        return [replace(whole, refused=reason)]
+    if not names:
+        return [replace(whole, refused="There is not a notebook in the zip.")]
+    found = []
+    for name, stem in list(zip(names, stems, strict=True))[:MAX_LISTED]:
+        notebook = split(stem, notebooks)[1] or (whole.notebook if whole.notebook in notebooks else stem)
+        found.append(replace(whole, notebook=notebook, place=f"{whole.place}/{printable(name)}", member=name))
+    if len(names) > MAX_LISTED:
+        reason = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
+        found.append(replace(whole, refused=reason))
+    return found
+
+
 def _walk(top):
     """Search a student's folder without recursion and within bounds.
 
-    Returns the notebooks and links as [(path, whether it is a link)] in the order of their paths, the names of the
-    other files, and sentences on what could not be searched.
+    Returns the notebooks, zips and links as [(path, whether it is a link)] in the order of their paths, the names of
+    the other files, and sentences on what could not be searched.
     """
     files, others, problems = [], [], []
     left, seen = [(top, 1)], 0
@@ -187,13 +226,13 @@ def _walk(top):
                         return sorted(files), others, problems
                     if _is_clutter(entry.name):
                         continue
-                    path, notebook = Path(entry.path), entry.name.lower().endswith(".ipynb")
+                    path, wanted = Path(entry.path), entry.name.lower().endswith((".ipynb", ".zip"))
                     if entry.is_symlink():
-                        if notebook or entry.is_dir():
+                        if wanted or entry.is_dir():
                             files.append((path, True))
                     elif entry.is_dir(follow_symlinks=False):
                         left.append((path, depth + 1))
-                    elif notebook:
+                    elif wanted:
                         files.append((path, False))
                     else:
                         others.append(printable(entry.name))
@@ -226,7 +265,7 @@ def _unique_places(found):
     """Add a hash to the places of two paths that print alike."""
     counts = collections.Counter(each.place for each in found)
     return [
-        replace(each, place=f"{each.place} [{_digest(os.fsdecode(each.path) + each.refused)}]")
+        replace(each, place=f"{each.place} [{_digest(os.fsdecode(each.path) + each.member + each.refused)}]")
         if counts[each.place] > 1
         else each
         for each in found
@@ -248,25 +287,9 @@ def _newest_copies(found):
 
 
 def split(stem, notebooks):
-    """Return the student and the notebook that a file's name without its ending contains.
+    """Return the student and the notebook that a file's name without its ending contains; both "" if none.
 
     The notebook's name comes last, with or without its number; a suffix such as " (1)" for a second copy may follow.
-
-    Parameters
-    ----------
-    stem : str
-    notebooks : list of str
-        The names of the course's notebooks.
-
-    Returns
-    -------
-    student, notebook : str
-        Both "" if the name contains no notebook's.
-
-    Examples
-    --------
-    >>> split("ada_rotations (1)", ["01_rotations", "02_rigid_motion"])
-    ('ada', '01_rotations')
     """
     for name in sorted(notebooks, key=lambda name: (-len(name), name)):
         for words in name, name.partition("_")[2]:
@@ -279,15 +302,21 @@ def split(stem, notebooks):
 # ---- reading ----
 
 
-def read(path):
-    """Return the bytes of a file. Raises Refused if it is not a regular file, is too large or cannot be read."""
+def read(submission):
+    """Return the bytes of a Submission's file. Raises Refused if it is refused, too large or cannot be read."""
+    if submission.refused:
+        raise Refused(submission.refused)
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)  # a pipe must not stop the run
     try:
-        handle = os.open(path, flags)
-        with os.fdopen(handle, "rb") as file:
-            if not stat.S_ISREG(os.fstat(handle).st_mode):
+        with os.fdopen(os.open(submission.path, flags), "rb") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise Refused("It is not a regular file.")
-            content = file.read(MAX_BYTES + 1)
+            if submission.member:
+                content = zips.content(file, submission.member, MAX_BYTES + 1)
+            else:
+                content = file.read(MAX_BYTES + 1)
+    except zips.ZipRefused as reason:
+        raise Refused(str(reason)) from reason
     except OSError as error:
         raise Refused(f"It cannot be read: {error.strerror}.") from error
     except (ValueError, MemoryError) as error:
@@ -301,25 +330,13 @@ def read(path):
 
 
 def printable(name):
-    r"""Return a name from the file system as printable text, normalized and on one line.
-
-    Examples
-    --------
-    >>> printable("two" + chr(10) + "lines")
-    'two\\x0alines'
-    """
+    """Return a name from the file system as printable text, normalized and on one line."""
     text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 
 def file_names(names):
-    """Return {name: file name}, all different, also on file systems that ignore case.
-
-    Examples
-    --------
-    >>> file_names(["ada"]), len(set(file_names(["Ada", "ada"]).values()))
-    ({'ada': 'ada'}, 2)
-    """
+    """Return {name: file name}, all different, also on file systems that ignore case."""
     plain = {name: _plain(name) for name in names}
     taken = collections.Counter(text.casefold() for text in plain.values())
     return {

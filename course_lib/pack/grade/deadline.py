@@ -1,6 +1,7 @@
 """Late submissions: how many days late a file is, and how many points it loses."""
 
 import math
+import re
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -13,21 +14,7 @@ class DeadlineUnclear(Exception):
 
 @dataclass(frozen=True)
 class Deadline:
-    """The deadline, and what a late file loses.
-
-    Parameters
-    ----------
-    when : float
-        Seconds since 1970.
-    percent : float
-        The percentage of its points that a late file loses for each day.
-
-    Examples
-    --------
-    >>> deadline = Deadline(0, percent=10)
-    >>> deadline.days_late(1.5 * DAY), deadline.share_left(2)
-    (2, 0.8)
-    """
+    """The deadline in seconds since 1970, and the percentage of its points that a late file loses for each day."""
 
     when: float
     percent: float = 0
@@ -44,19 +31,8 @@ class Deadline:
 def read_deadline(when, rule):
     """Return the Deadline that was typed, or None if none was.
 
-    Parameters
-    ----------
-    when : str
-        A date, or a date and a time, of this machine's time zone unless it names another; "" for no deadline.
-    rule : str
-        What a late file loses: "none", or percent of its points for each begun day, as "10" or "10%".
-
-    Examples
-    --------
-    >>> read_deadline("2026-11-30 18:00", "10%").percent
-    10.0
-    >>> read_deadline("", "") is None
-    True
+    when: a date, or a date and a time, of this machine's time zone unless it names another; "" for no deadline.
+    rule: what a late file loses: "none", or percent of its points for each begun day: "10", "10%", "10% a day".
     """
     if not when:
         if rule not in ("", "none"):
@@ -64,14 +40,12 @@ def read_deadline(when, rule):
         return None
     try:
         moment = datetime.fromisoformat(when)
-    except ValueError:
+        if len(when) <= 10:  # a date alone: its whole day counts
+            moment = moment.replace(hour=23, minute=59, second=59)
+        seconds = moment.timestamp()
+    except (ValueError, OverflowError, OSError):
         raise DeadlineUnclear(f"DEADLINE={when} is not a date: write 2026-11-30 or '2026-11-30 18:00'.") from None
-    if len(when) <= 10:  # a date alone: its whole day counts
-        moment = moment.replace(hour=23, minute=59, second=59)
-    try:
-        percent = 0.0 if rule in ("", "none") else float(rule.strip().removesuffix("%"))
-    except ValueError:
-        percent = math.nan
-    if not 0 <= percent <= 100:
+    typed = re.fullmatch(r"(\d+(?:\.\d+)?)\s*%?(?:\s*(?:a|per) day)?", rule.strip())
+    if rule not in ("", "none") and (not typed or float(typed[1]) > 100):
         raise DeadlineUnclear(f"LATE={rule} is neither none nor a number of percent a day from 0 to 100.")
-    return Deadline(moment.timestamp(), percent)
+    return Deadline(seconds, float(typed[1]) if typed else 0.0)

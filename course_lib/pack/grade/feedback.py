@@ -6,7 +6,8 @@ import re
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import file_names
-from course_lib.pack.grade.tables import clean, count_noun, final_state, lateness
+from course_lib.pack.grade.csv_text import clean, count_noun
+from course_lib.pack.grade.tables import final_state, lateness
 
 LONGEST = 100_000  # characters of one message or answer
 MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
@@ -47,53 +48,18 @@ svg {{ max-width: 100%; height: auto; }}
 
 
 def page(title, body):
-    """Return an HTML page that needs no network and runs no script.
-
-    Parameters
-    ----------
-    title : str
-    body : str
-        HTML.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> "<title>a &amp; b</title>" in page("a & b", "<p>fine</p>")
-    True
-    """
+    """Return an HTML page that needs no network and runs no script. body: HTML."""
     return PAGE.format(title=escaped(title), body=body)
 
 
 def escaped(text):
-    """Return text as HTML that shows it, cut to LONGEST characters.
-
-    Examples
-    --------
-    >>> escaped("<script>")
-    '&lt;script&gt;'
-    """
+    """Return text as HTML that shows it, cut to LONGEST characters."""
     text = clean(text)
     return html.escape(text if len(text) <= LONGEST else text[:LONGEST] + "\n... (cut here)")
 
 
 def wide_table(head, rows):
-    """Return a table that scrolls by itself if the page is narrower.
-
-    Parameters
-    ----------
-    head : str
-        The HTML of its first row.
-    rows : list of str
-        The HTML of the others.
-
-    Examples
-    --------
-    >>> wide_table("<tr><th>points</th></tr>", ["<tr><td>1</td></tr>"]).count("<tr>")
-    2
-    """
+    """Return a table that scrolls by itself if the page is narrower. head, rows: the HTML of its rows."""
     body = "\n".join(rows)
     return f'<div class="wide"><table>\n<thead>{head}</thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
 
@@ -102,19 +68,7 @@ def wide_table(head, rows):
 
 
 def feedback_page(each, answers):
-    """Return the page of one submission.
-
-    Parameters
-    ----------
-    each : GradedFile
-    answers : list of MarkedAnswer
-        Of its written answers.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return the HTML page of one GradedFile with the MarkedAnswers of its written answers."""
     read = sum(answer.points or 0 for answer in answers)
     waiting = sum(answer.points is None for answer in answers)
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]

@@ -1,21 +1,18 @@
 """Write the totals as a file that a learning platform's gradebook imports.
 
-Canvas: Student, ID, SIS User ID, SIS Login ID, Section, then a column for each assignment; a second
-row, "Points Possible".
+Canvas: Student, ID, SIS User ID, SIS Login ID, Section, then a column for each assignment; a row "Points Possible".
 Rows are matched by ID, SIS User ID or SIS Login ID (instructure/canvas-lms, lib/gradebook_importer.rb: header?,
-update_column_count, process_student).
+check_for_non_student_row, process_student).
 Moodle: any columns, one of which identifies the user: username, ID number or e-mail address
 (docs.moodle.org, "Grade import", CSV import).
 Gradescope imports no totals: the file has the columns of its own export, "<name> - Max Points" and "<name> - Lateness
 (H:M:S)" beside each score, for programs that read those.
 """
 
-import csv
-import io
 import re
 import unicodedata
 
-from course_lib.pack.grade.tables import cell, cell_text, table_text
+from course_lib.pack.grade.csv_text import TableUnreadable, cell, cell_text, read_table, table_text
 
 IDENTITY = {
     "canvas": ("Student", "ID", "SIS User ID", "SIS Login ID", "Section"),
@@ -25,6 +22,7 @@ IDENTITY = {
 NAMES = ("Student", "First name", "Last name", "First Name", "Last Name")  # columns that do not identify a student
 KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
 WITHOUT_ROSTER = {"moodle": "Username", "gradescope": "SID"}  # the column of the students' names if there is no roster
+POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words in its first cell for that row
 
 
 class RosterUnreadable(Exception):
@@ -34,36 +32,21 @@ class RosterUnreadable(Exception):
 def read_roster(path):
     """Return the rows of a roster: a CSV with a line for each student, as the platform exports it or with our names."""
     try:
-        text = path.read_bytes().decode("utf-8-sig", "replace")
+        rows = read_table(path.read_bytes(), KEYS | {*NAMES, "Name", "Section"})
     except OSError as error:
         raise RosterUnreadable(f"{path} cannot be read: {error.strerror}.") from error
-    separator = max(",;\t", key=text.split("\n", 1)[0].count)
-    rows = [
-        {
-            (name or "").strip().strip('"'): (value or "").strip()
-            for name, value in row.items()
-            if isinstance(value, str)
-        }
-        for row in csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
-    ]
+    except TableUnreadable as problem:
+        raise RosterUnreadable(f"{path} {problem}") from problem
     if not rows or len(rows[0]) < 2:
         raise RosterUnreadable(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
-    return rows
+    rows = [{name: value.strip() for name, value in row.items()} for row in rows]
+    return [row for row in rows if POINTS_POSSIBLE not in row.get("Student", "")]
 
 
 class Roster:
     """Finds a student's row by Canvas's number, a login name, number or address, the column `student`, or the name.
 
-    Parameters
-    ----------
-    rows : list of dict
-        As `read_roster` returns them.
-
-    Examples
-    --------
-    >>> roster = Roster([{"Student": "Doe, Jane", "SIS Login ID": "jdoe"}])
-    >>> roster.find("jane doe")["SIS Login ID"], roster.find("jdoe")["Student"]
-    ('jdoe', 'Doe, Jane')
+    rows: as `read_roster` returns them.
     """
 
     def __init__(self, rows):
@@ -98,7 +81,7 @@ def _words(name):
 
 
 def gradebook_text(platform, totals, roster=None):
-    """Return (text of the file, students who are not in the roster and so not in it, students who share a line of it).
+    """Return the text of the file for a platform, and the students who are not in it or share a line of it.
 
     Parameters
     ----------
@@ -112,21 +95,15 @@ def gradebook_text(platform, totals, roster=None):
     -------
     text : str
     missing : list of str
+        Students who are not in the roster, or whom Canvas would not take for a student.
     shared : list of list of str
         Those whose names lead to the same line of the roster; of each notebook the better points are in the file.
-
-    Examples
-    --------
-    >>> from course_lib.pack.grade.tables import Totals
-    >>> print(gradebook_text("moodle", Totals({"01": 10}, {"ada": {"01": 9}}))[0], end="")
-    Username,ID number,Email address,First name,Last name,01
-    ada,,,,,9
     """
     look = Roster(roster) if roster else None
     lines, missing = {}, []  # lines: {what identifies a student: their names}
     for student in totals.students:
         identity = _identity(platform, student, totals.user_ids.get(student, ""), look)
-        if identity is None:
+        if identity is None or (platform == "canvas" and POINTS_POSSIBLE in identity[0]):
             missing.append(student)
         else:
             lines.setdefault(identity, []).append(student)
@@ -135,9 +112,11 @@ def gradebook_text(platform, totals, roster=None):
     for notebook in totals.of:
         more = [f"{notebook} - Max Points", f"{notebook} - Lateness (H:M:S)"] if platform == "gradescope" else []
         columns += [notebook, *more]
+    written = [[cell(value) for value in row] for row in rows]
     if platform == "canvas":
-        rows.insert(0, ["    Points Possible", *[""] * (len(IDENTITY[platform]) - 1), *totals.of.values()])
-    text = table_text([cell(name) for name in columns], [[_written(value) for value in row] for row in rows])
+        of = [cell(points) for points in totals.of.values()]
+        written.insert(0, [f"    {POINTS_POSSIBLE}", *[""] * (len(IDENTITY[platform]) - 1), *of])
+    text = table_text([cell(name) for name in columns], written)
     return text, missing, [students for students in lines.values() if len(students) > 1]
 
 
@@ -161,7 +140,3 @@ def _points(platform, totals, students):
         if platform == "gradescope":
             yield of
             yield "" if best is None else f"{24 * totals.late.get((best, notebook), 0):02}:00:00"
-
-
-def _written(value):
-    return value if value == "    Points Possible" else cell(value)

@@ -17,6 +17,7 @@ from tqdm import tqdm
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.collect import Refused, read
+from course_lib.pack.grade.isolation import NotIsolated
 
 LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
 CLUSTER_SECONDS = 60  # to wait for a scheduler, and for its first worker
@@ -44,8 +45,8 @@ def course_hash():
     return digest.hexdigest()[:12]
 
 
-ABOUT_RESULTS = ("collect", "platforms", "jobs", "tables", "marks", "deadline", "gradebook", "feedback", "class_page")
-ABOUT_RESULTS += ("__main__",)
+ABOUT_RESULTS = ("collect", "platforms", "zips", "jobs", "csv_text", "tables", "marks", "deadline", "gradebook")
+ABOUT_RESULTS += ("feedback", "class_page", "__main__")
 
 
 def result_name(submission, content, seed):
@@ -80,34 +81,17 @@ def ungraded_result(submission, reason, state):
 def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
     """Return each submission with its result, in the same order; stored results are not computed again.
 
-    Parameters
-    ----------
-    submissions : list of Submission
-    results : Path
-        The folder of stored results.
-    seed : int
-        Of the cases.
-    grade : callable
-        grade(content, notebook, seed) returns a result; its method `prepare`, if it has one, is called in each worker
-        process.
-    jobs : int, optional
-        How many are graded at once; -1 for one for each processor.
-    scheduler : str, optional
-        The address of a Dask cluster that does the work.
+    submissions: a list of Submission. results: the folder (Path) of stored results. seed: of the cases. grade:
+    grade(content, notebook, seed) returns a result; its method `prepare`, if it has one, is called in each worker
+    process. jobs: how many are graded at once; -1 for one for each processor. scheduler: the address of a Dask cluster
+    that does the work, or "".
 
-    Returns
-    -------
-    list of (Submission, dict)
-
-    Raises
-    ------
-    GradingStopped
-        If the whole run cannot continue.
+    Raises GradingStopped if the whole run cannot continue.
     """
     done, left = {}, {}
     for submission in submissions:
         try:
-            path = results / result_name(submission, _content(submission), seed)
+            path = results / result_name(submission, read(submission), seed)
         except Refused as reason:
             done[submission] = ungraded_result(submission, str(reason), "refused")
             continue
@@ -126,12 +110,6 @@ def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
     return [(submission, done[submission]) for submission in submissions]
 
 
-def _content(submission):
-    if submission.refused:
-        raise Refused(submission.refused)
-    return read(submission.path)
-
-
 def _grade_left(left, done, bar, seed, grade, jobs, whose):
     """Grade the remaining submissions, and add the results to `done` and to the files."""
     handed_out = []
@@ -140,7 +118,7 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
         for submission in some:
             handed_out.append(submission)
             with contextlib.suppress(Refused):  # read only now, since all at once may be more than the memory holds
-                yield delayed(_one)(submission, grade, seed, whose, _content(submission))
+                yield delayed(_one)(submission, grade, seed, whose, read(submission))
 
     def take(some, jobs):
         outcomes = Parallel(jobs, batch_size=1, return_as="generator_unordered")(work(some))
@@ -189,6 +167,8 @@ def _one(submission, grade, seed, whose, content):
         if hasattr(grade, "prepare"):  # here and not in the process of each submission
             grade.prepare()
         return submission, digest, {"result": call_bounded(grade, content, submission.notebook, seed)}
+    except NotIsolated as problem:
+        return submission, digest, {"stop": f"{platform.node()}: {problem}"}
     except OutOfBounds as reason:
         return submission, digest, {"failed": f"It could not be graded: {reason}."}
     except Exception as error:  # an error of the grader itself

@@ -28,22 +28,7 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a submitted notebook.
-
-    Parameters
-    ----------
-    kind : str
-        "code", "markdown", or another word from the file.
-    source : str
-    name : str
-        Its grade_id in nbgrader's metadata, or ""; used only to find written answers.
-    id : str
-
-    Examples
-    --------
-    >>> code([Cell("code", "x = 1"), Cell("markdown", "Why?")])
-    ['x = 1']
-    """
+    """One cell of a submitted notebook. name: its grade_id in nbgrader's metadata; finds only written answers."""
 
     kind: str
     source: str
@@ -53,23 +38,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Question:
-    """A question that is answered in writing.
-
-    Parameters
-    ----------
-    name : str
-    points : int
-    id : str
-        Of its answer cell.
-    after : str
-        The source of the cell with its task.
-
-    Examples
-    --------
-    >>> why = Question("explain", 2, "a1", "Why?")
-    >>> answer(why, [Cell("markdown", "Why?"), Cell("markdown", "Because.")])
-    'Because.'
-    """
+    """A question that is answered in writing. id: of its answer cell. after: the source of the cell with its task."""
 
     name: str
     points: int
@@ -79,21 +48,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Course:
-    """One notebook of the course.
-
-    Parameters
-    ----------
-    name : str
-    package : str
-        The name of its package of checks.
-    exercises : tuple of Exercise
-    questions : tuple of Question
-
-    Examples
-    --------
-    >>> courses()["01_rotations"].package
-    'rotations'
-    """
+    """One notebook of the course, with the name of its package of checks, its Exercises and its Questions."""
 
     name: str
     package: str
@@ -105,28 +60,7 @@ class Course:
 
 
 def read(content):
-    """Return the cells of a submitted file, and the release that it names.
-
-    Parameters
-    ----------
-    content : bytes
-
-    Returns
-    -------
-    cells : list of Cell
-    release : str
-        "" if the file names none.
-
-    Raises
-    ------
-    Unreadable
-        If it is not a notebook, or too large.
-
-    Examples
-    --------
-    >>> read(b'{"cells": [{"cell_type": "code", "source": ["x = ", "1"]}]}')
-    ([Cell(kind='code', source='x = 1', name='', id='')], '')
-    """
+    """Return the Cells of a submitted file, and the release that it names, or "". Raises Unreadable."""
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     if content.count(b"{") + content.count(b"[") > MOST_BRACKETS or content.count(b",") > MOST_COMMAS:
@@ -175,14 +109,10 @@ def _cell(cell):
         source = "".join(line for line in source if isinstance(line, str))
     if not isinstance(source, str):
         return None
-    words = [_within(cell, "cell_type"), _within(cell, "metadata", "nbgrader", "grade_id"), _within(cell, "id")]
+    source = source.replace("\r\n", "\n").replace("\r", "\n")  # no other sign ends a line of Python
+    kind, *rest = (_within(cell, *keys) for keys in (("cell_type",), ("metadata", "nbgrader", "grade_id"), ("id",)))
     # Lone surrogates are legal in JSON and nowhere else.
-    return Cell(*(w.encode("utf-8", "replace").decode() if isinstance(w, str) else "" for w in _order(words, source)))
-
-
-def _order(words, source):
-    kind, name, number = words
-    return kind, source, name, number
+    return Cell(*(w.encode("utf-8", "replace").decode() if isinstance(w, str) else "" for w in (kind, source, *rest)))
 
 
 def _within(value, *keys):
@@ -192,29 +122,12 @@ def _within(value, *keys):
 
 
 def code(cells):
-    """Return the sources of the code cells.
-
-    Examples
-    --------
-    >>> code([Cell("markdown", "Why?"), Cell("code", "x = 1")])
-    ['x = 1']
-    """
+    """Return the sources of the code cells."""
     return [cell.source for cell in cells if cell.kind == "code"]
 
 
 def defines(sources, name):
-    """Return whether a cell seems to define a function of this name: a quick guess from its text.
-
-    Parameters
-    ----------
-    sources : list of str
-    name : str
-
-    Examples
-    --------
-    >>> defines(["def hat(w):"], "hat"), defines(["print(hat)"], "hat")
-    (True, False)
-    """
+    """Return whether a cell seems to define a function of this name: a quick guess from its text."""
     return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
 
 
@@ -227,16 +140,6 @@ def may_bind(sources, name):
     """Return whether the cells may bind this name when all of them are run: a quick guess from their text.
 
     Each line is read once, so the time is linear in the length of the text.
-
-    Parameters
-    ----------
-    sources : list of str
-    name : str
-
-    Examples
-    --------
-    >>> may_bind(["if late: hat = 1"], "hat"), may_bind(["print(hat)"], "hat")
-    (True, False)
     """
     if not name:
         return False
@@ -253,26 +156,14 @@ def may_bind(sources, name):
 
 def _lines_with(sources, name):
     """Return the lines that contain a name, without leading blanks."""
-    return (line.lstrip() for source in sources if name in source for line in source.splitlines() if name in line)
+    return (line.lstrip() for source in sources if name in source for line in source.split("\n") if name in line)
 
 
 # ---- the course's notebooks ----
 
 
 def course_of(name, cells):
-    """Return the Course of a file by its name, or else by the exercises in its cells; None if neither fits.
-
-    Parameters
-    ----------
-    name : str
-        The notebook's name, if the file's own name contains it.
-    cells : list of Cell
-
-    Examples
-    --------
-    >>> course_of("homework", [Cell("code", "def exp_so3(w):")]).name
-    '01_rotations'
-    """
+    """Return the Course of a file by its name, or else by the exercises in its Cells; None if neither fits."""
     known = courses()
     if name in known:
         return known[name]
@@ -284,13 +175,7 @@ def course_of(name, cells):
 
 @functools.cache
 def courses():
-    """Return {name: Course} of all notebooks of the course.
-
-    Examples
-    --------
-    >>> sorted(courses())[0]
-    '01_rotations'
-    """
+    """Return {name: Course} of all notebooks of the course."""
     found = {}
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
         package = path.stem.partition("_")[2]
@@ -310,33 +195,19 @@ def _questions(path):
 
 
 def answer(question, cells):
-    """Return the written answer to a question, or "".
+    """Return the written answer to a Question, or "".
 
     It is the cell with the question's name, or else with its id, or else the one after its task.
-
-    Parameters
-    ----------
-    question : Question
-    cells : list of Cell
-
-    Examples
-    --------
-    >>> answer(Question("explain", 2, "a1", "Why?"), [Cell("markdown", "Because.", name="explain")])
-    'Because.'
     """
     for wanted in (lambda cell: cell.name == question.name, lambda cell: cell.id == question.id):
         found = [cell.source for cell in cells if cell.kind != "code" and wanted(cell)]
         if found:
             return _written("\n\n".join(found))
     for task, following in itertools.pairwise(cells):
-        if _same_words(task.source, question.after) and following.kind != "code":
+        if task.source.split() == question.after.split() and following.kind != "code":
             return _written(following.source)
     return ""
 
 
 def _written(text):
     return "" if text.strip() == PROMPT else text.strip()
-
-
-def _same_words(one, other):
-    return one.split() == other.split()

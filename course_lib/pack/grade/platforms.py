@@ -1,4 +1,8 @@
-"""Learning platforms: the names of the files that they export."""
+"""Learning platforms: the names of the files that they export.
+
+A pattern that fits one name may be chance (`2026_01_15_alice`), so names are read as a platform's only if the
+instructor says which (LMS=), or if all names fit it and none contradicts another.
+"""
 
 import re
 from typing import NamedTuple
@@ -10,8 +14,8 @@ MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinet
 # Canvas's "Download submissions": <name>_[LATE_]<user>_<file>_<file's own name>, or anon_<id> for name and user
 # (instructure/canvas-lms, lib/content_zipper.rb, get_filename and add_upload_submission).
 CANVAS = re.compile(
-    r"(?:(?P<late1>LATE)_)?(?P<anonymous>anon_[A-Za-z0-9]+)_\d+_(?P<rest1>.*)"
-    r"|(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.*)",
+    r"(?:(?P<late1>LATE)_)?(?P<anonymous>anon_[A-Za-z0-9]+)_(?P<file1>\d+)_(?P<rest1>.*)"
+    r"|(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)_(?P<file>\d+)_(?P<rest>.*)",
     re.DOTALL,
 )
 
@@ -19,23 +23,9 @@ CANVAS = re.compile(
 class Exported(NamedTuple):
     """The parts of a file name that Canvas or Moodle exported.
 
-    Parameters
-    ----------
-    student : str
-        Whose the file is.
-    rest : str
-        The student's own name for the file.
-    number : str
-        The platform's number, which distinguishes students of the same name.
-    late : bool
-        True if the platform marked the file as late.
-    user_id : str
-        The number by which the gradebook knows the student, which only Canvas gives.
-
-    Examples
-    --------
-    >>> exported_name("Jane Doe_42_assignsubmission_file_").number
-    '42'
+    rest: the student's own name for the file. number: the platform's, which distinguishes students of the same name.
+    late: whether the platform marked the file as late. user_id: the number by which the gradebook knows the student,
+    which only Canvas gives.
     """
 
     student: str = ""
@@ -45,25 +35,38 @@ class Exported(NamedTuple):
     user_id: str = ""
 
 
-def exported_name(stem):
-    """Return the parts of a name that Canvas or Moodle exported, or an empty Exported for any other name.
+def exported_name(stem, platform):
+    """Return the parts of a name that a platform exported, or an empty Exported for any other name.
 
     The platform's part comes first, so a student cannot imitate it by the file's own name.
-
-    Examples
-    --------
-    >>> exported_name("doejane_LATE_1234_5678_01_rotations")
-    Exported(student='doejane_1234', rest='01_rotations', number='1234', late=True, user_id='1234')
-    >>> exported_name("Jane Doe_42_assignsubmission_file_")
-    Exported(student='Jane Doe', rest='', number='42', late=False, user_id='')
     """
-    if found := MOODLE.fullmatch(stem):
+    if platform == "moodle" and (found := MOODLE.fullmatch(stem)):
         blind = found["name"] == "Participant"  # Moodle's name for everybody in anonymous submissions
         student = f"Participant {found['id']}" if blind else found["name"]
         return Exported(student, found["rest"], found["id"])
-    found = CANVAS.fullmatch(stem)
-    if not found:
-        return Exported()
-    if found["anonymous"]:
-        return Exported(found["anonymous"], found["rest1"], found["anonymous"], bool(found["late1"]))
-    return Exported(f"{found['name']}_{found['id']}", found["rest"], found["id"], bool(found["late"]), found["id"])
+    if platform == "canvas" and (found := CANVAS.fullmatch(stem)):
+        if found["anonymous"]:
+            return Exported(found["anonymous"], found["rest1"], found["anonymous"], bool(found["late1"]))
+        return Exported(f"{found['name']}_{found['id']}", found["rest"], found["id"], bool(found["late"]), found["id"])
+    return Exported()
+
+
+def recognized(stems, folders):
+    """Return the platform whose export all these names are, or "".
+
+    stems: the names of all files and folders, without endings. folders: of those, the folders; Canvas exports none.
+    """
+    if stems and all(map(MOODLE.fullmatch, stems)):
+        return "moodle"
+    found = [CANVAS.fullmatch(stem) for stem in stems]
+    if folders or not found or not all(found):
+        return ""
+    # In an export each file has a number of its own and each user one name; no number begins with 0, and names are
+    # letters. Dates at the beginning of names contradict one of these.
+    files = [each["file"] or each["file1"] for each in found]
+    names = {(each["id"] or each["anonymous"]): each["name"] for each in found}
+    pairs = {(each["id"] or each["anonymous"], each["name"]) for each in found}
+    numbers = [*files, *(number for number in names if number.isdigit())]
+    lettered = all(name is None or not any(c.isdigit() for c in name) for name in names.values())
+    plain = lettered and not any(number.startswith("0") for number in numbers)
+    return "canvas" if plain and len(set(files)) == len(files) and len(pairs) == len(names) else ""

@@ -2,7 +2,8 @@
 
 All its output is only a claim, because the student's code runs in the same process and can forge it. It reads one JSON
 object with the cells, and runs them. Then it reads requests {"ask": name, ...} until the end, and answers each in a
-child process, so that a crash in one answer affects no other.
+child process, so that a crash in one answer affects no other. If the object says "each", no student's code runs in this
+process: each request is answered by a child that runs the cells for itself, and of which nothing is left afterwards.
 """
 
 import ast
@@ -21,11 +22,15 @@ import sys
 import time
 import types
 
+LEAST_PROGRESS = 0.01  # of a processor; a process that computes less is idle
+
 
 def main():
     """Run the cells, then answer requests until the input ends."""
-    course = sys.argv[1]
-    sys.path.insert(0, course)
+    course, told = sys.argv[1], json.loads(sys.argv[2])
+    sys.path[:0] = [course, *told["packages"]]
+    confine = importlib.import_module("confine").confine
+    confine(told["limits"], told["uid"])
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
@@ -45,15 +50,80 @@ def main():
         return json.loads(requests.readline())["told"]
 
     order = json.loads(requests.readline())
-    run = run_whole if order["whole"] else run_needed
-    space, defined, alike = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
+    run = functools.partial(
+        run_whole if order["whole"] else run_needed,
+        *(order["cells"], order["names"], {tuple(place) for place in order["without"]}),
+    )
+    if order["each"]:
+        preload(order["cells"])
+        space, defined, alike = {}, order["names"], []
+    else:
+        space, defined, alike = run(say)
     say(defined=[name for name in order["names"] if name in defined], alike=alike)
     while line := requests.readline():
         asked = json.loads(line)
         name = asked["ask"]
 
-        answer = functools.partial(call_student.reply, space.get(name), asked["questions"])
+        def answer(consult, name=name, asked=asked):
+            if not order["each"]:
+                return call_student.reply(space.get(name), asked["questions"], consult)
+            os.close(requests.fileno())  # what is said to this child, or by it, goes through its own pipes
+            os.close(replies)
+            return call_student.reply(run(quietly)[0].get(name), asked["questions"], consult)
+
         say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
+        if order["each"] and told["apart"]:
+            leave_nothing()
+
+
+def quietly(**message):
+    """Say nothing of how the cells run."""
+
+
+def preload(sources):
+    """Import what the cells import, from packages only, so that each child finds it loaded."""
+    from cells import statements
+
+    for each in statements(sources):
+        for node in ast.walk(each.tree):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
+            if isinstance(node, ast.ImportFrom):
+                names = [] if node.level else [node.module, *(f"{node.module}.{name}" for name in names)]
+            for name in names:
+                with contextlib.suppress(BaseException):
+                    importlib.import_module(name)
+
+
+def leave_nothing():
+    """End all other processes in these namespaces, and empty the folders that can be written to."""
+    with contextlib.suppress(ProcessLookupError):
+        while True:
+            os.kill(-1, signal.SIGKILL)
+            time.sleep(0.001)  # until the first process has reaped them
+    for room in ("/scratch", "/tmp"):
+        empty(room)
+        with contextlib.suppress(OSError):  # where it is root's, no student can have set these
+            os.chmod(room, 0o1777)
+            for name in os.listxattr(room):
+                os.removexattr(room, name)
+            os.utime(room, (0, 0))
+    shutil.copytree(f"{sys.argv[1]}/data", "data", dirs_exist_ok=True)
+
+
+def empty(room):
+    """Remove all in a folder, without recursion: what is in a folder there is moved up first."""
+    count = 0
+    while names := os.listdir(room):
+        for name in names:
+            path = os.path.join(room, name)
+            if not os.path.isdir(path) or os.path.islink(path):
+                os.unlink(path)
+                continue
+            os.chmod(path, 0o700)
+            for inner in os.listdir(path):
+                count += 1
+                os.rename(os.path.join(path, inner), os.path.join(room, f"moved {count} {time.monotonic_ns()}"))
+            os.rmdir(path)
 
 
 # ---- cells ----
@@ -91,7 +161,7 @@ def run_needed(sources, names, without, say):
     space["display"] = print
     sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
     for number, source in enumerate(sources):
-        text = source.splitlines(keepends=True)
+        text = [f"{line}\n" for line in source.split("\n")]
         linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
     found = statements(sources)
     left = [each for each in needed(found, names) if (each.cell, each.tree.lineno) not in without]
@@ -171,19 +241,23 @@ def listen(child, there, told_here, asked, tell):
 
 
 def wait_for(child, pipe, asked):
-    """Wait until the pipe can be read; return False if the child computes nothing for too long."""
+    """Wait until the pipe can be read; return False if the child computes next to nothing for too long."""
     begin = since = time.monotonic()
-    computed = None
+    at = computing_time(child)
     while not select.select([pipe], [], [], 0.25)[0]:
-        now, before, computed = time.monotonic(), computed, computing_time(child)
-        since = since if computed == before else now
-        if now - since > asked["idle"] or now - begin > asked["seconds"]:
+        now = time.monotonic()
+        if now - begin > asked["seconds"]:
             return False
+        if now - since > asked["idle"]:
+            computed = computing_time(child)
+            if at is not None and computed is not None and computed - at < LEAST_PROGRESS * (now - since):
+                return False
+            since, at = now, computed
     return True
 
 
 def computing_time(process):
-    """Return the processor time of a process in seconds; None if the system has no such clock."""
+    """Return the processor time of a process in seconds; None if the system has no such clock, or it has ended."""
     try:
         return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
     except OSError:

@@ -14,7 +14,7 @@ from pathlib import Path
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
 ASKING = ("call_student.py", "wire.py", "adapters.py")
-SCRIPTS = ("runner.py", "cells.py")
+SCRIPTS = ("runner.py", "cells.py", "confine.py")
 
 TAKEN = '''
 def {name}(*arguments, **named):
@@ -83,33 +83,16 @@ def __getattr__(name):
 
 
 def dotted_name(function):
-    """Return the dotted name of a function of the library; "" for a function that the checks define.
-
-    Examples
-    --------
-    >>> from course_lib.rotations import exp_so3
-    >>> dotted_name(exp_so3)
-    'course_lib.rotations.exp_so3'
-    """
+    """Return the dotted name of a function of the library; "" for a function that the checks define."""
     module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
     own = module.startswith("course_lib.checks") or not module.startswith("course_lib.") or "." in name
     return "" if own or name.startswith("<") else f"{module}.{name}"
 
 
 def contents(checks, forbidden):
-    """Return the files of a sandbox.
+    """Return the files of a sandbox as {path: bytes}.
 
-    Parameters
-    ----------
-    checks : dict
-        {name of a package of checks: its exercises}.
-    forbidden : iterable of str
-        Dotted names of functions that are taken away.
-
-    Returns
-    -------
-    dict
-        {path: bytes}.
+    checks: {name of a package of checks: its exercises}. forbidden: dotted names of functions that are taken away.
     """
     own = Path(__file__).parent
     files = {name: (own / name).read_bytes() for name in SCRIPTS}

@@ -10,27 +10,24 @@ import json
 import re
 import resource
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge, with_blame
 from course_lib.checks.notebook import describe
-from course_lib.pack.grade import notebook_file
+from course_lib.checks.wire import Candidate, read, write
+from course_lib.pack.grade import isolation, notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
-from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow, notice
+from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow
 from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # how to ask again: in a process of its own; after running the whole notebook
 JUDGING_SECONDS = 60  # of the grader's own processor time for one exercise; a right answer takes less than one
 MOST_CALLS = 10_000  # of candidates, by one student's test
-OWN_ERRORS = {
-    "ValueError",
-    "ZeroDivisionError",
-    "IndexError",
-    "LinAlgError",
-    "AssertionError",
-}  # not caused by a function that this run removed
+# Not caused by a function that this run removed.
+OWN_ERRORS = {"ValueError", "ZeroDivisionError", "IndexError", "LinAlgError", "AssertionError"}
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
@@ -47,12 +44,14 @@ class Cells:
     """What is known about a run of the cells when one of its functions is asked.
 
     final: True if no later run could define a missing function. alike: True if this function would behave the same if
-    only the statements that it needs were run. left_out: why a statement was left out, or "".
+    only the statements that it needs were run. left_out: why a statement was left out, or "". whole: True if all cells
+    were run as Jupyter does.
     """
 
     final: bool
     alike: bool = False
     left_out: str = ""
+    whole: bool = False
 
 
 def _computed():
@@ -65,16 +64,15 @@ def _computed():
 class Run:
     """A submission while it is graded.
 
-    left_out: {number of a cell that ended or blocked the process: how}. too_slow: statements as [cell, line] that no
-    later run executes again.
+    sandbox: what starts one, called with its files. left_out: {number of a cell that ended or blocked the process: how
+    it did}. too_slow: statements as [cell, line] that no later run executes again.
     """
 
     sources: list
     limits: Limits
     seed: int
-    package: str
     exercises: tuple
-    hidden: tuple = ()
+    sandbox: Callable
     left_out: dict = field(default_factory=dict)
     too_slow: list = field(default_factory=list)
     begin: float = field(default_factory=time.monotonic)
@@ -86,7 +84,7 @@ class Run:
         return late or _computed() - self.computed > self.limits.submission_cpu_seconds
 
 
-def grade(text, notebook, seed, limits=None, hidden=()):
+def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
 
     Parameters
@@ -100,6 +98,8 @@ def grade(text, notebook, seed, limits=None, hidden=()):
     limits : Limits, optional
     hidden : tuple of str, optional
         Folders that the submission must not see, wherever they are.
+    wanted : str, optional
+        "none" to run it without isolation.
 
     Returns
     -------
@@ -115,7 +115,9 @@ def grade(text, notebook, seed, limits=None, hidden=()):
     if course is None:
         problem = "It is not one of the course's notebooks: neither its name nor its functions match."
         return _result(notebook, release, None, [problem], {}, cells)
-    run = Run(notebook_file.code(cells), limits or Limits(), seed, course.package, course.exercises, tuple(hidden))
+    limits = limits or Limits()
+    sandbox = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), wanted=wanted)
+    run = Run(notebook_file.code(cells), limits, seed, course.exercises, sandbox)
     outcomes = ask_all(run)
     for exercise in course.exercises:
         if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
@@ -126,23 +128,25 @@ def grade(text, notebook, seed, limits=None, hidden=()):
 
 @dataclass(frozen=True)
 class Grader:
-    """Grades submissions by grade(). hidden: folders that no submission must see, wherever they are."""
+    """Grades submissions by grade(). hidden: folders that no submission must see. wanted: "none" for no isolation."""
 
     hidden: tuple = ()
+    wanted: str = ""
 
     def prepare(self):
-        """Load the course and try the isolation once, for all processes that are forked from this one."""
-        _prepared()
+        """Load the course and try the isolation once, for all processes forked from this one. Raises NotIsolated."""
+        isolation.kind(self.wanted)
+        _load()
 
     def __call__(self, content, notebook, seed):
-        return grade(content, notebook, seed, hidden=self.hidden)
+        return grade(content, notebook, seed, hidden=self.hidden, wanted=self.wanted)
 
 
 @functools.cache
-def _prepared():
+def _load():
     for course in courses().values():
         _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
-    notice()  # tries what this system offers
+    isolation.mounts()
 
 
 def _files(forbidden):
@@ -182,14 +186,13 @@ def attempt(run, exercises, forbidden, whole):
         if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
         order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
-        with Sandbox(files, run.limits, run.hidden) as sandbox:
+        order |= {"each": False}
+        with run.sandbox(files) as sandbox:
             guilty, end, report = run_cells(sandbox, order, run)
             if not end:
                 alike = () if how else report["alike"]
-                return {
-                    e.name: ask(sandbox, run, e, Cells(whole or e.name in report["defined"], e.name in alike, how))
-                    for e in exercises
-                }
+                cells = {e: Cells(whole or e.name in report["defined"], e.name in alike, how, whole) for e in exercises}
+                return {e.name: ask(sandbox, run, e, cells[e]) for e in exercises}
         how = str(end)
         if guilty is None:
             break
@@ -202,14 +205,7 @@ def attempt(run, exercises, forbidden, whole):
 
 
 def run_cells(sandbox, order, run):
-    """Run the cells of a submission in a sandbox.
-
-    Parameters
-    ----------
-    sandbox : Sandbox
-    order : dict
-        What the runner is to do: "cells", "names", "whole" and "without"; see runner.py.
-    run : Run
+    """Run the cells of a submission in a sandbox; order: what the runner is to do, see runner.py.
 
     Returns
     -------
@@ -234,8 +230,8 @@ def run_cells(sandbox, order, run):
             if isinstance(message.get("defined"), list) and isinstance(message.get("alike"), list):
                 return current, None, message
             place = message.get("running")
-            if isinstance(place, list) and len(place) == 2 and all(isinstance(number, int) for number in place):
-                current = place
+            if isinstance(place, list) and len(place) == 2 and all(type(number) is int for number in place):
+                current = place if 0 <= place[0] < len(run.sources) and 0 <= place[1] < 10**7 else current
     except Ended as end:
         return current, end, {}
 
@@ -245,14 +241,10 @@ def ask(sandbox, run, exercise, cells):
     if run.over():
         return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
     student = Student(sandbox, run, exercise)
-    try:
-        with cpu_deadline(JUDGING_SECONDS):
-            verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
-            _message(verdict)  # showing an answer of any size may take long too, or fail
-    except CpuDeadline as deadline:
-        return Outcome(Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}."))
-    except Exception as error:
-        verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
+    verdict = judged(run, exercise, student)
+    if student.candidates and verdict.points:  # it told them apart, perhaps by comparing one with another
+        student = EachAlone(run, exercise, cells.whole)
+        verdict = judged(run, exercise, student)
     if student.ended:
         again = frozenset() if student.too_slow else frozenset({ALONE})
         return Outcome(Verdict(exercise, ERROR, student.ended), again)
@@ -267,7 +259,21 @@ def ask(sandbox, run, exercise, cells):
     if cells.alike and not student.hindered:
         return Outcome(verdict)
     elsewhere = notebook_file.may_bind(run.sources, student.missing)
-    return Outcome(verdict, frozenset({ALONE, WHOLE} if elsewhere else {ALONE}))
+    again = {ALONE, WHOLE} if elsewhere else {ALONE}
+    return Outcome(verdict, frozenset(again - {ALONE} if isinstance(student, EachAlone) else again))
+
+
+def judged(run, exercise, student):
+    """Return the Verdict on a student's answers, formed within bounds."""
+    try:
+        with cpu_deadline(JUDGING_SECONDS):
+            verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
+            _message(verdict)  # showing an answer of any size may take long too, or fail
+            return verdict
+    except CpuDeadline as deadline:
+        return Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
+    except Exception as error:
+        return Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
 
 
 class Student:
@@ -275,15 +281,16 @@ class Student:
 
     ended: why no reply came, or "". too_slow: True if the time ran out. missing: a name that was undefined when the
     function was called, or "". hindered: True if something that this run left out may have changed an answer.
+    candidates: True if the answer is a test, which was given functions to call.
     """
 
     def __init__(self, sandbox, run, exercise):
         self._sandbox, self._run, self._name, self._forbidden = sandbox, run, exercise.name, exercise.forbidden
-        self.ended, self.missing, self.too_slow, self.hindered = "", "", False, True
+        self.ended, self.missing, self.too_slow, self.hindered, self.candidates = "", "", False, True, False
 
     def reply(self, questions, consult=None):
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
-        limits = self._run.limits
+        limits, self.candidates = self._run.limits, consult is not None
         request = {"ask": self._name, "questions": questions, "seconds": limits.answer_seconds}
         request |= {"cpu": limits.cpu_seconds + 2, "idle": limits.idle_seconds, "reply": limits.reply}
         deadline = time.monotonic() + limits.answer_seconds + 3
@@ -293,7 +300,7 @@ class Student:
             calls = 0
             while consult and isinstance(message.get("call"), str):
                 calls += 1
-                self._sandbox.tell({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
+                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(deadline)
         except Ended as end:
             self.ended = f"No answer came: {end}."
@@ -302,7 +309,7 @@ class Student:
         if isinstance(text, str):
             self.missing, self.hindered = _obstacles(text, self._forbidden)
             return text
-        self.ended, self.too_slow = _how_it_ended(message, limits, self._sandbox.out_of_memory())
+        self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
 
     def _receive(self, deadline):
@@ -310,6 +317,34 @@ class Student:
         while message.get("exercise") != self._name:
             message = self._sandbox.receive(deadline - time.monotonic(), self._run.limits.cpu_seconds + 10)
         return message
+
+
+class EachAlone(Student):
+    """Asks a student's test about each candidate in a process of its own, which that candidate alone answers.
+
+    The process runs the cells for itself, and nothing of it is left when the next one begins: no memory, file or
+    process. So nothing can compare candidates.
+    """
+
+    def __init__(self, run, exercise, whole):
+        super().__init__(None, run, exercise)
+        self._order = {"cells": run.sources, "names": [exercise.name], "whole": whole, "without": run.too_slow}
+
+    def reply(self, questions, consult=None):
+        """Return the answers about all candidates as one reply; see judge."""
+        asked, answers = read(questions), []
+        with self._run.sandbox(_files(frozenset(self._forbidden))) as self._sandbox:
+            _, end, _ = run_cells(self._sandbox, self._order | {"each": True}, self._run)
+            if end:
+                self.ended = f"No answer came: {end}."
+            for case in asked["cases"]:
+                if self.ended or self._run.over():
+                    self.ended = self.ended or _time_is_up(self._run.limits)
+                    return ""
+                only = functools.partial(consult, only=case[0].number)
+                text = super().reply(write(asked | {"cases": [[Candidate(0)]]}), only)
+                answers += json.loads(text)["answers"] if text else []
+        return json.dumps({"answers": answers, "calls": []})
 
 
 def _obstacles(reply, forbidden):
@@ -323,7 +358,8 @@ def _obstacles(reply, forbidden):
         errors = [answer["error"] for answer in claims["answers"] if "error" in answer]
         messages = (error["message"] for error in errors if error["type"] == "NameError")
         found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
-        hindered = {error["type"] for error in errors} - OWN_ERRORS or set(claims["refused"]) - set(forbidden)
+        hindered = {str(error["type"])[:100] for error in errors} - OWN_ERRORS  # as texts: numbers may share one hash
+        hindered |= {name for name in claims["refused"] if isinstance(name, str)} - set(forbidden)
         return found[1] if found else "", bool(hindered)
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return "", True
@@ -334,13 +370,8 @@ def _time_is_up(limits):
     return f"It was not graded: everything before it took {seconds}."
 
 
-def _how_it_ended(message, limits, out_of_memory):
-    """Return why there is no reply, and whether the time ran out.
-
-    message: what the runner claims about it. out_of_memory: True if the kernel killed a process for its memory.
-    """
-    if out_of_memory:  # first: a process that waits for one that was killed would seem to be idle
-        return f"Your function ran out of memory. It may use {limits.everything // 10**9} GB.", False
+def _how_it_ended(message, limits):
+    """Return why there is no reply, and whether the time ran out. message: what the runner claims about it."""
     if message.get("late") is True:
         return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
@@ -391,7 +422,7 @@ def _message(verdict):
     if verdict.state == RIGHT:
         return _shown(verdict.note)
     try:
-        lines = describe(verdict).splitlines()[1:]
+        lines = describe(verdict).split("\n")[1:]
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):  # it shows a claim of the student's
         return "The answer cannot be shown."
     return _shown("\n".join(line for line in lines if not line.startswith(f"check.{verdict.exercise.name}.hint()")))

@@ -1,0 +1,115 @@
+"""Bound what this process and all that it starts may use: the first thing that the sandbox's script does.
+
+No student's code has run yet. Limits of the kernel hold for each process; a filter refuses the system calls that
+reserve memory outside those limits (anonymous files, message queues, large pipes, file systems in namespaces of one's
+own) or open large parts of the kernel that numerical work has no use for. Calls of Linux up to 5.1 are permitted unless
+they are listed here; of the newer ones only those listed are.
+"""
+
+import contextlib
+import ctypes
+import errno
+import os
+import platform
+import resource
+import signal
+import struct
+import sys
+
+LIBC = ctypes.CDLL(None, use_errno=True)
+DIE_WITH_PARENT, SET_SECCOMP, DROP_BOUND, NO_NEW_PRIVILEGES, SECCOMP_FILTER = 1, 22, 24, 38, 2
+
+# Linux: arch/x86/entry/syscalls/syscall_64.tbl, include/uapi/asm-generic/unistd.h
+ARCHITECTURES = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}  # AUDIT_ARCH_*
+REFUSED = {  # name: its number on x86_64, and on aarch64
+    "memfd_create": (319, 279), "unshare": (272, 97), "setns": (308, 268), "mount": (165, 40), "umount2": (166, 39),
+    "pivot_root": (155, 41), "userfaultfd": (323, 282), "bpf": (321, 280), "perf_event_open": (298, 241),
+    "keyctl": (250, 219), "add_key": (248, 217), "request_key": (249, 218), "ptrace": (101, 117),
+    "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "shmget": (29, 194), "msgget": (68, 186),
+    "semget": (64, 190), "mq_open": (240, 180),
+}  # fmt: skip
+FIRST_NEW = 424  # from here on all processors share the numbers; the C library does without any of these calls
+NEW_PERMITTED = {"close_range": 436, "faccessat2": 439, "epoll_pwait2": 441, "futex_waitv": 449, "fchmodat2": 452}
+CLONE, FCNTL = (56, 220), (72, 25)
+NEW_NAMESPACES = 0x7E020000  # all CLONE_NEW... flags
+SET_PIPE_SIZE = 1031
+X32 = 0x40000000  # the second set of numbers on x86_64
+
+LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
+NUMBER, ARCHITECTURE, FIRST_ARGUMENT, SECOND_ARGUMENT = 0, 4, 16, 24  # where in seccomp_data
+ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
+
+
+def confine(limits, uid=0):
+    """Bound this process. limits: a dict of the Limits in sandbox.py; uid: the user to become, 0 to stay."""
+    for kind, most in (
+        ("RLIMIT_AS", limits["memory"]),
+        ("RLIMIT_FSIZE", limits["file"]),
+        ("RLIMIT_NOFILE", limits["files"]),
+        ("RLIMIT_NPROC", limits["processes"]),
+        ("RLIMIT_CORE", 0),
+        ("RLIMIT_CPU", resource.RLIM_INFINITY),  # the grader's own bound is for the grader only
+    ):
+        if most is not None:
+            with contextlib.suppress(ValueError, OSError):  # macOS refuses some
+                resource.setrlimit(getattr(resource, kind), (most, most))
+    if uid:
+        for right in range(64):
+            with contextlib.suppress(OSError):  # beyond the last capability of this kernel
+                control(DROP_BOUND, right)
+        os.setgroups([])
+        os.setresgid(uid, uid, uid)
+        os.setresuid(uid, uid, uid)
+    if sys.platform == "linux":
+        die_with_parent()  # the setting is lost when the user changes
+        control(NO_NEW_PRIVILEGES, 1)
+        filter_calls(program(platform.machine()))
+
+
+def call(name, *arguments):
+    """Call a function of the C library; raise OSError if it fails."""
+    if getattr(LIBC, name)(*arguments) != 0:
+        number = ctypes.get_errno()
+        raise OSError(number, f"{name}: {os.strerror(number)}")
+
+
+def control(option, value):
+    """Set a property of this process by prctl."""
+    call("prctl", option, ctypes.c_ulong(value), 0, 0, 0)
+
+
+def die_with_parent():
+    """Let the kernel kill this process when its parent ends; only Linux offers that."""
+    if sys.platform == "linux":
+        control(DIE_WITH_PARENT, signal.SIGKILL)
+
+
+def filter_calls(code):
+    """Let the kernel refuse some system calls of this process and of all that it starts."""
+
+    class Program(ctypes.Structure):
+        _fields_ = (("length", ctypes.c_ushort), ("filter", ctypes.c_char_p))
+
+    call("prctl", SET_SECCOMP, SECCOMP_FILTER, ctypes.byref(Program(len(code) // 8, code)), 0, 0)
+
+
+def program(machine):
+    """Return the filter for a kind of processor as the kernel takes it, 8 bytes an instruction."""
+    if machine not in ARCHITECTURES:
+        raise OSError(errno.ENOSYS, f"there is no filter of system calls for {machine}")
+    column = list(ARCHITECTURES).index(machine)
+    no, unknown, yes = (
+        (RETURN, 0, 0, value) for value in (ERRNO | errno.EPERM, ERRNO | errno.ENOSYS, ALLOW)
+    )  # the C library does without a call that is unknown
+    steps = [(LOAD, 0, 0, ARCHITECTURE), (EQUAL, 1, 0, ARCHITECTURES[machine]), (RETURN, 0, 0, KILL)]
+    steps += [(LOAD, 0, 0, NUMBER)]
+    if machine == "x86_64":
+        steps += [(AT_LEAST, 0, 1, X32), no]
+    for number in NEW_PERMITTED.values():
+        steps += [(EQUAL, 0, 1, number), yes]
+    steps += [(AT_LEAST, 0, 1, FIRST_NEW), unknown]
+    for numbers in REFUSED.values():
+        steps += [(EQUAL, 0, 1, numbers[column]), no]
+    steps += [(EQUAL, 0, 4, CLONE[column]), (LOAD, 0, 0, FIRST_ARGUMENT), (ANY_BIT, 0, 1, NEW_NAMESPACES), no, yes]
+    steps += [(EQUAL, 0, 3, FCNTL[column]), (LOAD, 0, 0, SECOND_ARGUMENT), (EQUAL, 0, 1, SET_PIPE_SIZE), no, yes]
+    return b"".join(struct.pack("=HBBI", *step) for step in steps)

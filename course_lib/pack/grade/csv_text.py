@@ -1,0 +1,99 @@
+"""Tables as CSV text: no cell is a formula to a spreadsheet, and what any spreadsheet saves can be read."""
+
+import csv
+import io
+import re
+
+LONGEST = 1000  # characters of a message in a table; the feedback has all
+LONGEST_ANSWER = 30_000  # characters that a spreadsheet's cell can hold
+FORMULA = "=+-@\uff1d\uff0b\uff0d\uff20"  # how a formula may begin in a spreadsheet, also in full-width letters
+# For a program that separates cells by semicolons, tabs or line ends, a formula may begin after those too.
+INSIDE = re.compile(rf"([;\t\n]\s*)(?=[{re.escape(FORMULA)}])")
+MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
+MARK = "\ufeff"  # without it Excel on Windows shows accents wrongly; Canvas and Moodle import a file that has it
+
+
+class TableUnreadable(ValueError):
+    """The file is no table; the text says why, to follow its name."""
+
+
+def table_text(columns, rows):
+    """Return a table as CSV text. columns, rows: lists of texts made by `cell`."""
+    file = io.StringIO(newline="")
+    csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+    return MARK + file.getvalue()
+
+
+def read_table(content, known):
+    """Return the rows of a CSV file as dicts; of columns with the same name the first that is filled counts.
+
+    Parameters
+    ----------
+    content : bytes
+        UTF-8, UTF-16, or the single bytes of Windows; cells separated by commas, semicolons or tabs.
+    known : set of str
+        Names of columns: the separator is the one that finds most of them.
+    """
+    text, readings, problem = _decoded(content), [], None
+    for separator in ",;\t":
+        try:
+            rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+        except csv.Error as error:
+            problem = error
+            continue
+        names = [name.strip().strip('"') for name in rows[0]] if rows else []
+        readings.append((len(known & set(names)), len(names), names, rows[1:]))
+    if not readings:
+        raise TableUnreadable(f"is not a table: {problem}.") from problem
+    _, _, names, rows = max(readings, key=lambda reading: reading[:2])
+    found = []
+    for row in filter(any, rows):
+        line = dict.fromkeys(names, "")
+        for name, value in zip(names, row, strict=False):
+            line[name] = line[name] or value
+        found.append(line)
+    return found
+
+
+def _decoded(content):
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return content.decode("utf-16", "replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252", "replace")
+
+
+def cell(value, lines=False):
+    """Return a value as text that no spreadsheet reads as a formula. lines: True keeps its line breaks and length."""
+    if isinstance(value, int | float):
+        return f"{value:g}" if value < 1e5 else str(value)
+    text = clean(value)
+    if not lines:
+        text = " ".join(text.split())
+        text = text if len(text) <= LONGEST else text[:LONGEST] + " ..."
+    text = f"'{text}" if text.lstrip()[:1] and text.lstrip()[:1] in FORMULA else text
+    return INSIDE.sub(r"\1'", text)
+
+
+def cell_text(text):
+    """Return the text of a cell without the apostrophes that `cell` may have added."""
+    text = MARKED_INSIDE.sub(r"\1", text)
+    return text[1:] if text[:1] == "'" and text[1:].lstrip()[:1] in tuple(FORMULA) else text
+
+
+def clean(text):
+    """Return a text without lone surrogates and control characters, which cannot be stored or shown."""
+    text = str(text).encode("utf-8", "replace").decode()
+    return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", "", text.replace("\r\n", "\n").replace("\r", "\n"))
+
+
+def answer_text(text):
+    """Return a written answer, cut to the length that a cell can hold."""
+    text = clean(text).strip()
+    return text if len(text) <= LONGEST_ANSWER else text[:LONGEST_ANSWER] + "\n... (the feedback has all of it)"
+
+
+def count_noun(number, name):
+    """Return a number with a noun that agrees with it."""
+    return f"{number} {name}" if number == 1 else f"{number} {name}s"

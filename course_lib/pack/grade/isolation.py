@@ -1,0 +1,159 @@
+"""How submissions are kept apart from the machine: by bubblewrap, else by namespaces that enter.py makes, else not.
+
+Both show a submission only Python and its packages, give it no network, and end all its processes with the first one.
+"""
+
+import functools
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from course_lib.pack.grade import enter
+from course_lib.pack.grade.visible import DEVICES, LIBRARIES, PYTHON, mounts, packages
+
+BUBBLEWRAP, NAMESPACES, NONE = "bubblewrap", "namespaces", "none"
+FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
+HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
+submissions and the grades, and use the network. {tried} Install bubblewrap: `sudo apt install bubblewrap` on Debian and
+Ubuntu, `sudo dnf install bubblewrap` on Fedora. On macOS, grade in a Linux virtual machine; on Windows, in WSL
+(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --security-opt
+seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none runs them as
+yourself, with limits only; never as root.""".replace("\n", " ")
+
+
+class NotIsolated(Exception):
+    """Submissions cannot be isolated here; the text says what is missing, and what to do."""
+
+
+def kind(wanted=""):
+    """Return the kind of isolation to use. wanted: NONE if the instructor asked for none. Raises NotIsolated."""
+    if wanted != NONE:
+        return _best()
+    if os.geteuid() == 0:
+        raise NotIsolated("ISOLATION=none runs submissions as yourself, and you are root: be another user for that.")
+    return NONE
+
+
+@functools.cache
+def _best():
+    tried = []
+    for each in (BUBBLEWRAP, NAMESPACES):
+        problem = problem_with(each)
+        if not problem:
+            return each
+        tried.append(f"{each.capitalize()}: {problem}.")
+    raise NotIsolated(HELP.format(tried=" ".join(tried)))
+
+
+@functools.cache
+def problem_with(each):
+    """Return why this kind of isolation does not work here, or "": a process with numpy and a child is tried."""
+    if sys.platform != "linux":
+        return "it needs Linux"
+    if each == BUBBLEWRAP and shutil.which("bwrap") is None:
+        return "it is not installed"
+    with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
+        course = Path(folder, "course")
+        confine = Path(enter.__file__).with_name("confine.py").read_bytes()
+        write_files(Path(folder), {"runner.py": TRIAL, "confine.py": confine})
+        wanted = {"memory": 4 * 10**9, "file": 10**6, "files": 64, "processes": 10, "scratch": 10**6}
+        try:
+            command = start(each, course, wanted)
+            done = subprocess.run(
+                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env=environment(each)
+            )
+        except (OSError, subprocess.SubprocessError) as error:
+            return str(error)
+    said = done.stderr.decode(errors="replace").strip().splitlines()
+    return "" if done.stdout == b"fine\n" else said[-1][:200] if said else f"it ends with status {done.returncode}"
+
+
+TRIAL = b"""
+import json, os, sys
+sys.path[:0] = [sys.argv[1], *json.loads(sys.argv[2])["packages"]]
+from confine import confine
+confine(json.loads(sys.argv[2])["limits"], json.loads(sys.argv[2])["uid"])
+import numpy
+open("trial", "w").close()
+os.waitpid(os.fork() or os._exit(0), 0)
+print("fine")
+"""
+
+
+def write_files(folder, contents):
+    """Write the files for a sandbox into folder/course, readable for every user, and its other folders."""
+    folder.chmod(0o711)
+    for name in ("course", "root", "scratch"):
+        (folder / name).mkdir()
+    for path, content in contents.items():
+        file = folder / "course" / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(content)
+    for path in folder.rglob("*"):
+        path.chmod(0o755 if path.is_dir() else 0o644)
+
+
+def start(each, course, limits, hidden=()):
+    """Return the command that runs course/runner.py with this kind of isolation.
+
+    Parameters
+    ----------
+    each : {"bubblewrap", "namespaces", "none"}
+    course : Path
+        The folder of the course's copy, among those that write_files makes.
+    limits : dict
+        Of the Limits in sandbox.py.
+    hidden : tuple of str, optional
+        Folders to hide wherever they are.
+    """
+    if each == NONE:
+        told = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
+        return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(told)]
+    uid = FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8 if os.getuid() == 0 else 0
+    told = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
+    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(told)]
+    rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4))
+    shown, covered = mounts(hidden)
+    shown = [*shown, (str(course), "/course")]
+    if each == BUBBLEWRAP:
+        return [*_bubblewrap(shown, covered, rooms), *command]
+    wanted = {"mounts": shown, "covered": covered, "rooms": rooms, "root": str(course.parent / "root")}
+    return [sys.executable, "-I", "-S", enter.__file__, json.dumps(wanted | {"command": command})]
+
+
+def environment(each, scratch="/scratch"):
+    """Return the environment of a submission's processes."""
+    found = {"HOME": scratch, "TMPDIR": scratch, "USER": "student", "LANG": "C.UTF-8", "MPLCONFIGDIR": scratch}
+    found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg"}
+    return found | ({} if each == NONE else {"LD_LIBRARY_PATH": LIBRARIES})
+
+
+def _processes(limits, uid):
+    """Bound the number of processes. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
+    release = [int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]]
+    return {"processes": limits["processes"] if uid or release >= [5, 14] else None}
+
+
+def _bubblewrap(shown, covered, rooms):
+    flags = ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--hostname", "sandbox"]
+    flags += ["--die-with-parent", "--new-session", "--cap-drop", "ALL"]
+    if os.getuid() == 0:  # to become a user who owns nothing, see confine.py
+        flags += ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"]
+    devices = [f"/dev/{name}" for name in DEVICES]
+    above = {str(folder) for _, target in shown for folder in Path(target).parents}
+    for folder in sorted(above - {"/"}):
+        flags += ["--perms", "755", "--dir", folder]
+    for path, size in rooms:
+        flags += ["--perms", "1777", "--size", str(size), "--tmpfs", path]
+    for source, target in shown:
+        flags += ["--dev-bind" if source in devices else "--ro-bind", source, target]
+    for target, is_folder in covered:
+        flags += ["--size", "4096", "--tmpfs", target, "--remount-ro", target] if is_folder else []
+        flags += [] if is_folder else ["--ro-bind", "/dev/null", target]
+    return [shutil.which("bwrap"), *flags, "--remount-ro", "/", "--chdir", "/scratch"]

@@ -1,0 +1,53 @@
+"""Zips among the submissions: the notebooks in them are read where they are. Nothing is unpacked to the disk."""
+
+import os
+import zipfile
+import zlib
+
+from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
+
+MOST_BYTES = 100_000_000  # of the zip
+MOST_ENTRIES = 5_000
+MOST_RATIO = 200  # of a file's size to what it takes in the zip, beyond a million bytes
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the memory that others take is the writer's choice
+
+
+class ZipRefused(Exception):
+    """The zip, or a file in it, is not read; the text says why."""
+
+
+def notebooks_in(path):
+    """Return the names of the notebooks in a zip, sorted. Its list of files is read in a process of its own."""
+    if os.path.getsize(path) > MOST_BYTES:
+        raise ZipRefused(f"The zip is larger than {MOST_BYTES // 10**6} MB.")
+    try:
+        names = call_bounded(_names, str(path), cpu_seconds=10, memory=500_000_000, clock_seconds=120)
+    except OutOfBounds as bound:
+        raise ZipRefused(f"The zip cannot be opened: {bound}.") from bound
+    except RuntimeError as problem:
+        raise ZipRefused(f"The zip cannot be opened: {problem}.") from problem
+    if len(names) > MOST_ENTRIES:
+        raise ZipRefused(f"The zip holds more than {MOST_ENTRIES} files.")
+    return sorted({name for name in names if name.lower().endswith(".ipynb")})
+
+
+def _names(path):
+    with zipfile.ZipFile(path) as archive:
+        return archive.namelist()[: MOST_ENTRIES + 1]
+
+
+def content(file, name, most):
+    """Return the bytes of one file in an open zip that notebooks_in has read, at most so many."""
+    try:
+        with zipfile.ZipFile(file) as archive:
+            about = archive.getinfo(name)
+            if about.flag_bits & 1:
+                raise ZipRefused("It is encrypted in the zip.")
+            if about.compress_type not in METHODS:
+                raise ZipRefused("It is compressed in a way that is not read: hand in an ordinary zip.")
+            if about.file_size > 10**6 and about.file_size > MOST_RATIO * about.compress_size:
+                raise ZipRefused("It is far larger than what it takes in the zip. Clear its outputs and zip it again.")
+            with archive.open(about) as member:
+                return member.read(most)
+    except (zipfile.BadZipFile, zlib.error, KeyError, NotImplementedError, EOFError) as problem:
+        raise ZipRefused(f"It cannot be read from the zip: {type(problem).__name__}.") from problem

@@ -1,0 +1,294 @@
+"""How submissions are kept apart from the machine: with bubblewrap, without it, and without both."""
+
+import os
+import platform
+import shutil
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from grade_stand_in import hand_in
+from hostile.build import FULL, KINDS, NAME, SEED, SHORT, book, points, processes, sources
+
+from course_lib.pack.grade import confine, isolation, sandbox, visible
+from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow, Watch
+from course_lib.pack.grade.submission import grade
+
+ROOT = Path(__file__).parents[1]
+# What a student's function finds, told by an exception: its message comes back.
+ASKS = "def nearest_so(M):\n{}\n    raise ValueError(repr(found))\n"
+
+
+@pytest.fixture(params=KINDS)
+def kind(request, monkeypatch):
+    """Each kind of isolation; in CI both must work, and elsewhere a missing one skips the test."""
+    problem = isolation.problem_with(request.param)
+    if problem and not (os.environ.get("CI") and request.param == isolation.BUBBLEWRAP):
+        pytest.skip(f"{request.param}: {problem}")
+    monkeypatch.setattr(isolation, "_best", lambda: request.param)
+    return request.param
+
+
+def told(lines, few, limits=SHORT, **more):
+    """Return what the body of a student's function finds out, as text."""
+    body = "\n".join(f"    {line}" for line in lines.splitlines())
+    result = grade(book(few[0], ASKS.format(body)), NAME, SEED, limits, **more)
+    return next(row["message"] for row in result["exercises"] if row["exercise"] == "nearest_so")
+
+
+# ---- both kinds ----
+
+
+def test_each_kind_of_isolation_gives_the_same_grades(few, kind):
+    assert points(grade(book(few[0], *few[1]), NAME, SEED)) == FULL
+    loop = "def nearest_so(M):\n    while True:\n        pass"
+    result = grade(book(few[0], *few[1], loop), NAME, SEED, SHORT)
+    assert points(result) == FULL - 3
+    assert "Does a loop never end?" in next(r for r in result["exercises"] if r["exercise"] == "nearest_so")["message"]
+    before = processes()
+    assert points(grade(book(few[0], *few[1], *sources("daemon")), NAME, SEED, SHORT)) == FULL
+    assert processes() <= before
+
+
+SEES = """
+import os, socket, sys
+files = [os.path.join(w, name) for w, _, names in os.walk("/") for name in names]
+ours = ("/python/", "/packages", "/libraries/", "/lib", "/course/", "/dev/", "/scratch/data/")
+found = [path for path in files if not path.startswith(ours)]
+
+def says(path):
+    try:
+        return open(path, errors="replace").read()
+    except OSError:
+        return ""
+
+found += [path for path in files if "course_lib" in path and not path.startswith("/course/") and says(path)]
+found += [path for path in files if "{secret}" in path or path.endswith((".pth", "url.json")) and "{secret}" in says(path)]
+found += [socket.gethostname()] + [text for text in [*sys.path, *os.environ.values()] if "{secret}" in text]
+found += [name for name in ("proc", "etc", "sys", "usr", "home", "root") if os.path.exists("/" + name)]
+found += [name for _, name in socket.if_nameindex() if name != "lo"]
+"""
+
+
+def test_a_submission_sees_only_what_python_needs(few, kind):
+    assert "['sandbox']" in told(SEES.replace("{secret}", str(ROOT)), few)
+
+
+WRITES = """
+import os
+found = []
+for folder in sorted({w for w, _, _ in os.walk("/")} | {"/dev/shm"}):
+    try:
+        open(os.path.join(folder, "written"), "w").close()
+        found.append(folder)
+    except OSError:
+        pass
+found = [folder for folder in found if not folder.startswith("/scratch/")]
+"""
+
+
+def test_a_submission_writes_only_to_its_own_bounded_folders(few, kind):
+    assert "['/scratch', '/tmp']" in told(WRITES, few)
+    fills = "found = ''\ntry:\n    for k in range(9):\n        open(f'/tmp/{k}', 'wb').write(bytes(8 * 10**6))\n"
+    assert "No space left" in told(fills + "except OSError as error:\n    found = str(error)", few)
+
+
+CALLS = """
+import ctypes, errno, os
+libc = ctypes.CDLL(None, use_errno=True)
+def fails(call, *arguments):
+    return errno.errorcode.get(ctypes.get_errno() if call(*arguments) == -1 else 0, "works")
+found = [
+    fails(libc.memfd_create, b"a", 0), fails(libc.unshare, 0x10000000),
+    fails(libc.mount, b"t", b"/scratch", b"tmpfs", 0, None), fails(libc.fcntl, os.pipe()[0], 1031, 1 << 20),
+    fails(libc.shmget, 0, 4096, 0o600), fails(libc.ptrace, 16, os.getppid(), 0, 0),
+    fails(libc.syscall, 425, 1, 0), fails(libc.syscall, 447, 0), fails(libc.syscall, 466, 0),
+    fails(libc.getpid),
+]
+"""
+
+
+def test_calls_that_hold_uncounted_memory_or_are_unknown_are_refused(few, kind):
+    assert str(["EPERM"] * 6 + ["ENOSYS"] * 3 + ["works"]) in told(CALLS, few)
+
+
+THREADS = """
+import os, threading
+found = []
+thread = threading.Thread(target=found.append, args=("a thread",))
+thread.start()
+thread.join()
+found.append(os.waitpid(os.fork() or os._exit(7), 0)[1] >> 8)
+"""
+
+
+def test_threads_and_processes_can_still_be_started(few, kind):
+    assert "['a thread', 7]" in told(THREADS, few)
+
+
+def test_whom_root_lets_submissions_be_owns_nothing(few, kind):
+    said = told("import os\nfound = [os.getuid() == 0, os.system('true') == 0]", few)
+    assert "[False, False]" in said if os.getuid() == 0 else "False]" in said
+
+
+GRADE = """
+from pathlib import Path
+from course_lib.pack.grade import isolation, submission
+root = Path({root!r})
+assert Path(submission.__file__).is_relative_to(root), submission.__file__
+isolation._best = lambda: {kind!r}
+result = submission.grade(Path({book!r}).read_bytes(), "01_rotations", 1, hidden=(root / "in", root / "out"))
+print([row["message"] for row in result["exercises"] if row["exercise"] == "nearest_so"][0])
+"""
+LOOKS = """
+import os
+found = [os.path.join(w, name) for w, _, names in os.walk("/") for name in names if not w.startswith("/course")]
+found = [path for path in found if path.endswith(("totals.csv", "solution.ipynb", "judge.py"))]
+"""
+
+
+@pytest.mark.parametrize("below", ["site-packages", "a folder of packages"])
+def test_the_project_is_hidden_where_it_lies_in_a_folder_that_is_shown(few, kind, below, tmp_path):
+    """With submissions and grades in it: what covers the outer folder must not stand in the way of the inner one."""
+    place = tmp_path / below.replace("a folder of packages", "dist-packages") / "project"
+    shutil.copytree(ROOT / "course_lib", place / "course_lib", ignore=shutil.ignore_patterns("site", "__pycache__"))
+    shutil.copytree(ROOT / "notebooks", place / "notebooks", ignore=shutil.ignore_patterns("*.png", ".*"))
+    for name in ("in/solution.ipynb", "out/totals.csv", "course_lib/judge.py"):
+        (place / name).parent.mkdir(exist_ok=True)
+        (place / name).write_text("{}")
+    (tmp_path / "book.ipynb").write_bytes(
+        book(few[0], ASKS.format("\n".join(f"    {line}" for line in LOOKS.splitlines())))
+    )
+    code = GRADE.format(root=str(place), kind=kind, book=str(tmp_path / "book.ipynb"))
+    code = f"import sys\nsys.path[:0] = [{str(place)!r}, {str(place.parent)!r}]\n{code}"
+    done = subprocess.run([sys.executable, "-c", code], cwd=place, capture_output=True, text=True, timeout=300)
+    assert "raises ValueError: []\n" in done.stdout, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("machine", confine.ARCHITECTURES)
+def test_the_filters_jumps_stay_inside_it(machine):
+    """Each jump leads to a later step of the program, and the program ends with an answer."""
+    steps = list(struct.iter_unpack("=HBBI", confine.program(machine)))
+    for place, (code, if_true, if_false, _) in enumerate(steps):
+        if code in (confine.EQUAL, confine.AT_LEAST, confine.ANY_BIT):
+            assert place + 1 + max(if_true, if_false) < len(steps)
+    assert steps[-1] == (confine.RETURN, 0, 0, confine.ALLOW)
+
+
+# ---- neither ----
+
+
+@pytest.fixture
+def neither(monkeypatch):
+    monkeypatch.setattr(isolation, "problem_with", lambda each: f"no {each} here")
+    isolation._best.cache_clear()
+    yield
+    isolation._best.cache_clear()
+
+
+def test_without_isolation_nothing_is_graded_and_one_paragraph_says_what_to_do(neither, tmp_path, capsys):
+    hand_in(tmp_path / "in", "anna_01_rotations.ipynb")
+    command = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
+    assert main(command) == 1
+    said = capsys.readouterr().err
+    assert said.startswith("Grading stopped. Submissions cannot be kept apart from this machine, so none was run")
+    assert said.count("\n") == 1
+    for words in ("no bubblewrap here", "no namespaces here", "apt install bubblewrap", "dnf install bubblewrap"):
+        assert words in said
+    for words in ("macOS", "WSL", "container", "ISOLATION=none"):
+        assert words in said
+    assert not list((tmp_path / "out").glob("results/*"))
+    assert main([*command, "--isolation", "weak"]) == 1
+    assert "ISOLATION=weak is not none" in capsys.readouterr().err
+
+
+def test_without_isolation_root_is_refused_and_others_go_on(neither, few, tmp_path, capsys, monkeypatch):
+    hand_in(tmp_path / "in", "anna_01_rotations.ipynb")
+    command = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", "--isolation", "none"]
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    assert main(command) == 1
+    assert "you are root: be another user" in capsys.readouterr().err
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    assert points(grade(book(few[0], *few[1]), NAME, SEED, wanted="none")) == FULL
+    before = processes()
+    loop = "import os\nif os.fork() == 0:\n    os.setsid()\n    while True: pass\ndef nearest_so(M):\n    while 1: pass"
+    assert points(grade(book(few[0], *few[1], loop), NAME, SEED, SHORT, wanted="none")) == FULL - 3
+    assert processes() <= before
+
+
+# ---- bounds of a sandbox ----
+
+ECHO = b"""
+import sys, json, os, time
+sys.path[:0] = [sys.argv[1], *json.loads(sys.argv[2])["packages"]]
+from confine import confine
+confine(json.loads(sys.argv[2])["limits"], json.loads(sys.argv[2])["uid"])
+print('{"begun": 1}', flush=True)
+%s
+"""
+
+
+def running(code, limits):
+    """Return a sandbox that says {"begun": 1} and then runs this code."""
+    script = (ROOT / "course_lib/pack/grade/confine.py").read_bytes()
+    return Sandbox({"runner.py": ECHO % code.encode(), "confine.py": script}, limits)
+
+
+def test_what_sleeps_is_ended_even_if_it_wakes_up_and_refuses_to_be_interrupted(kind):
+    code = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+    code += "while True: time.sleep(0.05); print('x', flush=True)"
+    with running(code, SHORT) as one:
+        assert one.receive(60) == {"begun": 1}
+        begin = time.monotonic()
+        with pytest.raises(TooSlow, match="computed nothing for 6 seconds"):
+            one.receive(600, 60)
+        assert time.monotonic() - begin < 60
+
+
+def test_memory_of_all_processes_together_is_bounded(kind):
+    code = "for _ in range(12):\n    if os.fork() == 0: block = bytearray(b'x') * 10**8; time.sleep(60)\ntime.sleep(60)"
+    with running(code, SHORT) as one:
+        assert one.receive(60) == {"begun": 1}
+        with pytest.raises(Ended, match="memory ran out; it may use 1 GB"):
+            one.receive(600, 60)
+
+
+@pytest.mark.parametrize(("each_look", "ends"), [(0.0005, True), (0.05, False)])
+def test_a_hundredth_of_a_processor_counts_as_progress(monkeypatch, each_look, ends):
+    clock, computed = [0.0], [0.0]
+    monkeypatch.setattr(sandbox.time, "monotonic", lambda: clock[0])
+    watch = Watch(lambda: computed[0], clock=1000, cpu=None, idle=60)
+
+    def a_while():
+        for _ in range(500):
+            clock[0], computed[0] = clock[0] + 1, computed[0] + each_look
+            watch.look()
+
+    if ends:
+        with pytest.raises(TooSlow, match="computed nothing for 60 seconds"):
+            a_while()
+        assert clock[0] < 125
+    else:
+        a_while()
+
+
+def test_python_named_by_a_path_from_another_folder_is_found(tmp_path):
+    relative = os.path.relpath(sys.executable, tmp_path)
+    asked = [relative, "-c", "from course_lib.pack.grade import isolation; print(isolation._best())"]
+    if all(map(isolation.problem_with, KINDS)):
+        pytest.skip("submissions cannot be isolated here")
+    done = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout == f"{isolation._best()}\n"
+
+
+@pytest.mark.skipif(platform.system() != "Linux", reason="only Linux isolates")
+def test_the_libraries_that_are_shown_are_those_of_python_and_few():
+    shown, _ = visible.mounts()
+    libraries = [target for _, target in shown if target.startswith("/libraries/")]
+    assert {"/libraries/libc.so.6", "/libraries/libm.so.6"} <= set(libraries)
+    assert len(libraries) < 100
+    assert Limits().idle_seconds == 60
