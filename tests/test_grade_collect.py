@@ -2,11 +2,13 @@
 
 import os
 import unicodedata
+import zipfile
 
 import pytest
 
-from course_lib.pack.grade import collect
-from course_lib.pack.grade.collect import Refused, file_names, find, printable, read, split
+from course_lib.pack.grade import collect, zips
+from course_lib.pack.grade.collect import Refused, Submission, file_names, find, printable, read, split
+from course_lib.pack.grade.tables import graded_files, sharing
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 
@@ -17,8 +19,8 @@ def write(folder, *names):
         (folder / name).write_text("{}")
 
 
-def found(folder):
-    return [(each.student, each.notebook) for each in find(folder, NOTEBOOKS) if not each.refused]
+def found(folder, platform=None):
+    return [(each.student, each.notebook) for each in find(folder, NOTEBOOKS, platform) if not each.refused]
 
 
 def refused(folder):
@@ -61,13 +63,15 @@ def test_both_layouts_are_read(tmp_path):
     assert sorted(found(tmp_path)) == sorted([*both, ("carl", "anything"), ("dora_my work", "dora_my work")])
 
 
-EXPORTED = {
+CANVAS = {
     "doejane_1234_5678_01_rotations.ipynb": ("doejane_1234", "01_rotations", "1234", False),
-    "doejane_LATE_1234_5678_01_rotations-1.ipynb": ("doejane_1234", "01_rotations", "1234", True),
+    "doejane_LATE_1234_5679_01_rotations-1.ipynb": ("doejane_1234", "01_rotations", "1234", True),
     "o_neill_77_88_my work.ipynb": ("o_neill_77", "my work", "77", False),
-    "anon_Xy3zQ_5678_01_rotations.ipynb": ("anon_Xy3zQ", "01_rotations", "anon_Xy3zQ", False),
-    "LATE_anon_Xy3zQ_5678_02_rigid_motion.ipynb": ("anon_Xy3zQ", "02_rigid_motion", "anon_Xy3zQ", True),
+    "anon_Xy3zQ_5680_01_rotations.ipynb": ("anon_Xy3zQ", "01_rotations", "anon_Xy3zQ", False),
+    "LATE_anon_Xy3zQ_5681_02_rigid_motion.ipynb": ("anon_Xy3zQ", "02_rigid_motion", "anon_Xy3zQ", True),
     "mallory_5_6_doejane_1234_5678_01_rotations.ipynb": ("mallory_5", "01_rotations", "5", False),
+}
+MOODLE = {
     "Zoë Ünal_42_assignsubmission_file_/01_rotations.ipynb": ("Zoë Ünal", "01_rotations", "42", False),
     "李 小龍_43_assignsubmission_file/x/Untitled.ipynb": ("李 小龍", "Untitled", "43", False),
     "Al Bo_44_assignsubmission_file_01_rotations.ipynb": ("Al Bo", "01_rotations", "44", False),
@@ -75,12 +79,46 @@ EXPORTED = {
 }
 
 
-def test_names_that_learning_platforms_export_are_read_as_they_are(tmp_path):
-    write(tmp_path, *EXPORTED)
-    seen = {
-        each.place: (each.student, each.notebook, each.platform_id, each.late) for each in find(tmp_path, NOTEBOOKS)
-    }
-    assert seen == EXPORTED
+@pytest.mark.parametrize("exported", [CANVAS, MOODLE], ids=["canvas", "moodle"])
+def test_names_that_learning_platforms_export_are_recognized_by_all_together(exported, tmp_path):
+    write(tmp_path, *exported)
+    seen = find(tmp_path, NOTEBOOKS)
+    assert {each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen} == exported
+
+
+@pytest.mark.parametrize("ending", ["/01_rotations.ipynb", "_01_rotations.ipynb"])
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("2026_01_15_alice", "2026_01_15_bob"),
+        ("2026_11_15_alice", "2026_11_16_bob"),
+        ("hw_2026_11_alice", "hw_2026_11_bob"),
+        ("alice_1_2_x", "alice_2_2_x"),
+        ("alice_1234_5678_x", "bob_1234_5679_x"),
+        ("Points Possible", "doejane_1234_5678_x"),
+        ("Bo", "Jane_42_assignsubmission_file_"),
+    ],
+)
+def test_names_that_are_not_all_a_platforms_are_the_students_own(names, ending, tmp_path):
+    write(tmp_path, *(name + ending for name in names))
+    assert found(tmp_path) == [(name.rstrip("_") if ending[0] == "_" else name, "01_rotations") for name in names]
+
+
+def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
+    write(tmp_path, "doejane_1234_5678_x/01_rotations.ipynb", "bo_1235_98_01_rotations.ipynb")
+    assert found(tmp_path, "canvas") == [("bo_1235", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
+    assert found(tmp_path, "none") == [("bo_1235_98", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
+
+
+def test_places_that_share_a_student_are_named(tmp_path):
+    write(tmp_path, "ada/01_rotations.ipynb", "ada_02_rigid_motion.ipynb", "ada/02_rigid_motion.ipynb")
+    write(
+        tmp_path, "bo_01_rotations.ipynb", "bo_rotations (1).ipynb", "cy_01_rotations.ipynb", "cy_02_rigid_motion.ipynb"
+    )
+    empty = {"problems": [], "exercises": [], "questions": [], "release": ""}
+    files = graded_files([(each, empty | {"notebook": each.notebook}) for each in find(tmp_path, NOTEBOOKS)])
+    said = ["ada: ada/, ada_02_rigid_motion.ipynb", "bo: bo_01_rotations.ipynb, bo_rotations (1).ipynb"]
+    assert sharing(files) == said
 
 
 def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
@@ -147,16 +185,70 @@ def test_a_file_that_is_not_a_notebook_has_its_reason(tmp_path):
 
 
 def test_files_that_are_too_large_are_refused(tmp_path, monkeypatch):
+    def its(name):
+        return read(Submission("anna", "01_rotations", name, tmp_path / name))
+
     write(tmp_path, "file")
-    assert read(tmp_path / "file") == b"{}"
+    assert its("file") == b"{}"
     (tmp_path / "link").symlink_to("file")
     os.mkfifo(tmp_path / "pipe")  # opened in the usual way, it would wait for a writer
     for name in "link", "pipe", "nothing", ".":
         with pytest.raises(Refused, match=r"\.$"):
-            read(tmp_path / name)
+            its(name)
     monkeypatch.setattr(collect, "MAX_BYTES", 1)
     with pytest.raises(Refused, match="larger than"):
-        read(tmp_path / "file")
+        its("file")
+
+
+# ---- zips ----
+
+
+def zipped(path, files, method=zipfile.ZIP_DEFLATED):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(path, "w", method) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+
+
+def test_notebooks_in_a_zip_are_read_where_they_are(tmp_path):
+    work = {"hw/01_rotations.ipynb": "one", "__MACOSX/hw/._01_rotations.ipynb": "x", "hw/report.pdf": "x"}
+    zipped(tmp_path / "anna_my work.zip", work | {"02_rigid_motion.ipynb": "two"})
+    zipped(tmp_path / "bo/all.zip", work)
+    zipped(tmp_path / "cy_01_rotations.zip", {"../../etc/Untitled.ipynb": "three"})
+    each = {(s.student, s.notebook): read(s) for s in find(tmp_path, NOTEBOOKS)}
+    assert each == {
+        ("anna_my work", "01_rotations"): b"one",
+        ("anna_my work", "02_rigid_motion"): b"two",
+        ("bo", "01_rotations"): b"one",
+        ("cy", "01_rotations"): b"three",
+    }
+    assert not list(tmp_path.rglob("*.ipynb"))
+
+
+def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monkeypatch):
+    monkeypatch.setattr(zips, "MOST_ENTRIES", 100)
+    zipped(tmp_path / "many.zip", {f"{k}.txt": "" for k in range(200)})
+    zipped(tmp_path / "bomb.zip", {"01_rotations.ipynb": bytes(50_000_000)})
+    zipped(tmp_path / "strange.zip", {"01_rotations.ipynb": "{}"}, zipfile.ZIP_LZMA)
+    zipped(tmp_path / "none.zip", {"report.pdf": "x"})
+    zipped(tmp_path / "class.zip", {"doe_123_456_01_rotations.ipynb": "", "roe_124_457_01_rotations.ipynb": ""})
+    (tmp_path / "broken.zip").write_bytes(b"PK\x03\x04")
+    write(tmp_path, "innocent_01_rotations.ipynb")
+    said = {}
+    for each in find(tmp_path, NOTEBOOKS):
+        try:
+            read(each)
+        except Refused as reason:
+            said[each.student] = str(reason)
+    assert set(said) == {"many", "bomb", "strange", "none", "class", "broken"}
+    words = {
+        "many": "more than 100",
+        "bomb": "far larger",
+        "strange": "ordinary zip",
+        "none": "not a notebook in the zip",
+    }
+    for student, expected in (words | {"class": "export of a class", "broken": "cannot be opened"}).items():
+        assert expected in said[student]
 
 
 # ---- names of files ----

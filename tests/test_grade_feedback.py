@@ -1,7 +1,6 @@
 """The pages that grading writes: everything from a submission is escaped, and nothing needs a network."""
 
 import re
-import xml.etree.ElementTree as ET
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -20,8 +19,7 @@ from course_lib.pack.grade.tables import GradedFile, graded_files
 
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m {brace}"
 TAGS = {"html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "p", "strong", "a", "pre"}
-TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "figure", "figcaption", "details", "summary"}
-DRAWN = {"svg", "defs", "g", "path", "use", "clippath", "rect"}
+TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "span", "i"}
 
 
 class Read(HTMLParser):
@@ -56,14 +54,14 @@ def evil_one():
     return submission, evil
 
 
-def assert_inert(text, tags=TAGS):
+def assert_inert(text):
     """Assert that a page shows the evil text as text, runs nothing and asks for nothing."""
     read = Read(text)
-    assert read.tags <= tags
+    assert read.tags <= TAGS
     assert "<script>alert(1)</script>" in read.text
     assert not any(name.startswith("on") or name in ("src", "srcset", "action") for name, _ in read.attributes)
-    assert all(value.startswith("#") for name, value in read.attributes if name in ("href", "xlink:href"))
-    assert not re.search(r"@import|url\((?!#)", text)
+    assert all(value.startswith("#") for name, value in read.attributes if name == "href")
+    assert not re.search(r"@import|url\(", text)
     assert ("content", "default-src 'none'; style-src 'unsafe-inline'") in read.attributes
 
 
@@ -122,41 +120,37 @@ def a_class():
     return graded_files([*outcomes, *twice])
 
 
-def pictures(page):
-    return [ET.fromstring(svg) for svg in re.findall(r"<svg .*?</svg>", page, re.DOTALL)]
+def rows(page, title):
+    """The cells of a section's table, without its head, and the widths of its bars."""
+    section = page.partition(f"<h2>{title}</h2>")[2].partition("<h2>")[0]
+    found = [re.findall(r"<td>(.*?)</td>", line) for line in section.partition("<tbody>")[2].split("</tr>")[:-1]]
+    return [[*cells, re.findall(r"width:([\d.]+)rem", bar)] for *cells, bar in found]
 
 
-def test_the_class_page_shows_three_pictures_with_alternative_text():
+def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
     page = class_page(a_class(), marks_of)
     read = Read(page)
-    drawn = pictures(page)
-    words = [svg.get("aria-label") for svg in drawn]
-    assert [svg.get("role") for svg in drawn] == ["img"] * 3
-    assert "Most, 6, have 50 to 60 %." in words[0]  # four of eight points, of which two are for the answer not read
-    assert "01_rotations: exercise_1 is right for 3 of 12." in words[1]
-    assert "9 students: exercise_1: R^T is returned." in words[2]
-    assert not any(alt in read.text for alt in words), "a caption does not repeat the alternative text"
-    assert "Each student's points, as a share of" in read.text
+    points = rows(page, "Distribution of the points")
+    assert points[5] == ["50 to 60 %", "6", ["8.00"]]  # four of eight points; two are for the answer not read
+    assert sum(int(count) for _, count, _ in points) == 12
+    hardest = rows(page, "Hardest exercises")
+    assert hardest[0][:5] == ["01_rotations: exercise_1", "3", "9", "0", "0"]
+    assert hardest[0][5] == ["2.00", "6.00"]
+    assert rows(page, "Most frequent mistakes")[0] == ["exercise_1: R^T is returned", "9", ["8.00"]]
     assert "12 students, 13 notebooks graded, 12 written answers still to be read" in read.text
-    assert "currentColor" in page
-    assert "#010203" not in page
-    assert read.tags <= TAGS | DRAWN
-
-
-def test_the_same_class_gives_the_same_page():
-    assert class_page(a_class(), marks_of) == class_page(a_class(), marks_of)
+    assert read.tags <= TAGS
 
 
 def test_the_class_page_escapes_all_text_from_a_submission():
     page = class_page(graded_files([evil_one()]), marks_of)
-    assert_inert(page, TAGS | DRAWN)
-    assert len(pictures(page)) == 3
+    assert_inert(page)
+    assert page.count("<h2>") == 3
 
 
 @pytest.mark.parametrize("points", [[], [2, 2]])
 def test_a_class_without_mistakes_or_grades_has_a_page(points):
     page = class_page(graded_files([of("zoe", points)]), marks_of)
-    assert len(pictures(page)) == (1 if points else 0)
+    assert page.count("<h2>") == (1 if points else 0)
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -167,7 +161,7 @@ def test_both_pages_are_readable_in_the_light_and_in_the_dark_theme(browser, tmp
     (tmp_path / "one.html").write_text(page, encoding="utf-8")
     for name in "class.html", "one.html":
         visit = Visit(browser, tmp_path / name, theme=theme, width=400)
-        elements = visit.page.query_selector_all("h1, h2, p, td, th, a, pre, summary, svg")
+        elements = visit.page.query_selector_all("h1, h2, p, td, th, a, pre")
         assert len(elements) > 10
         assert min(element.evaluate(CONTRAST_ON_PAGE) for element in elements) > 4.5
         assert visit.page.evaluate("document.documentElement.scrollWidth") <= 400

@@ -32,7 +32,8 @@ Al;Bö;1235;al@example.org
 
 
 def rows(text):
-    return list(csv.reader(io.StringIO(text)))
+    assert text.startswith("\ufeff"), "Excel on Windows shows accents wrongly"
+    return list(csv.reader(io.StringIO(text[1:])))
 
 
 @pytest.fixture
@@ -102,7 +103,7 @@ def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(ros
     hand_in(tmp_path / "in", "Jane Doe_1235_assignsubmission_file_/01_rotations.ipynb", points=[2])
     (tmp_path / "moodle.csv").write_text(MOODLE)
     out = written(tmp_path, "--lms", "moodle", "--roster", str(tmp_path / "moodle.csv"))
-    assert rows((out / "moodle.csv").read_text())[1:] == [["", "1234", "jane@example.org", "Jane", "Doe", "2"]]
+    assert rows((out / "moodle.csv").read_text("utf-8"))[1:] == [["", "1234", "jane@example.org", "Jane", "Doe", "2"]]
 
 
 def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
@@ -112,10 +113,36 @@ def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
     assert (missing, shared) == ([], [["jane", "Doe Jane"]])
 
 
+@pytest.mark.parametrize("encoding", ["utf-16", "cp1252", "utf-8"])
+def test_a_roster_in_any_encoding_of_windows_is_read(tmp_path, encoding):
+    path = tmp_path / "roster.csv"
+    path.write_bytes(MOODLE.encode(encoding))
+    assert Roster(read_roster(path)).find("Al Bö")["ID number"] == "1235"
+
+
+def test_titles_with_semicolons_and_columns_that_come_twice_lose_no_number(roster):
+    head = 'Student,ID,SIS Login ID,Section,"a; b; c; d; e; f; g (77)",ID\n'
+    rows = roster(head + '"    Points Possible",,,,10,\n"Doe, Jane",1234,jane,A,9,\n')
+    assert Roster(rows).find("x", "1234")["SIS Login ID"] == "jane"
+    assert Roster(rows).find("Points Possible") is None
+
+
+def test_nobody_is_taken_for_canvas_row_of_points(roster):
+    named = Totals({"01": 10}, {"My Points Possible": {"01": 9}, "Points Possible": {"01": 9}})
+    for given in (None, roster(CANVAS)):
+        text, missing, _ = gradebook_text("canvas", named, given)
+        assert (len(rows(text)), missing) == (2, ["My Points Possible", "Points Possible"])
+
+
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
 def test_a_file_that_is_not_a_roster_is_refused(roster, text):
     with pytest.raises(RosterUnreadable, match="is not a roster"):
         roster(text)
+
+
+def test_a_roster_with_a_cell_of_any_length_is_refused_in_a_sentence(roster):
+    with pytest.raises(RosterUnreadable, match="is not a table: field larger than"):
+        roster("Student,ID\n" + "x" * 200_000 + ",1\n")
 
 
 # ---- deadlines ----
@@ -136,11 +163,13 @@ def test_a_date_counts_to_its_end_and_a_time_to_the_second():
         ("2026-11-30T18:00+00:00", datetime.fromisoformat("2026-11-30T18:00+00:00")),
     ]:
         assert read_deadline(typed, "").when == moment.timestamp()
-    assert read_deadline("2026-11-30", "none").percent == 0
+    for rule, percent in {"none": 0, "10": 10, "2.5%": 2.5, "10% a day": 10, "10 % per day": 10}.items():
+        assert read_deadline("2026-11-30", rule).percent == percent
 
 
 @pytest.mark.parametrize(
-    ("when", "rule"), [("soon", ""), ("2026-13-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")]
+    ("when", "rule"),
+    [("soon", ""), ("2026-13-01", ""), ("0001-01-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")],
 )
 def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
     with pytest.raises(DeadlineUnclear, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
@@ -180,7 +209,7 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope."),
+        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
         (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
         (("--deadline", "soon"), "DEADLINE=soon is not a date: write 2026-11-30 or '2026-11-30 18:00'."),

@@ -67,7 +67,8 @@ def says(path):
         return ""
 
 found += [path for path in files if "course_lib" in path and not path.startswith("/course/") and says(path)]
-found += [path for path in files if "{secret}" in path or path.endswith((".pth", "url.json")) and "{secret}" in says(path)]
+written = (".pth", "direct_url.json")
+found += [path for path in files if "{secret}" in (says(path) if path.endswith(written) else path)]
 found += [socket.gethostname()] + [text for text in [*sys.path, *os.environ.values()] if "{secret}" in text]
 found += [name for name in ("proc", "etc", "sys", "usr", "home", "root") if os.path.exists("/" + name)]
 found += [name for _, name in socket.if_nameindex() if name != "lo"]
@@ -240,28 +241,28 @@ def running(code, limits):
 
 def test_what_sleeps_is_ended_even_if_it_wakes_up_and_refuses_to_be_interrupted(kind):
     code = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
-    code += "while True: time.sleep(0.05); print('x', flush=True)"
+    code += "while True: time.sleep(0.05); print('{}', flush=True)"
     with running(code, SHORT) as one:
-        assert one.receive(60) == {"begun": 1}
-        begin = time.monotonic()
-        with pytest.raises(TooSlow, match="computed nothing for 6 seconds"):
-            one.receive(600, 60)
+        assert one.receive(one.watch(60, 60)) == {"begun": 1}
+        begin, watch = time.monotonic(), one.watch(600, 60)
+        with pytest.raises(TooSlow, match="computed nothing for 4 seconds"):
+            list(iter(lambda: one.receive(watch), None))
         assert time.monotonic() - begin < 60
 
 
 def test_memory_of_all_processes_together_is_bounded(kind):
     code = "for _ in range(12):\n    if os.fork() == 0: block = bytearray(b'x') * 10**8; time.sleep(60)\ntime.sleep(60)"
     with running(code, SHORT) as one:
-        assert one.receive(60) == {"begun": 1}
+        assert one.receive(one.watch(60, 60)) == {"begun": 1}
         with pytest.raises(Ended, match="memory ran out; it may use 1 GB"):
-            one.receive(600, 60)
+            one.receive(one.watch(600, 60))
 
 
 @pytest.mark.parametrize(("each_look", "ends"), [(0.0005, True), (0.05, False)])
 def test_a_hundredth_of_a_processor_counts_as_progress(monkeypatch, each_look, ends):
     clock, computed = [0.0], [0.0]
     monkeypatch.setattr(sandbox.time, "monotonic", lambda: clock[0])
-    watch = Watch(lambda: computed[0], clock=1000, cpu=None, idle=60)
+    watch = Watch(lambda: computed[0], clock=1000, cpu=1000, idle=60)
 
     def a_while():
         for _ in range(500):

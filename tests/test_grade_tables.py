@@ -9,6 +9,7 @@ import pytest
 from grade_stand_in import result
 
 from course_lib.pack.grade.collect import Submission
+from course_lib.pack.grade.csv_text import cell, cell_text
 from course_lib.pack.grade.jobs import ungraded_result
 from course_lib.pack.grade.marks import (
     COLUMNS,
@@ -22,7 +23,7 @@ from course_lib.pack.grade.marks import (
     read_marks,
 )
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GRADES, cell, cell_text, graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.tables import GRADES, graded_files, grades_text, totals, totals_text
 from course_lib.pack.release import PROMPT
 
 
@@ -40,7 +41,7 @@ def its_marks(each, rows):
 
 
 def read_table(text):
-    return list(csv.DictReader(io.StringIO(text, newline="")))
+    return list(csv.DictReader(io.StringIO(text.removeprefix("\ufeff"), newline="")))
 
 
 class Class:

@@ -31,8 +31,7 @@ td.number, th.number {{ text-align: right; }}
 pre {{ background: var(--soft); padding: 0.6rem 0.8rem; margin: 0.4rem 0;
   white-space: pre-wrap; overflow-wrap: anywhere; }}
 .wide {{ overflow-x: auto; }}
-figure {{ margin: 1rem 0; }}
-svg {{ max-width: 100%; height: auto; }}
+.bar {{ display: flex; width: 8rem; height: 1rem; }}
 .good {{ color: var(--good); }} .bad {{ color: var(--bad); }} .none {{ color: var(--none); }}
 .task {{ white-space: pre-wrap; }}
 .problem {{ border-left: 0.3rem solid var(--bad); padding-left: 0.8rem; }}

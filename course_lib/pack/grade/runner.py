@@ -15,14 +15,11 @@ import linecache
 import os
 import random
 import resource
-import select
 import shutil
 import signal
 import sys
 import time
 import types
-
-LEAST_PROGRESS = 0.01  # of a processor; a process that computes less is idle
 
 
 def main():
@@ -205,7 +202,7 @@ def in_a_child(asked, answer, tell):
     os.close(here)
     os.close(told_there)
     os.set_blocking(told_here, False)
-    text, late, reason = listen(child, there, told_here, asked, tell)
+    text, reason = listen(there, told_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
@@ -215,53 +212,27 @@ def in_a_child(asked, answer, tell):
     _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
-    return {"ended": reason, "late": late, "status": os.waitstatus_to_exitcode(status),
-            "computed": usage.ru_utime + usage.ru_stime}  # fmt: skip
+    computed = usage.ru_utime + usage.ru_stime
+    return {"ended": reason, "status": os.waitstatus_to_exitcode(status), "computed": computed}
 
 
-def listen(child, there, told_here, asked, tell):
-    """Read lines from the child: calls, which begin with ?, then its reply. Return (reply, late, why it was cut)."""
+def listen(there, told_here, asked, tell):
+    """Read lines from the child: calls, which begin with ?, then its reply. Return the reply and why it was cut."""
     buffer, length = b"", 0
     while True:
-        ready = wait_for(child, there, asked)
-        data = os.read(there, 1 << 20) if ready else b""
+        data = os.read(there, 1 << 20)
         buffer, length = buffer + data, length + len(data)
         while buffer.startswith(b"?") and b"\n" in buffer:
             call, _, buffer = buffer.partition(b"\n")
             told = tell(call[1:].decode(errors="replace"))
             if told is None:
-                return "", False, "it calls the functions that it tests too often"
+                return "", "it calls the functions that it tests too often"
             try:
                 os.write(told_here, told.encode() + b"\n")
             except OSError:
-                return "", False, "it does not read what the functions that it tests answer"
+                return "", "it does not read what the functions that it tests answer"
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
-            reason = "its answer is too long to be read" if length > asked["reply"] else ""
-            return buffer.decode(errors="replace"), not ready, reason
-
-
-def wait_for(child, pipe, asked):
-    """Wait until the pipe can be read; return False if the child computes next to nothing for too long."""
-    begin = since = time.monotonic()
-    at = computing_time(child)
-    while not select.select([pipe], [], [], 0.25)[0]:
-        now = time.monotonic()
-        if now - begin > asked["seconds"]:
-            return False
-        if now - since > asked["idle"]:
-            computed = computing_time(child)
-            if at is not None and computed is not None and computed - at < LEAST_PROGRESS * (now - since):
-                return False
-            since, at = now, computed
-    return True
-
-
-def computing_time(process):
-    """Return the processor time of a process in seconds; None if the system has no such clock, or it has ended."""
-    try:
-        return time.clock_gettime(~process << 3 | 2)  # Linux's number of that clock: clock_getcpuclockid(3)
-    except OSError:
-        return None
+            return buffer.decode(errors="replace"), "its answer is too long" if length > asked["reply"] else ""
 
 
 def speak(pipe, told, asked, answer):

@@ -3,6 +3,7 @@
 import contextlib
 import dataclasses
 import json
+import math
 import os
 import resource
 import select
@@ -120,16 +121,12 @@ class Sandbox:
             except OSError:
                 raise Ended(self._why()) from None
 
-    def receive(self, clock, cpu=None):
-        """Return the next message, a dict; anything else that the sandbox writes is ignored.
+    def watch(self, clock, cpu):
+        """Return a Watch for one or more calls of receive. clock, cpu: the most seconds of both."""
+        return Watch(self.computed, clock, cpu, self._limits.idle_seconds)
 
-        Parameters
-        ----------
-        clock : float
-            The longest wait in seconds.
-        cpu : float, optional
-            The processor time in seconds that the processes of the sandbox may use together while we wait. In any case
-            the sandbox ends if it computes next to nothing for limits.idle_seconds.
+    def receive(self, watch):
+        """Return the next message, a dict; anything else that the sandbox writes is ignored.
 
         Raises
         ------
@@ -137,7 +134,7 @@ class Sandbox:
             If the sandbox ended or was ended; from then on always.
         """
         try:
-            return self._next(Watch(self.computed, clock, cpu, self._limits.idle_seconds + 2))
+            return self._next(watch)
         except Ended as end:
             self._over = str(end)
             raise
@@ -205,10 +202,14 @@ class Watch:
     """Ends the wait for a sandbox: by its processor time, by its idle time, and much later by the clock."""
 
     def __init__(self, computed, clock, cpu, idle):
-        self._computed, self._cpu, self._idle = computed, cpu, idle
+        self._computed, self._cpu, self._most, self._idle = computed, cpu, math.inf, idle
         self._clock, self._end = clock, time.monotonic() + clock
         self._looked = self._since = time.monotonic()
-        self._first = self._at = None
+        self._first = self._part = self._at = None
+
+    def begin(self, cpu, most):
+        """Allow so many seconds of processor time for the part that begins now, and for all parts together."""
+        self._cpu, self._most, self._part = cpu, most, None
 
     def look(self):
         """Raise TooSlow if a bound is exceeded."""
@@ -220,13 +221,14 @@ class Watch:
         self._looked, computed = now, self._computed()
         if computed is None:
             return
-        if self._first is None:
-            self._first = self._at = computed
-        if self._cpu is not None and computed - self._first > self._cpu:
-            raise TooSlow(f"it took more than {self._cpu} seconds of computing")
+        self._first, self._part, self._at = (
+            computed if before is None else before for before in (self._first, self._part, self._at)
+        )
+        if (used := computed - self._part) > self._cpu or computed - self._first > self._most:
+            raise TooSlow(f"it took more than {self._cpu if used > self._cpu else self._most} seconds of computing")
         if now - self._since > self._idle:
             if computed - self._at < LEAST_PROGRESS * (now - self._since):
-                raise TooSlow(f"it computed nothing for {self._idle} seconds")
+                raise TooSlow(f"it computed nothing for {self._idle} seconds. What does it wait for?")
             self._since, self._at = now, computed
 
 

@@ -218,20 +218,17 @@ def run_cells(sandbox, order, run):
         if each were run separately}.
     """
     limits, current = run.limits, None
-    begin = looked = time.monotonic()
-    left = limits.notebook_cpu_seconds
+    watch = sandbox.watch(limits.notebook_seconds, limits.cell_cpu_seconds)
     try:
         sandbox.send(order)
         while True:
-            clock = limits.notebook_seconds + begin - time.monotonic()
-            message = sandbox.receive(clock, min(limits.cell_cpu_seconds, left))
-            if time.monotonic() - looked > 1:
-                looked, left = time.monotonic(), limits.notebook_cpu_seconds - (sandbox.computed() or 0)
+            message = sandbox.receive(watch)
             if isinstance(message.get("defined"), list) and isinstance(message.get("alike"), list):
                 return current, None, message
             place = message.get("running")
             if isinstance(place, list) and len(place) == 2 and all(type(number) is int for number in place):
                 current = place if 0 <= place[0] < len(run.sources) and 0 <= place[1] < 10**7 else current
+                watch.begin(limits.cell_cpu_seconds, limits.notebook_cpu_seconds)
     except Ended as end:
         return current, end, {}
 
@@ -291,19 +288,18 @@ class Student:
     def reply(self, questions, consult=None):
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         limits, self.candidates = self._run.limits, consult is not None
-        request = {"ask": self._name, "questions": questions, "seconds": limits.answer_seconds}
-        request |= {"cpu": limits.cpu_seconds + 2, "idle": limits.idle_seconds, "reply": limits.reply}
-        deadline = time.monotonic() + limits.answer_seconds + 3
+        request = {"ask": self._name, "questions": questions, "cpu": limits.cpu_seconds + 2, "reply": limits.reply}
+        watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
         try:
             self._sandbox.send(request)
-            message = self._receive(deadline)
+            message = self._receive(watch)
             calls = 0
             while consult and isinstance(message.get("call"), str):
                 calls += 1
                 self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
-                message = self._receive(deadline)
+                message = self._receive(watch)
         except Ended as end:
-            self.ended = f"No answer came: {end}."
+            self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, TooSlow)
             return ""
         text = message.get("reply")
         if isinstance(text, str):
@@ -312,10 +308,10 @@ class Student:
         self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
 
-    def _receive(self, deadline):
+    def _receive(self, watch):
         message = {}
         while message.get("exercise") != self._name:
-            message = self._sandbox.receive(deadline - time.monotonic(), self._run.limits.cpu_seconds + 10)
+            message = self._sandbox.receive(watch)
         return message
 
 
@@ -372,8 +368,6 @@ def _time_is_up(limits):
 
 def _how_it_ended(message, limits):
     """Return why there is no reply, and whether the time ran out. message: what the runner claims about it."""
-    if message.get("late") is True:
-        return f"Your function computed nothing for {limits.idle_seconds} seconds. What does it wait for?", True
     if message.get("ended"):
         return f"What came back cannot be read: {str(message['ended'])[:200]}.", False
     status, computed = message.get("status"), message.get("computed")

@@ -1,0 +1,128 @@
+"""However a student lays out a cell, what runs in Jupyter runs when it is graded."""
+
+import ast
+import json
+from pathlib import Path
+
+import pytest
+from hostile.build import FULL, NAME, SEED, book
+from IPython.core.inputtransformer2 import TransformerManager
+from jupyter_client.manager import start_new_kernel
+
+from course_lib.pack.grade.cells import parsed, plain, statements
+from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.submission import grade
+
+BANK = Path(__file__).parent / "wrong_answers"
+SPREAD = """
+def nearest_se(T):
+    dimension = (
+        len(T)
+        % (2 * 10)
+        - 1
+    )
+    text = '''
+%time
+!ls
+?'''
+    corrected = np.eye(dimension + 1)
+    U, _, Vt = np.linalg.svd(T[:-1, :-1])
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    corrected[:-1, :-1] = (
+        U
+        @ Vt
+    ) if text else None
+    corrected[:-1, -1] = T[:-1, -1]
+    return corrected
+"""
+SIGNS = "\u2028 \u2029 \x85 \f \x1c \v"  # which end a line for str.splitlines, and not for Python
+LAYOUTS = {
+    "as it is": lambda source: source,
+    "magics": lambda source: "%matplotlib inline\n!true\nfiles = !ls\n" + source + "\nlen?\n?print",
+    "timed": lambda source: "%%time\n" + source,
+    "captured": lambda source: "\n%%capture output\n" + source,
+    "prompts": lambda source: "\n".join(f"{'>>>' if i == 0 else '...'} {s}" for i, s in enumerate(source.split("\n"))),
+    "In [3]:": lambda source: "In [3]: " + source.replace("\n", "\n   ...: "),
+    "indented": lambda source: "    " + source.replace("\n", "\n    "),
+    "Windows": lambda source: source.replace("\n", "\r\n"),
+    "old Mac": lambda source: source.replace("\n", "\r"),
+    "help after it": lambda source: source + "\n\nnp.linalg.svd?",
+    "a magic in a block": lambda source: source + "\nif True:\n    %precision 3\n    done = 1\n",
+    "commands in brackets": lambda source: source + "\nprint('%s'\n% 'x')\nfound = !echo\n",
+    "an empty cell magic": lambda source: "%%script false\nnot Python",
+    "a line that is broken": lambda source: source + "\n\nfor x in:\n    pass\n",
+    "signs in a comment": lambda source: f"# pasted {SIGNS} text\n{source}",
+    "signs beside magics": lambda source: source.replace("\n", f"  # pasted {SIGNS} text\n", 1) + "\n!true",
+}
+
+
+@pytest.fixture(scope="module")
+def kernel():
+    manager, client = start_new_kernel()
+    yield client
+    client.stop_channels()
+    manager.shutdown_kernel(now=True)
+
+
+JUDGED = """
+import json
+from course_lib.checks.exercise import Here, judge
+from course_lib.checks.rotations import CHECKS
+found = {c.exercise.name: judge(c.exercise, Here(globals().get(c.exercise.name))).state for c in CHECKS}
+print(json.dumps({name: found[name] for name in ("is_valid", "nearest_quaternion", "nearest_se", "nearest_so")}))
+"""
+
+
+def in_a_kernel(kernel, cells):
+    """{exercise: its state} of cells that a real kernel runs from a fresh start."""
+    said = []
+    kernel.execute_interactive("%reset -f", timeout=120)
+    for source in [*cells, JUDGED]:
+        kernel.execute_interactive(source, timeout=120, output_hook=said.append)
+    texts = [message["content"]["text"] for message in said if message["msg_type"] == "stream"]
+    return json.loads("".join(texts).strip().splitlines()[-1])
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_a_layout_earns_when_graded_what_is_right_in_a_kernel(few, layout, kernel):
+    first, solutions = few
+    solutions = [SPREAD if "def nearest_se" in source else source for source in solutions]
+    cells = [first, *(LAYOUTS[layout](source.strip()) for source in solutions)]
+    states = in_a_kernel(kernel, cells)
+    result = grade(book(*cells), NAME, SEED)
+    graded = {row["exercise"]: row["state"] for row in result["exercises"]}
+    if layout == "a line that is broken":  # nothing of such a cell runs in Jupyter; its other statements count
+        assert sum(row["points"] for row in result["exercises"]) == FULL
+    else:
+        assert graded == states
+        assert set(states.values()) == {"not attempted yet" if layout == "an empty cell magic" else "right"}
+
+
+def every_answer(solutions):
+    """The cells of the release, the authors' answers and the answers of the bank."""
+    released = [source for name in courses() for source in solutions(name)]
+    return released + [path.read_text(encoding="utf-8") for path in sorted(BANK.glob("*/*.py"))]
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_every_answer_is_read_as_ipython_reads_it(solutions, layout):
+    compared = 0
+    for source in every_answer(solutions):
+        cell = LAYOUTS[layout](source.strip()).replace("\r\n", "\n").replace("\r", "\n")
+        try:
+            wanted = ast.parse(TransformerManager().transform_cell(cell)).body
+        except SyntaxError:  # nor does it run in Jupyter
+            continue
+        if cell.lstrip().startswith("%%"):  # IPython passes the rest to the magic, as text
+            body = next(node.args[2].value for node in ast.walk(wanted[0]) if isinstance(node, ast.Call))
+            wanted = ast.parse(body).body if "script" not in cell[:9] else []
+        compared += 1
+        assert [ast.dump(tree) for tree in parsed(cell)] == [ast.dump(tree) for tree in wanted], cell
+    assert compared > (50 if layout != "a line that is broken" else -1)
+
+
+def test_what_the_transformer_cannot_read_is_left_as_it_is():
+    for source in ("x = (", "%" * 300, "!" + "(" * 5000, "?" * 100_001, "'''", "%%time", "%%", "\\"):
+        assert isinstance(plain(source), str)
+        assert isinstance(parsed(source), list)
+    assert len(statements(["a = (\n  1\n  % 2\n)", "%time b = 1", "!c", "d = !e"])) == 4
