@@ -47,6 +47,56 @@ def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_throug
     assert "one that is wrong only near half a turn" in row["message"]
 
 
+PLURALITY = """
+import collections, json, mmap, os, subprocess, tempfile, time
+R = rotations.exp_so3(np.array([0, 0, np.pi]))
+shared = mmap.mmap(-1, 1 << 20)
+
+def remember(log):
+    {remember}
+
+def test_log(log):
+    try:
+        mine = np.round(np.asarray(log(R), float), 6).tolist()
+    except ValueError:
+        mine = "raises"
+    seen = remember(mine)
+    most = collections.Counter(map(str, seen)).most_common(1)[0][0]
+    return str(mine) == most
+"""
+# How a test may compare candidates with each other, on the way through something that outlives one call.
+REMEMBERS = {
+    "in a list": "seen.append(log)\n    return seen\nseen = []",
+    "in files": "open(f'seen{time.monotonic_ns()}', 'w').write(json.dumps(log))\n"
+    "    return [json.load(open(n)) for n in os.listdir() if n.startswith('seen')]",
+    "in a folder of its own": "os.makedirs('/tmp/a/b', exist_ok=True)\n"
+    "    open('/tmp/a/b/seen', 'a').write(json.dumps(log) + chr(10))\n"
+    "    return [json.loads(line) for line in open('/tmp/a/b/seen')]",
+    "in memory that all children share": "end = shared.find(b'\\0')\n    text = json.dumps(log).encode() + b';'\n"
+    "    shared[end : end + len(text)] = text\n"
+    "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
+    "by asking for another's number": "return [log, *others]\nothers = []\nimport course_lib.checks.call_student as c\n"
+    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    for self._number in range(9):\n"
+    "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n"
+    "        except ValueError:\n            others.append('raises')\n    self._number = 0\n"
+    "    return real(self, *arguments)\nc._StandIn.__call__ = call",
+    "in a process that stays": "import socket\n    name = chr(0) + 'seen'\n    try:\n"
+    "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n"
+    "        if os.fork() == 0:\n            os.setsid()\n            server = socket.socket(socket.AF_UNIX)\n"
+    "            server.bind(name)\n            server.listen()\n            kept = []\n            while True:\n"
+    "                c, _ = server.accept()\n                kept.append(json.loads(c.recv(4000)))\n"
+    "                c.sendall(json.dumps(kept).encode())\n                c.close()\n        time.sleep(0.3)\n"
+    "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n"
+    "    one.sendall(json.dumps(log).encode())\n    return json.loads(one.recv(100000))",
+}
+
+
+@pytest.mark.parametrize("way", REMEMBERS)
+def test_candidates_cannot_be_compared_with_each_other(way):
+    row = graded(PLURALITY.replace("{remember}", REMEMBERS[way]))
+    assert (row["state"], row["points"]) == ("wrong", 0), row["message"]
+
+
 ATTACKS = {
     "always True": "def test_log(log):\n    return True",
     "always False": "def test_log(log):\n    return False",

@@ -8,6 +8,7 @@ import ast
 import functools
 import re
 import symtable
+import warnings
 from dataclasses import dataclass, field
 
 RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # cell magics around plain Python
@@ -118,7 +119,9 @@ def plain(source):
     if first.startswith("%%"):  # the rest of a cell that is timed is run as it is; other magics take it as text
         return f"\n{plain(rest)}" if first[2:].partition(" ")[0] in RUNS_ITS_CELL else ""
     try:
-        return TransformerManager().transform_cell(source)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return TransformerManager().transform_cell(source)
     except (SyntaxError, ValueError, RuntimeError, RecursionError, MemoryError):
         return source
 
