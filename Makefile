@@ -53,10 +53,11 @@ html: environment ## export the notebooks as a static site, build/html/index.htm
 student: environment ## write the release to students, without solutions, build/student.zip
 	@$(PY) -m course_lib.pack.release
 
-grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n; DEADLINE=2026-11-30 LATE=10% a day; LMS=canvas ROSTER=file), build/grades/
+grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n; DEADLINE=2026-11-30 LATE="10% a day"; LMS=canvas ROSTER=file; ISOLATION=none), build/grades/
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") \
 		$(if $(SEED),--seed "$(SEED)") $(if $(DEADLINE),--deadline "$(DEADLINE)") $(if $(LATE),--late "$(LATE)") \
-		$(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") -- "$(SUBMISSIONS)"
+		$(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") \
+		$(if $(ISOLATION),--isolation "$(ISOLATION)") -- "$(SUBMISSIONS)"
 
 notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)

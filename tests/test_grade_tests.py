@@ -76,9 +76,9 @@ REMEMBERS = {
     "    shared[end : end + len(text)] = text\n"
     "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
     "by asking for another's number": "return [log, *others]\nothers = []\nimport course_lib.checks.call_student as c\n"
-    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    for self._number in range(9):\n"
+    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = self._number\n    for self._number in range(9):\n"
     "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n"
-    "        except ValueError:\n            others.append('raises')\n    self._number = 0\n"
+    "        except ValueError:\n            others.append('raises')\n    self._number = mine\n"
     "    return real(self, *arguments)\nc._StandIn.__call__ = call",
     "in a process that stays": "import socket\n    name = chr(0) + 'seen'\n    try:\n"
     "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n"
