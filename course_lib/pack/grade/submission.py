@@ -87,19 +87,8 @@ class Run:
 def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
 
-    Parameters
-    ----------
-    text : bytes
-        The file.
-    notebook : str
-        The name under which it was handed in.
-    seed : int
-        The secret seed of the cases.
-    limits : Limits, optional
-    hidden : tuple of str, optional
-        Folders that the submission must not see, wherever they are.
-    wanted : str, optional
-        "none" to run it without isolation.
+    text: the file. notebook: the name under which it was handed in. seed: the secret seed of the cases. hidden: folders
+    that the submission must not see, wherever they are. wanted: "none" to run it without isolation.
 
     Returns
     -------
@@ -135,7 +124,8 @@ class Grader:
 
     def prepare(self):
         """Load the course and try the isolation once, for all processes forked from this one. Raises NotIsolated."""
-        isolation.kind(self.wanted)
+        if isolation.kind(self.wanted) != isolation.NONE:
+            isolation.mounts()
         _load()
 
     def __call__(self, content, notebook, seed):
@@ -146,7 +136,6 @@ class Grader:
 def _load():
     for course in courses().values():
         _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
-    isolation.mounts()
 
 
 def _files(forbidden):
