@@ -39,12 +39,12 @@ def pytest_ignore_collect(collection_path):
 
 # What takes longest: it goes first, so that the processes that share the files end together.
 LONGEST = ["test_bank.py", "test_site_course.py", "test_grade_hostile.py", "test_mutants.py"]
-LONGEST += ["test_grade_submission.py", "test_site.py", "test_release_runs.py", "test_grade_jobs.py"]
-LONGEST += ["test_toys_page.py", "test_release_nbgrader.py", "test_guide_for_instructors.py", "test_author_guide.py"]
-LONGEST += ["test_site_leaks.py", "05_panda_dh_ik.ipynb", "test_site_looks.py", "test_grade_memory.py"]
-LONGEST += ["test_site_again.py", "test_site_controls.py", "test_notebook_runner.py", "test_notebooks.py"]
-LONGEST += ["test_figures_film.py", "test_grade_dask.py", "test_grade_tests.py", "test_site_answers.py"]
-LONGEST += ["test_toys_lab.py", "test_commands.py"]
+LONGEST += ["test_grade_layouts.py", "test_grade_submission.py", "test_site.py", "test_release_runs.py"]
+LONGEST += ["test_grade_jobs.py", "test_toys_page.py", "test_release_nbgrader.py", "test_guide_for_instructors.py"]
+LONGEST += ["test_author_guide.py", "test_site_leaks.py", "05_panda_dh_ik.ipynb", "test_site_looks.py"]
+LONGEST += ["test_grade_isolation.py", "test_site_again.py", "test_site_controls.py", "test_notebook_runner.py"]
+LONGEST += ["test_notebooks.py", "test_figures_film.py", "test_grade_dask.py", "test_grade_tests.py"]
+LONGEST += ["test_site_answers.py", "test_toys_lab.py", "test_commands.py"]
 
 
 # Thousands of tests are collected and kept: searching for garbage among them would double the time that takes.

@@ -76,7 +76,8 @@ REMEMBERS = {
     "    shared[end : end + len(text)] = text\n"
     "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
     "by asking for another's number": "return [log, *others]\nothers = []\nimport course_lib.checks.call_student as c\n"
-    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = self._number\n    for self._number in range(9):\n"
+    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = self._number\n"
+    "    for self._number in range(9):\n"
     "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n"
     "        except ValueError:\n            others.append('raises')\n    self._number = mine\n"
     "    return real(self, *arguments)\nc._StandIn.__call__ = call",

@@ -89,11 +89,13 @@ class Sandbox:
             remove_tree(self._folder)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
-        threading.Thread(target=self._watch_memory, daemon=True).start()
+        self._watcher = threading.Thread(target=self._watch_memory, daemon=True)
+        self._watcher.start()
         return self
 
     def __exit__(self, *raised):
         self._ended.set()
+        self._watcher.join()  # before the process's number may be another's
         left = list(below(self._process.pid)) if self._kind == isolation.NONE else []
         with contextlib.suppress(OSError):
             os.killpg(self._process.pid, signal.SIGKILL)  # and with it, by the kernel, all in its namespaces
@@ -150,7 +152,7 @@ class Sandbox:
 
     def _watch_memory(self):
         """End the sandbox if its processes together exceed a bound; in a thread, also while answers are judged."""
-        while not self._ended.wait(0.2):
+        while not self._ended.wait(0.3):
             running, limits = below(self._process.pid), self._limits
             if len(running) > limits.processes + 5:
                 self._excess = f"more than {limits.processes} processes"
