@@ -101,7 +101,7 @@ def test_names_that_learning_platforms_export_are_recognized_by_all_together(exp
 )
 def test_names_that_are_not_all_a_platforms_are_the_students_own(names, ending, tmp_path):
     write(tmp_path, *(name + ending for name in names))
-    assert found(tmp_path) == [(name.rstrip("_") if ending[0] == "_" else name, "01_rotations") for name in names]
+    assert found(tmp_path) == [(name, "01_rotations") for name in names]
 
 
 def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
