@@ -144,22 +144,6 @@ def written(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
 
 
-def test_killed_between_results_three_times_it_writes_what_an_undisturbed_run_writes(place):
-    fill(place, 12, seconds=0.2)
-    command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]
-    for count in (2, 5, 8):
-        with subprocess.Popen([*command, "--jobs", "2", "--seed", "3"], stderr=subprocess.DEVNULL) as process:
-            while len(list(place.glob("out/results/*.json"))) < count and process.poll() is None:
-                time.sleep(0.05)
-            process.kill()
-        assert not (place / "out/grades.csv").exists(), "it ended before it could be killed"
-    assert run(place, "--jobs", "2", "--seed", "3") == 0
-    assert run(place, "--jobs", "1", "--seed", "3", output="undisturbed") == 0
-    found = written(place / "out")
-    assert found == written(place / "undisturbed")
-    assert len([name for name in found if name.startswith("feedback/")]) == 12
-
-
 def wait_until(happened):
     deadline = time.monotonic() + SOON
     while not happened():

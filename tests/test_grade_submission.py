@@ -87,15 +87,8 @@ def test_cells_that_were_changed_keep_their_points(few, change):
     assert points(result) == FULL, result
 
 
-def worksheets(cells):
-    for each in cells:
-        each["input"] = each.pop("source").splitlines(keepends=True)
-    return {"worksheets": [{"cells": cells}], "cells": None, "nbformat": 3}
-
-
 WRITTEN = {
     "no ids, an old minor version": lambda cells: {"nbformat_minor": 0},
-    "nbformat 3": worksheets,
     "nbformat 5": lambda cells: {"nbformat": 5},
     "clashing ids": lambda cells: {"cells": [each | {"id": "a"} for each in cells]},
     "a kernel that is not there": lambda cells: {"metadata": {"kernelspec": {"name": "julia", "language": "julia"}}},

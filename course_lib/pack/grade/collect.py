@@ -24,6 +24,7 @@ MAX_COPIES = 3  # of one student's notebook that are graded: the newest ones
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"  # "01_rotations (1)", "01_rotations-Copy2"
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
 CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode", "__macosx", "__pycache__"}
+READ = (".ipynb", ".zip")
 LINK = "It is a link to another file, and links are not followed."
 
 
@@ -107,10 +108,10 @@ def find(folder, notebooks, platform=None):
 
 
 def platform_of(folder):
-    """Return the platform that seems to have exported all files of a folder, or ""."""
+    """Return the platform that seems to have exported all notebooks, zips and folders in a folder, or ""."""
     paths = [path for path in folder.iterdir() if not _is_clutter(path.name)]
-    folders = [path.name for path in paths if path.is_dir()]
-    return recognized([printable(path.name if path.name in folders else path.stem) for path in paths], folders)
+    folders = [printable(path.name) for path in paths if os.path.isdir(path)]
+    return recognized(folders + [printable(path.stem) for path in paths if path.suffix.lower() in READ], folders)
 
 
 def _broken(path, problem, platform):
@@ -147,7 +148,7 @@ def _flat(path, folder, notebooks, platform):
     refused = ""
     if path.is_symlink():
         refused = LINK
-    elif ending not in (".ipynb", ".zip"):
+    elif ending not in READ:
         refused = "It is not a notebook: its name does not end in .ipynb."
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
@@ -226,7 +227,7 @@ def _walk(top):
                         return sorted(files), others, problems
                     if _is_clutter(entry.name):
                         continue
-                    path, wanted = Path(entry.path), entry.name.lower().endswith((".ipynb", ".zip"))
+                    path, wanted = Path(entry.path), entry.name.lower().endswith(READ)
                     if entry.is_symlink():
                         if wanted or entry.is_dir():
                             files.append((path, True))

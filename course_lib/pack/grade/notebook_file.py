@@ -72,8 +72,8 @@ def read(content):
         raise Unreadable(
             "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
         ) from None
-    listed = _listed(book)
-    if listed is None:
+    listed = _within(book, "cells")
+    if not isinstance(listed, list):
         raise Unreadable("It is not a notebook: it has no list of cells.")
     if len(listed) > MOST_CELLS:
         raise Unreadable(f"It has more than {MOST_CELLS} cells.")
@@ -91,20 +91,8 @@ def _text(content):
     return ""
 
 
-def _listed(book):
-    """Return the list of cells of a notebook of any version; before version 4 they were in worksheets."""
-    if not isinstance(book, dict):
-        return None
-    if isinstance(book.get("cells"), list):
-        return book["cells"]
-    if isinstance(book.get("worksheets"), list):
-        sheets = [_within(sheet, "cells") for sheet in book["worksheets"]]
-        return [cell for sheet in sheets if isinstance(sheet, list) for cell in sheet]
-    return None
-
-
 def _cell(cell):
-    source = _within(cell, "source") or _within(cell, "input")
+    source = _within(cell, "source")
     if isinstance(source, list):
         source = "".join(line for line in source if isinstance(line, str))
     if not isinstance(source, str):
