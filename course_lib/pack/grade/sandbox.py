@@ -55,6 +55,10 @@ class TooSlow(Ended):
     """The sandbox was ended because its time ran out."""
 
 
+class Idle(TooSlow):
+    """The sandbox was ended because next to nothing was computed in it, so that it would wait again."""
+
+
 class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
@@ -230,7 +234,7 @@ class Watch:
             raise TooSlow(f"it took more than {self._cpu if used > self._cpu else self._most} seconds of computing")
         if now - self._since > self._idle:
             if computed - self._at < LEAST_PROGRESS * (now - self._since):
-                raise TooSlow(f"it computed nothing for {self._idle} seconds. What does it wait for?")
+                raise Idle(f"it computed nothing for {self._idle} seconds. What does it wait for?")
             self._since, self._at = now, computed
 
 

@@ -20,7 +20,7 @@ from course_lib.pack.grade import isolation, notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
-from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow
+from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow
 from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # how to ask again: in a process of its own; after running the whole notebook
@@ -288,7 +288,7 @@ class Student:
                 self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(watch)
         except Ended as end:
-            self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, TooSlow)
+            self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, Idle)
             return ""
         text = message.get("reply")
         if isinstance(text, str):
