@@ -53,7 +53,6 @@ LAYOUTS = {
     "an empty cell magic": lambda source: "%%script false\nnot Python",
     "a line that is broken": lambda source: source + "\n\nfor x in:\n    pass\n",
     "signs in a comment": lambda source: f"# pasted {SIGNS} text\n{source}",
-    "signs beside magics": lambda source: source.replace("\n", f"  # pasted {SIGNS} text\n", 1) + "\n!true",
 }
 
 
