@@ -14,7 +14,7 @@ from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.submission import grade
 
 pytestmark = pytest.mark.filterwarnings("ignore:.make_tokens_by_line")
-BANK = Path(__file__).parent / "wrong_answers"
+BANK = Path(__file__).parent / "answers"
 SPREAD = """
 def nearest_se(T):
     dimension = (
