@@ -12,6 +12,8 @@ from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
 
+from course_lib.figures.display import TOY
+
 PATIENCE = 120_000  # milliseconds: a machine may be busy, and only what fails waits so long
 expect.set_options(timeout=PATIENCE)
 
@@ -170,7 +172,7 @@ def assert_readable(visit, notebook, width, draws=True):
     assert all(facts["groups"])
     cells = nbformat.read(notebook, as_version=4).cells if notebook else []
     outputs = [o for c in cells for o in c.get("outputs", [])]
-    figures = [o.data[PLOTLY] for o in outputs if PLOTLY in o.get("data", {})]
+    figures = [o.data[kind] for o in outputs for kind in (PLOTLY, TOY) if kind in o.get("data", {})]
     if draws:
         assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
     assert len(facts["groups"]) == len(figures)

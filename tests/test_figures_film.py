@@ -1,6 +1,4 @@
-"""Films in a page: the script's rigid motions are the library's, and it moves the bodies as their poses say."""
-
-from pathlib import Path
+"""Films in a page: the script moves the bodies as their poses say."""
 
 import numpy as np
 import pytest
@@ -12,72 +10,13 @@ from numpy.testing import assert_allclose
 from site_notebooks import cell, output, write
 from site_visits import Visit
 
-import course_lib.figures
 from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa
-from course_lib.rotations import random_rotations
-from course_lib.trajectory import Trajectory
 
-SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"
 ARM = iiwa14()
 TIMES = np.linspace(0, 2, 21)
 Q = np.array([0.3, 0.5, 0, -1.3, 0, 0.9, 0]) + np.linspace(0, 1, 21)[:, None] * [1, 0.4, 0.2, 0.5, 1, -0.3, 2]
-RNG = np.random.default_rng(5)
-
-
-def rows(poses):
-    """Poses (..., 4, 4) as the scripts keep them: (..., 12)."""
-    return np.asarray(poses)[..., :3, :].reshape(*np.shape(poses)[:-2], 12)
-
-
-@pytest.fixture(scope="module")
-def motion(browser):
-    """A function of window.course.motion, called with each of many lists of arguments."""
-    page = browser.new_page()
-    page.set_content("<p></p>")
-    page.add_script_tag(content=(SCRIPTS / "motion.js").read_text(encoding="utf-8"))
-    yield lambda name, calls: np.array(
-        page.evaluate("([name, calls]) => calls.map((c) => window.course.motion[name](...c))", [name, calls])
-    )
-    page.close()
-
-
-def twists():
-    angles = np.r_[
-        np.zeros(10), 10 ** RNG.uniform(-12, -1, 30), RNG.uniform(0, np.pi, 50), np.pi - 10 ** RNG.uniform(-12, -1, 10)
-    ]
-    axes = RNG.normal(size=(100, 3))
-    axes /= np.linalg.norm(axes, axis=1)[:, None]
-    return np.concatenate([angles[:, None] * axes, RNG.normal(size=(100, 3))], 1)
-
-
-def test_exponential_and_logarithm_are_the_librarys(motion):
-    xi = twists()
-    poses = rigid.exp_se3(xi)
-    assert_allclose(motion("exp", [[x] for x in xi.tolist()]), rows(poses), atol=1e-12)
-    back = motion("log", [[T] for T in rows(poses).tolist()])
-    assert_allclose(rows(rigid.exp_se3(back)), rows(poses), atol=1e-9)
-    assert_allclose(back[:90], rigid.log_se3(poses)[:90], atol=1e-9)
-    half = rigid.transform(random_rotations(1, RNG)[0], np.zeros(3))
-    for axis in ([1, 0, 0], [0, 0, 1]):  # exactly pi
-        T = half @ rigid.exp_se3(np.r_[np.pi * np.array(axis), 1, 2, 3.0]) @ rigid.inverse(half)
-        (again,) = motion("log", [[rows(T).tolist()]])
-        assert_allclose(rigid.exp_se3(again), T, atol=1e-9)
-
-
-def test_products_inverses_and_the_chain_are_the_librarys(motion):
-    A, B = rigid.exp_se3(twists()), rigid.exp_se3(twists())
-    pairs = [[a, b] for a, b in zip(rows(A).tolist(), rows(B).tolist(), strict=True)]
-    assert_allclose(motion("multiply", pairs), rows(A @ B), atol=1e-12)
-    assert_allclose(motion("inverse", [[a] for a, _ in pairs]), rows(rigid.inverse(A)), atol=1e-12)
-    between = A @ rigid.exp_se3(0.3 * rigid.log_se3(rigid.inverse(A) @ B))
-    assert_allclose(motion("interpolate", [[*pair, 0.3] for pair in pairs]), rows(between), atol=1e-9)
-    q = RNG.uniform(-3, 3, (100, 7))
-    bodies = motion("chain", [[ARM.screw_axes.tolist(), angles] for angles in q.tolist()])
-    moved = ARM.frames(q)[:, :-1] @ rigid.inverse(ARM.home[:-1])
-    assert_allclose(bodies[:, 1:], rows(moved), atol=1e-9)
-    assert_allclose(bodies[:, 0], np.tile(rows(np.eye(4)), (100, 1)))
 
 
 # ---- in a page ----
@@ -85,7 +24,7 @@ def test_products_inverses_and_the_chain_are_the_librarys(motion):
 
 @pytest.fixture(scope="module")
 def figure():
-    return stored(poe_kuka_iiwa.arm_movie(ARM, Trajectory(TIMES, Q, 0 * Q)))
+    return stored(poe_kuka_iiwa.arm_movie("iiwa", ARM, Q, TIMES))
 
 
 @pytest.fixture(scope="module")

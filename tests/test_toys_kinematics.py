@@ -24,7 +24,7 @@ NODE = Path(compute_driver_executable()[0])  # the one that playwright brings
 def js(name, cases):
     """What one function of the scripts answers to each case (a tuple of its arguments)."""
     asked = [[name, [np.asarray(x).tolist() if isinstance(x, np.ndarray) else x for x in case]] for case in cases]
-    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js", SCRIPTS / "kinematics.js"]
+    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js"]
     done = subprocess.run(command, input=json.dumps(asked), capture_output=True, text=True, check=True)
     answers = json.loads(done.stdout)
     assert len(answers) == len(cases)
@@ -54,6 +54,36 @@ def a_model(arm):
 def some_arm(rng):
     home = rigid.transform(rotations.random_rotations(1, rng)[0], rng.normal(size=3))
     return SerialArm.from_screws(rng.normal(size=(5, 3)), rng.normal(size=(5, 3)), home)
+
+
+# ---- rigid motions ----
+
+
+def twists(rng):
+    angles = np.r_[np.zeros(10), 10 ** rng.uniform(-12, -1, 30), rng.uniform(0, np.pi, 50), np.full(10, np.pi)]
+    angles[90:] -= 10 ** rng.uniform(-12, -1, 10)
+    return np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1)
+
+
+def test_exponential_and_logarithm_are_the_librarys(rng):
+    xi = twists(rng)
+    poses = rigid.exp_se3(xi)
+    assert_allclose(js("exp", [(x,) for x in xi]), poses, rtol=0, atol=1e-12)
+    back = np.array(js("log", [(T,) for T in poses]))
+    assert_allclose(rigid.exp_se3(back), poses, **CLOSE)
+    assert_allclose(back[:90], rigid.log_se3(poses)[:90], **CLOSE)
+    half = rigid.transform(rotations.random_rotations(1, rng)[0], np.zeros(3))
+    for axis in ([1, 0, 0], [0, 0, 1]):  # exactly pi
+        T = half @ rigid.exp_se3(np.r_[np.pi * np.array(axis), 1, 2, 3.0]) @ rigid.inverse(half)
+        assert_allclose(rigid.exp_se3(np.array(js("log", [(T,)])[0])), T, **CLOSE)
+
+
+def test_inverses_adjoints_and_the_motion_between_two_poses_are_the_librarys(rng):
+    A, B = rigid.exp_se3(twists(rng)), rigid.exp_se3(twists(rng))
+    assert_allclose(js("inverse", [(a,) for a in A]), rigid.inverse(A), rtol=0, atol=1e-12)
+    assert_allclose(js("adjoint", [(a,) for a in A]), rigid.adjoint(A), **CLOSE)
+    between = A @ rigid.exp_se3(0.3 * rigid.log_se3(rigid.inverse(A) @ B))
+    assert_allclose(js("interpolate", [(a, b, 0.3) for a, b in zip(A, B, strict=True)]), between, **CLOSE)
 
 
 # ---- rotations ----
@@ -167,6 +197,9 @@ def test_frames_and_jacobian_of_an_arm(which, rng):
     cases = [(a_model(arm), angles) for angles in q]
     assert_allclose(js("frames", cases), arm.frames(q), **CLOSE)
     assert_allclose(js("geometricJacobian", cases), arm.geometric_jacobian(q), **CLOSE)
+    assert_allclose(js("spaceJacobian", cases), arm.space_jacobian(q), **CLOSE)
+    moved = arm.frames(q)[:, :-1] @ rigid.inverse(arm.home[:-1])
+    assert_allclose(np.array(js("bodies", cases))[:, 1:], moved, **CLOSE)
 
 
 def test_a_planar_arms_points_and_jacobian(rng):
@@ -227,10 +260,25 @@ def test_a_pose_error_agrees_with_the_library(rng):
     assert_allclose(errors, ik.pose_error(T[:N], T[N:]), **CLOSE)
 
 
-def test_a_plane_is_the_one_nearest_to_its_points(rng):
-    points, heights = rng.normal(size=(N, 12, 2)), rng.normal(size=(N, 12))
-    for p, z, found in zip(points, heights, js("fitPlane", list(zip(points, heights, strict=True))), strict=True):
-        assert_allclose(found, np.linalg.lstsq(np.c_[np.ones(12), p], z)[0], **CLOSE)
+def test_least_squares(rng):
+    A, y = rng.normal(size=(N, 12, 3)), rng.normal(size=(N, 12))
+    for rows, values, found in zip(A, y, js("leastSquares", list(zip(A, y, strict=True))), strict=True):
+        assert_allclose(found, np.linalg.lstsq(rows, values)[0], **CLOSE)
+
+
+def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(rng):
+    arm = panda()
+    q = np.array([0.2, -0.6, 0.1, -2.0, 0.3, 1.6, 0.5])
+    targets = arm.fk(np.clip(q + rng.uniform(-0.25, 0.25, (20, 7)), *arm.limits.T))
+    options = {"limits": arm.limits.tolist(), "steps": 60}
+    found = np.array(js("reach", [(a_model(arm), q, T, options) for T in targets]))
+    assert_allclose(arm.fk(found), targets, rtol=0, atol=1e-6)
+    tip = [0, 0, 0.1]
+    found = np.array(js("reach", [(a_model(arm), q, T[:3, 3], options | {"tip": tip}) for T in targets]))
+    reached = arm.fk(found)
+    assert_allclose(reached[:, :3, 3] + 0.1 * reached[:, :3, 2], targets[:, :3, 3], rtol=0, atol=1e-6)
+    assert (found >= arm.limits[:, 0]).all()
+    assert (found <= arm.limits[:, 1]).all()
 
 
 # ---- the bent arm ----

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
+TOY = "application/vnd.course.toy+json"  # and of figures that a script of the course draws (see toys/toy.py)
 
 
 class Picture(NamedTuple):

@@ -2,8 +2,8 @@
 
     python -m course_lib.pack.notebooks notebooks/*.ipynb
 
-A second run changes nothing unless a source or an output did. Beside every plotly figure a still
-picture is stored, for places that run no script (a repository's web view, print).
+A second run changes nothing unless a source or an output did. Beside every plotly figure and every toy a
+still picture is stored, for places that run no script (a repository's web view, print).
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import PLOTLY, smaller_png
+from course_lib.figures.display import PLOTLY, TOY, smaller_png
 from course_lib.pack.files import write_atomically
+from course_lib.pack.photograph import photograph
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
 STILL = "image/png"
@@ -98,7 +99,7 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
-    known = {as_key(data[PLOTLY]): data[STILL] for data in outputs if STILL in data}
+    known = {as_key(figure_in(data)): data[STILL] for data in outputs if STILL in data}
     run(notebook, path)
     without = add_stills(notebook, known, make_stills or draw_stills)
     tidy(notebook)
@@ -182,11 +183,16 @@ def reason(error: Exception) -> str:
 
 
 def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
-    """Yield every output that holds a plotly figure."""
+    """Yield every output that holds a plotly figure or a toy."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
-            if PLOTLY in output.get("data", {}):
+            if figure_in(output.get("data", {})):
                 yield output
+
+
+def figure_in(data: dict) -> Figure | None:
+    """Return the plotly figure or the toy among an output's data, or None."""
+    return data.get(PLOTLY) or data.get(TOY)
 
 
 def as_key(figure: Figure) -> str:
@@ -199,8 +205,8 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
     """
-    outputs = [(as_key(output.data[PLOTLY]), output) for output in figure_outputs(notebook)]
-    missing = {key: output.data[PLOTLY] for key, output in outputs if key not in known}
+    outputs = [(as_key(figure_in(output.data)), output) for output in figure_outputs(notebook)]
+    missing = {key: figure_in(output.data) for key, output in outputs if key not in known}
     remark = ""
     if missing:
         try:
@@ -213,10 +219,11 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
     for key, output in outputs:
         if key in known:
             output.data[STILL] = known[key]
-            width, height = size(output.data[PLOTLY])
-            shown = output.metadata.setdefault(STILL, {})
-            shown.setdefault("width", width)
-            shown.setdefault("height", height)
+            if PLOTLY in output.data:  # a toy's picture says its size itself
+                width, height = size(output.data[PLOTLY])
+                shown = output.metadata.setdefault(STILL, {})
+                shown.setdefault("width", width)
+                shown.setdefault("height", height)
     return remark
 
 
@@ -253,6 +260,9 @@ async def _draw_stills(figures: list[Figure]) -> list[bytes]:
 
 
 async def _draw_still(browser, figure: Figure) -> bytes:
+    course = figure.get("layout", {}).get("meta", {}).get("course", {})
+    if course.get("plotly") is False:
+        return smaller_png(photograph(course))
     # Buttons and sliders that nobody can press do not belong in a picture; frames are not drawn at all.
     layout = {k: v for k, v in figure.get("layout", {}).items() if k not in ("updatemenus", "sliders")}
     width, height = size(figure)

@@ -1,6 +1,10 @@
-// Plays a film of rigid bodies in a page: the figure holds their poses at some times (see motion.js), this computes
-// the vertices between them, as many frames as the machine draws. It loops while it is visible; where the reader
-// prefers reduced motion it stands still until Play is pressed.
+// Plays a film of rigid bodies in a page, as many frames as the machine draws; it loops while it is visible. Where the
+// reader prefers reduced motion it stands still until Play is pressed. What a film brings along in layout.meta.course:
+//     {"kind": "film", "scripts": ["motion", "film"],
+//      "trace": 2,                  the number of the mesh3d trace that holds all moving bodies, at the first time
+//      "counts": [140, 212, ...],   how many of its vertices belong to each body, in order
+//      "times": [t0, t1, ...],      in seconds, and for each time and body a rotation vector and a position:
+//      "rotations": [[[w1, w2, w3], ... a body], ... a time], "positions": likewise}
 (() => {
   "use strict";
   window.course = window.course || { kinds: {} };
@@ -13,12 +17,13 @@
   }
 
   window.course.kinds["film"] = (live, meta) => {
-    const { pose, interpolate, placed, localVertices } = window.course.motion;
+    const { exp, interpolate, inverse, times: product } = window.course.motion;
     const { times, counts, trace } = meta;
+    const pose = (w, p) => exp([...w, 0, 0, 0]).map((row, i) => (i < 3 ? [...row.slice(0, 3), p[i]] : row));
     const poses = meta.rotations.map((bodies, i) => bodies.map((w, body) => pose(w, meta.positions[i][body])));
     // Plotly keeps what it was given; a film that comes near again is drawn where it was left.
     const { x, y, z } = live.data[trace];
-    meta.local = meta.local || localVertices({ x: [...x], y: [...y], z: [...z] }, counts, poses[0]);
+    meta.first = meta.first || { x: [...x], y: [...y], z: [...z] };
     meta.at = meta.at === undefined ? times[0] : meta.at;
     const last = times[times.length - 1];
 
@@ -36,6 +41,19 @@
       return poses[i].map((from, body) => interpolate(from, poses[i + 1][body], share));
     }
 
+    // The vertices of bodies that moved by T since the first time.
+    function placed({ x, y, z }, moved) {
+      const out = [0, 1, 2].map(() => new Array(x.length));
+      let k = 0;
+      counts.forEach((count, body) => {
+        const T = moved[body];
+        for (const end = k + count; k < end; k++) {
+          for (let i = 0; i < 3; i++) out[i][k] = T[i][0] * x[k] + T[i][1] * y[k] + T[i][2] * z[k] + T[i][3];
+        }
+      });
+      return out.map((row) => [row]);
+    }
+
     let drawing = Promise.resolve();
     let wanted = null;
     // One at a time: while one is drawn, only the newest of those that come is kept.
@@ -51,8 +69,8 @@
         const now = wanted;
         wanted = null;
         if (stopped) return;
-        const at = placed(meta.local, counts, bodiesAt(now));
-        await window.Plotly.restyle(live, { x: [at.x], y: [at.y], z: [at.z] }, [trace]);
+        const [x, y, z] = placed(meta.first, bodiesAt(now).map((T, body) => product(T, inverse(poses[0][body]))));
+        await window.Plotly.restyle(live, { x, y, z }, [trace]);
       });
       return drawing;
     }

@@ -1,148 +1,252 @@
-// Rigid motions for the figures that move in a page without a kernel: poses, their exponentials and logarithms,
-// the product of exponentials of an arm, and the vertices of bodies at their poses. No dependency, no drawing.
-//
-// What a figure brings along stands in `layout.meta.course`:
-//
-//     {"kind": "film" | "toy:<name>",      which script starts it: window.course.kinds[kind]
-//      "scripts": ["motion", "film"],      the files of this folder that the page loads, in this order
-//      "trace": 2,                         the number of the mesh3d trace that holds all moving bodies
-//      "counts": [140, 212, ...],          how many of its vertices belong to each body, in order
-//      ...}                                what the kind needs besides
-//
-// A film has "times": [t0, t1, ...] in seconds, and for each time and body a rotation vector and a position:
-// "rotations": [[[w1, w2, w3], ... a body], ... a time] and "positions" likewise. The vertices in the trace are those
-// at the first time, so that no second array of them is needed: `localVertices` takes them back to the frames of
-// their bodies.
-// A toy has its model instead, for example "screws": [[w, v], ...] for `chain`, whose poses are those of the bodies
-// relative to where they are at q = 0, body 0 standing still.
-//
-// A pose is an array of 12 numbers: the rows of [R p]. A twist is (w, v), as in the Python library.
-(() => {
+// Rigid motions, arms and a little linear algebra, for all that moves without a kernel. Vectors are arrays, matrices
+// arrays of rows, poses 4 x 4; radians and metres; a twist is (w, v). The same functions as in course_lib, with which
+// the tests compare them. No drawing; runs in a browser and in node.
+globalThis.course = globalThis.course || { kinds: {} };
+globalThis.course.motion = (() => {
   "use strict";
-  const identity = () => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
-  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const sum = (...vectors) => [0, 1, 2].map((i) => vectors.reduce((s, [factor, v]) => s + factor * v[i], 0));
+  const eye = (n) => Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => (i === j ? 1 : 0)));
+  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+  const norm = (a) => Math.hypot(...a);
+  const add = (a, b, s = 1) => a.map((x, i) => x + s * b[i]);
+  const scale = (a, s) => a.map((x) => s * x);
+  const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+  const unit = (a) => scale(a, 1 / (norm(a) || 1));
+  const transpose = (A) => A[0].map((_, j) => A.map((row) => row[j]));
+  const times = (A, B) => A.map((row) => B[0].map((_, j) => row.reduce((sum, x, k) => sum + x * B[k][j], 0)));
+  const apply = (A, v) => A.map((row) => dot(row, v));
+  const hat = ([x, y, z]) => [[0, -z, y], [z, 0, -x], [-y, x, 0]];
+  const wrap = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 
-  // (1 - cos a)/a^2 and (a - sin a)/a^3. Below 0.02 the closed form of the second loses digits: two terms of its
-  // series and the third are exact to the last one there.
+  // ---- rigid motions ----
+
+  const pose = (R, p) => [...R.map((row, i) => [...row, p[i]]), [0, 0, 0, 1]];
+  const rotationOf = (T) => T.slice(0, 3).map((row) => row.slice(0, 3));
+  const positionOf = (T) => T.slice(0, 3).map((row) => row[3]);
+  const move = (T, p) => [0, 1, 2].map((i) => T[i][0] * p[0] + T[i][1] * p[1] + T[i][2] * p[2] + T[i][3]);
+  const inverse = (T) => {
+    const R = transpose(rotationOf(T));
+    return pose(R, scale(apply(R, positionOf(T)), -1));
+  };
+
+  // sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3. Below 0.02 the closed form of the last loses digits: two terms of
+  // its series and the third are exact to the last one there.
   function factors(angle) {
-    const a2 = angle * angle;
-    const half = angle / 2;
-    const b = angle < 1e-8 ? 0.5 : 0.5 * (Math.sin(half) / half) ** 2;
+    const a2 = angle * angle, half = angle / 2, tiny = angle < 1e-8;
     const c = angle < 0.02 ? 1 / 6 - a2 / 120 + (a2 * a2) / 5040 : (angle - Math.sin(angle)) / (a2 * angle);
-    return [b, c];
+    return [tiny ? 1 : Math.sin(angle) / angle, tiny ? 0.5 : 0.5 * (Math.sin(half) / half) ** 2, c];
   }
-
-  const sinc = (angle) => (angle < 1e-8 ? 1 : Math.sin(angle) / angle);
-
   // The pose that a twist leads to in unit time.
   function exp(twist) {
-    const w = twist.slice(0, 3);
-    const v = twist.slice(3, 6);
-    const angle = Math.hypot(...w);
-    const [b, c] = factors(angle);
-    const a = sinc(angle);
-    const T = identity();
-    const W = [0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0];
-    for (let i = 0; i < 3; i++) {
-      for (let j = 0; j < 3; j++) {
-        const square = w[i] * w[j] - (i === j ? angle * angle : 0); // of hat(w)
-        T[4 * i + j] = (i === j ? 1 : 0) + a * W[3 * i + j] + b * square;
-      }
-    }
-    const wv = cross(w, v);
-    const p = sum([1, v], [b, wv], [c, cross(w, wv)]);
-    [T[3], T[7], T[11]] = p;
-    return T;
+    const w = twist.slice(0, 3), v = twist.slice(3), [a, b, c] = factors(norm(w)), W = hat(w), W2 = times(W, W);
+    const R = eye(3).map((row, i) => row.map((x, j) => x + a * W[i][j] + b * W2[i][j]));
+    return pose(R, add(add(v, apply(W, v), b), apply(W2, v), c));
   }
-
-  // The rotation vector of a pose, at most pi long. By the quaternion, so that it is exact near pi as well.
-  function rotationVector(T) {
-    const [a, b, c, , d, e, f, , g, h, i] = T;
+  // The rotation vector of a rotation (3 x 3 or a pose), at most pi long; by the quaternion, so exact near pi too.
+  function rotationVector(R) {
+    const [[a, b, c], [d, e, f], [g, h, i]] = R;
     const squares = [1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i]; // 4 times those of w, x, y, z
-    const k = squares.indexOf(Math.max(...squares));
     const rows = [
       [squares[0], h - f, c - g, d - b],
       [h - f, squares[1], b + d, c + g],
       [c - g, b + d, squares[2], f + h],
       [d - b, c + g, f + h, squares[3]],
     ];
-    const length = Math.hypot(...rows[k]);
-    const sign = rows[k][0] < 0 ? -1 : 1;
-    const [w, x, y, z] = rows[k].map((value) => (sign * value) / length);
-    const sine = Math.hypot(x, y, z);
-    const scale = sine < 1e-12 ? 2 / w : (2 * Math.atan2(sine, w)) / sine;
-    return [scale * x, scale * y, scale * z];
+    const row = rows[squares.indexOf(Math.max(...squares))];
+    const [w, ...xyz] = scale(unit(row), row[0] < 0 ? -1 : 1), sine = norm(xyz);
+    return scale(xyz, sine < 1e-12 ? 2 / w : (2 * Math.atan2(sine, w)) / sine);
   }
-
-  // The twist whose exponential is T.
+  // The twist whose exponential is T: v = p - w x p/2 + d w x (w x p), with d = (1 - (a/2) cot(a/2))/a^2.
   function log(T) {
-    const w = rotationVector(T);
-    const p = [T[3], T[7], T[11]];
-    const angle = Math.hypot(...w);
-    // v = p - w x p/2 + d w x (w x p), with d = (1 - (a/2) cot(a/2))/a^2
-    const half = angle / 2;
+    const w = rotationVector(T), p = positionOf(T), angle = norm(w), half = angle / 2, wp = cross(w, p);
     const d = angle < 0.02 ? 1 / 12 + angle ** 2 / 720 + angle ** 4 / 30240 : (1 - half / Math.tan(half)) / angle ** 2;
-    const wp = cross(w, p);
-    return [...w, ...sum([1, p], [-0.5, wp], [d, cross(w, wp)])];
+    return [...w, ...add(add(p, wp, -0.5), cross(w, wp), d)];
   }
-
-  function multiply(A, B) {
-    const T = new Array(12);
-    for (let i = 0; i < 12; i += 4) {
-      for (let j = 0; j < 4; j++) {
-        T[i + j] = A[i] * B[j] + A[i + 1] * B[4 + j] + A[i + 2] * B[8 + j] + (j === 3 ? A[i + 3] : 0);
-      }
-    }
-    return T;
-  }
-
-  function inverse(T) {
-    const [a, b, c, x, d, e, f, y, g, h, i, z] = T;
-    return [a, d, g, -(a * x + d * y + g * z), b, e, h, -(b * x + e * y + h * z), c, f, i, -(c * x + f * y + i * z)];
-  }
-
-  const apply = (T, p) => [0, 4, 8].map((i) => T[i] * p[0] + T[i + 1] * p[1] + T[i + 2] * p[2] + T[i + 3]);
-
   // From A to B along one screw: at share 0 the first, at 1 the second.
-  const interpolate = (A, B, share) => multiply(A, exp(log(multiply(inverse(A), B)).map((x) => share * x)));
+  const interpolate = (A, B, share) => times(A, exp(scale(log(times(inverse(A), B)), share)));
+  const rotation = (axis, angle) => rotationOf(exp([...scale(axis, angle), 0, 0, 0]));
+  // The matrix (6 x 6) that takes a twist from frame b to frame a, given T_ab.
+  function adjoint(T) {
+    const R = rotationOf(T), pR = times(hat(positionOf(T)), R);
+    return [...R.map((row) => [...row, 0, 0, 0]), ...R.map((row, i) => [...pR[i], ...row])];
+  }
+  // The error (rotation vector, translation) from the pose T to the pose target, along the axes of the base.
+  const poseError = (T, target) => [
+    ...rotationVector(times(rotationOf(target), transpose(rotationOf(T)))),
+    ...add(positionOf(target), positionOf(T), -1),
+  ];
 
-  // The pose of a rotation vector and a position.
-  function pose(w, p) {
-    const T = exp([...w, 0, 0, 0]);
-    [T[3], T[7], T[11]] = p;
-    return T;
+  // ---- quaternions (w, x, y, z) and Euler angles ----
+
+  const quaternion = (axis, angle) => [Math.cos(angle / 2), ...scale(axis, Math.sin(angle / 2))]; // 2 pi gives -1
+  const multiply = ([a, ...u], [b, ...v]) => [a * b - dot(u, v), ...add(add(scale(v, a), scale(u, b)), cross(u, v))];
+  const fromEuler = ([yaw, pitch, roll]) =>
+    times(times(rotation([0, 0, 1], yaw), rotation([0, 1, 0], pitch)), rotation([1, 0, 0], roll));
+  // (yaw, pitch, roll) of Rz(yaw) Ry(pitch) Rx(roll); where pitch is +-90 degrees, roll is 0.
+  function toEuler(R) {
+    const flat = Math.hypot(R[0][0], R[1][0]), pitch = Math.atan2(-R[2][0], flat);
+    if (flat < 1e-9) return [Math.atan2(-R[0][1], R[1][1]), pitch, 0];
+    return [Math.atan2(R[1][0], R[0][0]), pitch, Math.atan2(R[2][1], R[2][2])];
   }
 
-  // The poses of an arm's bodies for joint angles q: the base's, then the products of exponentials up to each joint.
-  function chain(screws, q) {
-    const poses = [identity()];
-    screws.forEach((screw, i) => poses.push(multiply(poses[i], exp(screw.map((x) => q[i] * x)))));
-    return poses;
-  }
+  // ---- the plane: poses are (x, y, theta), body twists (omega, vx, vy) ----
 
-  // The vertices {x, y, z} of bodies at `poses`, from those in the bodies' own frames.
-  function placed({ x, y, z }, counts, poses) {
-    const out = { x: new Array(x.length), y: new Array(x.length), z: new Array(x.length) };
-    let k = 0;
-    counts.forEach((count, body) => {
-      const T = poses[body];
-      for (const end = k + count; k < end; k++) {
-        out.x[k] = T[0] * x[k] + T[1] * y[k] + T[2] * z[k] + T[3];
-        out.y[k] = T[4] * x[k] + T[5] * y[k] + T[6] * z[k] + T[7];
-        out.z[k] = T[8] * x[k] + T[9] * y[k] + T[10] * z[k] + T[11];
+  const planar = ([x, y, theta]) => pose(rotation([0, 0, 1], theta), [x, y, 0]);
+  const logPlanar = (A, B) => log(times(inverse(planar(A)), planar(B))).slice(2, 5);
+  const expPlanar = (A, [omega, vx, vy]) => {
+    const [x, y] = positionOf(times(planar(A), exp([0, 0, omega, vx, vy, 0])));
+    return [x, y, A[2] + omega];
+  };
+  // The pole, in fixed coordinates: the point that a body twist at the pose A leaves at rest; null for a translation.
+  const pole = (A, [omega, vx, vy]) =>
+    Math.abs(omega) < 1e-9 ? null : move(planar(A), [-vy / omega, vx / omega, 0]).slice(0, 2);
+  // Euler's poses of a plan of body velocities [[vx, vy, omega], seconds], and the exact ones, at the same times.
+  function propagate(start, plan, dt) {
+    const euler = [start], exact = [start];
+    plan.forEach(([[vx, vy, omega], seconds]) => {
+      const steps = Math.ceil((seconds / dt) * (1 - 1e-12)), from = exact[exact.length - 1];
+      for (let k = 1; k <= steps; k++) {
+        const elapsed = k < steps ? k * dt : seconds, h = elapsed - (k - 1) * dt;
+        const [x, y, theta] = euler[euler.length - 1], c = Math.cos(theta), s = Math.sin(theta);
+        euler.push([x + h * (c * vx - s * vy), y + h * (s * vx + c * vy), theta + h * omega]);
+        exact.push(expPlanar(from, [omega * elapsed, vx * elapsed, vy * elapsed]));
       }
     });
-    return out;
+    return { euler, exact };
   }
 
-  // The other way round.
-  const localVertices = (vertices, counts, poses) => placed(vertices, counts, poses.map(inverse));
+  // ---- circles on a sphere ----
 
-  window.course = window.course || { kinds: {} };
-  window.course.motion = {
-    identity, dot, cross, exp, log, rotationVector, multiply, inverse, apply, interpolate, pose, chain, placed,
-    localVertices,
+  // Where the circles of the unit vectors p1 about k1 and p2 about k2 meet: two points, one or none.
+  function meetings(k1, k2, p1, p2) {
+    const c = dot(k1, k2), h1 = dot(k1, p1), h2 = dot(k2, p2), n = cross(k1, k2), s2 = dot(n, n);
+    if (s2 < 1e-20) return [];
+    const a = (h1 - h2 * c) / s2, b = (h2 - h1 * c) / s2, rest = 1 - a * a - b * b - 2 * a * b * c;
+    if (rest < -1e-12) return [];
+    const foot = add(scale(k1, a), k2, b), g = Math.sqrt(Math.max(0, rest) / s2);
+    return g < 1e-9 ? [foot] : [add(foot, n, g), add(foot, n, -g)];
+  }
+  // The angle about the unit axis k that takes p to q, both on one circle about it.
+  const angleAbout = (k, p, q) => Math.atan2(dot(k, cross(p, q)), dot(p, q) - dot(k, p) * dot(k, q));
+
+  // ---- serial arms: {screws: n x 6, home: n + 1 poses} ----
+
+  // The products of exponentials up to each joint, the identity first: where each body is, seen from q = 0.
+  const bodies = ({ screws }, q) => screws.reduce(
+    (found, screw, i) => [...found, times(found[i], exp(scale(screw, q[i])))], [eye(4)],
+  );
+  const frames = (arm, q, moved = bodies(arm, q)) =>
+    arm.home.map((M, i) => times(moved[Math.min(i + 1, q.length)], M));
+  const spaceJacobian = (arm, q, moved = bodies(arm, q)) =>
+    transpose(arm.screws.map((screw, i) => apply(adjoint(moved[i]), screw)));
+  // Columns (omega, v), the velocity of a point of the end-effector along the axes of the base; of its origin if null.
+  function geometricJacobian(arm, q, point = null) {
+    const moved = bodies(arm, q), p = point || positionOf(times(moved[q.length], arm.home[q.length]));
+    return transpose(transpose(spaceJacobian(arm, q, moved)).map((column) => {
+      const omega = column.slice(0, 3);
+      return [...omega, ...add(column.slice(3), cross(omega, p))];
+    }));
+  }
+  // Joint positions of a planar arm with these link lengths, base first, and its 2 x n Jacobian.
+  function planarPoints(lengths, q) {
+    let angle = 0, [x, y] = [0, 0];
+    return [[x, y], ...lengths.map((l, i) => {
+      angle += q[i];
+      return [x += l * Math.cos(angle), y += l * Math.sin(angle)];
+    })];
+  }
+  function planarJacobian(lengths, q) {
+    const P = planarPoints(lengths, q), [x, y] = P[lengths.length];
+    return [q.map((_, i) => P[i][1] - y), q.map((_, i) => x - P[i][0])];
+  }
+  // The joint angles of a planar arm with two links that reach a point, q2 >= 0; null out of reach.
+  function twoLink([l1, l2], [x, y]) {
+    const c = (x * x + y * y - l1 * l1 - l2 * l2) / (2 * l1 * l2);
+    if (Math.abs(c) > 1) return null;
+    const q2 = Math.acos(c);
+    return [Math.atan2(y, x) - Math.atan2(l2 * Math.sin(q2), l1 + l2 * c), q2];
+  }
+
+  // ---- linear algebra ----
+
+  // Solve A x = b by elimination with pivots.
+  function solve(A, b) {
+    const n = b.length, M = A.map((row, i) => [...row, b[i]]), x = Array(n).fill(0);
+    for (let k = 0; k < n; k++) {
+      for (let i = k + 1; i < n; i++) if (Math.abs(M[i][k]) > Math.abs(M[k][k])) [M[k], M[i]] = [M[i], M[k]];
+      for (let i = k + 1; i < n; i++) M[i] = add(M[i], M[k], -M[i][k] / M[k][k]);
+    }
+    for (let i = n - 1; i >= 0; i--) x[i] = (M[i][n] - dot(M[i].slice(0, n), x)) / M[i][i];
+    return x;
+  }
+  // The damped step J^T (J J^T + damping I)^-1 e.
+  function dampedStep(J, e, damping) {
+    const A = times(J, transpose(J)).map((row, i) => row.map((x, j) => (i === j ? x + damping : x)));
+    return apply(transpose(J), solve(A, e));
+  }
+  // Coefficients c for which A c is nearest to y.
+  const leastSquares = (A, y) => solve(times(transpose(A), A), apply(transpose(A), y));
+  // Of the polynomial nearest to the values y at x: coefficients, constant first.
+  const fitPolynomial = (x, y, degree) =>
+    leastSquares(x.map((u) => Array.from({ length: degree + 1 }, (_, k) => u ** k)), y);
+  // For an arm with two links of 1 m and n distances r of its tip in a cell: its bend q2 by a polynomial (direct), and
+  // by the root of one for the square of q2 (rooted); the largest errors of q2 and of the tip.
+  function bendFits(from, to, degree, n) {
+    const u = Array.from({ length: n }, (_, i) => (2 * i) / (n - 1) - 1);
+    const r = u.map((t) => ((1 - t) * from + (1 + t) * to) / 2), bend = r.map((x) => 2 * Math.acos(Math.min(1, x / 2)));
+    const fit = (y) => {
+      const c = fitPolynomial(u, y, degree);
+      return u.map((t) => c.reduceRight((sum, each) => sum * t + each, 0));
+    };
+    const direct = fit(bend), square = fit(bend.map((b) => b * b));
+    const rooted = square.map((s) => Math.sqrt(Math.max(0, s)));
+    const errors = (found) => ({
+      angle: Math.max(...found.map((b, i) => Math.abs(b - bend[i]))),
+      tip: Math.max(...found.map((b, i) => Math.abs(2 * Math.cos(b / 2) - r[i]))),
+    });
+    return { r, direct, square, rooted, directError: errors(direct), rootedError: errors(rooted) };
+  }
+  // Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations.
+  function eigen(A) {
+    const n = A.length, M = A.map((row) => [...row]), V = eye(n);
+    for (let sweep = 0; sweep < 30; sweep++) {
+      for (let p = 0; p < n; p++) for (let r = p + 1; r < n; r++) {
+        if (Math.abs(M[p][r]) < 1e-300) continue;
+        const theta = (M[r][r] - M[p][p]) / (2 * M[p][r]);
+        const t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.hypot(theta, 1)), c = 1 / Math.hypot(t, 1), s = t * c;
+        const turn = (row) => ([row[p], row[r]] = [c * row[p] - s * row[r], s * row[p] + c * row[r]]);
+        [...M, ...V].forEach(turn);
+        [M[p], M[r]] = [add(scale(M[p], c), M[r], -s), add(scale(M[p], s), M[r], c)];
+      }
+    }
+    const order = [...Array(n).keys()].sort((i, j) => M[j][j] - M[i][i]);
+    return { values: order.map((i) => M[i][i]), vectors: order.map((i) => V.map((row) => row[i])) };
+  }
+  const singularValues = (J) => eigen(times(J, transpose(J))).values.map((x) => Math.sqrt(Math.max(0, x)));
+  // Unit joint velocities that leave the end-effector at rest, for a 6 x 7 Jacobian; null at a singularity.
+  function nullVector(J) {
+    const { values, vectors } = eigen(times(transpose(J), J));
+    return values[5] > 1e-10 ? vectors[6] : null;
+  }
+  // Joint angles within limits after steps of damped least squares towards a position of the point `tip`, given in the
+  // end-effector's frame, or towards a pose if `target` is one.
+  function reach(arm, q, target, { tip = [0, 0, 0], limits, steps = 8, damping = 4e-4 }) {
+    let angles = [...q];
+    for (let k = 0; k < steps; k++) {
+      const T = frames(arm, angles)[angles.length], at = move(T, tip), isPose = target.length === 4;
+      const J = geometricJacobian(arm, angles, at), e = isPose ? poseError(T, target) : add(target, at, -1);
+      const far = norm(e.slice(-3));
+      if (norm(e) < 1e-9) break;
+      const step = dampedStep(isPose ? J : J.slice(3), scale(e, Math.min(1, 0.1 / far)), damping);
+      angles = angles.map((x, i) => Math.min(limits[i][1], Math.max(limits[i][0], x + step[i])));
+    }
+    return angles;
+  }
+
+  return {
+    eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, wrap, pose, rotationOf, positionOf, move,
+    inverse, exp, log, rotationVector, interpolate, rotation, adjoint, poseError, quaternion, multiply, fromEuler,
+    toEuler, planar, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
+    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, leastSquares, fitPolynomial, bendFits,
+    eigen, singularValues, nullVector, reach,
   };
 })();

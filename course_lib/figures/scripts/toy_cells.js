@@ -1,95 +1,113 @@
 // Cells: the plane is cut into squares, each with two planes that stand for the joint angles of a two-link arm in it.
 (() => {
   "use strict";
-  const K = globalThis.course.kinematics, P = globalThis.course.parts, { COLOURS } = P;
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
   const LEVELS = [[2e-3, "#2166ac", "below 2 mm"], [1e-2, "#92c5de", "below 1 cm"], [2e-2, "#f7e6c4", "below 2 cm"],
     [5e-2, "#f4a582", "below 5 cm"], [Infinity, "#b01a2a", "5 cm and more"]];
+  const SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
   globalThis.course.kinds["toy:cells"] = (host, meta) => {
-    const { lengths } = meta, reach = lengths[0] + lengths[1];
+    const { lengths } = meta, reach = lengths[0] + lengths[1], draw = P.once(() => paint());
     const state = meta.state || (meta.state = { size: meta.size, at: [...meta.at] });
     const card = P.card(host, "Cells and their two planes");
-    const plane = P.plane(card.views, { half: 1.08 * reach, step: 1, label: "The workspace cut into cells, coloured by the error of each cell's planes" });
-    const field = P.shape("g", {}, plane.up), rim = plane.line("#555555", 0.6);
-    rim.set(Array.from({ length: 91 }, (_, i) => [reach * Math.cos((i * Math.PI) / 45), reach * Math.sin((i * Math.PI) / 45)]));
-    const chosen = plane.line(COLOURS.black, 1.6), links = [plane.line("#444444", 3.5), plane.line(COLOURS.link, 3)], tip = plane.dot(COLOURS.crimson, 1.3);
-    const query = plane.handle({ name: "Query", colour: COLOURS.blue, moved: (p) => { state.at = p; draw(); }, describe: () => state.at.map((x) => P.number(x)).join(", ") + " m" });
-    const view = P.space(card.views, { radius: 1, azimuth: -2.2, elevation: 0.35, shape: 1, label: "The joint angles over the cell and the two planes fitted to them", meta: state, redraw: () => draw() });
-    card.range("Cell size", { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) }, (x) => `${(2 ** x).toFixed(2)} m`, (x) => { state.size = 2 ** x; fill(); draw(); });
+    const plane = P.map(card.views, {
+      half: 1.25 * reach, redraw: draw,
+      label: "The workspace cut into cells, coloured by the error of each cell's planes",
+    });
+    plane.handle({
+      name: "Query", colour: COLOURS.blue, at: () => state.at, moved: (p) => { state.at = p; draw(); },
+      describe: () => `${state.at.map((x) => P.number(x)).join(", ")} m`,
+    });
+    const view = P.space(card.views, {
+      radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1, meta: state, redraw: draw,
+      label: "The joint angles over the cell and the two planes fitted to them",
+    });
+    card.range("Cell size", { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) },
+      (x) => `${P.number(2 ** x)} m`, (x) => { state.size = 2 ** x; cells = all(); draw(); });
     const legend = P.element("p", { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" }, card.controls);
     LEVELS.forEach(([, colour, label]) => {
       const item = P.element("span", {}, legend);
-      P.element("span", { style: `display:inline-block;width:.9em;height:.9em;margin-right:.35em;background:${P.tint(colour)}` }, item);
+      const look = "display:inline-block;width:.9em;height:.9em;margin-right:.35em;opacity:.75;background:";
+      P.element("span", { style: look + P.tint(colour) }, item);
       item.append(label);
     });
     const numbers = card.numbers(), words = card.words();
 
-    // A cell's samples (a square of 6 x 6, those within reach, q1 without a jump), planes and worst error.
+    // A cell's samples (a square of 6 x 6, those within reach, q1 without a jump), planes and errors.
     function cell(i, j) {
-      const h = state.size, points = [], angles = [];
+      const h = state.size, points = [], angles = [], centre = [(i + 0.5) * h, (j + 0.5) * h];
       for (let a = 0; a < 6; a++) for (let b = 0; b < 6; b++) {
-        const p = [(i + a / 5) * h, (j + b / 5) * h], q = K.twoLink(lengths, p);
+        const p = [(i + a / 5) * h, (j + b / 5) * h], q = M.twoLink(lengths, p);
         if (!q) continue;
         if (angles.length) q[0] -= 2 * Math.PI * Math.round((q[0] - angles[0][0]) / (2 * Math.PI));
         points.push(p);
         angles.push(q);
       }
       if (points.length < 6) return null;
-      const centre = [(i + 0.5) * h, (j + 0.5) * h], shifted = points.map((p) => K.add(p, centre, -1));
-      const planes = [0, 1].map((k) => K.fitPlane(shifted, angles.map((q) => q[k])));
-      const model = (p) => planes.map(([a, b, c]) => a + b * (p[0] - centre[0]) + c * (p[1] - centre[1]));
-      const errors = points.map((p) => K.norm(K.add(K.planarPoints(lengths, model(p))[2], p, -1)));
-      return { points, angles, planes, centre, model, worst: Math.max(...errors), mean: errors.reduce((s, e) => s + e, 0) / errors.length };
+      const rows = points.map(([x, y]) => [1, x - centre[0], y - centre[1]]);
+      const planes = [0, 1].map((k) => M.leastSquares(rows, angles.map((q) => q[k])));
+      const model = (p) => planes.map((c) => M.dot(c, [1, p[0] - centre[0], p[1] - centre[1]]));
+      const errors = points.map((p) => M.norm(M.add(M.planarPoints(lengths, model(p))[2], p, -1)));
+      const mean = errors.reduce((s, e) => s + e, 0) / errors.length;
+      return { i, j, points, angles, planes, centre, model, worst: Math.max(...errors), mean };
     }
-    let count = 0, bad = 0;
-    function fill() {
-      const h = state.size, most = Math.ceil(reach / h), paths = LEVELS.map(() => "");
-      count = bad = 0;
-      for (let i = -most; i < most; i++) for (let j = -most; j < most; j++) {
-        const found = cell(i, j);
-        if (!found) continue;
-        const level = LEVELS.findIndex(([limit]) => found.mean < limit);
-        paths[level] += `M${i * h},${j * h}h${h}v${h}h${-h}Z`;
-        count++;
-        bad += level === LEVELS.length - 1;
-      }
-      field.replaceChildren();
-      LEVELS.forEach(([, colour], k) => P.shape("path", { d: paths[k], fill: colour, "fill-opacity": 0.75, stroke: COLOURS.ground, "stroke-width": 0.006 }, field));
+    function all() {
+      const most = Math.ceil(reach / state.size), range = Array.from({ length: 2 * most }, (_, i) => i - most);
+      return range.flatMap((i) => range.map((j) => cell(i, j))).filter(Boolean);
     }
-    function draw() {
-      const h = state.size, [i, j] = state.at.map((x) => Math.floor(x / h)), found = cell(i, j);
-      query.set(state.at);
-      chosen.set([[i * h, j * h], [(i + 1) * h, j * h], [(i + 1) * h, (j + 1) * h], [i * h, (j + 1) * h]], true);
-      const answer = found && found.model(state.at), shown = answer && K.planarPoints(lengths, answer);
-      links.forEach((link, k) => link.set(shown ? [shown[k], shown[k + 1]] : []));
-      tip.set(shown && shown[2]);
+    const corners = (i, j) => SQUARE.map((c) => M.scale(M.add(c, [i, j]), state.size));
+    let cells = all();
+    function paint() {
+      const [i, j] = state.at.map((x) => Math.floor(x / state.size)), found = cell(i, j);
+      const answer = found && M.planarPoints(lengths, found.model(state.at));
+      plane.begin();
+      cells.forEach((each) => {
+        const [, colour] = LEVELS.find(([limit]) => each.mean < limit), edge = corners(each.i, each.j);
+        plane.line(edge, colour, 0, { closed: true, fill: 0.75 });
+        plane.line(edge, COLOURS.ground, 1, { closed: true });
+      });
+      plane.line(P.circle(reach), COLOURS.grey, 1);
+      plane.line(corners(i, j), COLOURS.black, 2.5, { closed: true });
+      if (answer) [0, 1].forEach((k) => plane.line(answer.slice(k, k + 2), ["#2f3338", COLOURS.link][k], 6 - k));
+      if (answer) plane.dot(answer[2], COLOURS.crimson, 5);
+      plane.end();
       view.begin();
-      if (found) {
-        const all = found.angles.flat(), low = Math.min(...all), high = Math.max(...all), tall = Math.max(high - low, 1e-9);
-        const put = (p, angle) => [((p[0] - found.centre[0]) / h) * 1.1, ((p[1] - found.centre[1]) / h) * 1.1, ((angle - low) / tall - 0.5) * 1.1];
-        const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map((c) => c.map((x) => x * h));
-        [COLOURS.blue, COLOURS.orange].forEach((colour, k) => {
-          const at = corners.map((p) => put(p, found.model(p)[k]));
-          view.mesh({ vertices: at, faces: [[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]], colours: [0, 0, 0, 0], bodies: [0, 0, 0, 0] }, [K.eye(4)], [colour], 0.4);
-          view.line([...at, at[0]], colour, 1.5);
-          found.points.forEach((p, m) => view.line([put(p, found.angles[m][k]), put(p, found.model(p)[k])], COLOURS.crimson, 1.5));
-          found.points.forEach((p, m) => { const x = put(p, found.angles[m][k]); view.line([x, K.add(x, [0, 0, 0.001])], colour, 5); });
-          view.text(K.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour);
-        });
-        const floor = corners.map((p) => put(p, low));
-        view.line([...floor, floor[0]], "#999999", 1);
-        view.text(K.add(floor[1], [0.12, 0, 0]), "x", COLOURS.grey);
-        view.text(K.add(floor[3], [0, 0.12, 0]), "y", COLOURS.grey);
-      }
+      if (found) drawPlanes(found);
       view.end();
-      numbers.textContent = found
-        ? found.planes.map(([a, b, c], k) => `q${k + 1} = ${P.number(a, 3)} ${b < 0 ? "-" : "+"} ${P.number(Math.abs(b), 3)} (x - ${P.number(found.centre[0], 2)}) ${c < 0 ? "-" : "+"} ${P.number(Math.abs(c), 3)} (y - ${P.number(found.centre[1], 2)})   rad`).join("\n") +
-          `\nthe arm stands ${P.number(1000 * K.norm(K.add(shown[2], state.at, -1)), 1)} mm from the query; on average in this cell ${P.number(1000 * found.mean, 1)} mm, at worst ${P.number(1000 * found.worst, 1)} mm`
-        : "this cell holds too few points that the arm reaches";
-      words.textContent = `${count} cells of ${P.number(h)} m, 6 numbers each, branch q2 >= 0; ${bad} of them are 5 cm off or more on average.`;
+      numbers(...(found ? describe(found, answer) : ["this cell holds too few points that the arm reaches"]));
+      const bad = cells.filter(({ mean }) => mean >= 5e-2).length;
+      const worst = cells.reduce((a, b) => (b.mean > a.mean ? b : a)).centre.map((x) => P.number(x)).join(", ");
+      words.textContent = `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q2 >= 0; ${bad} `
+        + `of them are 5 cm off or more on average. The worst has its centre at (${worst}) m.`;
     }
-    fill();
-    draw();
-    return () => { view.stop(); card.end(); };
+    function drawPlanes({ i, j, points, angles, model, centre }) {
+      const flat = angles.flat(), low = Math.min(...flat), tall = Math.max(Math.max(...flat) - low, 1e-9);
+      const put = (p, angle) =>
+        [...M.scale(M.add(p, centre, -1), 1.1 / state.size), ((angle - low) / tall - 0.5) * 1.1];
+      const square = corners(i, j), floor = square.map((p) => put(p, low));
+      [COLOURS.blue, COLOURS.orange].forEach((colour, k) => {
+        const at = square.map((p) => put(p, model(p)[k]));
+        const faces = [[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]];
+        view.mesh({ ...S.mesh(at, faces, 0), fleeting: true }, [M.eye(4)], [colour], { opacity: 0.4 });
+        view.line([...at, at[0]], colour, 1.5);
+        view.line(points.flatMap((p, m) => [put(p, angles[m][k]), put(p, model(p)[k]), null]), COLOURS.crimson, 1.5);
+        points.forEach((p, m) => view.ball(put(p, angles[m][k]), 0.022, colour));
+        view.text(M.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour);
+      });
+      view.line([...floor, floor[0]], COLOURS.grey, 1);
+      [["x", 1, [0.12, 0, 0]], ["y", 3, [0, 0.12, 0]]].forEach(([name, k, d]) =>
+        view.text(M.add(floor[k], d), name, COLOURS.grey));
+    }
+    function describe({ planes, centre, mean, worst }, answer) {
+      const sign = (x) => (x < 0 ? "−" : "+");
+      const term = (c, axis, x) =>
+        `${sign(c)} ${P.number(Math.abs(c), 3)} (${axis} ${sign(-x)} ${P.number(Math.abs(x))})`;
+      const mm = (x) => `${P.number(1000 * x, 1)} mm`, off = M.norm(M.add(answer[2], state.at, -1));
+      return [...planes.map(([a, b, c], k) =>
+        `q${k + 1} = ${P.number(a, 3)} ${term(b, "x", centre[0])} ${term(c, "y", centre[1])} rad`),
+      `the arm stands ${mm(off)} from the query; on average in this cell ${mm(mean)}, at worst ${mm(worst)}`];
+    }
+    paint();
+    return () => { view.stop(); plane.stop(); card.end(); };
   };
 })();

@@ -1,49 +1,66 @@
 // Two circles on a sphere, of p1 about k1 and of p2 about k2: they meet twice, once or not at all.
 (() => {
   "use strict";
-  const K = globalThis.course.kinematics, P = globalThis.course.parts, S = globalThis.course.shapes, { COLOURS } = P;
-  const rad = Math.PI / 180, GLOBE = S.ball(K.eye(4), 0.985, 0, 0, 32);
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
+  const rad = Math.PI / 180, GLOBE = S.ball(64), Y = [0, 1, 0], K1 = [0, 0, 1];
 
   globalThis.course.kinds["toy:circles"] = (host, meta) => {
-    const state = meta.state || (meta.state = { ...meta.angles });
+    const state = meta.state || (meta.state = { ...meta.angles }), draw = P.once(() => paint());
     const card = P.card(host, "Two circles on a sphere");
-    const view = P.space(card.views, { radius: 1.5, azimuth: -0.9, elevation: 0.45, label: "A sphere with the circle of p1 about k1 and of p2 about k2", meta: state, redraw: () => draw() });
-    const range = (label, key, min, max) => card.range(label, { min, max, step: 1, value: state[key] }, (x) => `${x}°`, (x) => { state[key] = x; draw(); });
-    range("Between the axes k1, k2", "between", 1, 179);
-    range("From k1 to p1", "p1", 0, 180);
-    range("From k2 to p2", "p2", 0, 180);
-    range("p1 around k1", "around1", -180, 180);
-    range("p2 around k2", "around2", -180, 180);
+    const view = P.space(card.views, {
+      radius: 1.4, elevation: 0.45, label: "A sphere with the circle of p1 about k1 and of p2 about k2", meta: state,
+      proportion: 0.8, redraw: draw,
+    });
+    const axes = () => [K1, [Math.sin(state.between * rad), 0, Math.cos(state.between * rad)]];
+    // The point at an angle from an axis and rotated about it, and the angles of a point that was dragged.
+    const point = (k, away, around) => M.apply(M.rotation(k, around * rad), M.apply(M.rotation(Y, away * rad), k));
+    const points = () => axes().map((k, i) => point(k, state[`p${i + 1}`], state[`around${i + 1}`]));
+    const ranges = Object.fromEntries([
+      ["between", "Between the axes k1, k2", 1, 179], ["p1", "From k1 to p1", 0, 180], ["p2", "From k2 to p2", 0, 180],
+      ["around1", "p1 around k1", -180, 180], ["around2", "p2 around k2", -180, 180],
+    ].map(([key, label, min, max]) => [key, card.range(label, { min, max, step: 1, value: state[key] }, (x) => `${x}°`,
+      (x) => { state[key] = x; draw(); })]));
+    const change = (key, angle) => ranges[key].set((state[key] = Math.round(angle / rad)));
+    [COLOURS.blue, COLOURS.green].forEach((colour, i) => view.handle({
+      name: `Point p${i + 1}`, colour, at: () => points()[i],
+      describe: () => `${state[`p${i + 1}`]}° from k${i + 1}, ${state[`around${i + 1}`]}° around it`,
+      moved: (p) => {
+        const k = axes()[i], v = M.unit(p);
+        change(`p${i + 1}`, Math.acos(Math.min(1, Math.max(-1, M.dot(k, v)))));
+        change(`around${i + 1}`, M.angleAbout(k, M.apply(M.rotation(Y, Math.PI / 2), k), v));
+        draw();
+      },
+    }));
     const numbers = card.numbers(), words = card.words();
-    function draw() {
-      const k1 = [0, 0, 1], k2 = [Math.sin(state.between * rad), 0, Math.cos(state.between * rad)], y = [0, 1, 0];
-      const from = (k, angle, around) => K.apply(K.rotation(k, around * rad), K.apply(K.rotation(y, angle * rad), k));
-      const p1 = from(k1, state.p1, state.around1), p2 = from(k2, state.p2, state.around2), meet = K.meetings(k1, k2, p1, p2);
-      const circle = (k, v) => Array.from({ length: 73 }, (_, i) => K.apply(K.rotation(k, (i * Math.PI) / 36), v));
+    function paint() {
+      const [k1, k2] = axes(), [p1, p2] = points(), meet = M.meetings(k1, k2, p1, p2);
       view.begin();
-      view.mesh(GLOBE, [K.eye(4)], ["#e4e7ea"], 0.55);
-      [[k1, p1, COLOURS.blue, "k1", "p1"], [k2, p2, COLOURS.green, "k2", "p2"]].forEach(([k, v, colour, axis, point]) => {
-        view.line([K.scale(k, -1.3), K.scale(k, 1.3)], COLOURS.purple, 2, { dash: [6, 4] });
-        view.text(K.scale(k, 1.4), axis, COLOURS.purple);
-        view.line(circle(k, v), colour, 3);
-        view.mesh(S.ball(K.pose(K.eye(3), v), 0.045, 0), [K.eye(4)], [colour]);
-        view.text(K.scale(v, 1.18), point, colour);
+      view.mesh(GLOBE, [M.eye(4)], ["#e4e7ea"], { opacity: 0.6 });
+      [[k1, p1, COLOURS.blue, "1"], [k2, p2, COLOURS.green, "2"]].forEach(([k, v, colour, i]) => {
+        view.line([M.scale(k, -1.25), M.scale(k, 1.1)], COLOURS.purple, 2, { dash: [6, 4] });
+        view.arrow(M.scale(k, 1.1), M.scale(k, 1.3), COLOURS.purple);
+        view.text(M.scale(k, 1.4), `k${i}`, COLOURS.purple);
+        const around = (j) => M.scale(M.apply(M.rotation(k, (j * Math.PI) / 48), v), 1.004);
+        view.line(Array.from({ length: 97 }, (_, j) => around(j)), colour, 4);
+        view.ball(v, 0.045, colour);
+        view.text(v, `p${i}`, colour, 20);
       });
       meet.forEach((m, i) => {
-        view.mesh(S.ball(K.pose(K.eye(3), m), 0.055, 0), [K.eye(4)], [COLOURS.crimson]);
-        view.text(K.scale(m, 1.2), String(i + 1), COLOURS.crimson);
+        view.ball(m, 0.055, COLOURS.crimson);
+        view.text(m, String(i + 1), COLOURS.crimson, 20);
       });
       view.end();
-      numbers.textContent = meet.length
-        ? meet.map((m, i) => `${i + 1}:  theta1 = ${P.degrees(K.angleAbout(k1, p1, m), 1)},  theta2 = ${P.degrees(K.angleAbout(k2, p2, m), 1)}`).join("\n")
-        : "no pair of angles brings p1 and p2 together";
+      const theta = (m, k, p) => P.degrees(M.angleAbout(k, p, m), 1);
+      numbers(...(meet.length ? meet.map((m, i) => `${i + 1}: θ1 = ${theta(m, k1, p1)}, θ2 = ${theta(m, k2, p2)}`)
+        : ["no pair of angles brings p1 and p2 together"]));
       const { between, p1: a, p2: b } = state;
       words.textContent = meet.length === 2 ? "The circles meet twice: two solutions."
         : meet.length === 1 ? "The circles touch: one solution."
           : between > a + b ? "The circles miss: the axes are farther apart than the two circles reach together."
-            : between + Math.min(a, b) < Math.max(a, b) ? "The circles miss: one lies inside the other." : "The circles miss: together they reach around the far side of the sphere.";
+            : between + Math.min(a, b) < Math.max(a, b) ? "The circles miss: one lies inside the other."
+              : "The circles miss: together they reach around the far side of the sphere.";
     }
-    draw();
+    paint();
     return () => { view.stop(); card.end(); };
   };
 })();

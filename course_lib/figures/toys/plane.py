@@ -1,19 +1,13 @@
-"""The toys of notebook 2: two planar poses to drag, and dead reckoning."""
+"""The toys in the plane, of notebooks 2, 3 and 6: poses, dead reckoning, a planar arm, cells, a bent arm."""
 
 import numpy as np
-import plotly.graph_objects as go
 
-from course_lib.arguments import real_array
-from course_lib.figures.moving import path, plane_layout
-from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, PURPLE
+from course_lib.arguments import positive, real_array
 from course_lib.figures.toys.toy import Toy
-from course_lib.planar import interpolate_body_screw, plan_times, propagate_body, propagate_body_exact
+from course_lib.planar import plan_times, propagate_body, propagate_body_exact
 
-_OUTLINE = np.array([[-0.5, -0.3], [0.5, -0.3], [0.75, 0], [0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3]])
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
 _ROUND = (((0.5, 0, 0), 4), ((0.3, 0, 0.9), 3.5), ((0.5, 0, 0), 3), ((0.3, 0, -0.9), 2), ((0.4, 0, 0.45), 7))
-_POLE = "The dot is the pole: the red arc is one rotation about it."
-_STEP = "The shorter the step, the smaller the error; on the straight parts any step is right."
 
 
 def two_poses_toy(start=(-3, -1.5, 0.2), goal=(2.5, 1.5, 2.0), half=5.0):
@@ -29,31 +23,15 @@ def two_poses_toy(start=(-3, -1.5, 0.2), goal=(2.5, 1.5, 2.0), half=5.0):
     Returns
     -------
     Toy
-
-    Examples
-    --------
-    >>> two_poses_toy(goal=(1, 1, 0.5)).meta["goal"]
-    [1.0, 1.0, 0.5]
     """
-    start, goal = _pose(start, "start"), _pose(goal, "goal")
-    screw = interpolate_body_screw(start, goal, 40)
-    drawn = [path(np.stack([start[:2], goal[:2]]), GREY, dash="dash"), path(screw[:, :2], CRIMSON)]
-    drawn += [path(_placed(pose), colour, width=3) for pose, colour in ((start, BLUE), (goal, GREEN))]
-    turn = np.angle(np.exp(1j * (goal[2] - start[2])))
-    where = "; the start and the goal have the same orientation"
-    if abs(turn) > 1e-9:
-        middle, chord = (start[:2] + goal[:2]) / 2, goal[:2] - start[:2]
-        pole = middle + np.array([-chord[1], chord[0]]) / (2 * np.tan(turn / 2))
-        drawn.append(path([pole], PURPLE, mode="markers", size=12))
-        where = f"; the pole of the screw motion is at ({pole[0]:.1f}, {pole[1]:.1f}) m"
-    figure = go.Figure(drawn, layout=plane_layout(float(half), height=480))
+    start, goal = _vector(start, "start", 3), _vector(goal, "goal", 3)
     alt = (
         "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow keys, with the "
-        f"straight motion and the screw motion between them{where}."
+        "straight motion and the screw motion between them, and the pole of the screw motion."
     )
-    return Toy(
-        "two_poses", {"start": start.tolist(), "goal": goal.tolist(), "half": float(half)}, figure, alt, caption=_POLE
-    )
+    caption = "The dot is the pole: the red arc is one rotation about it."
+    model = {"start": start.tolist(), "goal": goal.tolist(), "half": float(half)}
+    return Toy("two_poses", model, alt, caption=caption)
 
 
 def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
@@ -71,49 +49,127 @@ def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
     Returns
     -------
     Toy
-
-    Raises
-    ------
-    ValueError
-        If the plan or dt is not as above.
-
-    Examples
-    --------
-    >>> dead_reckoning_toy(dt=0.1).meta["dt"]
-    0.1
     """
-    if not 0.01 <= dt <= 1:
-        raise ValueError(f"dt must lie between 0.01 and 1; it is {dt!r}")
+    _between("dt", dt, 0.01, 1)
     start = np.zeros(3)
     plan_times(plan, dt)  # raises for what is no plan
     exact, euler = propagate_body_exact(start, plan, 0.02), propagate_body(start, plan, dt)
     low, high = exact[:, :2].min(0), exact[:, :2].max(0)
-    centre, half = (low + high) / 2, 0.75 * float((high - low).max()) + 0.5
-    drawn = [path(exact[:, :2], BLUE), path(euler[:, :2], CRIMSON, dash="dash", mode="lines+markers", size=5)]
-    drawn.append(path([exact[-1, :2]], GREEN, mode="markers", size=14))
-    figure = go.Figure(drawn, layout=plane_layout(half, height=480, centre=centre))
     miss = np.linalg.norm(exact[-1, :2] - euler[-1, :2])
     alt = (
         "The path that a vacuum cleaner drives to its dock, and the path that Euler steps compute. With steps of "
         f"{dt:g} s the computed end is {100 * miss:.0f} cm from the dock; a slider sets the step."
     )
-    model = {"plan": [[list(map(float, v)), float(t)] for v, t in plan], "dt": float(dt), "start": start.tolist()}
-    return Toy(
-        "dead_reckoning",
-        {**model, "half": half, "centre": centre.tolist(), "tolerance": tolerance},
-        figure,
-        alt,
-        caption=_STEP,
+    caption = "The shorter the step, the smaller the error; on the straight parts any step is right."
+    plan = [[list(map(float, v)), float(t)] for v, t in plan]
+    model = {"plan": plan, "dt": float(dt), "start": start.tolist(), "tolerance": tolerance}
+    model |= {"half": round(0.6 * float((high - low).max()) + 0.3, 3), "centre": ((low + high) / 2).round(3).tolist()}
+    return Toy("dead_reckoning", model, alt, caption=caption)
+
+
+def planar_arm_toy(lengths=(1, 1, 1, 1), q=None, target=(-1.9, 1.1), step=0.5, damping=0.05):
+    """Return a toy: a planar arm, a target to drag, and the steps of damped least squares towards it.
+
+    Parameters
+    ----------
+    lengths : array_like, shape (n,)
+        Link lengths, in metres.
+    q : array_like, shape (n,), optional
+        Joint angles at the start, in radians; 0.4 each if None.
+    target : array_like, shape (2,)
+        Position of the target at the start, in metres.
+    step : float
+        Share of each computed step that is taken, from 0.05 to 4.
+    damping : float
+        Added to the diagonal of J J^T, in square metres, from 1e-4 to 30.
+
+    Returns
+    -------
+    Toy
+    """
+    lengths = positive(lengths, "lengths")
+    n = len(lengths)
+    q = np.full(n, 0.4) if q is None else real_array(q, "q", (n,))
+    target = _vector(target, "target", 2)
+    _between("step", step, 0.05, 4)
+    _between("damping", damping, 1e-4, 30)
+    model = {"lengths": lengths.tolist(), "q": q.tolist(), "target": target.tolist(), "step": step, "damping": damping}
+    alt = (
+        f"A planar arm with {n} links and a target at ({target[0]:g}, {target[1]:g}) m that can be dragged or moved by "
+        "the arrow keys. Sliders set step size and damping of the damped least-squares steps; a green ellipse shows "
+        "the manipulability, a curve the distance left after each step."
     )
+    caption = "Stretched out, the ellipse is flat: the tip cannot move along the arm, and an undamped step explodes."
+    return Toy("planar_arm", model, alt, caption=caption)
 
 
-def _pose(value, name):
-    pose = real_array(value, name, (3,))
-    if pose.shape != (3,):
-        raise ValueError(f"{name} must be one pose (x, y, theta); its shape is {pose.shape}")
-    return pose
+def cells_toy(lengths=(1, 1), size=0.5, at=(0.9, 0.7)):
+    """Return a toy: a two-link arm's workspace in cells whose size a slider sets, and the two planes of one cell.
+
+    Parameters
+    ----------
+    lengths : array_like, shape (2,)
+        Link lengths, in metres.
+    size : float
+        Edge of the cells at the start, in metres, from 0.25 to 1.
+    at : array_like, shape (2,)
+        The query at the start, in metres; it can be dragged.
+
+    Returns
+    -------
+    Toy
+    """
+    lengths = positive(lengths, "lengths")
+    if lengths.shape != (2,):
+        raise ValueError(f"lengths must be two link lengths; its shape is {lengths.shape}")
+    at = _vector(at, "at", 2)
+    _between("size", size, 0.25, 1)
+    alt = (
+        f"The workspace of a two-link arm cut into square cells of {size:g} m, coloured by the error of each cell's "
+        "two planes. A slider sets the size; the cell under the query, which starts at "
+        f"({at[0]:g}, {at[1]:g}) m, shows its planes over x and y."
+    )
+    caption = "Each cell has the colour of its error: where is it largest, and what do smaller cells change there?"
+    model = {"lengths": lengths.tolist(), "size": float(size), "at": at.tolist()}
+    return Toy("cells", model, alt, caption=caption)
 
 
-def _placed(pose):
-    c, s = np.cos(pose[2]), np.sin(pose[2])
-    return _OUTLINE @ np.array([[c, s], [-s, c]]) + pose[:2]
+def bent_arm_toy(at=(1.5, 0.9), width=0.25):
+    """Return a toy: an arm with two links of 1 m to drag, and polynomials for its bend q2 and for q2 squared in a cell.
+
+    Parameters
+    ----------
+    at : array_like, shape (2,)
+        The position of the tip at the start, in metres, 1.2 to 2 from the base.
+    width : float
+        Width of the cells at the start, in metres, from 0.05 to 0.8.
+
+    Returns
+    -------
+    Toy
+    """
+    at = _vector(at, "at", 2)
+    r = float(np.hypot(*at))
+    if not 1.2 <= r <= 2:
+        raise ValueError(f"at must be a position 1.2 to 2 m from the base; it is {at.tolist()}")
+    _between("width", width, 0.05, 0.8)
+    bend = np.rad2deg(2 * np.arccos(r / 2))
+    alt = (
+        f"An arm with two links of 1 m, its tip at ({at[0]:g}, {at[1]:g}) m, with both elbows: bent by q2 = {bend:.0f} "
+        f"or by {-bend:.0f} degrees. The tip can be dragged. Beside it are q2 and the square of q2 over the tip's "
+        "distance from the base, with the polynomials that fit them in one cell."
+    )
+    caption = "At the edge q2 falls like a root, with a vertical tangent; its square is nearly a straight line."
+    return Toy("bent_arm", {"at": at.tolist(), "width": float(width)}, alt, caption=caption)
+
+
+def _vector(value, name, n):
+    vector = real_array(value, name, (n,))
+    if vector.shape != (n,):
+        raise ValueError(f"{name} must have shape ({n},); its shape is {vector.shape}")
+    return vector
+
+
+def _between(name, value, low, high):
+    if not low <= value <= high:
+        raise ValueError(f"{name} must lie between {low:g} and {high:g}; it is {value!r}")

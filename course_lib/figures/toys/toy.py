@@ -1,20 +1,22 @@
-"""A toy: an interactive figure, the same in a live notebook, in a stored one and on an exported page.
+"""A toy: an interactive figure, the same in a live notebook and on an exported page.
 
-What a toy computes and draws stands once, in the JavaScript of course_lib/figures/scripts. Its model (link lengths,
-screw axes, a start) travels in the plotly figure's `layout.meta.course`. An exported page loads the scripts and draws
-the toy in place of the figure; in JupyterLab a widget with the same scripts does. A stored notebook holds the plotly
-figure alone, which shows the toy at its start, without kernel or script.
+What a toy computes and draws is the JavaScript of course_lib/figures/scripts. Its model (link lengths, screw axes, a
+start) is JSON. An exported page loads the scripts and draws the toy; in JupyterLab a widget with the same scripts does.
+A stored notebook holds the model and, for places that run no script, a picture of the toy at its start.
 """
 
-import json
+import base64
 import os
 from functools import cache
 from pathlib import Path
 
-from course_lib.figures.display import show, show_caption
+import numpy as np
+
+from course_lib.figures.display import TOY, show_caption
+from course_lib.figures.solids.model import PALETTE, coordinates
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
-CORE = ("motion", "kinematics", "toys", "shapes")
+CORE = ("motion", "scene", "toys")
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """
 export default { render({ model, el }) {
@@ -36,7 +38,14 @@ export default { render({ model, el }) {
   };
   const kernel = { ask, hear: (answer) => answers.add(answer) };
   el.setAttribute("aria-label", model.get("alt"));
-  const start = () => kinds[meta.kind](el, meta, model.get("figure"), model.get("answers") ? kernel : null);
+  const start = () => {
+    try {
+      return kinds[meta.kind](el, meta, model.get("answers") ? kernel : null);
+    } catch (error) {
+      el.textContent = `${model.get("alt")} It cannot be drawn here: ${error.message}.`;
+      return () => {};
+    }
+  };
   let stop = start();
   // What is in `meta` outlives the change to the colours of the other theme.
   const leave = parts.onTheme(() => { stop(); answers.clear(); stop = start(); });
@@ -54,8 +63,6 @@ class Toy:
         Which toy: the page and the widget start ``toy:name``, from the script ``toy_name.js``.
     model : dict
         What the script needs, as JSON: numbers, strings, lists, dicts.
-    figure : plotly.graph_objects.Figure
-        The toy at its start, for places that run no script.
     alt : str
         What the toy shows and what can be moved, in words.
     answer : callable, optional
@@ -65,40 +72,33 @@ class Toy:
 
     Examples
     --------
-    >>> from plotly.graph_objects import Figure
-    >>> toy = Toy("plane", {"width": 2}, Figure(), "A robot on a floor, to be dragged.")
-    >>> toy.meta["kind"], toy.figure.layout.meta["course"]["width"]
-    ('toy:plane', 2)
+    >>> Toy("plane", {"width": 2}, "A robot on a floor, to be dragged.").meta["kind"]
+    'toy:plane'
     """
 
-    def __init__(self, name, model, figure, alt, answer=None, caption=""):
-        scripts = [*CORE, f"toy_{name}"]
-        self.meta = {"kind": f"toy:{name}", "scripts": scripts, "plotly": False, **model}
-        self.figure = figure.update_layout(meta={"course": self.meta})
+    def __init__(self, name, model, alt, answer=None, caption=""):
+        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **model}
         self.alt = alt
         self.answer = answer
         self.caption = caption
 
     def _ipython_display_(self):
-        if is_live():
-            from IPython.display import display
+        from IPython.display import display
 
-            widget = self.widget()
-            bundle = widget._repr_mimebundle_()
+        data, metadata = {TOY: self.stored()}, {"image/png": {"alt": self.alt}}
+        if is_live():
+            bundle = self.widget()._repr_mimebundle_()
             data, metadata = bundle if isinstance(bundle, tuple) else (bundle, {})
-            display({**data, "text/plain": self.alt}, raw=True, metadata=metadata)
-            show_caption(self.caption)
-        else:
-            show(self.figure, alt=self.alt, caption=self.caption)
+        display({**data, "text/plain": self.alt}, raw=True, metadata=metadata)
+        show_caption(self.caption)
+
+    def stored(self):
+        """Return what a stored notebook holds: a figure without traces, whose script draws it."""
+        return {"data": [], "layout": {"meta": {"course": self.meta}}}
 
     def widget(self):
         """Return the toy as a widget for JupyterLab, which loads the same scripts as the page."""
-        widget = _widget_class()(
-            _esm=module(tuple(self.meta["scripts"])),
-            meta=self.meta,
-            figure=json.loads(self.figure.to_json()),
-            alt=self.alt,
-        )
+        widget = _widget_class()(_esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt)
         if self.answer is not None:
             widget.answers = True
             widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
@@ -109,36 +109,30 @@ def is_live():
     """Return whether a person looks at this kernel: it was started for a session of a Jupyter server.
 
     Jupyter names the session in an environment variable of the kernel. What runs notebooks for files (nbclient, nbval,
-    nbgrader) sets none, so that stored outputs hold plain figures and no state of widgets.
-
-    Examples
-    --------
-    >>> is_live()  # not for doctest, which needs no Jupyter server
-    False
+    nbgrader) sets none, so that stored outputs hold plain models and no state of widgets.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
 
 @cache
 def module(scripts):
-    """Return the JavaScript module of a toy's widget.
-
-    Parameters
-    ----------
-    scripts : tuple of str
-        Names of files in course_lib/figures/scripts, without ".js", in the order in which they are loaded.
-
-    Returns
-    -------
-    str
-        The scripts, and after them the function `render` that anywidget calls.
-
-    Examples
-    --------
-    >>> "export default" in module(("motion",))
-    True
-    """
+    """Return the JavaScript module of a toy's widget: its scripts, and the function `render` that anywidget calls."""
     return "\n".join((SCRIPTS / f"{name}.js").read_text(encoding="utf-8") for name in scripts) + _RENDER
+
+
+def solid(model):
+    """Return a solids.Model for scene.js, as JSON: whole numbers in base64, lengths in tenths of a millimetre."""
+
+    def packed(array, kind):
+        return base64.b64encode(np.round(array).astype(kind).tobytes()).decode()
+
+    return {
+        "vertices": packed(1e4 * np.stack(list(coordinates(model.vertices).values()), -1), "<i2"),
+        "faces": packed(model.faces, "<u2"),
+        "colours": packed(model.colours[model.faces[:, 0]], "u1"),
+        "bodies": packed(model.bodies, "u1"),
+        "palette": PALETTE,
+    }
 
 
 @cache
@@ -151,7 +145,6 @@ def _widget_class():
 
         _esm = traitlets.Unicode().tag(sync=True)
         meta = traitlets.Dict().tag(sync=True)
-        figure = traitlets.Dict().tag(sync=True)
         alt = traitlets.Unicode().tag(sync=True)
         answers = traitlets.Bool(False).tag(sync=True)
 

@@ -108,9 +108,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
         if sections.write(heading, books, page):
             prepare(page, pages, solutions)
             others.append(page)
-    (pages / "index.md").write_text(
-        gather.home(notebooks, others, living_panda(pages), offered(release)), encoding="utf-8"
-    )
+    (pages / "index.md").write_text(gather.home(notebooks, others, living_panda(), offered(release)), encoding="utf-8")
     return figures
 
 

@@ -1,6 +1,6 @@
 """What conf.py names: kept apart from the modules that draw, so that Sphinx does not load matplotlib."""
 
-LIVING = ("motion", "kinematics", "toys", "panda")  # the home page's scripts, of course_lib/figures/scripts, in order
+LIVING = ("motion", "scene", "toys", "panda")  # the home page's scripts, of course_lib/figures/scripts, in order
 
 
 def heading_anchor(text: str) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 import nbformat
 from PIL import Image
 
-from course_lib.figures.display import PLOTLY
+from course_lib.figures.display import PLOTLY, TOY
 from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
 from course_lib.pack.site.errors import SiteError
 
@@ -78,10 +78,10 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
 def _show(output, place: str, folder: Path, counts: Counts) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
-    if PLOTLY in output.data:
+    if figure := output.data.get(PLOTLY) or output.data.get(TOY):
         alt = alternative(output, place)
-        still = picture(output, image, "plotly-still", alt, folder, _controls(output.data[PLOTLY])) if image else ""
-        output.data = {"text/html": _captioned(_figure(output.data[PLOTLY], alt, still), output)}
+        still = picture(output, image, "plotly-still", alt, folder, _controls(figure)) if image else ""
+        output.data = {"text/html": _captioned(_figure(figure, alt, still), output)}
         counts.figures += 1
     elif image and "text/html" not in output.data:
         shown = picture(output, image, "picture", alternative(output, place), folder)
@@ -153,9 +153,6 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     moves = bool(figure.get("frames")) or kind == "film"
     if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
         figure = {**figure, "frames": []}
-    if course.get("plotly") is False:  # its script draws it, from its model and at most one trace, named by number
-        traces = [trace if number == course.get("trace") else {} for number, trace in enumerate(figure["data"])]
-        figure = {"data": traces, "layout": {"meta": figure["layout"]["meta"]}}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'

@@ -7,11 +7,10 @@
 // are classic scripts (a browser refuses modules from file://); without "scripts" the one loaded is named as the
 // kind, up to a colon ("toy:arm" -> toy.js). A script says what starts a kind of figure:
 //     window.course = window.course || { kinds: {} };
-//     window.course.kinds["film"] = (live, meta, figure) => stop;
+//     window.course.kinds["film"] = (live, meta) => stop;
 // It is called each time that the figure comes near the window, with
 //     live    the <div> in which plotly has drawn the figure, or an empty one if meta.plotly is false
 //     meta    layout.meta.course
-//     figure  the whole figure: {data, layout, frames}
 // and returns a function that stops all it began and removes all it added (or nothing): the figure is then far
 // away, or about to be drawn again. What it keeps in `meta` is there the next time. Controls go into
 // window.course.bar(live), a row below the figure that is emptied at every start; they need names
@@ -210,7 +209,7 @@
     const meta = figure.layout.meta && figure.layout.meta.course;
     const start = meta && window.course && window.course.kinds[meta.kind];
     const player = !start && figure.frames && figure.frames.length ? addPlayer(box, live, figure, own) : null;
-    let stop = null;
+    let stop = null, isPlot = false;
 
     let keptAt = null;
     const keepHeight = (height) => { // otherwise the text would jump
@@ -222,10 +221,14 @@
 
     async function draw() {
       try {
-        if (usesPlotly(meta)) await loadPlotly();
-      } catch {
-        return; // it remains a still picture
+        await drawLive();
+      } catch (error) { // it remains a still picture, until it comes near again
+        console.warn(error);
+        letGo();
       }
+    }
+    async function drawLive() {
+      if (usesPlotly(meta)) await loadPlotly();
       box.classList.add("drawn");
       figure.layout.height = fit();
       if (isDark() !== inDark) {
@@ -235,10 +238,13 @@
         parts.forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
       }
       const { data, layout, frames } = figure;
+      const width = box.clientWidth;
       if (usesPlotly(meta)) await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
+      isPlot = usesPlotly(meta);
+      if (box.clientWidth !== width) await fitAgain();
       box.style.minHeight = "";
       if (player) await player.show();
-      if (start) stop = start(live, meta, figure);
+      if (start) stop = start(live, meta);
     }
     // Plotly keeps camera and zoom in the layout it was given, so that they are still there next time.
     function letGo() {
@@ -246,12 +252,14 @@
       keepHeight(box.offsetHeight);
       if (stop) stop();
       stop = null;
-      usesPlotly(meta) ? window.Plotly.purge(live) : live.replaceChildren();
+      if (isPlot) window.Plotly.purge(live);
+      isPlot = false;
+      live.replaceChildren();
       box.classList.remove("drawn");
     }
     const fitAgain = () => {
       if (!isDrawn() && box.clientWidth !== keptAt) box.style.minHeight = "";
-      else if (isDrawn() && usesPlotly(meta)) window.Plotly.relayout(live, { height: fit() });
+      else if (isPlot) return window.Plotly.relayout(live, { height: fit() }); // not while it is being drawn
     };
     window.addEventListener("resize", fitAgain);
 

@@ -1,0 +1,41 @@
+"""The student's own function in a figure: it is called in the kernel for what the reader drags."""
+
+import inspect
+
+
+class Answers:
+    """The student's function as a script sees it: a callable that takes a question and returns an answer.
+
+    Parameters
+    ----------
+    f : callable
+        The student's function. Its attribute ``whose``, if it has one, says whose it is.
+    ask : callable
+        ``ask(f, question)`` calls a function for a question and returns its answer, a dict of JSON; it raises
+        ValueError if what f returned cannot be drawn.
+    library : callable, optional
+        The library's function, which answers when f does not.
+    """
+
+    def __init__(self, f, ask, library=None):
+        self.f, self.ask, self.library = f, ask, library
+        whose = str(getattr(f, "whose", "your function"))
+        self.whose = {"yours": "your function", "the library's": "the library's function"}.get(whose, whose)
+
+    def __call__(self, question):
+        answer = {"whose": self.whose, "problem": None, "value": None, "gap": None}
+        try:
+            return answer | self.ask(self.f, question)
+        except (Exception, KeyboardInterrupt) as error:  # the student's own code: what it raises is shown in one line
+            said = " ".join(str(error).split())
+            answer["problem"] = f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
+        return answer if self.library is None else answer | self.ask(self.library, question)
+
+
+def positional(function):
+    """Return how many positional arguments a function takes; 1 where it does not say."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return 1
+    return sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty for p in parameters)

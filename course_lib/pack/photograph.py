@@ -1,0 +1,57 @@
+"""Pictures of what scripts draw, taken in a headless browser, for places that run no script."""
+
+import io
+import json
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+
+from course_lib.figures.toys.toy import SCRIPTS
+
+WIDTH, HIGHEST, PATIENCE = 720, 1600, 60  # pixels, pixels, seconds
+_TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
+.controls,[aria-label="What to move"]{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
+const meta = {meta};
+window.course.kinds[meta.kind](document.getElementById("toy"), meta, null);</script>"""
+_OPTIONS = ["--headless", "--no-sandbox", "--hide-scrollbars", "--enable-unsafe-swiftshader"]
+_OPTIONS += ["--force-prefers-reduced-motion", "--default-background-color=00000000"]
+
+
+def photograph(meta: dict) -> bytes:
+    """Return a PNG of what a toy shows at its start, without its controls."""
+    data = json.dumps(meta).replace("</", "<\\/")
+    image = screenshot(_TOY.format(scripts=inline(meta["scripts"]), meta=data), WIDTH, HIGHEST).convert("RGB")
+    bottom = image.convert("L").point(lambda dot: 255 * (dot < 255)).getbbox()[3]
+    image.crop((0, 0, WIDTH, bottom)).save(file := io.BytesIO(), "PNG")
+    return file.getvalue()
+
+
+def inline(scripts) -> str:
+    """Return the HTML of scripts of course_lib/figures/scripts, named without ".js"."""
+    return "".join(f"<script>{(SCRIPTS / f'{name}.js').read_text(encoding='utf-8')}</script>" for name in scripts)
+
+
+def screenshot(body: str, width: int, height: int) -> Image.Image:
+    """Return what a page shows in a window of so many pixels, on a transparent ground.
+
+    Raises
+    ------
+    TimeoutError
+        If there is no browser, or it takes no picture.
+    """
+    from choreographer.browsers.chromium import Chromium
+
+    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
+    with tempfile.TemporaryDirectory() as folder:
+        page, shot = Path(folder, "page.html"), Path(folder, "page.png")
+        page.write_text(f'<!doctype html><meta charset="utf-8"><style>body{{margin:0}}</style>{body}', encoding="utf-8")
+        options = [*_OPTIONS, f"--window-size={width},{height}", f"--user-data-dir={folder}/profile"]
+        command = [str(browser), *options, f"--screenshot={shot}", page.as_uri()]
+        try:
+            subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+            return Image.open(io.BytesIO(shot.read_bytes())).convert("RGBA")
+        except (subprocess.SubprocessError, OSError) as error:
+            raise TimeoutError(f"no picture by the browser {browser}: {error}") from error
