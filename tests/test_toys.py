@@ -7,22 +7,21 @@ import numpy as np
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from numpy.testing import assert_allclose
+from some_toys import TOYS
 
-from course_lib import figures, rigid
+from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm
 from course_lib.figures.display import TOY
 from course_lib.figures.toys import jog
 from course_lib.figures.toys.toy import SCRIPTS, is_live, module
 from course_lib.pack.notebooks import run, tidy
 
-ALL = {name: getattr(figures, name) for name in figures._TOYS if name != "jog"}
-ALL["jog"] = lambda: jog(iiwa14(), lambda q: np.eye(4))
 Q = np.array([0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1])
 
 
-@pytest.fixture(params=ALL)
+@pytest.fixture(params=TOYS)
 def toy(request):
-    return ALL[request.param]()
+    return TOYS[request.param]()
 
 
 # ---- every toy ----
@@ -100,6 +99,12 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("cells_toy", {"lengths": [1, 1, 1]}, "lengths"),
         ("iiwa_toy", {"q": [0.0]}, "q"),
         ("panda_toy", {"q": "up"}, "q"),
+        ("build_up_toy", {"arm": iiwa14(), "rows": np.zeros((3, 3))}, "rows"),
+        ("reach", {"arm": iiwa14(), "target": [1]}, "target"),
+        ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
+        ("table", {"lengths": [1, 1, 1]}, "lengths"),
+        ("alive", {"figure": "reach"}, "figure"),
+        ("alive", {"figure": figures.table(), "f": 3}, "f"),
     ],
 )
 def test_a_wrong_argument_is_named(name, arguments, named):
@@ -191,3 +196,59 @@ def test_the_answer_names_whose_function_moves_the_arm():
     assert answer(planar_arm([1, 1]), fk, q=np.zeros(2))["whose"] == "your function"
     fk.whose = "the library's"
     assert answer(planar_arm([1, 1]), fk, q=np.zeros(2))["whose"] == "the library's function"
+
+
+# ---- the student's function alive in a figure ----
+
+ARM = planar_arm([1, 1])
+
+
+def asked(figure, f, **question):
+    return figures.alive(figure, f).answer(question)
+
+
+def test_one_solution_and_several_and_none_reach_the_figure():
+    figure = figures.reach(ARM, [1.2, 0.8])
+    seen = []
+    assert asked(figure, lambda p: seen.append(p.copy()) or [0.1, 0.2], target=[1, 1])["value"] == [[0.1, 0.2]]
+    assert_allclose(seen, [[1, 1]])
+    both = np.array([[0.1, 0.2], [np.nan, np.nan], [0.3, -0.2]])
+    assert asked(figure, lambda p: both, target=[1, 1])["value"] == [[0.1, 0.2], [0.3, -0.2]]
+    assert asked(figure, lambda p: None, target=[1, 1])["value"] == []
+    wrong = asked(figure, lambda p: [1, 2, 3], target=[1, 1])
+    assert wrong["value"] is None
+    assert "should have shape (2,) or (k, 2); it is (3,)" in wrong["problem"]
+
+
+@pytest.mark.parametrize("quaternions", [False, True])
+def test_a_motion_between_two_orientations_is_sampled(quaternions):
+    start, goal = rotations.rot_x(0.3), rotations.rot_z(1.0)
+
+    def shortest(A, B, s):
+        if quaternions:
+            A, B = rotations.quaternion_to_matrix(A), rotations.quaternion_to_matrix(B)
+        R = A @ rotations.exp_so3(s * rotations.log_so3(A.T @ B))
+        return rotations.matrix_to_quaternion(R) if quaternions else R
+
+    figure = figures.fly(start, goal, quaternions=quaternions)
+    found = np.array(asked(figure, shortest, ends=[start.tolist(), goal.tolist()])["value"])
+    assert_allclose(found[[0, -1]], [start, goal], atol=1e-12)
+    assert rotations.is_so(found).all()
+    assert "of shape" in asked(figure, lambda A, B, s: s, ends=[start.tolist(), goal.tolist()])["problem"]
+
+
+def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answers():
+    toy = figures.alive(figures.table([1, 0.5]), lambda p: p if p[0] > 0 else None)
+    at, q = (np.array(toy.meta["stored"]["at"]), toy.meta["stored"]["q"])
+    assert (np.linalg.norm(at, axis=1) <= 1.5 + 1e-3).all()
+    assert [len(row) for row in q] == [2 * int(x > 0) for x in at[:, 0]]
+    broken = figures.alive(figures.table(), lambda p: p[7])
+    assert not any(broken.meta["stored"]["q"])
+    assert broken.answer({"at": [1, 1]})["problem"].startswith("Your function: IndexError: ")
+
+
+def test_an_interrupted_function_is_answered_too():
+    def stopped(p):
+        raise KeyboardInterrupt
+
+    assert "KeyboardInterrupt" in asked(figures.table(), lambda p: stopped(p) if p[0] == 1 else p, at=[1, 1])["problem"]

@@ -10,6 +10,7 @@ from pathlib import Path
 from urllib.request import urlopen
 
 import nbformat
+import numpy as np
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
@@ -25,6 +26,9 @@ SOURCES = (
     "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, theta, strict=True):\n"
     "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\nfigures.jog(iiwa14(), reversed_order)",
     "figures.jog(iiwa14(), lambda q: iiwa14().frames(q))",
+    "import time\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n    time.sleep(0.4)\n"
+    "    return np.log([p[0], 1 / 0 if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, 0.5)), slow)",
+    "len(asked)",
 )
 
 
@@ -111,7 +115,7 @@ def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
     lab.get_by_role("menuitem", name="Run").first.click()
     lab.get_by_text("Run All Cells", exact=True).click()
-    expect(lab.locator(".course-toy")).to_have_count(len(SOURCES))
+    expect(lab.locator(".course-toy")).to_have_count(len(SOURCES) - 1)
     assert lab.locator(".jp-RenderedPlotly, .js-plotly-plot").count() == 0, "the widget alone, not the still figure too"
 
 
@@ -157,6 +161,29 @@ def test_a_right_one_moves_the_arm_and_agrees(lab):
         lab.keyboard.press("ArrowRight")
     lab.wait_for_function("([c, before]) => c.toDataURL() !== before", arg=[canvas.element_handle(), before])
     expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+
+
+def test_a_slow_function_answers_the_newest_question_and_an_exception_is_one_calm_line(lab):
+    out = output(lab, 3)
+    words, handle = out.locator("p[role=status]"), out.locator(".handle")
+    expect(words).to_contain_text("Answered by your function. The tip is")
+    handle.focus()
+    for _ in range(20):
+        lab.keyboard.press("ArrowRight")
+    newest = 1 + 20 * 2 * 1.15 * 2 / 120  # a key moves the handle by a 120th of the picture's width
+    expect(out.locator(".numbers")).to_contain_text(f"({np.rad2deg(np.log(newest)):.1f}")
+    for _ in range(8):
+        lab.keyboard.press("Shift+ArrowDown")
+    expect(words).to_contain_text("Your function: ZeroDivisionError")
+    expect(words).to_contain_text("library")
+    for _ in range(8):
+        lab.keyboard.press("Shift+ArrowUp")
+    expect(words).to_contain_text("Answered by your function.")
+    cell = lab.locator(".jp-Notebook .jp-CodeCell").nth(4)
+    cell.locator(".cm-content").click()
+    lab.keyboard.press("Shift+Enter")
+    questions = int(cell.locator(".jp-OutputArea-output").inner_text())
+    assert questions < 20, "not one for each of 36 keys"
 
 
 def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_function(lab):

@@ -8,15 +8,20 @@ from course_lib.figures.display import show
 from course_lib.figures.plots import lines, panels
 
 _TOYS = (
+    "alive",
     "bent_arm_toy",
+    "build_up_toy",
     "cells_toy",
     "circles_toy",
     "dead_reckoning_toy",
+    "fly",
     "iiwa_toy",
     "jog",
     "orientation_toy",
     "panda_toy",
     "planar_arm_toy",
+    "reach",
+    "table",
     "two_poses_toy",
 )
 

@@ -230,6 +230,16 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     lathe(M.eye(4), [[0, 0], [1, 0], [0, 1]], 0, { body: 1, n: 18 }),
   ]);
   const disc = lathe(M.eye(4), [[1, 0], [0, 0]], 0, { n: 64 });
+  // A small aircraft, nose along x, wings along y: every orientation of it looks different.
+  const PALETTE = ["#e8eaed", "#8d959e", "#0072b2", "#009e73", "#d55e00", "#e69f00"];
+  const FUSELAGE = [[0, -0.8], [0.07, -0.75], [0.13, -0.5], [0.16, -0.2], [0.17, 0.2], [0.14, 0.5], [0.08, 0.75],
+    [0, 0.85]];
+  const aircraft = join([
+    lathe(M.pose(M.rotation([0, 1, 0], Math.PI / 2), [0, 0, 0]), FUSELAGE, 0, { n: 28 }),
+    box([-0.2, -0.85, -0.03], [0.2, 0.85, 0.03], 2),
+    box([-0.78, -0.3, -0.02], [-0.55, 0.3, 0.02], 2),
+    box([-0.78, -0.02, 0.04], [-0.55, 0.02, 0.38], 4),
+  ]);
   // A model as Python packs it (course_lib.figures.toys.toy.solid): whole numbers in base64.
   function unpack({ vertices, faces, colours, bodies, palette }) {
     const read = (text, Kind) => Array.from(new Kind(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer));
@@ -240,5 +250,5 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     };
   }
 
-  return { start, draw, redraws, mesh, lathe, box, ring, ball, join, arrow, disc, unpack };
+  return { start, draw, redraws, mesh, lathe, box, ring, ball, join, arrow, disc, aircraft, PALETTE, unpack };
 })();

@@ -105,8 +105,7 @@
       const { answer } = state, theirs = answer && answer.value, bodies = (theirs && theirs.bodies) || right;
       const differs = Boolean(answer && !(answer.gap < 1e-6)); // null if there is no answer to compare
       view.begin();
-      view.contain(solid.vertices.filter((_, i) => i % 9 === 0).map((v, i) => M.move(right[solid.bodies[9 * i]], v)));
-      view.floor(meta.floor, meta.ground, size > 2 ? 0.5 : 0.2);
+      view.onStage(solid, right, meta);
       view.mesh(solid, bodies, solid.palette, { opacity: state.frames ? 0.35 : 1, shadow: true });
       if (differs) view.mesh(solid, right, solid.palette.map(() => COLOURS.pale), { opacity: 0.45 });
       view.frame(M.eye(4), 0.12 * size, { thick: 0.004 * size });

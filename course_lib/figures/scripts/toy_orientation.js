@@ -3,18 +3,8 @@
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
   const I = M.eye(4), NONE = [0, 0, 0], X = [1, 0, 0], Y = [0, 1, 0], Z = [0, 0, 1], rad = Math.PI / 180;
-  const PALETTE = ["#e8eaed", "#8d959e", "#0072B2", "#009E73", "#D55E00", "#E69F00"];
+  const PALETTE = S.PALETTE, AIRCRAFT = S.aircraft;
   const at = (R, p = NONE) => M.pose(R, p), about = M.rotation;
-
-  // A small aircraft, nose along x, wings along y: every orientation of it looks different.
-  const AIRCRAFT = S.join([
-    S.lathe(at(about(Y, Math.PI / 2)), [[0, -0.8], [0.07, -0.75], [0.13, -0.5], [0.16, -0.2], [0.17, 0.2], [0.14, 0.5],
-      [0.08, 0.75], [0, 0.85]], 0, { n: 28 }),
-    S.box([-0.2, -0.85, -0.03], [0.2, 0.85, 0.03], 2),
-    S.box([-0.78, -0.3, -0.02], [-0.55, 0.3, 0.02], 2),
-    S.box([-0.78, -0.02, 0.04], [-0.55, 0.02, 0.38], 4),
-  ]);
-  globalThis.course.aircraft = { mesh: AIRCRAFT, palette: PALETTE };
 
   function sized(k, R) {
     return at(R.map((row) => M.scale(row, k)));

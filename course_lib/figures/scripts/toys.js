@@ -463,13 +463,23 @@ outline:3px solid var(--focus);outline-offset:-3px}
         }
         made.line(grid, COLOURS.lines, 1, { layer: "floor" });
       },
+      // Where the line of sight through a point meets the plane z = height.
+      onFloor(p, height = 0) {
+        const at = M.add(centre, eye, FAR * radius), t = (at[2] - height) / (at[2] - p[2]);
+        return M.add(at, M.add(p, at, -1), Math.min(t, 50));
+      },
       // See to it that points are in the picture: go farther away, as far as they need.
       contain(points) {
         const out = (p) => {
           const [x, y] = toPixels(p);
-          return Math.max(Math.abs(x / made.width - 0.5), Math.abs(y / made.height - 0.5)) > 0.45;
+          return Math.max(Math.abs(x / made.width - 0.5), Math.abs(y / made.height - 0.5)) > 0.44;
         };
         for (let k = 0; k < 60 && points.some(out); k++, aim()) fitted *= 1.03;
+      },
+      // And that of an arm at the poses of its bodies; on its floor.
+      onStage(solid, poses, { floor, ground, size }) {
+        made.contain(solid.vertices.filter((_, i) => i % 9 === 0).map((v, i) => M.move(poses[solid.bodies[9 * i]], v)));
+        made.floor(floor, ground, size > 2 ? 0.5 : 0.2);
       },
       end: ((end) => () => {
         const { context, width, height, dense } = made, at = M.add(centre, eye, FAR * radius);

@@ -108,6 +108,43 @@ def jog(arm, fk=None, *, q=None, base=None):
     return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
 
 
+def build_up_toy(arm, *, q=None, rows=None):
+    """Return a toy that builds an arm's pose up, factor by factor.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    q : array_like, shape (n,), optional
+        Joint angles, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
+    rows : array_like, shape (n, 3), optional
+        a, alpha, d of a DH table in Craig's convention: then the rows are built up, four elementary motions each. If
+        None, the product of exponentials is, with the screw axes and the Jacobian.
+
+    Returns
+    -------
+    Toy
+    """
+    zero = np.zeros((1, arm.n)) if rows is None else ()  # where the product of exponentials begins
+    model = arm_view(arm, starting(arm) if q is None else q, f"An arm with {arm.n} joints, factor by factor", zero)
+    model |= {"rows": None, "start": min(4, arm.n)}
+    alt = (
+        "An arm as a translucent body, whose product of exponentials is built up factor by factor. Each screw axis is "
+        "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs to it stands out."
+    )
+    caption = "A factor moves everything after it; the axes before it stay where they are."
+    if rows is not None:
+        rows = real_array(rows, "rows", (arm.n, 3))
+        if rows.shape != (arm.n, 3):
+            raise ValueError(f"rows must have shape ({arm.n}, 3); its shape is {rows.shape}")
+        model |= {"rows": rows.tolist(), "start": 4 * min(4, arm.n)}
+        alt = (
+            "An arm as a translucent body, and its Denavit-Hartenberg table, built up by rotations and translations "
+            "along x and z. Each frame appears when its row is complete."
+        )
+        caption = "Two motions along x, two along z: a row leads from one frame to the next."
+    return Toy("build_up", model, alt, caption=caption)
+
+
 def _moved_by(arm, to_base, takes_screws):
     """Return how a function of the student moves an arm: a function of it and of a question."""
 
@@ -145,13 +182,16 @@ def starting(arm):
     return np.where((low <= 0.3) & (high >= 0.3), 0.3, (low + high) / 2)
 
 
-def arm_view(arm, q, title):
-    """Return what a script needs to draw an arm as a solid body: its kinematics, its bodies, where to look."""
+def arm_view(arm, q, title, also=()):
+    """Return what a script needs to draw an arm as a solid body: its kinematics, its bodies, where to look.
+
+    The view is centred on the arm at q and at further joint angles `also`, shape (k, n).
+    """
     q = real_array(q, "q", (arm.n,))
     if q.shape != (arm.n,):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
     model = arm_model(arm)
-    at = model.placed(link_poses(arm, q))
+    at = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
     size = np.linalg.norm(np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1).sum()
     flat = np.allclose(arm.screw_axes[:, :2], 0)  # a planar arm moves in z = 0
     return {

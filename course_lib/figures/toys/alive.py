@@ -1,0 +1,174 @@
+"""The student's own function alive in a figure: what is dragged is a question, their function answers it."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from course_lib.arguments import positive, real_array
+from course_lib.figures.toys.answers import Answers
+from course_lib.figures.toys.arms import arm_view, starting
+from course_lib.figures.toys.toy import Toy, is_live
+from course_lib.rotations import is_so, matrix_to_quaternion, quaternion_to_matrix
+
+_SAMPLES = 41  # of a motion between two orientations
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure in which a function can live: see `reach`, `fly` and `table`.
+
+    Parameters
+    ----------
+    model : dict
+        What the script needs, as JSON.
+    alt, caption : str
+    ask : callable
+        ``ask(f, question)`` calls the function and returns its answer as JSON.
+    stored : callable, optional
+        ``stored(f)`` returns answers given beforehand, for pages.
+    """
+
+    model: dict
+    alt: str
+    caption: str
+    ask: object
+    stored: object = field(default=lambda f: None)
+
+
+def alive(figure, f=None):
+    """Return a toy in which your own function answers what you drag; the library's answers if there is none.
+
+    In a live notebook f is called in the kernel, one question at a time and always the newest. If it raises, the figure
+    says so in one line and shows the library's answer. An exported page has no kernel: there the library answers, or
+    the answers that f gave beforehand.
+
+    Parameters
+    ----------
+    figure : Figure
+        From `reach`, `fly` or `table`, which say with what f is called and what it returns.
+    f : callable, optional
+        Your function. Its attribute ``whose``, if it has one, says whose it is.
+
+    Returns
+    -------
+    Toy
+    """
+    if not isinstance(figure, Figure):
+        raise ValueError(f"figure must come from reach, fly or table; it is of type {type(figure).__name__}")
+    if f is not None and not callable(f):
+        raise ValueError(f"f must be a function; it is {f!r:.60}")
+    stored = None if f is None or is_live() else figure.stored(f)
+    answer = None if f is None else Answers(f, figure.ask)
+    return Toy("alive", figure.model | {"stored": stored}, figure.alt, answer, figure.caption)
+
+
+def reach(arm, target, *, q=None):
+    """Return a figure for `alive`: an arm and a target to drag, f(target) answers with joint angles.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    target : array_like, shape (2,), (3,) or (4, 4)
+        A position in the plane, a position, or a pose; f is called with such an array.
+        It returns angles of shape (n,), several solutions (k, n), or None where it finds none.
+    q : array_like, shape (n,), optional
+        Joint angles at the start of the library's arm, in radians.
+
+    Returns
+    -------
+    Figure
+    """
+    target = np.asarray(target, float)
+    if target.shape not in ((2,), (3,), (4, 4)) or not np.isfinite(target).all():
+        raise ValueError(f"target must be finite, of shape (2,), (3,) or (4, 4); its shape is {target.shape}")
+
+    def ask(f, question):
+        found = f(np.array(question["target"], float))
+        angles = np.empty((0, arm.n)) if found is None else np.atleast_2d(np.asarray(found, float))
+        if angles.ndim != 2 or angles.shape[1] != arm.n:
+            raise ValueError(f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is {np.shape(found)}")
+        return {"value": angles[np.isfinite(angles).all(-1)].tolist()}
+
+    title = f"An arm with {arm.n} joints and a target"
+    alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "
+
+    alt += "angles that a function answers; if there are several solutions, the others are translucent."
+    model = arm_view(arm, starting(arm) if q is None else q, title)
+    return Figure(model | {"figure": "reach", "goal": target.tolist()}, alt, "Drag the target.", ask)
+
+
+def fly(start, goal, *, quaternions=False):
+    """Return a figure for `alive`: two orientations to drag, f(start, goal, s) flies from one to the other.
+
+    Parameters
+    ----------
+    start, goal : array_like, shape (3, 3)
+        Rotation matrices.
+    quaternions : bool, optional
+        If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation matrices.
+
+    Returns
+    -------
+    Figure
+    """
+    ends = [real_array(R, name, (3, 3)) for R, name in ((start, "start"), (goal, "goal"))]
+    for R, name in zip(ends, ("start", "goal"), strict=True):
+        if R.shape != (3, 3) or not is_so(R):
+            raise ValueError(f"{name} must be a rotation matrix (3, 3)")
+
+    def ask(f, question):
+        A, B = (np.array(R) for R in question["ends"])
+        if quaternions:
+            A, B = matrix_to_quaternion(A), matrix_to_quaternion(B)
+        found = np.array([np.asarray(f(A.copy(), B.copy(), s), float) for s in np.linspace(0, 1, _SAMPLES)])
+        if found.shape[1:] != A.shape or not np.isfinite(found).all():
+            raise ValueError(f"the answer should be a finite array of shape {A.shape}; its shape is {found.shape[1:]}")
+        return {"value": (quaternion_to_matrix(found) if quaternions else found).tolist()}
+
+    alt = "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one that flies from the "
+    alt += "first orientation to the second, with the paths of its nose and of a wing tip."
+    model = {"figure": "fly", "title": "Two orientations and the motion between them"}
+    return Figure(model | {"ends": [R.tolist() for R in ends]}, alt, "Drag a nose or a wing tip, then fly.", ask)
+
+
+def table(lengths=(1, 1), at=(0.9, 0.7)):
+    """Return a figure for `alive`: a position to drag, f(position) answers with two joint angles.
+
+    The true arm is drawn beside it. For pages, f is asked beforehand at positions 0.1 of the reach apart.
+
+    Parameters
+    ----------
+    lengths : array_like, shape (2,)
+        Link lengths, in metres.
+    at : array_like, shape (2,)
+        The query at the start, in metres. f is called with such an array and returns angles (2,), or None.
+
+    Returns
+    -------
+    Figure
+    """
+    lengths, at = positive(lengths, "lengths"), real_array(at, "at", (2,))
+    if lengths.shape != (2,):
+        raise ValueError(f"lengths must be two link lengths; its shape is {lengths.shape}")
+    reach = lengths.sum()
+
+    def ask(f, question):
+        found = f(np.array(question["at"], float))
+        if found is None:
+            return {"value": []}
+        angles = np.asarray(found, float).ravel()
+        if angles.shape != (2,):
+            raise ValueError(f"the answer should be two joint angles; its shape is {np.shape(found)}")
+        return {"value": angles.tolist() if np.isfinite(angles).all() else []}
+
+    def stored(f):
+        grid = np.stack(np.meshgrid(*2 * [np.linspace(-reach, reach, 21)]), -1).reshape(-1, 2)
+        grid = grid[np.linalg.norm(grid, axis=-1) <= reach]
+        answers = Answers(f, ask)
+        given = [answers({"at": p})["value"] or [] for p in grid]
+        return {"at": grid.round(4).tolist(), "q": [[round(x, 5) for x in angles] for angles in given]}
+
+    model = {"figure": "table", "title": "A query and its answer", "lengths": lengths.tolist(), "at": at.tolist()}
+    alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
+    alt += "beside it, pale, the arm that reaches the position exactly."
+    return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
