@@ -3,6 +3,7 @@
 import pytest
 from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
+from playwright.sync_api import expect
 from site_notebooks import HELIX, PLOTLY, cell, output, write
 from site_visits import Visit
 
@@ -10,6 +11,7 @@ from course_lib.pack.site import build as builder
 
 CORE = "window.course = window.course || { kinds: {} }; window.course.twice = (x) => 2 * x;"
 COUNTER = """window.course.kinds["toy:counter"] = (live, meta) => {
+  if (window.fails) throw Error("not now");
   const button = document.createElement("button");
   const show = () => (button.textContent = `count ${window.course.twice(meta.count)}`);
   button.addEventListener("click", () => { meta.count += 1; show(); });
@@ -62,6 +64,28 @@ def test_a_figures_script_starts_when_it_is_near_and_stops_when_it_is_far(site, 
         loaded = [url.rsplit("/", 1)[1].split("?")[0] for url in visit.requests if url.split("?")[0].endswith(".js")]
         assert ("plotly.packed.js" in loaded) == (page == "01")
         assert loaded.index("core.js") < loaded.index("counter.js") < loaded.index("figures.js")
+        assert visit.complaints == []
+
+
+@pytest.mark.parametrize("page", ["01", "02"])
+def test_a_figure_that_failed_is_drawn_when_it_comes_near_again_and_a_resize_meanwhile_does_no_harm(
+    site, browser, page
+):
+    with Visit(browser, None, java_script_enabled=True) as visit:
+        visit.page.add_init_script("""window.fails = true;
+            const isFigure = ({ target }) => target.matches(".plotly-figure");
+            new MutationObserver((changes) => changes.some(isFigure) && dispatchEvent(new Event("resize")))
+              .observe(document, { subtree: true, attributeFilter: ["class"] });""")
+        visit.page.goto((site / f"{page}.html").as_uri())
+        first, last = (visit.page.locator(".plotly-figure").nth(i) for i in (0, 1))
+        first.scroll_into_view_if_needed()
+        visit.page.wait_for_function("performance.now() > 1500")
+        expect(first.locator(".plotly-words")).to_be_visible()
+        visit.page.evaluate("window.fails = false")
+        last.scroll_into_view_if_needed()
+        last.get_by_role("button", name="count").wait_for()
+        first.scroll_into_view_if_needed()
+        first.get_by_role("button", name="count").wait_for()
         assert visit.complaints == []
 
 

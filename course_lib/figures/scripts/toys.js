@@ -277,7 +277,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       },
       stop() { watch.disconnect(); box.remove(); },
     };
-    const watch = new ResizeObserver(() => box.clientWidth !== made.width && redraw());
+    const watch = new ResizeObserver(() => box.isConnected && box.clientWidth !== made.width && redraw());
     watch.observe(box);
     return made;
   }
@@ -483,7 +483,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       },
       end: ((end) => () => {
         const { context, width, height, dense } = made, at = M.add(centre, eye, FAR * radius);
-        S.draw(context, { width, height, dense, view: matrixOf(), eye: at, floor, meshes, lines });
+        S.draw(context, { width, height, dense, view: matrixOf(), eye: at, floor, meshes, lines }, redraw);
         end();
       })(made.end),
       handle: ((handle) => (own) => handle({ stride: fitted / 60, ...own }, toPixels, fromPixels, (p, [dx, dy]) =>
