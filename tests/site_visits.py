@@ -14,7 +14,7 @@ from site_notebooks import PLOTLY
 
 from course_lib.figures.display import TOY
 
-PATIENCE = 20_000  # milliseconds: a machine may be busy, and only what fails waits so long
+PATIENCE = 120_000  # milliseconds: a machine may be busy, and only what fails waits so long
 expect.set_options(timeout=PATIENCE)
 
 # The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).

@@ -92,16 +92,7 @@
     });
     const share = card.range("Along the motion", { min: 0, max: 1, step: 0.01, value: now.s },
       (x) => `${Math.round(100 * x)} %`, (x) => { now.s = x; draw(); });
-    let halt = null;
-    card.button("Fly", () => {
-      if (halt) halt();
-      now.s = 0;
-      halt = card.run(() => {
-        now.s = Math.min(1, now.s + 0.008);
-        share.set(now.s);
-        return now.s < 1;
-      }, draw);
-    });
+    card.player("Fly", share, 0.008);
     const numbers = card.numbers(), words = card.words();
     function paint() {
       const { answer } = state, [A, B] = now.ends, [a, b] = now.ends.map((R) => M.pose(R, [0, 0, 0]));
@@ -116,7 +107,7 @@
       const trail = (motion, colour, look) => [[0.85, 0, 0], [0, 0.8, 0]].forEach((tip) => view.line(Array.from(
         { length: 41 }, (_, k) => M.add(place(k / 40), M.apply(motion(k / 40), tip)),
       ), colour, 2, look));
-      if (theirs) trail(library, COLOURS.pale, { dash: [5, 5] });
+      if (theirs) trail(library, COLOURS.blue, { dash: [5, 5] });
       trail(at, COLOURS.crimson);
       view.end();
       const apart = (R, Q) => M.norm(M.rotationVector(M.times(M.transpose(R), Q)));
@@ -130,7 +121,7 @@
       words.textContent = said(answer, own, "Drag a nose or a wing tip; the library flies the shortest rotation.");
     }
     ask({ ends: now.ends });
-    return { paint, draw, stop: () => { if (halt) halt(); view.stop(); } };
+    return { paint, draw, stop: () => view.stop() };
   }
 
   // ---- a position, and the answer of a table beside the true arm ----
@@ -161,7 +152,7 @@
       plane.line(P.circle(reach), COLOURS.grey, 1);
       const turned = truth && q && q[1] < 0; // the other elbow
       const mirrored = turned ? [2 * Math.atan2(now.at[1], now.at[0]) - truth[0], -truth[1]] : truth;
-      if (mirrored) arm(mirrored, [COLOURS.pale, COLOURS.pale], 9);
+      if (mirrored) arm(mirrored, [COLOURS.blue, COLOURS.blue], 9);
       if (q) arm(q, [COLOURS.steel, COLOURS.link], 6);
       if (from !== now.at) plane.dot(from, COLOURS.crimson, 4, { hollow: true });
       if (q) plane.line([from, tip], COLOURS.crimson, 2);
@@ -170,8 +161,8 @@
       const degrees = (q) => (q ? `(${q.map((x) => P.degrees(x, 1)).join(", ")})` : "none: out of reach");
       numbers(`true: q = ${degrees(mirrored)}`, `answer: q = ${q ? degrees(q) : "none"}`);
       const off = q ? `The tip is ${mm(M.norm(M.add(tip, from, -1)))} from the query.` : "It gives no answer here.";
-      words.textContent = answer || !stored ? said(answer, off, "The pale arm is the true one. Drag the query.")
-        : `${off} The pale arm is the true one.`;
+      words.textContent = answer || !stored ? said(answer, off, "The blue arm is the true one. Drag the query.")
+        : `${off} The blue arm is the true one.`;
     }
     ask({ at: now.at });
     return { paint, draw, stop: () => plane.stop() };

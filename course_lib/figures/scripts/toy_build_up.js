@@ -110,6 +110,6 @@
       numbers([`<span style="${look}">${heads}${lines.join("")}</span>`], [upTo, P.matrix(T)]);
     }
     paint();
-    return () => { if (halt) halt(); view.stop(); card.end(); };
+    return () => { view.stop(); card.end(); };
   };
 })();

@@ -16,16 +16,7 @@
       (x) => `${Math.round(100 * x)} %`, (x) => (state.rate = x));
     const share = range("Time", { min: 0, max: 1, step: 0.005, value: state.s }, (x) => `${(x * total).toFixed(1)} s`,
       (x) => (state.s = x));
-    let halt = null;
-    card.button("Drive", () => {
-      if (halt) halt();
-      state.s = 0;
-      halt = card.run(() => {
-        state.s = Math.min(1, state.s + 0.006);
-        share.set(state.s);
-        return state.s < 1;
-      }, draw);
-    });
+    card.player("Drive", share, 0.006);
     const words = card.words();
     function paint() {
       const plan = meta.plan.map(([[vx, vy, omega], seconds]) => [[vx, vy, omega * state.rate], seconds]);
@@ -53,6 +44,6 @@
         + (off < meta.tolerance ? "Close enough to dock." : wanted);
     }
     paint();
-    return () => { if (halt) halt(); plane.stop(); card.end(); };
+    return () => { plane.stop(); card.end(); };
   };
 })();

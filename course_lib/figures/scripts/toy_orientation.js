@@ -140,14 +140,7 @@
     const options = { min: 0, max: 2, step: 0.02, value: state.time };
     const time = card.range("Step", options, write, (x) => { state.time = x; draw(); });
     angles(card, state, draw)("Both angles", "angle", 0, 180);
-    card.button("Play", () => {
-      state.time = 0;
-      card.run(() => {
-        state.time = Math.min(2, state.time + 0.015);
-        time.set(state.time);
-        return state.time < 2;
-      }, draw);
-    });
+    card.player("Play", time, 0.0075);
     const numbers = card.numbers();
     function paint() {
       const a = state.angle * rad, first = a * Math.min(1, state.time), second = a * Math.max(0, state.time - 1);

@@ -92,6 +92,6 @@
     }
     if (!state.errors.length) start(); // the first run
     paint();
-    return () => { stop(); chart.stop(); plane.stop(); card.end(); };
+    return () => { chart.stop(); plane.stop(); card.end(); };
   };
 })();

@@ -30,16 +30,7 @@
     });
     const share = card.range("Along the motion", { min: 0, max: 1, step: 0.01, value: state.s },
       (x) => `${Math.round(100 * x)} %`, (x) => { state.s = x; draw(); });
-    let halt = null;
-    card.button("Play", () => {
-      if (halt) halt();
-      state.s = 0;
-      halt = card.run(() => {
-        state.s = Math.min(1, state.s + 0.008);
-        share.set(state.s);
-        return state.s < 1;
-      }, draw);
-    });
+    card.player("Play", share, 0.008);
     const words = card.words();
 
     function paint() {
@@ -70,6 +61,6 @@
           + "its pole is infinitely far away.";
     }
     paint();
-    return () => { if (halt) halt(); plane.stop(); card.end(); };
+    return () => { plane.stop(); card.end(); };
   };
 })();

@@ -53,7 +53,7 @@ white-space:nowrap;text-shadow:0 0 3px var(--stage),0 0 3px var(--stage),0 0 2px
 .course-stage .handle{position:absolute;left:-22px;top:-22px;width:44px;height:44px;border-radius:50%;cursor:grab;
 touch-action:none;outline:none;background:radial-gradient(var(--stage) 6px,var(--colour) 6.5px 9px,transparent 9.5px)}
 .course-stage .handle.small{background:radial-gradient(var(--stage) 4px,var(--colour) 4.5px 6.5px,transparent 7px)}
-.course-stage .handle:focus-visible{box-shadow:inset 0 0 0 9px transparent,inset 0 0 0 12px var(--focus)}
+.course-stage .handle:focus-visible{box-shadow:inset 0 0 0 3px var(--focus)}
 .course-toy .setting{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}.course-toy .controls{margin-top:.5rem}
 .course-toy .setting label{flex:0 0 9.5em}.course-toy .setting input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
 .course-toy .setting output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
@@ -157,6 +157,19 @@ outline:3px solid var(--focus);outline-offset:-3px}
         };
         requestAnimationFrame(frame);
         return () => (loop.on = false);
+      },
+      // A button that moves a range, as a hand would, from its beginning to its end; with a share of it in a frame.
+      player(label, { input }, share) {
+        let halt = () => {};
+        this.button(label, () => {
+          const [low, high] = [Number(input.min), Number(input.max)];
+          let x = low;
+          halt();
+          halt = this.run(() => (x = Math.min(high, x + share * (high - low))) < high, () => {
+            input.value = x;
+            input.dispatchEvent(new Event("input"));
+          });
+        });
       },
       end() { loops.forEach((loop) => (loop.on = false)); root.remove(); },
     };

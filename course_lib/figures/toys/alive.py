@@ -170,5 +170,5 @@ def table(lengths=(1, 1), at=(0.9, 0.7)):
 
     model = {"figure": "table", "title": "A query and its answer", "lengths": lengths.tolist(), "at": at.tolist()}
     alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
-    alt += "beside it, pale, the arm that reaches the position exactly."
+    alt += "beside it, blue, the arm that reaches the position exactly."
     return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
