@@ -9,6 +9,7 @@ from pathlib import Path
 
 import matplotlib.image
 import nbformat
+import numpy as np
 import pytest
 from choreographer.browsers.chromium import Chromium
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
@@ -266,3 +267,18 @@ def test_the_file_keeps_its_permissions(write):
 def test_no_notebooks_is_no_error(capsys):
     assert notebooks.main([]) == 0
     assert "No notebooks" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("browser")
+def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_controls(tmp_path):
+    path = tmp_path / "toy.ipynb"
+    source = "from course_lib.figures import circles_toy\ncircles_toy()"
+    nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source, id="toy")]), path)
+    assert notebooks.refresh(path) == ", written"
+    toy, *_ = nbformat.read(path, as_version=4).cells[0].outputs
+    assert set(toy.data) == {notebooks.TOY, STILL, "text/plain"}
+    picture = matplotlib.image.imread(BytesIO(base64.b64decode(toy.data[STILL])))[..., :3]
+    assert picture.shape[1] == 720
+    assert 300 < picture.shape[0] < 700, "the sphere, not the sliders"
+    assert (np.ptp(picture, axis=-1) > 0.3).sum() > 1000, "the coloured circles"
+    assert notebooks.refresh(path) == ", unchanged"

@@ -28,7 +28,6 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 
 from course_lib.figures.display import PLOTLY, TOY, smaller_png
 from course_lib.pack.files import write_atomically
-from course_lib.pack.photograph import photograph
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
 STILL = "image/png"
@@ -262,6 +261,8 @@ async def _draw_stills(figures: list[Figure]) -> list[bytes]:
 async def _draw_still(browser, figure: Figure) -> bytes:
     course = figure.get("layout", {}).get("meta", {}).get("course", {})
     if course.get("plotly") is False:
+        from course_lib.pack.photograph import photograph  # which loads plotly
+
         return smaller_png(photograph(course))
     # Buttons and sliders that nobody can press do not belong in a picture; frames are not drawn at all.
     layout = {k: v for k, v in figure.get("layout", {}).items() if k not in ("updatemenus", "sliders")}
