@@ -72,6 +72,7 @@ border-width:0 1.5px;border-radius:.6em;font:13px/1.45 system-ui,sans-serif}
 outline:3px solid var(--focus);outline-offset:-3px}
 @media(max-width:480px){.course-toy .setting{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .setting label{flex:1 1 55%}
 .course-toy .setting input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}.course-toy .matrix{gap:0 .45em}}
+@media(max-width:360px){.course-toy .matrix{font-size:11px;gap:0 .3em;padding:.1em .3em}}
 @media print{.course-toy .controls{display:none}}`;
 
   function element(name, attributes, parent, text) {
