@@ -136,10 +136,7 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
   // Draw what a figure has listed, `fine` times as large, and copy it into the figure's canvas.
   function drawAt(context, { width, height, dense, view, eye, floor, meshes, lines }, fine) {
     const { body, line } = programs, [w, h] = [width, height].map((x) => fine * Math.round(x * dense));
-    if (canvas.width < w || canvas.height < h) { // it only grows
-      canvas.width = Math.max(canvas.width, w);
-      canvas.height = Math.max(canvas.height, h);
-    }
+    if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h]; // all of it is copied below
     gl.viewport(0, 0, w, h);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     const paint = ({ mesh, poses, palette, opacity, least = 0 }) => {
@@ -208,7 +205,7 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     });
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, w, h);
-    context.drawImage(canvas, 0, canvas.height - h, w, h, 0, 0, w / fine, h / fine);
+    context.drawImage(canvas, 0, 0, w / fine, h / fine);
   }
 
   // ---- simple bodies ----
