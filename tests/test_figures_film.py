@@ -13,6 +13,7 @@ from site_visits import Visit
 from course_lib import rigid
 from course_lib.arms import iiwa14
 from course_lib.figures import poe_kuka_iiwa
+from course_lib.trajectory import Trajectory
 
 ARM = iiwa14()
 TIMES = np.linspace(0, 2, 21)
@@ -24,7 +25,7 @@ Q = np.array([0.3, 0.5, 0, -1.3, 0, 0.9, 0]) + np.linspace(0, 1, 21)[:, None] * 
 
 @pytest.fixture(scope="module")
 def figure():
-    return stored(poe_kuka_iiwa.arm_movie("iiwa", ARM, Q, TIMES))
+    return stored(poe_kuka_iiwa.arm_movie(ARM, Trajectory(TIMES, Q, 0 * Q)))
 
 
 @pytest.fixture(scope="module")
