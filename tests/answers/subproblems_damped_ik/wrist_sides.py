@@ -7,8 +7,8 @@ from course_lib.rotations import rot_x, rot_y
 ex, ey, ez = np.eye(3)
 
 
-def right_without_the_factor(R, b):
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_x(b[1]) @ ey])
+def right_other_order(R, b):
+    return np.array([rot_y(-b[0]) @ R @ ey, rot_x(b[1]) @ rot_y(b[0]) @ ey])  # Ry(b1) e_y is e_y
 
 
 def right_multiplied_by_the_inverse(R, b):
@@ -22,41 +22,6 @@ def right_by_entries(R, b):
     return left, [0, np.cos(b[1]), np.sin(b[1])]
 
 
-def wrong_left_side_for_both(R, b):
-    """the left side is returned twice"""
-    left = rot_y(-b[0]) @ R @ ey
-    return left, left
-
-
-def wrong_undone_on_the_left(R, b):
-    """the left side is changed"""
-    return np.array([R @ ey, rot_y(b[0]) @ rot_x(b[1]) @ ey])
-
-
-def wrong_minus_on_both(R, b):
-    """wrong sign of an angle"""
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_y(-b[0]) @ rot_x(b[1]) @ ey])
-
-
-def wrong_minus_b2(R, b):
-    """wrong sign of an angle"""
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_x(-b[1]) @ ey])
-
-
-def wrong_ex(R, b):
-    """another vector"""
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_x(b[1]) @ ex])
-
-
 def wrong_difference(R, b):
     """another form"""
     return rot_y(-b[0]) @ R @ ey - rot_x(b[1]) @ ey
-
-
-def wrong_last_factor_kept_first(R, b):
-    """a factor too many"""
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_y(b[2]) @ rot_x(b[1]) @ ey])
-
-
-def right_other_order(R, b):
-    return np.array([rot_y(-b[0]) @ R @ ey, rot_x(b[1]) @ rot_y(b[0]) @ ey])  # Ry(b1) e_y is e_y

@@ -3,21 +3,21 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.exercises.subproblems_damped_ik.shared import same_list
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercises.subproblems_damped_ik.shared import same_list, unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     ELBOW,
     SHOULDER,
     WRIST,
+    add_nothing_found,
     arm_solutions,
+    bent,
     center_of,
     every_solution,
-    list_mistakes,
 )
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.vocabulary import Y, Z
 from course_lib.subproblems import subproblem2, subproblem3
-
-X, Y, Z = np.eye(3)
 
 
 def _cases(rng):
@@ -35,70 +35,15 @@ def _tell(q, center):
     return f"({', '.join(f'{a:.4g}' for a in q)}) brings the wrist center to {format_array(center_of(q), 4)}."
 
 
-def _with(bend, part, axes=(Y, Z), origin=SHOULDER):
-    """The angles of somebody who bends the elbow by bend(center) and rotates part(q3) onto center - origin."""
-
-    def answer(center):
-        found = []
-        for q3 in bend(center).theta:
-            pairs = subproblem2(*axes, part(q3), center - origin).theta
-            found += [(-b, a, q3) if axes[0] is Y else (a, -b, q3) for a, b in pairs]
-        return found
-
-    return answer
-
-
-def _distance(center):
-    return subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER))
-
-
-def _bent(q3):
-    c, s = np.cos(q3), np.sin(q3)
-    x, _, z = WRIST - ELBOW
-    return ELBOW - SHOULDER + [c * x + s * z, 0, c * z - s * x]
-
-
 EXERCISE = Exercise(
     name="arm_angles",
     points=3,
     arguments=("center",),
     cases=_cases,
-    returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
-    properties=every_solution(
-        "each triple brings the wrist center to `center`",
-        _misses,
-        _tell,
-        arm_solutions,
-    ),
-    mistakes=(
-        *list_mistakes(arm_solutions, _misses),
-        Mistake(
-            "the distance is measured from another point than the shoulder",
-            "Joints 1 and 2 leave the shoulder where it is, not the base.",
-            _with(lambda c: subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(c)), _bent),
-            _with(lambda c: subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(c)), _bent, origin=0),
-            _with(_distance, _bent, origin=0),
-            _with(lambda c: subproblem3(Y, WRIST - ELBOW, -ELBOW, np.linalg.norm(c)), _bent),
-            _with(lambda c: subproblem3(Y, WRIST, SHOULDER, np.linalg.norm(c - SHOULDER)), _bent),
-        ),
-        Mistake(
-            "the elbow is not bent when q1 and q2 are computed",
-            "The point that joints 1 and 2 rotate is where joint 3 has brought the wrist center.",
-            _with(_distance, lambda q3: WRIST - SHOULDER),
-        ),
-        Mistake(
-            "the two axes of subproblem 2 are swapped",
-            "p is rotated about the axis of joint 2 first, then about that of joint 1.",
-            _with(_distance, _bent, (Z, Y)),
-        ),
-        Mistake(
-            "the elbow is measured from the wrong end",
-            "Subproblem 3 wants both points from one origin, here the elbow: WRIST - ELBOW and SHOULDER - ELBOW.",
-            _with(lambda c: subproblem3(Y, WRIST - ELBOW, ELBOW - SHOULDER, np.linalg.norm(c - SHOULDER)), _bent),
-        ),
-    ),
+    returns=unless_empty(rows(3, "a list of triples (q1, q2, q3), empty if there is none"), arm_solutions),
     library=arm_solutions,
     alike=same_list,
+    properties=every_solution("each triple brings the wrist center to `center`", _misses, _tell, arm_solutions),
     hints=(
         "First q3 alone: joints 1 and 2 do not change how far the wrist center is from the shoulder. Joint 3 has to "
         "make that distance right: subproblem 3, with all points measured from the elbow, which lies on axis 3.",
@@ -109,3 +54,71 @@ EXERCISE = Exercise(
         "for q2, back in subproblem2(ey, ez, p, center - SHOULDER), with q1 = -back.",
     ),
 )
+
+add_nothing_found(EXERCISE, arm_solutions)
+
+
+def _distance(center):
+    return np.linalg.norm(center - SHOULDER)
+
+
+def _with(center, distance=_distance, elbow=(WRIST - ELBOW, SHOULDER - ELBOW), part=bent, axes=(Y, Z), origin=SHOULDER):
+    """The angles of somebody who puts other distances, points or axes into the two subproblems."""
+    if not arm_solutions(center):
+        return None
+    found = []
+    for q3 in subproblem3(Y, *elbow, distance(center)).theta:
+        pairs = subproblem2(*axes, part(q3), center - origin).theta
+        found += [(-b, a, q3) if axes[0] is Y else (a, -b, q3) for a, b in pairs]
+    return found
+
+
+@EXERCISE.mistake(joint=(0, 1, 2))
+def sign_of_one_angle(center, joint):
+    """one of the angles has the wrong sign. Which point does each angle of subproblem 2 rotate, and on which side of
+    the equation does R(z, q1) stand there?"""
+    found = np.array(arm_solutions(center))
+    found[:, joint] *= -1
+    return found
+
+
+@EXERCISE.mistake
+def first_two_swapped(center):
+    """q1 and q2 are swapped. About which of its axes does subproblem 2 return the angle first?"""
+    return np.array(arm_solutions(center))[:, [1, 0, 2]]
+
+
+_ORIGIN = np.zeros(3)
+
+
+@EXERCISE.mistake(
+    given=(
+        {"distance": np.linalg.norm},
+        {"origin": _ORIGIN},
+        {"distance": np.linalg.norm, "origin": _ORIGIN},
+        {"distance": np.linalg.norm, "elbow": (WRIST - ELBOW, -ELBOW)},
+    )
+)
+def measured_from_the_base(center, given):
+    """a distance or a point is measured from the base. Which point do joints 1 and 2 leave where it is?"""
+    return _with(center, **given)
+
+
+@EXERCISE.mistake
+def elbow_not_bent(center):
+    """the elbow is not bent when q1 and q2 are computed. Where has joint 3 brought the point that joints 1 and 2
+    rotate?"""
+    return _with(center, part=lambda q3: WRIST - SHOULDER)
+
+
+@EXERCISE.mistake
+def axes_swapped(center):
+    """the two axes of subproblem 2 are swapped. Which of joints 1 and 2 rotates p first?"""
+    return _with(center, axes=(Z, Y))
+
+
+@EXERCISE.mistake(elbow=((WRIST - ELBOW, ELBOW - SHOULDER), (WRIST, SHOULDER), (WRIST - SHOULDER, ELBOW - SHOULDER)))
+def elbow_not_the_origin(center, elbow):
+    """the points of subproblem 3 are not measured from the elbow. Its axis runs through the origin: which point lies
+    on axis 3?"""
+    return _with(center, elbow=elbow)

@@ -6,20 +6,21 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.exercises.subproblems_damped_ik.shared import changed, different, in_degrees, same_list
+from course_lib.checks.exercises.subproblems_damped_ik.shared import different, same_list
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import remembered
-from course_lib.rotations import rot_x, rot_y, rot_z
+from course_lib.rotations import rot_x, rot_y
 from course_lib.subproblems import euler_yxy
 
 _HALF = np.diag([1.0, -1.0, -1.0])  # rot_x(pi), exactly
-_HAIR = 2.0**-53
-_ROUNDED = np.array([[0, _HAIR, 0], [-_HAIR, 0, 2 * _HAIR], [0, -_HAIR, 0]])
+_ULP = 2.0**-53
+_ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
 
 _AT_THE_END = Mistake(
-    "R[1, 1] is a hair beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
-    "np.clip before arccos, or arctan2, which needs neither. For sin(b2) = 0 only b1 + b3 (or b1 - b3) is determined.",
+    "R[1, 1] is slightly beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
+    "Which function finds an angle from its sine and cosine, whatever they are? And which of b1 and b3 is determined "
+    "if sin(b2) = 0?",
 )
 
 
@@ -37,7 +38,7 @@ def _cases(rng):
         quadrants.append(_yxy(*np.where(far > 0, np.sign(turns) * (far - np.abs(turns)), turns)))
     a, b = some_angle(rng, 1), some_angle(rng, -1)
     ends = [np.eye(3), rot_y(a), rot_y(b - 2), _HALF, rot_y(a) @ _HALF, rot_y(b) @ _HALF]
-    ends += [rot_y(a) + np.diag([0, 2 * _HAIR, 0]), rot_y(b) + _ROUNDED, rot_y(a) @ _HALF - np.diag([0, 2 * _HAIR, 0])]
+    ends += [rot_y(a) + np.diag([0, 2 * _ULP, 0]), rot_y(b) + _ROUNDED, rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0])]
     close = [_yxy(a, 1e-3, b), _yxy(b, np.pi - 1e-3, a)]
     return [(R,) for R in named + quadrants + ends + close]
 
@@ -49,10 +50,6 @@ def _sine(R):
 
 def _end(R):
     return _sine(R) < 1e-9
-
-
-def _plain(R):
-    return _sine(R) > 1e-2
 
 
 def _misses(triple, R):
@@ -67,7 +64,7 @@ def _triples(value, R):
             raise Unreadable(str(wrong), _AT_THE_END) from None
         raise
     if len(found) == 0 and _end(R):
-        mistake = Mistake("nothing is found where sin(b2) = 0", "There one angle is free: take b1 = 0, say.")
+        mistake = Mistake("nothing is found where sin(b2) = 0", "One angle is free there: which value may it have?")
         raise Unreadable("there are triples for every R. Your list is empty.", mistake)
     return found
 
@@ -86,57 +83,18 @@ def _both(R):
     return euler_yxy(R).theta
 
 
-def _are_for(*products):
-    """Return whether all triples are right for one of these other products of rotations: the `seen` of a mistake."""
-
-    def seen(found, R):
-        return len(found) > 0 and any(
-            all(np.abs(product(*one) - R).max() < 1e-6 for one in found) for product in products
-        )
-
-    return seen
-
-
-def _second_made(*makings):
-    """The wrong answers in which one triple is right and the other is made of it by one of the makings."""
-    return [lambda R, f=making, i=i: [_both(R)[i], f(_both(R)[i])] for making in makings for i in (0, 1)]
-
-
-def _shifted(name, hint, *shifts):
-    """The mistake of which each triple can be corrected by one of the shifts, or is right."""
-
-    def seen(found, R):
-        return len(found) > 0 and all(
-            min(_misses(triple, R), *(_misses(shift(triple), R) for shift in shifts)) < 1e-6 for triple in found
-        )
-
-    return Mistake(name, hint, seen=seen)
-
-
-def _moved(sign, *halves):
-    """The change of a triple that gives b2 a sign and adds so many half turns to each angle."""
-    return lambda triple: triple * [1, sign, 1] + np.pi * np.array(halves)
-
-
-def _mixed(column):
-    """The triples with the angles of one column exchanged."""
-
-    def triples(R):
-        found = _both(R).copy()
-        found[:, column] = found[::-1, column]
-        return found
-
-    return triples
-
-
 EXERCISE = Exercise(
     name="euler_yxy",
     points=3,
     arguments=("R",),
     cases=_cases,
     returns=_triples,
+    library=_both,
+    alike=same_list,
     properties=(
-        Property("each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)", _rebuilt(1e-9), _off, where=_plain),
+        Property(
+            "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)", _rebuilt(1e-9), _off, where=lambda R: _sine(R) > 1e-2
+        ),
         Property(
             "each triple rebuilds R also where b2 is near 0 or near pi",
             _rebuilt(1e-7),
@@ -144,7 +102,7 @@ EXERCISE = Exercise(
             where=lambda R: 1e-9 < _sine(R) < 1e-2,
             mistake=Mistake(
                 "b2 near 0 or pi is treated as if it were 0 or pi",
-                "A sine of 0.001 still determines b1 and b3: the branch for sin(b2) = 0 needs a far smaller bound.",
+                "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of 0?",
             ),
         ),
         Property(
@@ -153,126 +111,23 @@ EXERCISE = Exercise(
             lambda found, R: f"Yours has {different(found) or 'none'}.",
             where=lambda R: not _end(R),
         ),
-        Property("there are two triples, no more", lambda found, R: len(found) <= 2),
         Property(
             "each triple rebuilds R also where sin(b2) is 0, to rounding",
             _rebuilt(1e-6),
             lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
             where=_end,
             mistake=Mistake(
-                "b1 and b3 are read off by themselves where sin(b2) = 0",
-                "At b2 = 0 only b1 + b3 counts, at b2 = pi only b1 - b3: take b1 = 0, and b3 from Rx(-b2) Ry(-b1) R, "
-                "which is Ry(b3). Compare sin(b2) with a small bound, not with 0: there is rounding.",
+                "b1 and b3 do not fit together where sin(b2) = 0",
+                "At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If you choose b1, what remains of R for b3? "
+                "And rounding may leave a tiny sine: how do you compare it with 0?",
             ),
+        ),
+        Property(
+            "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
+            lambda found, R: len(found) == 2,
+            lambda found, R: f"Yours has {len(found)}.",
         ),
     ),
-    mistakes=(
-        Mistake(
-            "only one triple is returned",
-            "(b1 + pi, -b2, b3 + pi) is another: subproblem 2 finds two pairs.",
-            seen=lambda found, R: different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found),
-        ),
-        Mistake(
-            "the angles of the two triples are combined in all ways",
-            "b1, b2 and b3 hang together: there are two triples, not more.",
-            seen=lambda found, R: different(found) > 2 and different([t for t in found if _misses(t, R) < 1e-6]) == 2,
-        ),
-        in_degrees(_misses),
-        Mistake(
-            "b1 has the other sign",
-            "Subproblem 2 gives the angle from R e_y back to Rx(b2) e_y: that is Ry(-b1), so b1 is the negative.",
-            changed(_both, lambda triple: triple * [-1, 1, 1]),
-        ),
-        Mistake(
-            "b3 has the other sign",
-            "Ry(b3) rotates e_x to the first column of Rx(-b2) Ry(-b1) R.",
-            changed(_both, lambda triple: triple * [1, 1, -1]),
-        ),
-        Mistake(
-            "b2 has the other sign for these b1 and b3",
-            "R[2, 1] = cos(b1) sin(b2): sin(b2) and b1 go together.",
-            changed(_both, lambda triple: triple * [1, -1, 1]),
-        ),
-        Mistake(
-            "b1 and b3 are swapped",
-            "Ry(b1) stands on the left: it is the last to rotate a vector.",
-            changed(_both, lambda triple: triple[::-1]),
-        ),
-        Mistake(
-            "the triples are those of R^T",
-            "R, not its transpose: R[row, column].",
-            changed(_both, lambda triple: -triple[::-1]),
-        ),
-        Mistake("all three angles have the other sign", "Ry(b) rotates z towards x.", changed(_both, np.negative)),
-        Mistake(
-            "the angles are those about x, y and x",
-            "R = Ry(b1) Rx(b2) Ry(b3): y first and last.",
-            seen=_are_for(lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_x(c)),
-        ),
-        Mistake(
-            "the angles are those about other axes",
-            "R = Ry(b1) Rx(b2) Ry(b3): about y, x and y again.",
-            seen=_are_for(
-                lambda a, b, c: rot_z(a) @ rot_x(b) @ rot_z(c),
-                lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_z(c),
-                lambda a, b, c: rot_y(a) @ rot_z(b) @ rot_y(c),
-                lambda a, b, c: rot_x(a) @ rot_z(b) @ rot_x(c),
-                lambda a, b, c: rot_y(a) @ rot_x(b) @ rot_z(c),
-                lambda a, b, c: rot_x(a) @ rot_y(b) @ rot_z(c),
-                lambda a, b, c: rot_z(a) @ rot_y(b) @ rot_x(c),
-            ),
-        ),
-        Mistake(
-            "the second triple is made by b2 + pi",
-            "That is another rotation. b2 changes its sign, b1 and b3 change by pi.",
-            *_second_made(
-                _moved(1, 0, 1, 0),
-                _moved(1, 1, 1, 1),
-                _moved(1, 1, 1, 0),
-                _moved(1, 0, 1, 1),
-            ),
-        ),
-        Mistake(
-            "the second triple is not made of the first as it should be",
-            "b2 changes its sign, and b1 and b3 each change by pi: (b1 + pi, -b2, b3 + pi).",
-            *_second_made(
-                lambda t: t * [1, -1, 1],
-                _moved(-1, 1, 0, 0),
-                _moved(-1, 0, 0, 1),
-                _moved(1, 1, 0, 1),
-                _moved(-1, 1, 1, 1),
-                lambda t: -t,
-                lambda t: [np.pi, 0, np.pi] - t,
-                lambda t: t[::-1],
-                lambda t: np.pi - t,
-            ),
-        ),
-        Mistake(
-            "angles of one triple stand in the other",
-            "Take all three angles of a triple from the same solution.",
-            _mixed(0),
-            _mixed(2),
-        ),
-        _shifted(
-            "b2 is wrong beyond 90 degrees: arcsin returns no such angle",
-            "cos(b2) = R[1, 1] distinguishes b2 from pi - b2: use arctan2, or arccos.",
-            _moved(-1, 0, 1, 0),
-        ),
-        _shifted(
-            "b1 or b3 is off by pi",
-            "np.arctan looks at one quotient only, np.arctan2(R[0, 1], R[2, 1]) at both signs. Is each sign right?",
-            _moved(1, 1, 0, 0),
-            _moved(1, 0, 0, 1),
-            _moved(1, 1, 0, 1),
-        ),
-        Mistake(
-            "cosine and sine are swapped in b2",
-            "R[1, 1] = cos(b2).",
-            changed(_both, lambda triple: triple * [1, -1, 1] + [0, np.pi / 2, 0]),
-        ),
-    ),
-    alike=same_list,
-    library=_both,
     hints=(
         "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is subproblem 2.",
         "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) Ry(-b1) R: "
@@ -283,3 +138,91 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
 )
+
+
+def _alone(found, R):
+    return different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
+
+
+@EXERCISE.mistake(seen=_alone)
+def one_only(R):
+    """only one triple is returned. Subproblem 2 finds two pairs: what does the other triple look like?"""
+    return _both(R)[:1]
+
+
+@EXERCISE.mistake(signs=([-1, 1, 1], [1, 1, -1], [1, -1, 1]))
+def sign_of_one_angle(R, signs):
+    """one angle of each triple has the other sign. Rebuild R from a triple: with which sign do b1, b2 and b3 give it?
+    And does subproblem 2 find b1, or the rotation back?"""
+    return _both(R) * signs
+
+
+@EXERCISE.mistake
+def first_and_last_swapped(R):
+    """b1 and b3 are swapped. Which of Ry(b1) and Ry(b3) is the last to rotate a vector?"""
+    return _both(R)[:, ::-1]
+
+
+_TO_X_Y_X = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])
+_TO_Z_X_Z = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+_TO_Z_Y_Z = np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])
+
+
+@EXERCISE.mistake(P=(_TO_X_Y_X, _TO_Z_X_Z, _TO_Z_Y_Z, _TO_Z_Y_Z.T))
+def other_axes(R, P):
+    """the angles are those about other axes. About which axes are the first, the second and the last rotation?"""
+    turned = P @ R @ P.T
+    return None if _sine(turned) < 1e-2 or _end(R) else _both(turned)
+
+
+def _moved(sign, *halves):
+    """The change of a triple that gives b2 a sign and adds so many half turns to each angle."""
+    return lambda triple: triple * [1, sign, 1] + np.pi * np.array(halves)
+
+
+@EXERCISE.mistake(
+    first=(0, 1),
+    change=(
+        *(_moved(1, *halves) for halves in ((0, 1, 0), (1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1))),
+        *(_moved(-1, *halves) for halves in ((0, 0, 0), (1, 0, 0), (0, 0, 1), (1, 1, 1))),
+        np.negative,
+        lambda triple: np.pi - triple,
+        lambda triple: triple[::-1],
+    ),
+)
+def second_from_the_first(R, first, change):
+    """the second triple is not made of the first as it should be. Which angles change by pi if b2 changes its sign?
+    Rebuild R from both."""
+    triple = _both(R)[first]
+    return None if _end(R) else [triple, change(triple)]
+
+
+@EXERCISE.mistake(column=(0, 2))
+def mixed(R, column):
+    """angles of one triple stand in the other. Do all three angles of each triple belong to the same solution?"""
+    found = _both(R).copy()
+    found[:, column] = found[::-1, column]
+    return None if _end(R) else found
+
+
+@EXERCISE.mistake
+def arcsin(R):
+    """b2 is wrong beyond 90 degrees. arcsin gives the same angle for b2 and pi - b2. Which entry of R tells them
+    apart?"""
+    found = _both(R).copy()
+    found[:, 1] = np.arcsin(np.sin(found[:, 1]))
+    return None if _end(R) else found
+
+
+def _within_pi(found, R):
+    """Return whether some triple is wrong, and each is right up to half a revolution of b1, b3 or both."""
+    shifts = np.pi * np.array([[1, 0, 0], [0, 0, 1], [1, 0, 1]])
+    wrong = [triple for triple in found if _misses(triple, R) > 1e-6]
+    return len(wrong) > 0 and all(min(_misses(triple + shift, R) for shift in shifts) < 1e-6 for triple in wrong)
+
+
+@EXERCISE.mistake(seen=_within_pi)
+def arctan(R):
+    """b1 or b3 is off by pi. np.arctan looks at one quotient only, np.arctan2 at two signs: does your function see
+    them, and is each sign right?"""
+    return np.arctan(np.tan(_both(R))) * [1, 0, 1] + _both(R) * [0, 1, 0]

@@ -31,42 +31,9 @@ def _close(X, b):
 
 
 def _product(X, b):
+    if not np.isfinite(X).all():
+        return "Yours holds nan or inf."
     return f"With yours A times it is {format_array(rates(b) @ X, 3)}."
-
-
-def _by_formula(first, third):
-    """A prediction: the formula of the inverse with first(b2) and third(b2) for the 1/sin b2 in rows 1 and 3."""
-
-    def prediction(b):
-        c1, s1, c2 = np.cos(b[0]), np.sin(b[0]), np.cos(b[1])
-        f, g = first(b[1]), third(b[1])
-        return np.array([[-s1 * c2 * f, 1, -c1 * c2 * f], [c1, 0, -s1], [s1 * g, 0, c1 * g]])
-
-    return prediction
-
-
-def _cosecant(b2):
-    return 1 / np.sin(b2)
-
-
-def _minus(b2):
-    return -1 / np.sin(b2)
-
-
-def _reciprocals(b):
-    A = rates(b)
-    return np.divide(1, A, out=np.full((3, 3), np.inf), where=A != 0)
-
-
-def _with_first(quotient):
-    """A prediction: the inverse with quotient(b2) for cos b2 / sin b2 in row 1."""
-
-    def prediction(b):
-        exact = _right(b)
-        exact[0, [0, 2]] = -quotient(b[1]) * np.array([np.sin(b[0]), np.cos(b[0])])
-        return exact
-
-    return prediction
 
 
 EXERCISE = Exercise(
@@ -74,7 +41,8 @@ EXERCISE = Exercise(
     points=2,
     arguments=("b",),
     cases=_cases,
-    returns=numbers(lambda b: (3, 3)),
+    returns=numbers(lambda b: (3, 3), gaps=True),
+    library=_right,
     properties=(
         Property(
             "A times the answer is the identity, with the matrix A of omega = A b'",
@@ -89,81 +57,10 @@ EXERCISE = Exercise(
             where=_near_the_end,
             mistake=Mistake(
                 "a small sin b2 is treated as if it were zero",
-                "0.001 is no zero: A still has an inverse, with large entries. Nothing need be added or cut off.",
+                "Does A have an inverse if sin b2 is 0.001, and how large are its entries?",
             ),
         ),
     ),
-    mistakes=(
-        Mistake(
-            "A is transposed rather than inverted",
-            "Only for rotations is the transpose the inverse. The columns of A are unit vectors, but the first and "
-            "the third do not stand at a right angle.",
-            lambda b: rates(b).T,
-        ),
-        Mistake("A itself is returned", "From omega back to the rates: A^-1.", rates),
-        Mistake(
-            "each entry is inverted by itself",
-            "The inverse of a matrix is another matrix than that of the reciprocals 1 / A.",
-            _reciprocals,
-        ),
-        Mistake(
-            "the division by sin b2 is missing",
-            "A^-1 = adj(A) / det A, and det A = -sin b2.",
-            _by_formula(np.ones_like, np.ones_like),
-            _by_formula(np.ones_like, _cosecant),
-            _by_formula(_cosecant, np.ones_like),
-            lambda b: -np.sin(b[1]) * _right(b),
-            lambda b: np.sin(b[1]) * _right(b),
-        ),
-        Mistake(
-            "sin b2 is multiplied by, not divided by",
-            "A^-1 = adj(A) / det A, and det A = -sin b2.",
-            _by_formula(np.sin, np.sin),
-            lambda b: np.sin(b[1]) ** 2 * _right(b),
-        ),
-        Mistake("the whole inverse has the wrong sign", "det A is -sin b2, not sin b2.", lambda b: -_right(b)),
-        Mistake(
-            "the sign of sin b2 is lost",
-            "For a negative b2 the determinant -sin b2 is positive.",
-            _by_formula(lambda b2: abs(_cosecant(b2)), lambda b2: abs(_cosecant(b2))),
-            lambda b: np.sign(np.sin(b[1])) * _right(b),
-            lambda b: -np.sign(np.sin(b[1])) * _right(b),
-        ),
-        Mistake(
-            "the inverse is transposed",
-            "The adjugate is the transpose of the matrix of cofactors.",
-            lambda b: _right(b).T,
-        ),
-        Mistake(
-            "1/sin b2 has the wrong sign in row 1 or row 3",
-            "A times your answer is to be the identity: try it with numbers.",
-            _by_formula(_minus, _cosecant),
-            _by_formula(_cosecant, _minus),
-            _by_formula(_minus, _minus),
-        ),
-        Mistake(
-            "Ry(b1) is on the wrong side, or is not inverted",
-            "(Ry(b1) B)^-1 = B^-1 Ry(-b1): the factors change places, and each is inverted.",
-            lambda b: rot_y(-b[0]) @ _right(b * [0, 1, 1]),
-            lambda b: rot_y(b[0]) @ _right(b * [0, 1, 1]),
-            lambda b: _right(b * [0, 1, 1]) @ rot_y(b[0]),
-            lambda b: _right(b * [0, 1, 1]),
-        ),
-        Mistake(
-            "cos b2 / sin b2 is missing in row 1, or upside down",
-            "From omega, b3' is read off first. Then b1' = (second number of Ry(-b1) omega) - cos(b2) b3'.",
-            _with_first(lambda b2: 0.0),
-            _with_first(np.tan),
-            _with_first(lambda b2: 1.0),
-            _with_first(lambda b2: 1 / np.sin(b2)),
-        ),
-        Mistake(
-            "the inverse is damped",
-            "Where sin b2 is not 0 there is an inverse: nothing need be added to the matrix.",
-            *(lambda b, e=e: np.linalg.solve(rates(b).T @ rates(b) + e * np.eye(3), rates(b).T) for e in (1e-6, 0.01)),
-        ),
-    ),
-    library=_right,
     hints=(
         "Take Ry(b1) out: A = Ry(b1) [e_y, e_x, Rx(b2) e_y]. On the right, two columns hold zeros and ones only.",
         "Solve [e_y, e_x, Rx(b2) e_y] x = u entry by entry: first x3, from the entry with sin b2. Then "
@@ -173,3 +70,85 @@ EXERCISE = Exercise(
     ),
     forbidden=tuple(f"numpy.linalg.{name}" for name in ("inv", "pinv", "solve", "lstsq")),
 )
+
+
+@EXERCISE.mistake
+def transposed_not_inverted(b):
+    """A is transposed rather than inverted. For which matrices is the transpose the inverse? Are the columns of A
+    perpendicular to each other?"""
+    return rates(b).T
+
+
+def _same_sizes(X, predicted, b):
+    return np.allclose(np.abs(X), predicted, equal_nan=True)
+
+
+@EXERCISE.mistake(alike=_same_sizes)
+def each_entry_inverted(b):
+    """each entry is inverted by itself. numpy's ** and / work entry by entry. Is that the inverse of a matrix?"""
+    return 1 / np.abs(rates(b))
+
+
+def _by_formula(b, first, third):
+    """The closed form with first(sin b2) and third(sin b2) for the 1 / sin b2 in rows 1 and 3."""
+    (c1, c2, _), (s1, s2, _) = np.cos(b), np.sin(b)
+    f, g = first(s2), third(s2)
+    return np.array([[-s1 * c2 * f, 1, -c1 * c2 * f], [c1, 0, -s1], [s1 * g, 0, c1 * g]])
+
+
+@EXERCISE.mistake(
+    form=(
+        lambda b: _by_formula(b, np.ones_like, np.ones_like),
+        lambda b: _by_formula(b, np.ones_like, np.reciprocal),
+        lambda b: _by_formula(b, np.reciprocal, np.ones_like),
+        lambda b: _by_formula(b, lambda s: s, lambda s: s),
+        lambda b: -np.sin(b[1]) * _right(b),
+        lambda b: np.sin(b[1]) * _right(b),
+        lambda b: np.sin(b[1]) ** 2 * _right(b),
+    )
+)
+def not_divided(b, form):
+    """the division by sin b2 is missing, or is a product. What is det A, and what does an inverse contain of it?"""
+    return form(b)
+
+
+@EXERCISE.mistake(
+    form=(
+        lambda b: _by_formula(b, lambda s: 1 / abs(s), lambda s: 1 / abs(s)),
+        lambda b: np.sign(np.sin(b[1])) * _right(b),
+        lambda b: -np.sign(np.sin(b[1])) * _right(b),
+    )
+)
+def sign_of_sine_lost(b, form):
+    """the sign of sin b2 is lost. What is the sign of the determinant for a negative b2?"""
+    return form(b)
+
+
+@EXERCISE.mistake(signs=((-1, 1), (1, -1), (-1, -1)))
+def sign_of_a_row(b, signs):
+    """1 / sin b2 has the wrong sign in row 1 or row 3. Which entries of A times your answer are not those of the
+    identity?"""
+    return _by_formula(b, lambda s: signs[0] / s, lambda s: signs[1] / s)
+
+
+@EXERCISE.mistake(
+    product=(
+        lambda R, B: R.T @ B,
+        lambda R, B: R @ B,
+        lambda R, B: B @ R,
+        lambda R, B: B,
+    )
+)
+def first_rotation_wrong(b, product):
+    """Ry(b1) is on the wrong side, is not inverted, or is left out. What is the inverse of a product of two
+    matrices?"""
+    return product(rot_y(b[0]), _right(b * [0, 1, 1]))
+
+
+@EXERCISE.mistake(quotient=(lambda c, s: 0, lambda c, s: s / c, lambda c, s: 1, lambda c, s: 1 / s))
+def row_1_wrong(b, quotient):
+    """row 1 has another factor than cos b2 / sin b2. If b3' is known, how does omega depend on b1', with b3' taken
+    out?"""
+    exact = _right(b)
+    exact[0, [0, 2]] = -quotient(np.cos(b[1]), np.sin(b[1])) * np.array([np.sin(b[0]), np.cos(b[0])])
+    return exact

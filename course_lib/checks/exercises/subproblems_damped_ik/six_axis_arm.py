@@ -4,49 +4,48 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.exercises.subproblems_damped_ik.shared import changed, different, in_degrees, once_a_case
+from course_lib.checks.exercises.subproblems_damped_ik.shared import different
+from course_lib.checks.vocabulary import X, Y, Z, remembered
 from course_lib.rigid import inverse, transform
-from course_lib.rotations import exp_so3, rot_y, rot_z
+from course_lib.rotations import rot_y, rot_z
 from course_lib.subproblems import euler_yxy, subproblem2, subproblem3
 
-X, Y, Z = np.eye(3)
 SHOULDER, ELBOW, WRIST = np.array([0, 0, 0.29]), np.array([0, 0, 0.56]), np.array([0.302, 0, 0.63])
 HOME = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
 ARM = SerialArm.from_screws([Z, Y, Y, X, Y, X], [0 * Z, SHOULDER, ELBOW, WRIST, WRIST, WRIST], HOME)
-_SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
+SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
+
+
+def bent(q3):
+    """Return where the wrist center is, seen from the shoulder, if only joint 3 has moved."""
+    return ELBOW - SHOULDER + rot_y(q3) @ (WRIST - ELBOW)
 
 
 def center_of(q):
     """Return where the first three joints bring the wrist center."""
-    return rot_z(q[0]) @ (SHOULDER + rot_y(q[1]) @ (ELBOW - SHOULDER + rot_y(q[2]) @ (WRIST - ELBOW)))
+    return rot_z(q[0]) @ (SHOULDER + rot_y(q[1]) @ bent(q[2]))
 
 
+@remembered
 def arm_solutions(center):
     """Return all (q1, q2, q3) that bring the wrist center there: four, or none."""
-    bent = subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER))
+    elbow = subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER))
     found = []
-    for q3 in bent.theta if bent.exact else []:
-        p = ELBOW - SHOULDER + exp_so3(q3 * Y) @ (WRIST - ELBOW)
-        reached = subproblem2(Y, Z, p, center - SHOULDER)
+    for q3 in elbow.theta if elbow.exact else []:
+        reached = subproblem2(Y, Z, bent(q3), center - SHOULDER)
         found += [(-back, q2, q3) for q2, back in reached.theta] if reached.exact else []
     return found
 
 
+@remembered
 def all_solutions(T):
     """Return all joint angles that bring the flange to T: eight, or none."""
     moved = T @ inverse(HOME)
     found = []
     for q in arm_solutions(moved[:3, :3] @ WRIST + moved[:3, 3]):
         rest = (rot_z(q[0]) @ rot_y(q[1] + q[2])).T @ moved[:3, :3]
-        found += [(*q, *b) for b in euler_yxy(_SWAP @ rest @ _SWAP.T).theta]
+        found += [(*q, *b) for b in euler_yxy(SWAP @ rest @ SWAP.T).theta]
     return found
-
-
-NOTHING_FOUND = Mistake(
-    "the list is empty although there are solutions",
-    "Print what each subproblem is given and what it returns: where does the first empty list come from?",
-    lambda *case: [],
-)
 
 
 def every_solution(equation, misses, tell, solutions):
@@ -55,7 +54,6 @@ def every_solution(equation, misses, tell, solutions):
     equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in words.
     solutions(*arguments): the right list.
     """
-    solutions = once_a_case(solutions)
     return (
         Property(
             equation,
@@ -70,7 +68,7 @@ def every_solution(equation, misses, tell, solutions):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "solutions are missing",
-                "Each subproblem has up to two answers, and each of them goes on by itself: a loop in a loop.",
+                "Each subproblem has up to two answers. Does your function go on with each of them?",
             ),
         ),
         Property(
@@ -83,34 +81,18 @@ def every_solution(equation, misses, tell, solutions):
             "the list is empty if the target is out of reach",
             lambda found, *case: len(found) == 0,
             where=lambda *case: len(solutions(*case)) == 0,
-            mistake=Mistake("joint angles are returned for a target out of reach", "subproblem3 then has no solution."),
+            mistake=Mistake(
+                "joint angles are returned for a target out of reach", "Which of the subproblems has no solution then?"
+            ),
         ),
     )
 
 
-def list_mistakes(solutions, misses):
-    """Return the mistakes that lists of joint angles have in common."""
-    return (
-        NOTHING_FOUND,
-        in_degrees(misses),
-        Mistake(
-            "q1 has the wrong sign",
-            "In R(y, q2) p = R(z, -q1) (center - shoulder), the second angle of subproblem 2 is -q1.",
-            changed(solutions, lambda q: q * np.where(np.arange(len(q)) == 0, -1, 1)),
-        ),
-        Mistake(
-            "q2 has the wrong sign",
-            "In which direction does the first angle of subproblem 2 rotate, and which point?",
-            changed(solutions, lambda q: q * np.where(np.arange(len(q)) == 1, -1, 1)),
-        ),
-        Mistake(
-            "q3 has the wrong sign",
-            "subproblem3 rotates its first point: wrist minus elbow.",
-            changed(solutions, lambda q: q * np.where(np.arange(len(q)) == 2, -1, 1)),
-        ),
-        Mistake(
-            "q1 and q2 are swapped",
-            "subproblem2(k1, k2, ...) returns the angle about k1 first.",
-            changed(solutions, lambda q: q[[1, 0, *range(2, len(q))]]),
-        ),
-    )
+def add_nothing_found(exercise, solutions):
+    """Add the mistake of a list that is empty although there are solutions."""
+
+    @exercise.mistake
+    def nothing_found(*case):
+        """the list is empty although there are solutions. Print what each subproblem is given and what it returns:
+        where does the first empty list come from?"""
+        return [] if solutions(*case) else None

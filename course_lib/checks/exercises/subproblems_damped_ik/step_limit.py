@@ -2,28 +2,21 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import doubled, few_digits, halved, near
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.subproblems_damped_ik.shared import single
+from course_lib.checks.vocabulary import near
 
 
 def _by(limit):
     return lambda J, eps: limit(np.linalg.svd(J, compute_uv=False), eps)
 
 
-right = _by(lambda s, eps: 2 * (1 + eps / s[0] ** 2))
+_right = _by(lambda s, eps: 2 * (1 + eps / s[0] ** 2))
 
 
 def _cases(rng):
     plain = [(np.diag([2.0, 1.0]), 1.0), (np.array([[0.0, -1, -1, -1], [4, 3, 2, 1]]), 3.0)]
     return plain + [(rng.normal(size=shape), eps) for shape, eps in (((2, 4), 2.0), ((2, 4), 50.0), ((3, 6), 0.01))]
-
-
-def _number(value, *case):
-    """Return one number, which may stand in an array or list of one."""
-    one = value if isinstance(value, np.ndarray) else value[0] if isinstance(value, list) and len(value) == 1 else value
-    one = one.reshape(()) if isinstance(one, np.ndarray) and one.size == 1 else one
-    return float(numbers(lambda *case: ())(one, *case))
 
 
 def _factor(limit, J, eps):
@@ -37,49 +30,14 @@ EXERCISE = Exercise(
     points=1,
     arguments=("J", "eps"),
     cases=_cases,
-    returns=_number,
+    returns=lambda value, *case: single(value, "one number"),
+    library=_right,
+    broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),
     properties=(
         Property(
             "at the limit the largest factor is -1, and no factor is below it",
-            lambda limit, *case: near(limit, right(*case)),
+            lambda limit, *case: near(limit, _right(*case)),
             _factor,
-        ),
-    ),
-    mistakes=(
-        few_digits(right),
-        doubled(right),
-        halved(right),
-        Mistake(
-            "another singular value than the largest decides",
-            "The factor must stay above -1 in every direction. In which direction does it reach -1 first?",
-            _by(lambda s, eps: 2 * (1 + eps / s[1] ** 2)),
-            _by(lambda s, eps: 2 * (1 + eps / np.mean(s) ** 2)),
-            _by(lambda s, eps: 2 * (1 + eps / np.prod(s))),
-            _by(lambda s, eps: 2 * (1 + eps / np.sum(s**2))),
-        ),
-        Mistake(
-            "s is not squared, or eps is",
-            "Compare with the factor of a step: s^2 / (s^2 + eps).",
-            _by(lambda s, eps: 2 * (1 + eps / s[0])),
-            _by(lambda s, eps: 2 * (1 + eps / s[-1])),
-            _by(lambda s, eps: 2 * (1 + (eps / s[0]) ** 2)),
-        ),
-        Mistake(
-            "s is squared twice",
-            "The eigenvalues of J J^T are the s^2 already.",
-            _by(lambda s, eps: 2 * (1 + eps / s[0] ** 4)),
-        ),
-        Mistake(
-            "eps and s are swapped",
-            "A larger damping allows larger steps.",
-            _by(lambda s, eps: 2 * (1 + s[0] ** 2 / eps)),
-            _by(lambda s, eps: 2 / (1 + eps / s[0] ** 2)),
-        ),
-        Mistake(
-            "the limit without damping is returned",
-            "eps in the denominator makes each step shorter, and so allows a larger alpha.",
-            lambda J, eps: 2.0,
-            _by(lambda s, eps: 2 / s[0] ** 2),
         ),
     ),
     hints=(
@@ -87,6 +45,37 @@ EXERCISE = Exercise(
         "The factor has to lie between -1 and 1 in every direction: the strictest direction decides.",
         "numpy sorts singular values from the largest to the smallest: the largest one is number 0.",
     ),
-    library=right,
-    broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),
 )
+
+
+@EXERCISE.mistake(square=(lambda s: s[1] ** 2, lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2)))
+def another_singular_value(J, eps, square):
+    """another singular value than the largest decides. The factor must stay above -1 in every direction: in which
+    direction does it reach -1 first?"""
+    return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
+
+
+@EXERCISE.mistake(
+    share=(
+        lambda s, eps: eps / s[0],
+        lambda s, eps: eps / s[-1],
+        lambda s, eps: (eps / s[0]) ** 2,
+        lambda s, eps: eps / s[0] ** 4,
+    )
+)
+def power_wrong(J, eps, share):
+    """s or eps stands in a wrong power. Compare with the factor of a step, and ask whether you have s or its square:
+    what are the eigenvalues of J J^T?"""
+    return _by(lambda s, eps: 2 * (1 + share(s, eps)))(J, eps)
+
+
+@EXERCISE.mistake(limit=(lambda s, eps: 2 * (1 + s[0] ** 2 / eps), lambda s, eps: 2 / (1 + eps / s[0] ** 2)))
+def fraction_upside_down(J, eps, limit):
+    """a fraction is upside down. Does a larger damping allow larger steps, or only smaller ones?"""
+    return _by(limit)(J, eps)
+
+
+@EXERCISE.mistake(limit=(lambda s, eps: 2.0, lambda s, eps: 2 / s[0] ** 2))
+def without_damping(J, eps, limit):
+    """the limit without damping is returned. eps makes each step shorter: what does this mean for alpha?"""
+    return _by(limit)(J, eps)

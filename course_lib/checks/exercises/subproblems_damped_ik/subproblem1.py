@@ -2,28 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
+from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.exercises.subproblems_damped_ik.shared import FINE, across, angle_about, by_arctan, near, rotated
+from course_lib.checks.exercises.subproblems_damped_ik.shared import FINE, across, angle_about, near, rotated, single
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import unit
+from course_lib.checks.vocabulary import X, Y, Z, unit
 from course_lib.subproblems import subproblem1
-
-X, Y, Z = np.eye(3)
-
-_ON_AXIS = Mistake(
-    "the length of the part perpendicular to the axis is divided by: it is 0 for a point on the axis",
-    "arctan2(sine, cosine) needs no division, and gives 0 for arctan2(0, 0).",
-)
-_ABOVE_ONE = Mistake(
-    "arccos is asked for a number above 1, or the root for a negative one",
-    "The cosine of an angle is at most 1, and rounding makes it larger if p and g point the same way. "
-    "arctan2(sine, cosine) takes any numbers.",
-)
-_NO_ANSWER = Mistake(
-    "nothing is returned where no angle brings p to g",
-    "Return the angle that brings p nearest to g: the formula gives it without a further case.",
-)
 
 
 def some_angle(rng, sign):
@@ -56,61 +40,35 @@ def _free(k, p, g):
     return not across(k, p).any() or not across(k, g).any()
 
 
-def _meant(k, p, g):
-    return not _free(k, p, g)
+def _off(theta, k, p, g):
+    """Return the vector from where p should end to where it ends."""
+    return rotated(k, theta, p) - rotated(k, angle_about(k, p, g), p)
 
 
 def _reached(k, p, g):
-    return _meant(k, p, g) and np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g) < FINE
+    return not _free(k, p, g) and np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g) < FINE
 
 
 def _nearest(k, p, g):
-    return _meant(k, p, g) and not _reached(k, p, g)
+    return not _free(k, p, g) and not _reached(k, p, g)
 
 
 def _right(theta, k, p, g):
-    """Return whether R(k, theta) p ends where it should, as a share of its distance from the axis."""
-    off = rotated(k, theta, p) - rotated(k, angle_about(k, p, g), p)
-    return np.linalg.norm(off) < FINE * np.linalg.norm(across(k, p))
+    return np.linalg.norm(_off(theta, k, p, g)) < FINE * np.linalg.norm(across(k, p))
 
 
 def _angle(theta, k, p, g):
     try:
-        found = rows(1, "one angle, a number")(theta)
+        return single(theta, "one angle, a number")
     except Unreadable as wrong:
-        if wrong.mistake is not NOT_A_NUMBER:
-            raise
-        if not _reached(k, p, g):
+        if wrong.mistake is NOT_A_NUMBER and not _reached(k, p, g):
             return np.nan  # a wrong formula in the ordinary cases says more
-        raise Unreadable(str(wrong), _ABOVE_ONE) from None
-    if len(found) != 1:
-        raise Unreadable(f"the answer is one angle, a number. Yours has {len(found)} numbers.", OTHER_FORM)
-    return found[0]
+        raise
 
 
 def _same(theta, predicted, k, p, g):
     """Return whether two answers are the same angle; where every angle is right, any number is."""
-    return bool(near(theta, predicted)) if _meant(k, p, g) else bool(np.isfinite(theta))
-
-
-def _cosine(k, p, g):
-    """Of the angle between the parts perpendicular to the axis."""
-    a, b = across(k, p), across(k, g)
-    return np.clip(a @ b / np.linalg.norm(a) / np.linalg.norm(b), -1, 1)
-
-
-def _sine(k, p, g):
-    return k @ np.cross(p, g) / np.linalg.norm(across(k, p)) / np.linalg.norm(across(k, g))
-
-
-def _part(a, b):
-    """The cosine of the angle between two vectors."""
-    return a @ b / np.linalg.norm(a) / np.linalg.norm(b)
-
-
-def _between(p, g):
-    """The angle between two vectors, 0 to pi."""
-    return np.arctan2(np.linalg.norm(np.cross(p, g)), p @ g)
+    return bool(np.isfinite(theta)) if _free(k, p, g) else bool(near(theta, predicted))
 
 
 EXERCISE = Exercise(
@@ -119,6 +77,8 @@ EXERCISE = Exercise(
     arguments=("k", "p", "g"),
     cases=_cases,
     returns=_angle,
+    library=lambda k, p, g: subproblem1(k, p, g).theta,
+    alike=_same,
     properties=(
         Property(
             "R(k, theta) p = g",
@@ -132,7 +92,7 @@ EXERCISE = Exercise(
             "the answer is a number, also if no angle brings p to g",
             lambda theta, *case: np.isfinite(theta),
             where=_nearest,
-            mistake=_NO_ANSWER,
+            mistake=Mistake("nothing is returned where no angle brings p to g", "Which angle brings p nearest to g?"),
         ),
         Property(
             "if no angle brings p to g, R(k, theta) p is as near to g as possible",
@@ -147,98 +107,12 @@ EXERCISE = Exercise(
             "the answer is a number, also if a point lies on the axis",
             lambda theta, *case: np.isfinite(theta),
             where=_free,
-            mistake=_ON_AXIS,
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "the angle is in degrees",
-            "Angles are in radians, as numpy's functions want them.",
-            lambda k, p, g: np.rad2deg(angle_about(k, p, g)),
-        ),
-        Mistake(
-            "an angle of pi is lost: np.sign(0) is 0",
-            "At pi p x g has no component along k, and the angle is pi nevertheless. arctan2 returns it.",
-            seen=lambda theta, k, p, g: (
-                near(theta, 0.0) and abs(_sine(k, p, g)) < FINE and _cosine(k, p, g) < 0 and across(k, p).any()
+            mistake=Mistake(
+                "a length is divided by that is 0 for a point on the axis",
+                "Which function finds an angle from its sine and cosine without a division?",
             ),
         ),
-        Mistake(
-            "the sign is lost: the angle is never negative",
-            "arccos, and the length of p x g, cannot tell one direction of rotation from the other. "
-            "The component of p x g along k can: arctan2(k . (p x g), p' . g').",
-            lambda k, p, g: np.abs(angle_about(k, p, g)),
-        ),
-        Mistake(
-            "the sign is wrong: this angle brings g to p",
-            "p x g, in this order, points along k for a rotation from p.",
-            lambda k, p, g: -angle_about(k, p, g),
-        ),
-        Mistake(
-            "p and g are not projected onto the plane perpendicular to the axis",
-            "Subtract their components along k first: p' = p - (k . p) k, and g' likewise.",
-            lambda k, p, g: np.arctan2(k @ np.cross(p, g), p @ g),
-            lambda k, p, g: np.sign(k @ np.cross(p, g)) * _between(p, g),
-            lambda k, p, g: np.arctan2(np.sign(k @ np.cross(p, g)) * np.linalg.norm(np.cross(p, g)), p @ g),
-        ),
-        Mistake(
-            "only one of the two points is projected onto the plane perpendicular to the axis, or a length is that of "
-            "the whole point",
-            "Sine and cosine both need p' and g', or no lengths at all: arctan2(k . (p' x g'), p' . g').",
-            lambda k, p, g: np.arctan2(k @ np.cross(p, g), np.linalg.norm(across(k, p)) * np.linalg.norm(g)),
-            lambda k, p, g: np.arctan2(k @ np.cross(p, g), np.linalg.norm(p) * np.linalg.norm(across(k, g))),
-            lambda k, p, g: np.arccos(np.clip(_part(across(k, p), g), -1, 1)),
-            lambda k, p, g: np.arccos(np.clip(_part(p, across(k, g)), -1, 1)),
-        ),
-        Mistake(
-            "k is not used",
-            "The angle between p and g is that of the shortest rotation, which has an axis of its own. "
-            "The angle lies in the plane perpendicular to k: only the parts of p and g in that plane matter.",
-            lambda k, p, g: _between(p, g),
-            lambda k, p, g: np.arctan2(g[1], g[0]) - np.arctan2(p[1], p[0]),
-        ),
-        Mistake(
-            "the arguments of arctan2 are swapped",
-            "np.arctan2(sine, cosine), in this order.",
-            lambda k, p, g: np.pi / 2 - angle_about(k, p, g),
-        ),
-        Mistake(
-            "the angle is wrong beyond 90 degrees: arctan and arcsin return no such angle",
-            "np.arctan2(sine, cosine) looks at both signs.",
-            by_arctan,
-            lambda k, p, g: np.arcsin(_sine(k, p, g)),
-        ),
-        Mistake(
-            "the angle is halved", "R(k, theta) rotates by the whole theta.", lambda k, p, g: angle_about(k, p, g) / 2
-        ),
-        Mistake(
-            "the angle is doubled", "R(k, theta) rotates by theta, once.", lambda k, p, g: 2 * angle_about(k, p, g)
-        ),
-        Mistake(
-            "the sine is taken for the angle",
-            "arctan2 makes an angle of a sine and a cosine.",
-            _sine,
-            lambda k, p, g: k @ np.cross(p, g),
-        ),
-        Mistake(
-            "the lengths of the parts perpendicular to the axis are not divided out before arccos",
-            "p' . g' = |p'| |g'| cos(theta). arctan2 does without the lengths.",
-            lambda k, p, g: np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)) * np.sign(_sine(k, p, g)),
-            lambda k, p, g: np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)),
-        ),
-        Mistake(
-            "0 is returned where no angle brings p to g",
-            "Return the angle that brings p nearest to g: the formula gives it without a further case.",
-            lambda k, p, g: angle_about(k, p, g) if _reached(k, p, g) else 0.0,
-        ),
-        Mistake(
-            "the answer is always 0",
-            "Print p' . g' and k . (p x g): what angle has that cosine and that sine?",
-            lambda k, p, g: 0.0,
-        ),
     ),
-    alike=_same,
-    library=lambda k, p, g: subproblem1(k, p, g).theta,
     hints=(
         "A rotation about k moves only the part perpendicular to k. Take p' = p - (k . p) k and g' = g - (k . g) k.",
         "p' . g' = |p'| |g'| cos(theta), and k . (p' x g') = |p'| |g'| sin(theta).",
@@ -247,3 +121,77 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.subproblem1", "course_lib.subproblems.subproblem0"),
 )
+
+
+def _cosine(a, b):
+    return np.clip(a @ b / np.linalg.norm(a) / np.linalg.norm(b), -1, 1)
+
+
+def _sine(k, p, g):
+    return k @ np.cross(p, g) / np.linalg.norm(across(k, p)) / np.linalg.norm(across(k, g))
+
+
+@EXERCISE.mistake
+def half_turn_lost(k, p, g):
+    """an angle of pi is lost. At pi the vector p x g has no component along k, so what does np.sign say of it?"""
+    return 0.0 if abs(_sine(k, p, g)) < FINE and _cosine(across(k, p), across(k, g)) < 0 else None
+
+
+@EXERCISE.mistake
+def never_negative(k, p, g):
+    """the sign is lost: the angle is never negative. arccos, and the length of p x g, cannot tell one direction of
+    rotation from the other. What can?"""
+    return np.abs(angle_about(k, p, g))
+
+
+@EXERCISE.mistake(sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n)))
+def not_projected(k, p, g, sine):
+    """p and g are not projected onto the plane perpendicular to the axis. Which part of a point does the rotation
+    move?"""
+    return np.arctan2(sine(k, np.cross(p, g)), p @ g)
+
+
+@EXERCISE.mistake(projected=("p", "g"), arccos=(True, False))
+def half_projected(k, p, g, projected, arccos):
+    """only one of the two points is projected onto the plane perpendicular to the axis, or a length is that of the
+    whole point. Which of your vectors and lengths still contain a part along k?"""
+    sine = k @ np.cross(p, g)
+    a, b = (across(k, p), g) if projected == "p" else (p, across(k, g))
+    return np.arccos(_cosine(a, b)) if arccos else np.arctan2(sine, np.linalg.norm(a) * np.linalg.norm(b))
+
+
+def _about_z(p, g):
+    return np.arctan2(g[1], g[0]) - np.arctan2(p[1], p[0])
+
+
+@EXERCISE.mistake(angle=(lambda p, g: np.arccos(_cosine(p, g)), _about_z))
+def axis_not_used(k, p, g, angle):
+    """k is not used. The angle between p and g is that of the shortest rotation, which has an axis of its own. In
+    which plane does the angle about k lie?"""
+    return angle(p, g)
+
+
+@EXERCISE.mistake
+def sine_and_cosine_swapped(k, p, g):
+    """the arguments of arctan2 are swapped. Which comes first, the sine or the cosine?"""
+    return np.pi / 2 - angle_about(k, p, g)
+
+
+@EXERCISE.mistake(angle=(lambda s, c: np.arctan(np.divide(s, c)), lambda s, c: np.arcsin(s / np.hypot(s, c))))
+def one_quotient(k, p, g, angle):
+    """the angle is wrong beyond 90 degrees. arctan and arcsin return no such angle. Which function looks at the signs
+    of both sine and cosine?"""
+    return angle(k @ np.cross(p, g), across(k, p) @ g)
+
+
+@EXERCISE.mistake(sign=(np.sign, lambda s: 1))
+def lengths_not_divided_out(k, p, g, sign):
+    """the lengths of the parts perpendicular to the axis are not divided out before arccos. What besides the cosine
+    does a dot product contain?"""
+    return np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)) * sign(_sine(k, p, g))
+
+
+@EXERCISE.mistake
+def zero_out_of_reach(k, p, g):
+    """0 is returned where no angle brings p to g. Does your formula not give the nearest angle there, too?"""
+    return None if _reached(k, p, g) else 0.0

@@ -6,18 +6,17 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import (
     across,
+    add_swings,
+    add_too_few,
     all_of_them,
     angle_about,
-    either_side,
     rotated,
     same_list,
-    swing_mistakes,
-    too_few,
+    two,
     unless_empty,
-    where_two,
 )
-from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
-from course_lib.checks.vocabulary import unit
+from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
+from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
 from course_lib.subproblems import subproblem3, subproblem4
 
 
@@ -32,11 +31,7 @@ def _reachable(rng, aside, middle, size):
 
 
 def _cases(rng):
-    named = [
-        (Z, X, X, np.sqrt(2.0)),
-        (Z, X, 2 * Y, np.sqrt(3.0)),
-        (Z, np.array([2.0, 0, 1]), np.array([0.0, 2, 3]), np.sqrt(8.0)),
-    ]
+    named = [(Z, X, X, np.sqrt(2.0)), (Z, X, 2 * Y, np.sqrt(3.0)), (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0))]
     generic = [
         _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
         _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
@@ -51,10 +46,9 @@ def _cases(rng):
         (Z, X, Y + 2 * Z, 1.5),
         (k, p, g, 1.1 * far),
         (k, p, g, 0.9 * close),
-        (Z, X, X, -1.0),
-        (k, p, g, -d),
     ]
-    return named + generic + none + [(Z, X, 3 * Y, 2.0), (Z, np.array([3.0, 0, 1]), Y + Z, 4.0)]
+    negative = [(Z, X, X, -1.0), (k, p, g, -d)]
+    return named + generic + none + negative + [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
 
 
 def _reach(k, p, g):
@@ -63,6 +57,7 @@ def _reach(k, p, g):
     return [np.linalg.norm(rotated(k, middle + aside, p) - g) for aside in (np.pi, 0.0)]
 
 
+@remembered
 def _solutions(k, p, g, d):
     """All solutions as the exercise asks for them; none where there is only a nearest one."""
     answers = subproblem3(k, p, g, d)
@@ -86,44 +81,14 @@ def _nothing_there(found, k, p, g, d):
     return f"R(k, theta) p comes as near to g as {close:.4g} and goes as far as {far:.4g}; d is {d:.4g}."
 
 
-def _by_height(height):
-    """The angles of somebody who asks subproblem 4 for height(|p|, |g|, d) along g."""
-
-    def angles(k, p, g, d):
-        found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
-        return list(found.theta) if found.exact else None
-
-    return angles
-
-
-def _by_cosine(square, twice=lambda a, b, p, g: 2 * np.linalg.norm(a) * np.linalg.norm(b), middle=angle_about):
-    """The angles by the law of cosines: square(d, p, g along k), twice(p', g', p, g); middle(k, p, g)."""
-
-    def angles(k, p, g, d):
-        a, b = across(k, p), across(k, g)
-        return either_side(middle(k, p, g), (a @ a + b @ b - square(d, k @ p, k @ g)) / twice(a, b, p, g))
-
-    return angles
-
-
-def _unprojected(middle):
-    def angles(k, p, g, d):
-        cosine = (p @ p + g @ g - d * d) / (2 * np.linalg.norm(p) * np.linalg.norm(g))
-        return either_side(middle(k, p, g), cosine)
-
-    return angles
-
-
-def _right_square(d, x, y):
-    return d * d - (x - y) ** 2
-
-
 EXERCISE = Exercise(
     name="subproblem3",
     points=2,
     arguments=("k", "p", "g", "d"),
     cases=_cases,
     returns=unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    library=_solutions,
+    alike=same_list,
     properties=all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
         "angle",
@@ -135,10 +100,7 @@ EXERCISE = Exercise(
                 "the list is empty if d is negative, because no distance is negative",
                 _is_empty,
                 where=lambda k, p, g, d: d < 0,
-                mistake=Mistake(
-                    "a negative d is squared, and its sign lost",
-                    "Treat a negative d before you square it: which points are at a negative distance?",
-                ),
+                mistake=Mistake("a negative d is squared, and its sign lost", "Which points are at a distance of -1?"),
             ),
             Property(
                 "the list is empty if d is too large or too small",
@@ -147,76 +109,11 @@ EXERCISE = Exercise(
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
                     "an angle is returned although no angle is right",
-                    "If the cosine leaves [-1, 1], or d'^2 is negative, no rotation does it. Clipping hides that.",
+                    "How near and how far does p come? Clipping a number hides that it is out of range.",
                 ),
             ),
         ),
     ),
-    mistakes=where_two(
-        _solutions,
-        _misses,
-        *too_few("angle", _misses),
-        Mistake(
-            "the height has the wrong sign",
-            "d^2 = |p|^2 + |g|^2 - 2 g . R p: solve for g . R p.",
-            _by_height(lambda p, g, d: (d * d - p * p - g * g) / 2),
-        ),
-        Mistake(
-            "the 1/2 of the height is missing",
-            "d^2 = |p|^2 + |g|^2 - 2 g . R p: solve for g . R p.",
-            _by_height(lambda p, g, d: p * p + g * g - d * d),
-        ),
-        Mistake(
-            "d itself is taken for the height",
-            "Which height along g does R p have if it is at the distance d from g?",
-            _by_height(lambda p, g, d: d),
-        ),
-        Mistake(
-            "a length is not squared",
-            "Square both sides: |p|^2 + |g|^2 - 2 g . R p = d^2.",
-            _by_height(lambda p, g, d: (p * p + g * g - d) / 2),
-            _by_height(lambda p, g, d: (p + g - d * d) / 2),
-            _by_height(lambda p, g, d: (p + g - d) / 2),
-            _by_cosine(lambda d, x, y: d - (x - y) ** 2),
-            _by_cosine(lambda d, x, y: d * d - abs(x - y)),
-            _by_cosine(lambda d, x, y: np.sqrt(d * d - (x - y) ** 2)),
-            _by_cosine(lambda d, x, y: d),
-        ),
-        Mistake(
-            "the heights along the axis are forgotten: d is not reduced",
-            "Seen along the axis the distance is shorter: d'^2 = d^2 - (k . (p - g))^2.",
-            _by_cosine(lambda d, x, y: d * d),
-        ),
-        Mistake(
-            "p and g are not projected onto the plane perpendicular to the axis",
-            "The triangle is perpendicular to the axis: its sides are |p'|, |g'| and d', with p' = p - (k . p) k.",
-            _unprojected(angle_about),
-            _unprojected(lambda *case: 0.0),
-            _unprojected(lambda k, p, g: np.arctan2(k @ np.cross(p, g), p @ g)),
-            _by_cosine(_right_square, lambda a, b, p, g: 2 * np.linalg.norm(p) * np.linalg.norm(g)),
-        ),
-        Mistake(
-            "d is reduced wrongly",
-            "Pythagoras: d'^2 = d^2 - (k . (p - g))^2.",
-            _by_cosine(lambda d, x, y: d * d + (x - y) ** 2),
-            _by_cosine(lambda d, x, y: (d - x + y) ** 2),
-            _by_cosine(lambda d, x, y: (d - abs(x - y)) ** 2),
-            _by_cosine(lambda d, x, y: d * d - (x + y) ** 2),
-        ),
-        Mistake(
-            "the 2 of the law of cosines is missing",
-            "d'^2 = |p'|^2 + |g'|^2 - 2 |p'| |g'| cos(angle).",
-            _by_cosine(_right_square, lambda a, b, p, g: np.linalg.norm(a) * np.linalg.norm(b)),
-        ),
-        *swing_mistakes("g", _solutions, _misses, lambda middle: _by_cosine(_right_square, middle=middle)),
-        Mistake(
-            "the law of cosines has the wrong sign",
-            "d'^2 = |p'|^2 + |g'|^2 - 2 |p'| |g'| cos(angle): solve for the cosine.",
-            _by_cosine(_right_square, lambda a, b, p, g: -2 * np.linalg.norm(a) * np.linalg.norm(b)),
-        ),
-    ),
-    alike=same_list,
-    library=_solutions,
     hints=(
         "Square both sides of |R p - g| = d. Which terms depend on theta?",
         "Only g . R p does: it must be a certain height of R p along g. Squaring loses the sign of d: look at d first.",
@@ -224,3 +121,73 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.subproblem3",),
 )
+
+add_too_few(EXERCISE, _solutions, _misses)
+
+
+@EXERCISE.mistake(
+    height=(
+        lambda p, g, d: (d * d - p * p - g * g) / 2,
+        lambda p, g, d: p * p + g * g - d * d,
+        lambda p, g, d: d,
+        lambda p, g, d: (p * p + g * g - d) / 2,
+        lambda p, g, d: (p + g - d * d) / 2,
+        lambda p, g, d: (p + g - d) / 2,
+    )
+)
+def height_wrong(k, p, g, d, height):
+    """the height along g is wrong at which p should be. Square |R p - g| = d, multiply it out, and solve for g . R p:
+    which lengths are squared, and what about the factor and the signs?"""
+    two(_solutions, k, p, g, d)
+    found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
+    return list(found.theta) if found.exact else None
+
+
+def _by_cosine(case, square, product=None):
+    """The two angles of somebody with another d'^2, or another |p'| |g'|, in the law of cosines."""
+    two(_solutions, *case)
+    k, p, g, _ = case
+    a, b = across(k, p), across(k, g)
+    product = np.linalg.norm(a) * np.linalg.norm(b) if product is None else product
+    aside = np.arccos(np.clip((a @ a + b @ b - square) / (2 * product), -1, 1))
+    return [angle_about(k, p, g) - aside, angle_about(k, p, g) + aside]
+
+
+@EXERCISE.mistake
+def distance_not_reduced(k, p, g, d):
+    """the heights along the axis are forgotten: d is not reduced. How long is the distance, seen along the axis?"""
+    return _by_cosine((k, p, g, d), d * d)
+
+
+@EXERCISE.mistake(
+    square=(
+        lambda d, x, y: d - (x - y) ** 2,
+        lambda d, x, y: np.sqrt(d * d - (x - y) ** 2),
+        lambda d, x, y: d * d + (x - y) ** 2,
+        lambda d, x, y: (d - abs(x - y)) ** 2,
+        lambda d, x, y: d * d - (x + y) ** 2,
+    )
+)
+def distance_reduced_wrongly(k, p, g, d, square):
+    """d is reduced wrongly. Seen along the axis, which right triangle do d, the difference of the heights, and the
+    reduced distance make?"""
+    return _by_cosine((k, p, g, d), square(d, k @ p, k @ g))
+
+
+@EXERCISE.mistake(sides=(0, 1), middle=(angle_about, lambda *case: 0.0))
+def not_projected(k, p, g, d, sides, middle):
+    """p and g are not projected onto the plane perpendicular to the axis. In which plane does the triangle lie, and
+    how long are its sides there?"""
+    product = np.linalg.norm(p) * np.linalg.norm(g)
+    lost = (k @ (p - g)) ** 2 if sides else (k @ p) ** 2 + (k @ g) ** 2
+    return _by_cosine((k, p, g, d), d * d - lost, product) - angle_about(k, p, g) + middle(k, p, g)
+
+
+@EXERCISE.mistake(factor=(0.5, -1))
+def law_of_cosines_wrong(k, p, g, d, factor):
+    """the law of cosines has a wrong sign or a wrong factor. What does it say of an angle of 90 degrees, and of 0?"""
+    product = np.linalg.norm(across(k, p)) * np.linalg.norm(across(k, g))
+    return _by_cosine((k, p, g, d), d * d - (k @ (p - g)) ** 2, factor * product)
+
+
+add_swings(EXERCISE, _solutions, lambda k, p, g, d: (k, p, g))

@@ -6,18 +6,17 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import (
     across,
+    add_swings,
+    add_too_few,
     all_of_them,
     angle_about,
-    either_side,
     rotated,
     same_list,
-    swing_mistakes,
-    too_few,
+    two,
     unless_empty,
-    where_two,
 )
-from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import X, Y, Z, off_axis
-from course_lib.checks.vocabulary import unit
+from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
+from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
 from course_lib.subproblems import subproblem4
 
 
@@ -30,14 +29,8 @@ def _reachable(rng, aside, middle, size):
 
 
 def _cases(rng):
-    named = [
-        (Z, X, X, 0.5),
-        (Z, X, Y, 0.0),
-        (Z, Y, 2 * X, -1.0),
-        (Z, X, np.array([2.0, 0, 1]), 1.0),
-        (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2),
-        (Z, 2 * X, X, 1.0),
-    ]
+    tilted = (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2)
+    named = [(Z, X, X, 0.5), (Z, X, Y, 0.0), (Z, Y, 2 * X, -1.0), (Z, X, 2 * X + Z, 1.0), tilted, (Z, 2 * X, X, 1.0)]
     generic = [
         _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
         _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
@@ -46,13 +39,8 @@ def _cases(rng):
     ]
     k, h, p, _ = generic[0]
     low, high = _range(k, h, p)
-    none = [
-        (Z, X, X, 1.5),
-        (Z, X, X, -1.5),
-        (Z, X, X + 2 * Z, 1.5),
-        (k, h, p, high + 0.1 * (high - low)),
-        (k, h, p, low - 0.1 * (high - low)),
-    ]
+    beyond = [(k, h, p, high + 0.1 * (high - low)), (k, h, p, low - 0.1 * (high - low))]
+    none = [(Z, X, X, 1.5), (Z, X, X, -1.5), (Z, X, X + 2 * Z, 1.5), *beyond]
     return named + generic + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
 
 
@@ -62,6 +50,7 @@ def _range(k, h, p):
     return [h @ rotated(k, middle + aside, p) for aside in (np.pi, 0.0)]
 
 
+@remembered
 def _solutions(k, h, p, d):
     """All solutions as the exercise asks for them; none where there is only a nearest one."""
     answers = subproblem4(k, h, p, d)
@@ -77,48 +66,14 @@ def _nothing_there(found, k, h, p, d):
     return f"h . R(k, theta) p goes from {low:.4g} to {high:.4g}; d is {d:.4g}."
 
 
-def _by_cosine(offset, swing=None, middle=None):
-    """The angles of somebody who takes offset / swing for the cosine of the angle beside `middle`.
-
-    offset(d, k . h, k . p); swing(h', p', h, p), both vectors across the axis first; middle(k, p, h).
-    """
-
-    def angles(k, h, p, d):
-        a, b = across(k, h), across(k, p)
-        length = swing(a, b, h, p) if swing else np.linalg.norm(a) * np.linalg.norm(b)
-        return either_side((middle or angle_about)(k, p, h), offset(d, k @ h, k @ p) / length)
-
-    return angles
-
-
-def _wave(k, h, A, p, e):
-    """The angles of somebody who solves A cos(theta) + B sin(theta) = e."""
-    B = h @ np.cross(k, p)
-    return either_side(np.arctan2(B, A), e / np.hypot(A, B))
-
-
-def _right_offset(d, kh, kp):
-    return d - kh * kp
-
-
-def _by_sine(k, h, p, d):
-    """The angles of somebody who takes the cosine for a sine."""
-    sine = np.clip((d - (k @ h) * (k @ p)) / np.linalg.norm(across(k, h)) / np.linalg.norm(across(k, p)), -1, 1)
-    middle = angle_about(k, p, h)
-    return [middle + np.arcsin(sine), middle + np.pi - np.arcsin(sine)]
-
-
-def _both_sides_by_arcsine(k, h, p, d):
-    first = _by_sine(k, h, p, d)[0]
-    return [first, 2 * angle_about(k, p, h) - first]
-
-
 EXERCISE = Exercise(
     name="subproblem4",
     points=2,
     arguments=("k", "h", "p", "d"),
     cases=_cases,
     returns=unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    library=_solutions,
+    alike=same_list,
     properties=all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
@@ -133,69 +88,11 @@ EXERCISE = Exercise(
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
                     "an angle is returned although no angle is right",
-                    "If |e| > r, no rotation does it. Clipping hides that.",
+                    "How far can the height swing? Clipping a number hides that it is out of range.",
                 ),
             ),
         ),
     ),
-    mistakes=where_two(
-        _solutions,
-        _misses,
-        *too_few("angle", _misses),
-        Mistake(
-            "the height along the axis is forgotten",
-            "(k . h)(k . p) of the height never changes: d and h . p both contain it.",
-            _by_cosine(lambda d, kh, kp: d),
-            lambda k, h, p, d: _wave(k, h, h @ p, p, d),
-            _by_cosine(lambda d, kh, kp: d, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
-        ),
-        Mistake(
-            "the height along the axis is subtracted wrongly",
-            "The constant (k . h)(k . p) is subtracted twice: from d, giving e, and from h . p, giving A.",
-            _by_cosine(lambda d, kh, kp: d + kh * kp),
-            _by_cosine(lambda d, kh, kp: d - kh),
-            lambda k, h, p, d: _wave(k, h, h @ p, p, d - (k @ h) * (k @ p)),
-            lambda k, h, p, d: _wave(k, h, h @ p + (k @ h) * (k @ p), p, d - (k @ h) * (k @ p)),
-            _by_cosine(lambda d, kh, kp: d - kp),
-        ),
-        Mistake(
-            "lengths are divided out that are not those of the parts perpendicular to the axis",
-            "The height swings by |h'| |p'|, with h' = h - (k . h) k and p' = p - (k . p) k.",
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(p)),
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(h) * np.linalg.norm(b)),
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(p)),
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(b)),
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a)),
-            _by_cosine(_right_offset, lambda a, b, h, p: 1.0),
-            _by_cosine(_right_offset, lambda a, b, h, p: np.linalg.norm(a) * np.linalg.norm(b) / np.linalg.norm(h)),
-            _by_cosine(_right_offset, lambda a, b, h, p: (np.linalg.norm(a) * np.linalg.norm(b)) ** 2),
-        ),
-        Mistake(
-            "h is divided by its length, and d is not",
-            "h need not have length one: leave it as it is.",
-            lambda k, h, p, d: _by_cosine(_right_offset)(k, h / np.linalg.norm(h), p, d),
-        ),
-        *swing_mistakes("h", _solutions, _misses, lambda middle: _by_cosine(_right_offset, middle=middle)),
-        Mistake(
-            "sine and cosine are swapped",
-            "At theta = subproblem1(k, p, h) the height is greatest: cos(0) = 1 belongs to it.",
-            _by_sine,
-            _both_sides_by_arcsine,
-        ),
-        Mistake(
-            "r is not the root of A^2 + B^2",
-            "A cos(theta) + B sin(theta) swings between -r and r, with r = np.hypot(A, B).",
-            lambda k, h, p, d: _by_cosine(_right_offset, lambda a, b, h, p: (a @ b) + k @ np.cross(b, a))(k, h, p, d),
-        ),
-        Mistake(
-            "the height is taken to be -d",
-            "Where R p points along h, d is positive.",
-            _by_cosine(lambda d, kh, kp: kh * kp - d),
-            _by_cosine(lambda d, kh, kp: -d - kh * kp),
-        ),
-    ),
-    alike=same_list,
-    library=_solutions,
     hints=(
         "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the constant, A and B first.",
         "Then r and phi from A and B, and e from d and the constant. If |e| > r there is no solution: an empty list.",
@@ -204,3 +101,71 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.subproblem4",),
 )
+
+add_too_few(EXERCISE, _solutions, _misses)
+
+
+def _either_side(case, e, r=None, A=None):
+    """The two angles of somebody with another e, r or A; a cosine out of range is replaced by the nearest in range."""
+    two(_solutions, *case)
+    k, h, p, _ = case
+    A, B = across(k, h) @ p if A is None else A, h @ np.cross(k, p)
+    middle, aside = np.arctan2(B, A), np.arccos(np.clip(e / (r or np.hypot(A, B)), -1, 1))
+    return [middle - aside, middle + aside]
+
+
+@EXERCISE.mistake
+def constant_in_A(k, h, p, d):
+    """the constant is not taken out of A. h . p contains a part that does not change with theta. Which?"""
+    return _either_side((k, h, p, d), d - (k @ h) * (k @ p), A=h @ p)
+
+
+@EXERCISE.mistake(
+    of=(
+        lambda k, h, p, d, r: _either_side((k, h, p, d), d),
+        lambda k, h, p, d, r: _either_side((k, h, p, d), d, r),
+        lambda k, h, p, d, r: _either_side((k, h, p, d), d, A=h @ p),
+    )
+)
+def constant_forgotten(k, h, p, d, of):
+    """the height along the axis is forgotten. Which part of the height h . R p never changes, and where is it in d?"""
+    return of(k, h, p, d, np.linalg.norm(h) * np.linalg.norm(p))
+
+
+@EXERCISE.mistake(e=(lambda x, y: -x * y, lambda x, y: x, lambda x, y: y))
+def constant_wrong(k, h, p, d, e):
+    """the height along the axis is subtracted wrongly. Which height does p have where its part perpendicular to the
+    axis is 0?"""
+    return _either_side((k, h, p, d), d - e(k @ h, k @ p))
+
+
+@EXERCISE.mistake(whole=("h p", "h", "p", "p without h", "h without p", "neither"))
+def lengths_wrong(k, h, p, d, whole):
+    """the height swings by another length than that of the parts perpendicular to the axis. What is the largest
+    value of A cos(theta) + B sin(theta)?"""
+    length = {"h": np.linalg.norm(across(k, h)), "p": np.linalg.norm(across(k, p))}
+    if "without" in whole:
+        r = length[whole[0]]
+    else:
+        of = {"h": h, "p": p}
+        r = 1.0 if whole == "neither" else np.prod([np.linalg.norm(of[n]) if n in whole else length[n] for n in "hp"])
+    return _either_side((k, h, p, d), d - (k @ h) * (k @ p), r)
+
+
+@EXERCISE.mistake
+def h_normalised(k, h, p, d):
+    """h is divided by its length, and d is not. Along which vector is the height d measured?"""
+    two(_solutions, k, h, p, d)
+    return two(_solutions, k, h, p, d * np.linalg.norm(h))
+
+
+@EXERCISE.mistake(second=(lambda phi, x: phi + np.pi - x, lambda phi, x: phi - x))
+def sine_for_cosine(k, h, p, d, second):
+    """sine and cosine are swapped. At theta = phi the height is greatest: which of the two is 1 there?"""
+    first = two(_solutions, k, h, p, d)[0]
+    phi = angle_about(k, p, h)
+    aside = np.pi / 2 - abs(np.angle(np.exp(1j * (first - phi))))
+    return [phi + aside, second(phi, aside)]
+
+
+add_swings(EXERCISE, _solutions, lambda k, h, p, d: (k, p, h))

@@ -54,10 +54,6 @@ EXERCISE = WriteTest(
     name="test_subproblem2",
     points=3,
     arguments=("subproblem2",),
-    cases=lambda rng: [],
-    returns=None,
-    properties=(),
-    mistakes=(),
     hints=(
         "You need no right version to compare with: choose the meeting point z first, and make p1 and p2 from it.",
         "A right list contains two different pairs, each brings the points together, and it is empty if nothing can. "
@@ -73,7 +69,7 @@ EXERCISE = WriteTest(
         Version("that returns a list of lists", _pairs(lambda pairs: pairs.tolist()), right=True),
         Version(_COUNT, _pairs(lambda pairs: pairs[:1])),
         Version(_COUNT, _pairs(lambda pairs: pairs[:1].repeat(2, 0))),
-        Version(_COUNT, lambda *case: []),
+        Version(_COUNT, lambda *case: [], example=True),
         Version(_SIGN, _pairs(lambda pairs: pairs * [1, -1])),
         Version(_SIGN, _pairs(lambda pairs: pairs * [-1, 1])),
         Version(_SIGN, _pairs(np.abs)),

@@ -3,12 +3,10 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import any_rotation, near
+from course_lib.checks.vocabulary import X, Y, Z, any_rotation, near
 from course_lib.rotations import rot_x, rot_y
-
-X, Y, Z = np.eye(3)
 
 
 def _with_right(side):
@@ -16,7 +14,7 @@ def _with_right(side):
     return lambda R, b: np.array([rot_y(-b[0]) @ R @ Y, side(b)])
 
 
-right = _with_right(lambda b: rot_x(b[1]) @ Y)
+_right = _with_right(lambda b: rot_x(b[1]) @ Y)
 
 
 def _cases(rng):
@@ -39,6 +37,8 @@ EXERCISE = Exercise(
     arguments=("R", "b"),
     cases=_cases,
     returns=numbers(lambda R, b: (2, 3)),
+    library=_right,
+    broken=_with_right(lambda b: rot_y(b[0]) @ rot_x(b[1]) @ Y),
     properties=(
         Property("the left side is Ry(-b1) R e_y", lambda sides, R, b: near(sides[0], rot_y(-b[0]) @ R @ Y), says=_gap),
         Property(
@@ -49,43 +49,8 @@ EXERCISE = Exercise(
         ),
         Property(
             "the right side depends on the angles alone, not on R",
-            lambda sides, R, b: near(sides[1], right(R, b)[1]),
+            lambda sides, R, b: near(sides[1], _right(R, b)[1]),
             where=lambda R, b: not _is_of(R, b),
-        ),
-    ),
-    mistakes=(
-        Mistake(
-            "the left side is returned twice",
-            "The right side is what subproblem 2 solves for: it is made from b2 alone.",
-            lambda R, b: np.array([rot_y(-b[0]) @ R @ Y] * 2),
-        ),
-        Mistake(
-            "the left side is changed, which was right",
-            "The left side was right. What should stand on the right, if both are multiplied by Ry(-b1)?",
-            lambda R, b: np.array([R @ Y, rot_y(b[0]) @ rot_x(b[1]) @ Y]),
-            lambda R, b: np.array([R @ Y, rot_x(b[1]) @ Y]),
-            lambda R, b: np.array([rot_y(b[0]) @ R @ Y, rot_y(b[0]) @ rot_x(b[1]) @ Y]),
-            lambda R, b: np.array([rot_y(b[0]) @ R @ Y, rot_x(b[1]) @ Y]),
-        ),
-        Mistake(
-            "the right side has the wrong sign of an angle",
-            "Multiply R = Ry(b1) Rx(b2) Ry(b3) by e_y from the right, then by Ry(-b1) from the left, and look at each "
-            "factor.",
-            _with_right(lambda b: rot_x(-b[1]) @ Y),
-            _with_right(lambda b: rot_y(-b[0]) @ rot_x(b[1]) @ Y),
-        ),
-        Mistake(
-            "the right side has another vector",
-            "On the left R acts on e_y. On which vector does the right side act?",
-            _with_right(lambda b: rot_x(b[1]) @ X),
-            _with_right(lambda b: rot_x(b[1]) @ Z),
-            _with_right(lambda b: rot_x(b[1]) @ rot_y(b[2]) @ X),
-        ),
-        Mistake(
-            "a factor too many stands on the right",
-            "Ry(b3) leaves e_y alone, and Ry(-b1) Ry(b1) is the identity.",
-            _with_right(lambda b: rot_x(b[1]) @ rot_y(b[0]) @ rot_x(b[1]) @ Y),
-            _with_right(lambda b: rot_y(b[2]) @ rot_x(b[1]) @ Y),
         ),
     ),
     hints=(
@@ -93,6 +58,41 @@ EXERCISE = Exercise(
         "Write R e_y with its three factors. Which of them leaves e_y alone?",
         "What is multiplied to the left of one side has to be multiplied to the left of the other: Ry(-b1) Ry(b1) = I.",
     ),
-    library=right,
-    broken=_with_right(lambda b: rot_y(b[0]) @ rot_x(b[1]) @ Y),
 )
+
+
+@EXERCISE.mistake
+def left_side_twice(R, b):
+    """the left side is returned twice. Subproblem 2 solves for the angles on the right: what is that side made of?"""
+    return np.array([rot_y(-b[0]) @ R @ Y] * 2)
+
+
+@EXERCISE.mistake(left=(lambda b: np.eye(3), lambda b: rot_y(b[0])), right=(lambda b: np.eye(3), lambda b: rot_y(b[0])))
+def left_side_changed(R, b, left, right):
+    """the left side is changed, which was right. What should stand on the right, if both are multiplied by Ry(-b1)?"""
+    return np.array([left(b) @ R @ Y, right(b) @ rot_x(b[1]) @ Y])
+
+
+@EXERCISE.mistake
+def sign_of_b2(R, b):
+    """the right side has the wrong sign of b2. Which sign does b2 have in R?"""
+    return _with_right(lambda b: rot_x(-b[1]) @ Y)(R, b)
+
+
+@EXERCISE.mistake(
+    side=(
+        lambda b: rot_y(-b[0]) @ rot_x(b[1]) @ Y,
+        lambda b: rot_x(b[1]) @ rot_y(b[0]) @ rot_x(b[1]) @ Y,
+        lambda b: rot_y(b[2]) @ rot_x(b[1]) @ Y,
+    )
+)
+def factor_too_many(R, b, side):
+    """a factor too many stands on the right. Multiply R = Ry(b1) Rx(b2) Ry(b3) by e_y from the right and by Ry(-b1)
+    from the left: which factors are left?"""
+    return _with_right(side)(R, b)
+
+
+@EXERCISE.mistake(side=(lambda b: rot_x(b[1]) @ X, lambda b: rot_x(b[1]) @ Z, lambda b: rot_x(b[1]) @ rot_y(b[2]) @ X))
+def another_vector(R, b, side):
+    """the right side has another vector. On the left R acts on e_y. On which vector does the right side act?"""
+    return _with_right(side)(R, b)
