@@ -88,19 +88,19 @@ def first_two_swapped(center):
     return np.array(arm_solutions(center))[:, [1, 0, 2]]
 
 
-_ORIGIN = np.zeros(3)
-
-
 @EXERCISE.mistake(
     given=(
         {"distance": np.linalg.norm},
-        {"origin": _ORIGIN},
-        {"distance": np.linalg.norm, "origin": _ORIGIN},
+        {"origin": np.zeros(3)},
+        {"distance": np.linalg.norm, "origin": np.zeros(3)},
         {"distance": np.linalg.norm, "elbow": (WRIST - ELBOW, -ELBOW)},
+        {"elbow": (WRIST - ELBOW, ELBOW - SHOULDER)},
+        {"elbow": (WRIST, SHOULDER)},
     )
 )
-def measured_from_the_base(center, given):
-    """a distance or a point is measured from the base. Which point do joints 1 and 2 leave where it is?"""
+def another_origin(center, given):
+    """a distance or a point is measured from another point than it should be. Which point do joints 1 and 2 leave
+    where it is, which one joint 3, and in which direction does each of your differences point?"""
     return _with(center, **given)
 
 
@@ -115,10 +115,3 @@ def elbow_not_bent(center):
 def axes_swapped(center):
     """the two axes of subproblem 2 are swapped. Which of joints 1 and 2 rotates p first?"""
     return _with(center, axes=(Z, Y))
-
-
-@EXERCISE.mistake(elbow=((WRIST - ELBOW, ELBOW - SHOULDER), (WRIST, SHOULDER), (WRIST - SHOULDER, ELBOW - SHOULDER)))
-def elbow_not_the_origin(center, elbow):
-    """the points of subproblem 3 are not measured from the elbow. Its axis runs through the origin: which point lies
-    on axis 3?"""
-    return _with(center, elbow=elbow)

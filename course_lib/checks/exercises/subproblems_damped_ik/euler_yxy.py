@@ -163,38 +163,23 @@ def first_and_last_swapped(R):
     return _both(R)[:, ::-1]
 
 
-_TO_X_Y_X = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])
-_TO_Z_X_Z = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
-_TO_Z_Y_Z = np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])
-
-
-@EXERCISE.mistake(P=(_TO_X_Y_X, _TO_Z_X_Z, _TO_Z_Y_Z, _TO_Z_Y_Z.T))
+@EXERCISE.mistake(
+    P=([[0, 1, 0], [1, 0, 0], [0, 0, -1]], [[1, 0, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 0], [0, 0, 1], [1, 0, 0]])
+)
 def other_axes(R, P):
     """the angles are those about other axes. About which axes are the first, the second and the last rotation?"""
-    turned = P @ R @ P.T
-    return None if _sine(turned) < 1e-2 or _end(R) else _both(turned)
-
-
-def _moved(sign, *halves):
-    """The change of a triple that gives b2 a sign and adds so many half turns to each angle."""
-    return lambda triple: triple * [1, sign, 1] + np.pi * np.array(halves)
+    exchanged = P @ R @ np.transpose(P)  # as if these were the angles about x, y, x, or z, x, z, or z, y, z
+    return None if _sine(exchanged) < 1e-2 or _end(R) else _both(exchanged)
 
 
 @EXERCISE.mistake(
-    first=(0, 1),
-    change=(
-        *(_moved(1, *halves) for halves in ((0, 1, 0), (1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1))),
-        *(_moved(-1, *halves) for halves in ((0, 0, 0), (1, 0, 0), (0, 0, 1), (1, 1, 1))),
-        np.negative,
-        lambda triple: np.pi - triple,
-        lambda triple: triple[::-1],
-    ),
+    first=(0, 1), change=[(1, 0, 1, 0), (1, 1, 1, 1), (-1, 0, 0, 0), (-1, 1, 0, 0), (-1, 0, 0, 1), (-1, 1, 1, 1)]
 )
 def second_from_the_first(R, first, change):
     """the second triple is not made of the first as it should be. Which angles change by pi if b2 changes its sign?
     Rebuild R from both."""
-    triple = _both(R)[first]
-    return None if _end(R) else [triple, change(triple)]
+    triple, (sign, *halves) = _both(R)[first], change
+    return None if _end(R) else [triple, triple * [1, sign, 1] + np.pi * np.array(halves)]
 
 
 @EXERCISE.mistake(column=(0, 2))

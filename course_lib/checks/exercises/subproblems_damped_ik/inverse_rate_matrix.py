@@ -89,56 +89,15 @@ def each_entry_inverted(b):
     return 1 / np.abs(rates(b))
 
 
-def _by_formula(b, first, third):
-    """The closed form with first(sin b2) and third(sin b2) for the 1 / sin b2 in rows 1 and 3."""
-    (c1, c2, _), (s1, s2, _) = np.cos(b), np.sin(b)
-    f, g = first(s2), third(s2)
-    return np.array([[-s1 * c2 * f, 1, -c1 * c2 * f], [c1, 0, -s1], [s1 * g, 0, c1 * g]])
+@EXERCISE.mistake(factor=(lambda s: s, lambda s: -s, lambda s: s * s, np.sign), of=([0], [2], [0, 2], [0, 1, 2]))
+def not_divided(b, factor, of):
+    """the division by sin b2 is missing, is a product, or has the wrong sign. What is det A, for a negative b2 too?"""
+    exact = _right(b)
+    exact[of, :: 2 if len(of) < 3 else 1] *= factor(np.sin(b[1]))
+    return exact
 
 
-@EXERCISE.mistake(
-    form=(
-        lambda b: _by_formula(b, np.ones_like, np.ones_like),
-        lambda b: _by_formula(b, np.ones_like, np.reciprocal),
-        lambda b: _by_formula(b, np.reciprocal, np.ones_like),
-        lambda b: _by_formula(b, lambda s: s, lambda s: s),
-        lambda b: -np.sin(b[1]) * _right(b),
-        lambda b: np.sin(b[1]) * _right(b),
-        lambda b: np.sin(b[1]) ** 2 * _right(b),
-    )
-)
-def not_divided(b, form):
-    """the division by sin b2 is missing, or is a product. What is det A, and what does an inverse contain of it?"""
-    return form(b)
-
-
-@EXERCISE.mistake(
-    form=(
-        lambda b: _by_formula(b, lambda s: 1 / abs(s), lambda s: 1 / abs(s)),
-        lambda b: np.sign(np.sin(b[1])) * _right(b),
-        lambda b: -np.sign(np.sin(b[1])) * _right(b),
-    )
-)
-def sign_of_sine_lost(b, form):
-    """the sign of sin b2 is lost. What is the sign of the determinant for a negative b2?"""
-    return form(b)
-
-
-@EXERCISE.mistake(signs=((-1, 1), (1, -1), (-1, -1)))
-def sign_of_a_row(b, signs):
-    """1 / sin b2 has the wrong sign in row 1 or row 3. Which entries of A times your answer are not those of the
-    identity?"""
-    return _by_formula(b, lambda s: signs[0] / s, lambda s: signs[1] / s)
-
-
-@EXERCISE.mistake(
-    product=(
-        lambda R, B: R.T @ B,
-        lambda R, B: R @ B,
-        lambda R, B: B @ R,
-        lambda R, B: B,
-    )
-)
+@EXERCISE.mistake(product=(lambda R, B: R.T @ B, lambda R, B: R @ B, lambda R, B: B @ R, lambda R, B: B))
 def first_rotation_wrong(b, product):
     """Ry(b1) is on the wrong side, is not inverted, or is left out. What is the inverse of a product of two
     matrices?"""

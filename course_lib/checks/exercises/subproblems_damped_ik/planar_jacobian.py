@@ -90,19 +90,8 @@ def angles_not_summed(q, moved_by):
     return _of_links(q, moved_by)
 
 
-@EXERCISE.mistake(moved_by=(np.eye(4), _AFTER * [0, 0, 0, 1]))
-def one_link_only(q, moved_by):
-    """each column is the velocity of one link alone. Which links does joint j carry along?"""
-    return _of_links(np.cumsum(q), moved_by)
-
-
 @EXERCISE.mistake(
-    moved_by=(
-        _AFTER.T,
-        np.ones((4, 4)),
-        np.triu(np.ones((4, 4)), 1),
-        *(_AFTER * (np.arange(4) != link) for link in range(4)),
-    )
+    moved_by=(np.eye(4), _AFTER * [0, 0, 0, 1], _AFTER * [1, 1, 1, 0], _AFTER.T, _AFTER - np.eye(4), np.ones((4, 4)))
 )
 def other_links(q, moved_by):
     """the sum for joint j is over other links than those that it moves. Which links move if only joint 2 does?"""
@@ -123,24 +112,17 @@ def not_differentiated(q, signs):
 
 
 @EXERCISE.mistake(
-    form=(
-        lambda q: jacobian(q)[:, ::-1],
-        lambda q: _of_links(np.cumsum(q[::-1])[::-1]),
-        lambda q: _of_links(np.cumsum(q[::-1])),
+    directions=(
+        lambda q: np.cumsum(q) - q,
+        lambda q: np.append(np.cumsum(q)[1:], np.sum(q)),
+        lambda q: np.cumsum(q[::-1])[::-1],
+        lambda q: np.cumsum(q[::-1]),
     )
 )
-def counted_from_the_tip(q, form):
-    """the columns, or the directions of the links, are counted from the tip. Which link does joint 1 move first?"""
-    return form(q)
-
-
-@EXERCISE.mistake(
-    directions=(lambda a: np.append(0, a[:-1]), lambda a: np.append(a[1:], a[-1])),
-)
-def one_angle_off(q, directions):
-    """the direction of link i leaves out joint i itself, or counts one joint too many. Which entries of q does your
-    sum contain for the first link, and for the last?"""
-    return _of_links(directions(np.cumsum(q)))
+def other_directions(q, directions):
+    """the direction of link i is the sum of other angles than q1 to qi. Which entries of q does your sum contain for
+    the first link, and for the last?"""
+    return _of_links(directions(q))
 
 
 @EXERCISE.mistake(before=(0, 1))

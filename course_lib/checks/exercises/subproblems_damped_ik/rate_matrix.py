@@ -108,16 +108,11 @@ def another_order(b, order, rows):
     return rates(b)[list(order)] if rows else rates(b)[:, order]
 
 
-@EXERCISE.mistake(signs=([-1, 1, 1], [1, -1, 1]))
-def sign_of_an_angle(b, signs):
-    """one angle is taken with the other sign. Does y rotate z towards x, or x towards z?"""
-    return rates(b * signs)
-
-
-@EXERCISE.mistake(angles=([2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 1, 1]))
-def another_angle(b, angles):
-    """one angle stands where another belongs. Which angles rotate the axis of column 2, and which that of column 3?"""
-    return rates(b[angles])
+@EXERCISE.mistake(of=([-1, 2, 3], [1, -2, 3], [3, 2, 1], [2, 1, 3], [1, 3, 2]))
+def another_angle(b, of):
+    """one angle has the other sign, or stands where another belongs. Which angles rotate the axes of columns 2 and 3,
+    and in which direction?"""
+    return rates(np.sign(of) * b[np.abs(of) - 1])
 
 
 @EXERCISE.mistake(entry=([0, 2], [2, 1], [1, 2], [2, 2]))
@@ -132,11 +127,8 @@ def sign_of_an_entry(b, entry):
     column=(
         lambda c1, s1, c2, s2: (s1, c2, c1),
         lambda c1, s1, c2, s2: (s1, c2, c1 * s2),
-        lambda c1, s1, c2, s2: (s1 * s2, c2, c1),
-        lambda c1, s1, c2, s2: (s1 * s2, 0, c1 * s2),
         lambda c1, s1, c2, s2: (s1 * s2, 1, c1 * s2),
         lambda c1, s1, c2, s2: (s1 * c2, s2, c1 * c2),
-        lambda c1, s1, c2, s2: (c1 * s2, c2, s1 * s2),
     )
 )
 def column_3_wrong(b, column):

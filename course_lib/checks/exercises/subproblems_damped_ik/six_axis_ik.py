@@ -59,75 +59,72 @@ EXERCISE = Exercise(
 add_nothing_found(EXERCISE, all_solutions)
 
 
-def _with(T, center, rest, exchange=SWAP):
-    """The angles of somebody with another wrist center, or another rotation left to the wrist: rest(first, R).
-
-    first is the rotation of joints 1 to 3, R that of the motion from home to T.
-    """
-    R, found = (T @ inverse(HOME))[:3, :3], []
-    for q in arm_solutions(center) if all_solutions(T) else []:
-        first = rot_z(q[0]) @ rot_y(q[1] + q[2])
-        found += [(*q, *b) for b in euler_yxy(exchange @ rest(first, R) @ exchange.T).theta]
-    return found if all_solutions(T) else None
-
-
 def _center(T):
     return T[:3, 3] - 0.072 * T[:3, 2]
 
 
-def _undone(first, R):
-    return first.T @ R
+def _first(q):
+    return rot_z(q[0]) @ rot_y(q[1] + q[2])
+
+
+def _undone(q, R):
+    return _first(q).T @ R
+
+
+def _with(T, center, rest=_undone, exchange=SWAP):
+    """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the wrist."""
+    R, found = (T @ inverse(HOME))[:3, :3], []
+    for q in arm_solutions(center):
+        found += [(*q, *b) for b in euler_yxy(exchange @ rest(q, R) @ exchange.T).theta]
+    return found if all_solutions(T) else None
 
 
 @EXERCISE.mistake
 def flange_for_wrist(T):
     """the flange's position is taken for the wrist center. How far is the flange beyond the wrist center, and in
     which direction?"""
-    return _with(T, T[:3, 3], _undone)
+    return _with(T, T[:3, 3])
 
 
 @EXERCISE.mistake(offset=(lambda R: R[:, 2], lambda R: [-1, 0, 0], lambda R: -R[:, 0], lambda R: [0, 0, -1]))
 def flange_in_another_direction(T, offset):
     """the flange's length is subtracted along another direction. Which axis of the flange points away from the wrist
     center?"""
-    return _with(T, T[:3, 3] + 0.072 * np.array(offset(T[:3, :3])), _undone)
+    return _with(T, T[:3, 3] + 0.072 * np.array(offset(T[:3, :3])))
 
 
 @EXERCISE.mistake
 def home_orientation_left_out(T):
     """the home orientation is left out. How is the flange rotated if all joint angles are zero?"""
-    return _with(T, _center(T), lambda first, R: first.T @ T[:3, :3])
+    return _with(T, _center(T), lambda q, R: _undone(q, T[:3, :3]))
 
 
-@EXERCISE.mistake(rest=(lambda first, R: R, np.matmul, lambda first, R: R @ first.T))
+@EXERCISE.mistake(
+    rest=(
+        lambda q, R: R,
+        lambda q, R: _first(q) @ R,
+        lambda q, R: R @ _first(q).T,
+        lambda q, R: (rot_z(q[0]) @ rot_y(q[1])).T @ R,
+    )
+)
 def first_joints_not_undone(T, rest):
-    """the rotation of the first three joints is not undone, or in the wrong order. Which of R(z, q1) R(y, q2 + q3) and
-    W stands on the left, and how does it come to the other side?"""
+    """the rotation of the first three joints is not undone, not all of it, or in the wrong order. Which of
+    R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other side?"""
     return _with(T, _center(T), rest)
-
-
-@EXERCISE.mistake
-def joint_3_left_out(T):
-    """joint 3 is left out of the rotation of the first three joints. By which angle do joints 2 and 3, whose axes are
-    parallel, rotate together?"""
-    R, found = (T @ inverse(HOME))[:3, :3], []
-    for q in arm_solutions(_center(T)) if all_solutions(T) else []:
-        found += [(*q, *b) for b in euler_yxy(SWAP @ (rot_z(q[0]) @ rot_y(q[1])).T @ R @ SWAP.T).theta]
-    return found if all_solutions(T) else None
 
 
 @EXERCISE.mistake
 def not_exchanged(T):
     """x and y are not exchanged. About which axes does this wrist rotate, and about which are the angles of
     euler_yxy?"""
-    return _with(T, _center(T), _undone, np.eye(3))
+    return _with(T, _center(T), exchange=np.eye(3))
 
 
 @EXERCISE.mistake
 def home_on_the_wrong_side(T):
     """HOME stands on the wrong side of T. Which motion takes HOME to T?"""
     M = inverse(HOME) @ T
-    return _with(T, M[:3, :3] @ WRIST + M[:3, 3], lambda first, R: first.T @ M[:3, :3])
+    return _with(T, M[:3, :3] @ WRIST + M[:3, 3], lambda q, R: _undone(q, M[:3, :3]))
 
 
 @EXERCISE.mistake

@@ -111,7 +111,7 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(last=(1, 2, 0))
+@EXERCISE.mistake(last=(1, 2))
 def start_missing(*case, last):
     """q0 is missing: the first row is that after the first step. What do you keep before the loop begins?"""
     return _path(*case[:4], case[4] + 1)[1 : case[4] + last]
@@ -123,10 +123,10 @@ def last_only(*case):
     return _path(*case)[-1:]
 
 
-@EXERCISE.mistake(fewer=(0, 1))
-def one_array(*case, fewer):
+@EXERCISE.mistake
+def one_array(*case):
     """every row is the same array, changed in place: all show the last angles. Does append copy an array?"""
-    return np.tile(_path(*case)[-1], (case[4] + 1 - fewer, 1))
+    return np.tile(_path(*case)[-1], (case[4] + 1, 1))
 
 
 @EXERCISE.mistake
@@ -148,42 +148,22 @@ def always_from_the_start(*case, reached):
     return np.array([case[0]] + [reached(*case)] * case[4])
 
 
-@EXERCISE.mistake
-def last_row_not_filled(*case):
-    """the last row is never filled. At which row does your loop end?"""
-    return np.vstack([_path(*case)[:-1], np.zeros((1, 4))]) if case[4] else None
-
-
-def _kept(J_from, e_from):
-    """The step of somebody who takes J, the error or both at q0."""
-
-    def path(q0, target, alpha, eps, steps):
-        def kept(q, target, alpha, eps):
-            J, e = jacobian(q0 if J_from else q), tip(q0 if e_from else q) - target
-            return q - alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
-
-        return _path(q0, target, alpha, eps, steps, kept)
-
-    return path
-
-
-@EXERCISE.mistake(path=(_kept(True, True), _kept(True, False), _kept(False, True)))
-def not_recomputed(*case, path):
+@EXERCISE.mistake(at_q0=("J e", "J", "e"))
+def not_recomputed(q0, target, alpha, eps, steps, at_q0):
     """J or the error is not recomputed in each step. Which of your lines depend on q, and which are in the loop?"""
-    return path(*case)
+
+    def kept(q, target, alpha, eps):
+        J, e = jacobian(q0 if "J" in at_q0 else q), tip(q0 if "e" in at_q0 else q) - target
+        return q - alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
+
+    return _path(q0, target, alpha, eps, steps, kept)
 
 
-@EXERCISE.mistake
-def steps_kept(*case):
-    """the steps are kept rather than the angles. What is q after each step?"""
-    return np.vstack([case[0], np.diff(_path(*case), axis=0)])
-
-
-@EXERCISE.mistake(fixed=((0.2, 2.0), (0.2, None), (None, 2.0), (1.0, None), (None, 1.0)))
-def numbers_fixed(q0, target, alpha, eps, steps, fixed):
+@EXERCISE.mistake(a=(0.2, 1.0), e=(2.0, 1.0, None))
+def numbers_fixed(q0, target, alpha, eps, steps, a, e):
     """alpha or eps is a fixed number, not the argument. Which numbers do you pass on to lm_step?"""
-    used = [given if number is None else number for number, given in zip(fixed, (alpha, eps), strict=True)]
-    return None if used == [alpha, eps] else _path(q0, target, *used, steps)
+    used = (a, eps if e is None else e)
+    return None if used == (alpha, eps) else _path(q0, target, *used, steps)
 
 
 def _part(path, *case):

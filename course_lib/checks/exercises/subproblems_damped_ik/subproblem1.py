@@ -144,31 +144,11 @@ def never_negative(k, p, g):
     return np.abs(angle_about(k, p, g))
 
 
-@EXERCISE.mistake(sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n)))
+@EXERCISE.mistake(sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n)))
 def not_projected(k, p, g, sine):
     """p and g are not projected onto the plane perpendicular to the axis. Which part of a point does the rotation
     move?"""
     return np.arctan2(sine(k, np.cross(p, g)), p @ g)
-
-
-@EXERCISE.mistake(projected=("p", "g"), arccos=(True, False))
-def half_projected(k, p, g, projected, arccos):
-    """only one of the two points is projected onto the plane perpendicular to the axis, or a length is that of the
-    whole point. Which of your vectors and lengths still contain a part along k?"""
-    sine = k @ np.cross(p, g)
-    a, b = (across(k, p), g) if projected == "p" else (p, across(k, g))
-    return np.arccos(_cosine(a, b)) if arccos else np.arctan2(sine, np.linalg.norm(a) * np.linalg.norm(b))
-
-
-def _about_z(p, g):
-    return np.arctan2(g[1], g[0]) - np.arctan2(p[1], p[0])
-
-
-@EXERCISE.mistake(angle=(lambda p, g: np.arccos(_cosine(p, g)), _about_z))
-def axis_not_used(k, p, g, angle):
-    """k is not used. The angle between p and g is that of the shortest rotation, which has an axis of its own. In
-    which plane does the angle about k lie?"""
-    return angle(p, g)
 
 
 @EXERCISE.mistake
@@ -182,13 +162,6 @@ def one_quotient(k, p, g, angle):
     """the angle is wrong beyond 90 degrees. arctan and arcsin return no such angle. Which function looks at the signs
     of both sine and cosine?"""
     return angle(k @ np.cross(p, g), across(k, p) @ g)
-
-
-@EXERCISE.mistake(sign=(np.sign, lambda s: 1))
-def lengths_not_divided_out(k, p, g, sign):
-    """the lengths of the parts perpendicular to the axis are not divided out before arccos. What besides the cosine
-    does a dot product contain?"""
-    return np.arccos(np.clip(across(k, p) @ across(k, g), -1, 1)) * sign(_sine(k, p, g))
 
 
 @EXERCISE.mistake

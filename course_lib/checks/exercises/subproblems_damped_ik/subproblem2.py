@@ -223,22 +223,12 @@ def _rest(a, b, m, square):
     return square - a * a - b * b - 2 * a * b * m
 
 
-@EXERCISE.mistake(length=(lambda m, h1, h2: h1**2 + h2**2, lambda m, h1, h2: h1**2 + h2**2 + 2 * h1 * h2 * m))
-def perpendicular_axes(*case, length):
-    """the axes are taken to be perpendicular. Which height does a k1 + b k2 have along k1 if they are not?"""
-    _, h1, h2 = _heights(*case)
-    return _through(case, h1, h2, case[2] @ case[2] - length(*_heights(*case)))
-
-
 @EXERCISE.mistake(
     squared=(
-        lambda a, b, m, size, h1: _rest(a, b, m, size**2),
-        lambda a, b, m, size, h1: (size**2 - a * a - b * b) / (1 - m * m),
-        lambda a, b, m, size, h1: size**2 - a * a - b * b,
-        lambda a, b, m, size, h1: _rest(a, b, m, size**2) / np.sqrt(1 - m * m),
-        lambda a, b, m, size, h1: _rest(a, b, m, size) / (1 - m * m),
-        lambda a, b, m, size, h1: _rest(a, b, m, size**2 - h1**2) / (1 - m * m),
-        lambda a, b, m, size, h1: _rest(a, b, m, 1.0) / (1 - m * m),
+        lambda a, b, m, square: _rest(a, b, m, square),
+        lambda a, b, m, square: (square - a * a - b * b) / (1 - m * m),
+        lambda a, b, m, square: square - a * a - b * b,
+        lambda a, b, m, square: _rest(a, b, m, np.sqrt(square)) / (1 - m * m),
     )
 )
 def pythagoras_wrong(*case, squared):
@@ -246,19 +236,13 @@ def pythagoras_wrong(*case, squared):
     is k1 x k2?"""
     m, h1, h2 = _heights(*case)
     a, b = _foot(m, h1, h2)
-    return _through(case, a, b, squared(a, b, m, np.linalg.norm(case[2]), h1))
+    return _through(case, a, b, squared(a, b, m, case[2] @ case[2]))
 
 
-@EXERCISE.mistake(
-    foot=(
-        lambda m, h1, h2: _foot(m, h2, h1),
-        lambda m, h1, h2: _foot(-m, h1, h2),
-        lambda m, h1, h2: np.multiply(_foot(m, h1, h2), 1 - m * m),
-    )
-)
+@EXERCISE.mistake(foot=(lambda m, h1, h2: (h1, h2), lambda m, h1, h2: _foot(m, h2, h1), lambda m, *h: _foot(-m, *h)))
 def foot_wrong(*case, foot):
     """a and b of the meeting point z = a k1 + b k2 +- c (k1 x k2) are wrong. Which height does your a k1 + b k2 have
-    along k1, and along k2?"""
+    along k1, and along k2? The axes need not be perpendicular."""
     m, h1, h2 = _heights(*case)
     a, b = foot(m, h1, h2)
     return _through(case, a, b, _rest(a, b, m, case[2] @ case[2]) / (1 - m * m))

@@ -6,7 +6,6 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import (
     across,
-    add_swings,
     add_too_few,
     all_of_them,
     angle_about,
@@ -143,51 +142,14 @@ def height_wrong(k, p, g, d, height):
     return list(found.theta) if found.exact else None
 
 
-def _by_cosine(case, square, product=None):
-    """The two angles of somebody with another d'^2, or another |p'| |g'|, in the law of cosines."""
-    two(_solutions, *case)
-    k, p, g, _ = case
-    a, b = across(k, p), across(k, g)
-    product = np.linalg.norm(a) * np.linalg.norm(b) if product is None else product
-    aside = np.arccos(np.clip((a @ a + b @ b - square) / (2 * product), -1, 1))
-    return [angle_about(k, p, g) - aside, angle_about(k, p, g) + aside]
-
-
-@EXERCISE.mistake
-def distance_not_reduced(k, p, g, d):
-    """the heights along the axis are forgotten: d is not reduced. How long is the distance, seen along the axis?"""
-    return _by_cosine((k, p, g, d), d * d)
-
-
 @EXERCISE.mistake(
-    square=(
-        lambda d, x, y: d - (x - y) ** 2,
-        lambda d, x, y: np.sqrt(d * d - (x - y) ** 2),
-        lambda d, x, y: d * d + (x - y) ** 2,
-        lambda d, x, y: (d - abs(x - y)) ** 2,
-        lambda d, x, y: d * d - (x + y) ** 2,
-    )
+    lost=(lambda x, y: 0, lambda x, y: x * x + y * y, lambda x, y: -((x - y) ** 2)), across_axis=(True, False)
 )
-def distance_reduced_wrongly(k, p, g, d, square):
-    """d is reduced wrongly. Seen along the axis, which right triangle do d, the difference of the heights, and the
-    reduced distance make?"""
-    return _by_cosine((k, p, g, d), square(d, k @ p, k @ g))
-
-
-@EXERCISE.mistake(sides=(0, 1), middle=(angle_about, lambda *case: 0.0))
-def not_projected(k, p, g, d, sides, middle):
-    """p and g are not projected onto the plane perpendicular to the axis. In which plane does the triangle lie, and
-    how long are its sides there?"""
-    product = np.linalg.norm(p) * np.linalg.norm(g)
-    lost = (k @ (p - g)) ** 2 if sides else (k @ p) ** 2 + (k @ g) ** 2
-    return _by_cosine((k, p, g, d), d * d - lost, product) - angle_about(k, p, g) + middle(k, p, g)
-
-
-@EXERCISE.mistake(factor=(0.5, -1))
-def law_of_cosines_wrong(k, p, g, d, factor):
-    """the law of cosines has a wrong sign or a wrong factor. What does it say of an angle of 90 degrees, and of 0?"""
-    product = np.linalg.norm(across(k, p)) * np.linalg.norm(across(k, g))
-    return _by_cosine((k, p, g, d), d * d - (k @ (p - g)) ** 2, factor * product)
-
-
-add_swings(EXERCISE, _solutions, lambda k, p, g, d: (k, p, g))
+def triangle_not_across(k, p, g, d, lost, across_axis):
+    """the triangle of p, g and the axis is not the one perpendicular to the axis. How long are its three sides, seen
+    along the axis?"""
+    middle, _ = angle_about(k, p, g), two(_solutions, k, p, g, d)
+    a, b = across(k, p), across(k, g)
+    product = np.linalg.norm(a) * np.linalg.norm(b) if across_axis else np.linalg.norm(p) * np.linalg.norm(g)
+    aside = np.arccos(np.clip((a @ a + b @ b - d * d + lost(k @ p, k @ g)) / (2 * product), -1, 1))
+    return [middle - aside, middle + aside]

@@ -114,58 +114,26 @@ def _either_side(case, e, r=None, A=None):
     return [middle - aside, middle + aside]
 
 
+@EXERCISE.mistake(of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y), of_A=(True, False))
+def constant_wrong(k, h, p, d, of_d, of_A):
+    """the constant part of the height is not subtracted where it should be, or is another one. Which part of h . R p
+    never changes? Is it in d, and is it in h . p?"""
+    e = d - of_d(k @ h, k @ p)
+    return _either_side((k, h, p, d), e) if of_A else _either_side((k, h, p, d), e, A=h @ p)
+
+
 @EXERCISE.mistake
 def constant_in_A(k, h, p, d):
-    """the constant is not taken out of A. h . p contains a part that does not change with theta. Which?"""
+    """the constant is not taken out of A. Which part of h . p does not change with theta?"""
     return _either_side((k, h, p, d), d - (k @ h) * (k @ p), A=h @ p)
 
 
-@EXERCISE.mistake(
-    of=(
-        lambda k, h, p, d, r: _either_side((k, h, p, d), d),
-        lambda k, h, p, d, r: _either_side((k, h, p, d), d, r),
-        lambda k, h, p, d, r: _either_side((k, h, p, d), d, A=h @ p),
-    )
-)
-def constant_forgotten(k, h, p, d, of):
-    """the height along the axis is forgotten. Which part of the height h . R p never changes, and where is it in d?"""
-    return of(k, h, p, d, np.linalg.norm(h) * np.linalg.norm(p))
-
-
-@EXERCISE.mistake(e=(lambda x, y: -x * y, lambda x, y: x, lambda x, y: y))
-def constant_wrong(k, h, p, d, e):
-    """the height along the axis is subtracted wrongly. Which height does p have where its part perpendicular to the
-    axis is 0?"""
-    return _either_side((k, h, p, d), d - e(k @ h, k @ p))
-
-
-@EXERCISE.mistake(whole=("h p", "h", "p", "p without h", "h without p", "neither"))
-def lengths_wrong(k, h, p, d, whole):
+@EXERCISE.mistake(lengths=((1, 1, 0, 0), (1, 0, 0, 1), (0, 1, 1, 0), (0, 0, 0, 1), (0, 0, 1, 0), (0, 0, 0, 0)))
+def lengths_wrong(k, h, p, d, lengths):
     """the height swings by another length than that of the parts perpendicular to the axis. What is the largest
     value of A cos(theta) + B sin(theta)?"""
-    length = {"h": np.linalg.norm(across(k, h)), "p": np.linalg.norm(across(k, p))}
-    if "without" in whole:
-        r = length[whole[0]]
-    else:
-        of = {"h": h, "p": p}
-        r = 1.0 if whole == "neither" else np.prod([np.linalg.norm(of[n]) if n in whole else length[n] for n in "hp"])
+    r = np.prod(np.linalg.norm([h, p, across(k, h), across(k, p)], axis=1) ** lengths)
     return _either_side((k, h, p, d), d - (k @ h) * (k @ p), r)
-
-
-@EXERCISE.mistake
-def h_normalised(k, h, p, d):
-    """h is divided by its length, and d is not. Along which vector is the height d measured?"""
-    two(_solutions, k, h, p, d)
-    return two(_solutions, k, h, p, d * np.linalg.norm(h))
-
-
-@EXERCISE.mistake(second=(lambda phi, x: phi + np.pi - x, lambda phi, x: phi - x))
-def sine_for_cosine(k, h, p, d, second):
-    """sine and cosine are swapped. At theta = phi the height is greatest: which of the two is 1 there?"""
-    first = two(_solutions, k, h, p, d)[0]
-    phi = angle_about(k, p, h)
-    aside = np.pi / 2 - abs(np.angle(np.exp(1j * (first - phi))))
-    return [phi + aside, second(phi, aside)]
 
 
 add_swings(EXERCISE, _solutions, lambda k, h, p, d: (k, p, h))
