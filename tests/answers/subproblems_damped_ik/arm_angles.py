@@ -3,10 +3,9 @@
 import numpy as np
 
 from course_lib import subproblems
-from course_lib.rotations import exp_so3
+from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import ELBOW, SHOULDER, WRIST, bent
 
 ex, ey, ez = np.eye(3)
-SHOULDER, ELBOW, WRIST = np.array([0, 0, 0.29]), np.array([0, 0, 0.56]), np.array([0.302, 0, 0.63])
 
 
 def _bends(center):
@@ -14,20 +13,16 @@ def _bends(center):
     return answer.theta if answer.exact else []
 
 
-def _after(q3):
-    return ELBOW - SHOULDER + exp_so3(q3 * ey) @ (WRIST - ELBOW)
-
-
 def right_by_subproblems(center):
     found = []
     for q3 in _bends(center):
-        for q2, back in subproblems.subproblem2(ey, ez, _after(q3), center - SHOULDER).theta:
+        for q2, back in subproblems.subproblem2(ey, ez, bent(q3), center - SHOULDER).theta:
             found.append((-back, q2, q3))
     return found
 
 
 def right_axes_in_the_other_order(center):
-    both = [(q3, subproblems.subproblem2(ez, ey, center - SHOULDER, _after(q3)).theta) for q3 in _bends(center)]
+    both = [(q3, subproblems.subproblem2(ez, ey, center - SHOULDER, bent(q3)).theta) for q3 in _bends(center)]
     return [[-t, q2, q3] for q3, pairs in both for t, q2 in pairs]
 
 
@@ -40,7 +35,7 @@ def right_by_the_law_of_cosines(center):
     found = []
     for bend in (np.arccos(cosine), -np.arccos(cosine)):
         q3 = bend - np.arctan2(0.302, 0.07)
-        ahead, _, up = _after(q3)
+        ahead, _, up = bent(q3)
         for q1, reach in ((np.arctan2(y, x), np.hypot(x, y)), (np.arctan2(-y, -x), -np.hypot(x, y))):
             found.append([q1, np.arctan2(reach, z) - np.arctan2(ahead, up), q3])
     return np.array(found)

@@ -31,18 +31,14 @@ def right_by_subproblems(R):
     return found
 
 
-def right_as_zyz_in_other_axes(R):
-    """y takes the place of z, and x that of y."""
-    P = np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0.0]])
-    Z = P.T @ R @ P
-    sine = np.hypot(Z[2, 0], Z[2, 1])
-    if sine < 1e-10:
-        sign = np.sign(Z[2, 2])
-        return np.array(
-            [[np.arctan2(sign * Z[1, 0], sign * Z[0, 0]) + turn, np.arccos(sign), 0] for turn in (0, 2 * np.pi)]
-        )
-    a, b, c = np.arctan2(Z[1, 2], Z[0, 2]), np.arctan2(sine, Z[2, 2]), np.arctan2(Z[2, 1], -Z[2, 0])
-    return np.array([[a - np.pi, -b, c + np.pi], [a, b, c]])
+def right_both_signs_of_arccos(R):
+    triples = []
+    for b2 in np.array([-1, 1]) * np.arccos(np.clip(R[1, 1], -1, 1)):
+        s = 1 if b2 >= 0 else -1
+        free = np.hypot(R[0, 1], R[2, 1]) < 1e-7
+        b1 = 1.0 if free else np.arctan2(s * R[0, 1], s * R[2, 1])
+        triples.append((b1 + 2 * np.pi, b2, float(_rest(b1, b2, R))))
+    return triples
 
 
 def wrong_one_row_where_both_are_one(R):

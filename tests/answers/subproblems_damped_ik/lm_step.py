@@ -2,38 +2,29 @@
 
 import numpy as np
 
-
-def tip(q):
-    angles = np.cumsum(q)
-    return np.array([np.cos(angles).sum(), np.sin(angles).sum()])
-
-
-def planar_jacobian(q):
-    angles = np.cumsum(q)
-    links = np.array([-np.sin(angles), np.cos(angles)])
-    return np.cumsum(links[:, ::-1], axis=1)[:, ::-1]
+from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import jacobian, tip
 
 
 def right_solved(q, target, alpha, eps):
-    J = planar_jacobian(q)
+    J = jacobian(q)
     return list(q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ (tip(q) - target)))
 
 
 def right_smaller_matrix(q, target, alpha, eps):
-    J = planar_jacobian(q)
+    J = jacobian(q)
     e = (tip(q) - target)[:, None]
     return q[:, None] - alpha * J.T @ np.linalg.inv(J @ J.T + eps * np.eye(2)) @ e
 
 
 def right_least_squares(q, target, alpha, eps):
-    A = np.vstack([planar_jacobian(q), np.sqrt(eps) * np.eye(4)])
+    A = np.vstack([jacobian(q), np.sqrt(eps) * np.eye(4)])
     e = np.concatenate([tip(q) - target, np.zeros(4)])
     return q - alpha * np.linalg.lstsq(A, e, rcond=None)[0]
 
 
 def wrong_singular(q, target, alpha, eps):
     """LinAlgError"""
-    J = planar_jacobian(np.zeros(4))
+    J = jacobian(np.zeros(4))
     return q - alpha * np.linalg.solve(J.T @ J, J.T @ (tip(q) - target))
 
 

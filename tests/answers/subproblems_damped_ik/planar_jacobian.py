@@ -2,10 +2,7 @@
 
 import numpy as np
 
-
-def tip(q):
-    angles = np.cumsum(q)
-    return np.array([np.cos(angles).sum(), np.sin(angles).sum()])
+from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import tip
 
 
 def right_two_loops(q):

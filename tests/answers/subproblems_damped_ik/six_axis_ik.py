@@ -3,12 +3,9 @@
 import numpy as np
 
 from course_lib import subproblems
-from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import arm_solutions
-from course_lib.rigid import inverse, transform
+from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import HOME, SWAP, WRIST, arm_solutions
+from course_lib.rigid import inverse
 from course_lib.rotations import rot_x, rot_y, rot_z
-
-WRIST, HOME = np.array([0.302, 0, 0.63]), transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
-SWAP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]])
 
 
 def right_by_the_motion_from_home(T):

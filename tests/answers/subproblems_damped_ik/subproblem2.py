@@ -4,12 +4,8 @@ import math
 
 import numpy as np
 
-from course_lib.rotations import exp_so3
-
-
-def turn(k, p, q):
-    p, q = p - (k @ p) * k, q - (k @ q) * k
-    return np.arctan2(k @ np.cross(p, q), p @ q)
+from course_lib.checks.exercises.subproblems_damped_ik.shared import angle_about as turn
+from course_lib.checks.exercises.subproblems_damped_ik.shared import rotated
 
 
 def _parts(k1, k2, p1, p2):
@@ -31,7 +27,7 @@ def right_by_subproblem_four(k1, k2, p1, p2):
     if abs(np.linalg.norm(p1) / np.linalg.norm(p2) - 1) > 1e-6 or abs(C) > (1 + 1e-9) * np.hypot(A, B):
         return ()
     middle, aside = math.atan2(B, A), math.acos(max(-1, min(1, C / math.hypot(A, B))))
-    return tuple([t1, float(turn(k2, p2, exp_so3(t1 * k1) @ p1))] for t1 in (middle + aside, middle - aside))
+    return tuple([t1, float(turn(k2, p2, rotated(k1, t1, p1)))] for t1 in (middle + aside, middle - aside))
 
 
 def right_solve_in_a_frame(k1, k2, p1, p2):
@@ -57,12 +53,6 @@ def wrong_lengths_not_compared(k1, k2, p1, p2):
     """the lengths of p1 and p2 are not compared"""
     a, b, square = _parts(k1, k2, p1, p2)
     return _through(a, b, np.sqrt(square), k1, k2, p1, p2) if square > 0 else []
-
-
-def wrong_root_of_the_size(k1, k2, p1, p2):
-    """a pair is returned although"""
-    a, b, square = _parts(k1, k2, p1, p2)
-    return _through(a, b, np.sqrt(abs(square)), k1, k2, p1, p2) if np.isclose(p1 @ p1, p2 @ p2) else []
 
 
 def wrong_tolerance_without_a_scale(k1, k2, p1, p2):

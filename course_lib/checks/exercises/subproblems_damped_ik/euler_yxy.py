@@ -58,15 +58,11 @@ def _misses(triple, R):
 
 def _triples(value, R):
     try:
-        found = rows(3, "the two triples (b1, b2, b3), an array of shape (2, 3)")(value)
+        return rows(3, "the two triples (b1, b2, b3), an array of shape (2, 3)")(value)
     except Unreadable as wrong:
         if wrong.mistake is NOT_A_NUMBER and _end(R):
             raise Unreadable(str(wrong), _AT_THE_END) from None
         raise
-    if len(found) == 0 and _end(R):
-        mistake = Mistake("nothing is found where sin(b2) = 0", "One angle is free there: which value may it have?")
-        raise Unreadable("there are triples for every R. Your list is empty.", mistake)
-    return found
 
 
 def _rebuilt(within):
@@ -180,14 +176,6 @@ def second_from_the_first(R, first, change):
     Rebuild R from both."""
     triple, (sign, *halves) = _both(R)[first], change
     return None if _end(R) else [triple, triple * [1, sign, 1] + np.pi * np.array(halves)]
-
-
-@EXERCISE.mistake(column=(0, 2))
-def mixed(R, column):
-    """angles of one triple stand in the other. Do all three angles of each triple belong to the same solution?"""
-    found = _both(R).copy()
-    found[:, column] = found[::-1, column]
-    return None if _end(R) else found
 
 
 @EXERCISE.mistake

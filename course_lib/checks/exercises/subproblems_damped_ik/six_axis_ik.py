@@ -125,9 +125,3 @@ def home_on_the_wrong_side(T):
     """HOME stands on the wrong side of T. Which motion takes HOME to T?"""
     M = inverse(HOME) @ T
     return _with(T, M[:3, :3] @ WRIST + M[:3, 3], lambda q, R: _undone(q, M[:3, :3]))
-
-
-@EXERCISE.mistake
-def wrist_reversed(T):
-    """the wrist's angles are in reverse order. Which of joints 4 and 6 is next to the arm?"""
-    return np.array(all_solutions(T))[:, [0, 1, 2, 5, 4, 3]]

@@ -12,7 +12,6 @@ from course_lib.checks.format_numbers import format_array
 
 _TIPS = Mistake("the positions of the tip are returned, not the joint angles", "Which arrays do you keep?")
 _TRANSPOSED = Mistake("rows and columns have changed places", "One row for each step, one column for each joint.")
-_NUMBERS = Mistake("one number is kept for each step", "Which four numbers describe the arm after a step?")
 
 
 def _cases(rng):
@@ -31,11 +30,8 @@ def _cases(rng):
 
 def _read(value, q0, target, alpha, eps, steps):
     def known(array):
-        if array.shape == (4, steps + 1):
-            return _TRANSPOSED
-        if array.shape in ((steps,), (steps + 1,)):
-            return _NUMBERS
-        return _TIPS if array.shape[-1:] == (2,) else None
+        transposed = array.shape == (4, steps + 1)
+        return _TRANSPOSED if transposed else _TIPS if array.shape[-1:] == (2,) else None
 
     return rows(4, f"an array of shape ({steps + 1}, 4)", most=2 * steps + 8, known=known)(value)
 
@@ -133,13 +129,6 @@ def one_array(*case):
 def one_too_many(*case):
     """one step too many is taken. How many times does the loop run, and how many rows are there before it?"""
     return _path(*case[:4], case[4] + 1)
-
-
-@EXERCISE.mistake(more=(0, -1))
-def start_twice(*case, more):
-    """q0 appears twice. What is in the list before the loop, and what is appended first?"""
-    path = _path(*case)
-    return np.vstack([path[:1], path[: case[4] + 1 + more]])
 
 
 @EXERCISE.mistake(reached=(lambda *case: step(*case[:4]), lambda *case: case[0]))

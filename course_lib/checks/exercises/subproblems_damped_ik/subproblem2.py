@@ -1,20 +1,11 @@
 """subproblem2: the rotations about two axes that bring two points together."""
 
-import itertools
-
 import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.subproblems_damped_ik.shared import (
-    add_too_few,
-    all_of_them,
-    angle_about,
-    rotated,
-    same_list,
-    two,
-    unless_empty,
-)
+from course_lib.checks.exercises.subproblems_damped_ik import shared
+from course_lib.checks.exercises.subproblems_damped_ik.shared import angle_about, rotated, two
 from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
 from course_lib.subproblems import subproblem2
 
@@ -114,10 +105,10 @@ EXERCISE = Exercise(
     points=3,
     arguments=("k1", "k2", "p1", "p2"),
     cases=_cases,
-    returns=unless_empty(rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions),
+    returns=shared.unless_empty(rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions),
     library=solutions,
-    alike=same_list,
-    properties=all_of_them(
+    alike=shared.same_list,
+    properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",
         "pair",
         _misses,
@@ -152,8 +143,7 @@ EXERCISE = Exercise(
                 where=lambda *case: len(solutions(*case)) == 1,
                 mistake=Mistake(
                     "circles that touch are taken for circles that miss",
-                    "There c^2 is 0, and rounding may make it slightly negative: the task says from where on it is "
-                    "negative.",
+                    "There c^2 is 0, or by rounding slightly negative: from where on does the task call it negative?",
                 ),
             ),
         ),
@@ -170,14 +160,7 @@ EXERCISE = Exercise(
     forbidden=("course_lib.subproblems.subproblem2",),
 )
 
-add_too_few(EXERCISE, solutions, _misses)
-
-
-@EXERCISE.mistake
-def all_combinations(*case):
-    """every theta1 stands beside every theta2. How many meeting points are there, and how many pairs does each
-    give?"""
-    return list(itertools.product(*two(solutions, *case).T))
+shared.add_too_few(EXERCISE, solutions, _misses)
 
 
 @EXERCISE.mistake

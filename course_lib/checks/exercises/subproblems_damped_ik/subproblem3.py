@@ -4,16 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.subproblems_damped_ik.shared import (
-    across,
-    add_too_few,
-    all_of_them,
-    angle_about,
-    rotated,
-    same_list,
-    two,
-    unless_empty,
-)
+from course_lib.checks.exercises.subproblems_damped_ik import shared
+from course_lib.checks.exercises.subproblems_damped_ik.shared import across, angle_about, rotated, two
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
 from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
 from course_lib.subproblems import subproblem3, subproblem4
@@ -85,10 +77,10 @@ EXERCISE = Exercise(
     points=2,
     arguments=("k", "p", "g", "d"),
     cases=_cases,
-    returns=unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     library=_solutions,
-    alike=same_list,
-    properties=all_of_them(
+    alike=shared.same_list,
+    properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
         "angle",
         _misses,
@@ -121,7 +113,7 @@ EXERCISE = Exercise(
     forbidden=("course_lib.subproblems.subproblem3",),
 )
 
-add_too_few(EXERCISE, _solutions, _misses)
+shared.add_too_few(EXERCISE, _solutions, _misses)
 
 
 @EXERCISE.mistake(
