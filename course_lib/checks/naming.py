@@ -127,8 +127,14 @@ class Naming:
         """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
         if not self._explains(mistake, failing, everywhere=True):
             return False
+        if any(self._is_right(mistake.answers[0], i) for i in failing):
+            return False  # a list of solutions in reverse order, for example: this is not what is wrong
         changed = [value for i, value in enumerate(self.values) if self._predicts(mistake, mistake.answers[0], i)]
         return sum(np.size(value) for value in {str(value): value for value in changed}.values()) >= _FEW
+
+    def _is_right(self, answer, position):
+        case, right = self.cases[position], self.right(position)
+        return right is not None and attempt(self.exercise.alike, right, predict(answer, case), *case)
 
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply there."""
