@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.exercises.subproblems_damped_ik.shared import different, same_list
+from course_lib.checks.exercises.subproblems_damped_ik.shared import add_degrees, different, same_list
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import remembered
@@ -134,6 +134,9 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
 )
+
+
+add_degrees(EXERCISE, _both, _misses)
 
 
 def _alone(found, R):

@@ -127,6 +127,7 @@ def sign_of_an_entry(b, entry):
     column=(
         lambda c1, s1, c2, s2: (s1, c2, c1),
         lambda c1, s1, c2, s2: (s1, c2, c1 * s2),
+        lambda c1, s1, c2, s2: (s1 * s2, c2, c1),
         lambda c1, s1, c2, s2: (s1 * s2, 1, c1 * s2),
         lambda c1, s1, c2, s2: (s1 * c2, s2, c1 * c2),
     )

@@ -120,10 +120,22 @@ def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
     )
 
 
+def add_degrees(exercise, solutions, misses):
+    """Add the mistake of angles in degrees, which may differ from those predicted by 360 degrees."""
+
+    def shown(found, *case):
+        return len(found) > 0 and all(misses(np.deg2rad(solution), *case) < TOUCHING for solution in found)
+
+    @exercise.mistake(seen=shown)
+    def degrees(*case):
+        """the angles are in degrees. Which unit has the task?"""
+        return np.rad2deg(solutions(*case)) if len(solutions(*case)) else None
+
+
 def add_too_few(exercise, solutions, misses):
     """Add the mistakes of lists in which one of two solutions, or both, are missing."""
 
-    @exercise.mistake
+    @exercise.mistake(seen=lambda found, *case: len(found) == 0 and len(solutions(*case)) == 2)
     def nothing_found(*case):
         """the list is empty although there are solutions. Print the number that decides whether there is a solution:
         for this input there are two."""

@@ -31,7 +31,7 @@ def _cases(rng):
 def _read(value, q0, target, alpha, eps, steps):
     def known(array):
         transposed = array.shape == (4, steps + 1)
-        return _TRANSPOSED if transposed else _TIPS if array.shape[-1:] == (2,) else None
+        return _TRANSPOSED if transposed else _TIPS if array.shape[1:] == (2,) else None
 
     return rows(4, f"an array of shape ({steps + 1}, 4)", most=2 * steps + 8, known=known)(value)
 
@@ -105,6 +105,12 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )
+
+
+@EXERCISE.mistake
+def whole_numbers(*case):
+    """digits after the point are cut off. Does an array made like q0 hold decimals if q0 holds whole numbers?"""
+    return _path(*case, lambda *now: np.trunc(step(*now))) if case[0].dtype.kind == "i" else None
 
 
 @EXERCISE.mistake(last=(1, 2))

@@ -161,6 +161,7 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, solutions, _misses)
+shared.add_degrees(EXERCISE, solutions, _misses)
 
 
 @EXERCISE.mistake
@@ -204,6 +205,13 @@ def _foot(m, h1, h2):
 def _rest(a, b, m, square):
     """What Pythagoras leaves of |p1|^2 for the part along k1 x k2."""
     return square - a * a - b * b - 2 * a * b * m
+
+
+@EXERCISE.mistake
+def perpendicular_axes(*case):
+    """the axes are taken to be perpendicular. Which height does a k1 + b k2 have along k1 if they are not?"""
+    _, h1, h2 = _heights(*case)
+    return _through(case, h1, h2, case[2] @ case[2] - h1**2 - h2**2)
 
 
 @EXERCISE.mistake(

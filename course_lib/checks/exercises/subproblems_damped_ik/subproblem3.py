@@ -114,6 +114,7 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, _solutions, _misses)
+shared.add_degrees(EXERCISE, _solutions, _misses)
 
 
 @EXERCISE.mistake(
@@ -145,3 +146,6 @@ def triangle_not_across(k, p, g, d, lost, across_axis):
     product = np.linalg.norm(a) * np.linalg.norm(b) if across_axis else np.linalg.norm(p) * np.linalg.norm(g)
     aside = np.arccos(np.clip((a @ a + b @ b - d * d + lost(k @ p, k @ g)) / (2 * product), -1, 1))
     return [middle - aside, middle + aside]
+
+
+shared.add_swings(EXERCISE, _solutions, lambda k, p, g, d: (k, p, g))

@@ -94,6 +94,7 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, _solutions, _misses)
+shared.add_degrees(EXERCISE, _solutions, _misses)
 
 
 def _either_side(case, e, r=None, A=None):
