@@ -25,17 +25,6 @@ def right_factor_by_factor(b):
     return np.array([[0, 1, -cot], [1, 0, 0], [0, 0, csc]]) @ rot_y(-b[0])
 
 
-def wrong_adjugate_not_transposed(b):
-    """the transpose of what it should be"""
-    return np.transpose(right_lists(b))
-
-
 def wrong_zero_taken_too_far(b):
     """a small sin b2 is treated as if it were zero"""
     return right_lists(b) if abs(np.sin(b[1])) > 0.005 else np.zeros((3, 3))
-
-
-def wrong_damped(b):
-    """unnamed"""
-    A = np.array(right_cross_products_of_the_axes(b))
-    return A @ (np.eye(3) - 0.01 * A @ A.T)

@@ -25,16 +25,6 @@ def right_central_differences(q):
     return np.transpose([(tip(q + h * e) - tip(q - h * e)) / (2 * h) for e in np.eye(4)])
 
 
-def wrong_forward_differences(q):
-    """right to its first digits only"""
-    return np.transpose([(tip(q + 1e-6 * e) - tip(q)) / 1e-6 for e in np.eye(4)])
-
-
 def wrong_differences_not_divided(q):
     """unnamed"""
     return np.transpose([tip(q + 1e-5 * e) - tip(q - 1e-5 * e) for e in np.eye(4)])
-
-
-def wrong_velocity_of_the_tip(q):
-    """another form"""
-    return right_central_differences(q) @ q

@@ -34,9 +34,3 @@ def right_rotations_of_scipy(b):
 def wrong_the_rotation(b):
     """unnamed"""
     return rot_y(b[0]) @ rot_x(b[1]) @ rot_y(b[2])
-
-
-def wrong_b_changed_in_place(b):
-    """b is changed in place"""
-    b %= 3
-    return right_lists(b)

@@ -19,8 +19,3 @@ def right_by_eigenvalues(J, eps):
 def wrong_all_limits(J, eps):
     """another form"""
     return 2 * (1 + eps / np.linalg.svd(J, compute_uv=False) ** 2)
-
-
-def wrong_half(J, eps):
-    """half of what it should be"""
-    return 1 + eps / np.linalg.norm(J, 2) ** 2
