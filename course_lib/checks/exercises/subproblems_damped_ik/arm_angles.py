@@ -109,9 +109,3 @@ def elbow_not_bent(center):
     """the elbow is not bent when q1 and q2 are computed. Where has joint 3 brought the point that joints 1 and 2
     rotate?"""
     return _with(center, part=lambda q3: WRIST - SHOULDER)
-
-
-@EXERCISE.mistake
-def axes_swapped(center):
-    """the two axes of subproblem 2 are swapped. Which of joints 1 and 2 rotates p first?"""
-    return _with(center, axes=(Z, Y))

@@ -163,18 +163,6 @@ def first_and_last_swapped(R):
 
 
 # Rotations that exchange axes: after them the angles about x, y, x, or z, x, z, or z, y, z are those about y, x, y.
-_EXCHANGES = [[0, 1, 0], [1, 0, 0], [0, 0, -1]], [[1, 0, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 0], [0, 0, 1], [1, 0, 0]]
-
-
-def _of_other_axes(found, R):
-    exchanged = (P @ R @ np.transpose(P) for P in _EXCHANGES)
-    return len(found) > 0 and any(all(_misses(triple, other) < 1e-6 for triple in found) for other in exchanged)
-
-
-@EXERCISE.mistake(P=_EXCHANGES, seen=_of_other_axes)
-def other_axes(R, P):
-    """the angles are those about other axes. About which axes are the first, the second and the last rotation?"""
-    return _both(P @ R @ np.transpose(P))
 
 
 @EXERCISE.mistake(

@@ -134,14 +134,6 @@ def not_damped(q, target, alpha, eps, share):
     return q - alpha * np.linalg.pinv(J.T @ J + share * eps) @ J.T @ (tip(q) - target)
 
 
-@EXERCISE.mistake(matrix=(lambda M: M, lambda M: np.diag(1 / np.diag(M)), lambda M: 1 / M, lambda M: np.eye(4)))
-def not_solved(q, target, alpha, eps, matrix):
-    """J^T e is not multiplied by the inverse of J^T J + eps I. Without it this is gradient descent, 1 / M inverts
-    entry by entry, and M multiplies. Which linear equations does the step solve?"""
-    J = jacobian(q)
-    return q - alpha * matrix(J.T @ J + eps * np.eye(4)) @ J.T @ (tip(q) - target)
-
-
 @EXERCISE.mistake(
     changed=(
         lambda M, e: e**2 * np.eye(4),

@@ -123,11 +123,3 @@ def other_directions(q, directions):
     """the direction of link i is the sum of other angles than q1 to qi. Which entries of q does your sum contain for
     the first link, and for the last?"""
     return _of_links(directions(q))
-
-
-@EXERCISE.mistake(before=(0, 1))
-def directions_from_joint_j(q, before):
-    """the angles are summed from joint j on, not from the base. The velocity is asked for along x and y of the base:
-    in which frame are your links?"""
-    base = np.cumsum(q) - before * q
-    return np.transpose([_of_links(np.cumsum(q) - base[j])[:, j] for j in range(4)])

@@ -121,19 +121,3 @@ def sign_of_an_entry(b, entry):
     A = rates(b)
     A[tuple(entry)] *= -1
     return A
-
-
-@EXERCISE.mistake(
-    column=(
-        lambda c1, s1, c2, s2: (s1, c2, c1),
-        lambda c1, s1, c2, s2: (s1, c2, c1 * s2),
-        lambda c1, s1, c2, s2: (s1 * s2, c2, c1),
-        lambda c1, s1, c2, s2: (s1 * s2, 1, c1 * s2),
-        lambda c1, s1, c2, s2: (s1 * c2, s2, c1 * c2),
-    )
-)
-def column_3_wrong(b, column):
-    """column 3 has a factor too few, or sine and cosine swapped. Multiply Rx(b2) e_y out first: what does Ry(b1) then
-    make of it?"""
-    (c1, c2, _), (s1, s2, _) = np.cos(b), np.sin(b)
-    return np.column_stack([Y, rot_y(b[0]) @ X, column(c1, s1, c2, s2)])

@@ -86,13 +86,6 @@ def flange_for_wrist(T):
     return _with(T, T[:3, 3])
 
 
-@EXERCISE.mistake(offset=(lambda R: R[:, 2], lambda R: [-1, 0, 0], lambda R: -R[:, 0], lambda R: [0, 0, -1]))
-def flange_in_another_direction(T, offset):
-    """the flange's length is subtracted along another direction. Which axis of the flange points away from the wrist
-    center?"""
-    return _with(T, T[:3, 3] + 0.072 * np.array(offset(T[:3, :3])))
-
-
 @EXERCISE.mistake
 def home_orientation_left_out(T):
     """the home orientation is left out. How is the flange rotated if all joint angles are zero?"""

@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.lm_step import WRAPPED, allowed, off, step
-from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
+from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import ARMS, tip
 from course_lib.checks.format_numbers import format_array
 
 _TIPS = Mistake("the positions of the tip are returned, not the joint angles", "Which arrays do you keep?")
@@ -120,45 +120,15 @@ def start_missing(*case, last):
 
 
 @EXERCISE.mistake
-def last_only(*case):
-    """only the last angles are returned. Where do you keep those before?"""
-    return _path(*case)[-1:]
-
-
-@EXERCISE.mistake
 def one_array(*case):
     """every row is the same array, changed in place: all show the last angles. Does append copy an array?"""
     return np.tile(_path(*case)[-1], (case[4] + 1, 1))
-
-
-@EXERCISE.mistake
-def one_too_many(*case):
-    """one step too many is taken. How many times does the loop run, and how many rows are there before it?"""
-    return _path(*case[:4], case[4] + 1)
 
 
 @EXERCISE.mistake(reached=(lambda *case: step(*case[:4]), lambda *case: case[0]))
 def always_from_the_start(*case, reached):
     """all steps start from q0, or none is kept. Where does each step start, and which name gets its result?"""
     return np.array([case[0]] + [reached(*case)] * case[4])
-
-
-@EXERCISE.mistake(at_q0=("J e", "J", "e"))
-def not_recomputed(q0, target, alpha, eps, steps, at_q0):
-    """J or the error is not recomputed in each step. Which of your lines depend on q, and which are in the loop?"""
-
-    def kept(q, target, alpha, eps):
-        J, e = jacobian(q0 if "J" in at_q0 else q), tip(q0 if "e" in at_q0 else q) - target
-        return q - alpha * J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
-
-    return _path(q0, target, alpha, eps, steps, kept)
-
-
-@EXERCISE.mistake(a=(0.2, 1.0), e=(2.0, 1.0, None))
-def numbers_fixed(q0, target, alpha, eps, steps, a, e):
-    """alpha or eps is a fixed number, not the argument. Which numbers do you pass on to lm_step?"""
-    used = (a, eps if e is None else e)
-    return None if used == (alpha, eps) else _path(q0, target, *used, steps)
 
 
 def _part(path, *case):

@@ -162,9 +162,3 @@ def one_quotient(k, p, g, angle):
     """the angle is wrong beyond 90 degrees. arctan and arcsin return no such angle. Which function looks at the signs
     of both sine and cosine?"""
     return angle(k @ np.cross(p, g), across(k, p) @ g)
-
-
-@EXERCISE.mistake
-def zero_out_of_reach(k, p, g):
-    """0 is returned where no angle brings p to g. Does your formula not give the nearest angle there, too?"""
-    return None if _reached(k, p, g) else 0.0

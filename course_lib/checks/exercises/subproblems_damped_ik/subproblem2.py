@@ -164,24 +164,10 @@ shared.add_too_few(EXERCISE, solutions, _misses)
 shared.add_degrees(EXERCISE, solutions, _misses)
 
 
-@EXERCISE.mistake
-def crossed(*case):
-    """theta1 of one solution stands beside theta2 of the other. Do both angles of a pair belong to the same meeting
-    point?"""
-    (a, b), (c, d) = two(solutions, *case)
-    return [(a, d), (c, b)]
-
-
 @EXERCISE.mistake(signs=([1, -1], [-1, 1]))
 def sign_of_one_angle(*case, signs):
     """one of the two angles has the other sign. Which point does each angle rotate, and to which point?"""
     return two(solutions, *case) * signs
-
-
-@EXERCISE.mistake
-def angles_swapped(*case):
-    """theta1 and theta2 are swapped. In which order does the task want them?"""
-    return two(solutions, *case)[:, ::-1]
 
 
 def _through(case, a, b, square):
@@ -207,13 +193,6 @@ def _rest(a, b, m, square):
     return square - a * a - b * b - 2 * a * b * m
 
 
-@EXERCISE.mistake
-def perpendicular_axes(*case):
-    """the axes are taken to be perpendicular. Which height does a k1 + b k2 have along k1 if they are not?"""
-    _, h1, h2 = _heights(*case)
-    return _through(case, h1, h2, case[2] @ case[2] - h1**2 - h2**2)
-
-
 @EXERCISE.mistake(
     squared=(
         lambda a, b, m, square: _rest(a, b, m, square),
@@ -228,12 +207,3 @@ def pythagoras_wrong(*case, squared):
     m, h1, h2 = _heights(*case)
     a, b = _foot(m, h1, h2)
     return _through(case, a, b, squared(a, b, m, case[2] @ case[2]))
-
-
-@EXERCISE.mistake(foot=(lambda m, h1, h2: (h1, h2), lambda m, h1, h2: _foot(m, h2, h1), lambda m, *h: _foot(-m, *h)))
-def foot_wrong(*case, foot):
-    """a and b of the meeting point z = a k1 + b k2 +- c (k1 x k2) are wrong. Which height does your a k1 + b k2 have
-    along k1, and along k2? The axes need not be perpendicular."""
-    m, h1, h2 = _heights(*case)
-    a, b = foot(m, h1, h2)
-    return _through(case, a, b, _rest(a, b, m, case[2] @ case[2]) / (1 - m * m))

@@ -120,12 +120,4 @@ def constant_in_A(k, h, p, d):
     return _either_side((k, h, p, d), d - (k @ h) * (k @ p), A=h @ p)
 
 
-@EXERCISE.mistake(lengths=((1, 1, 0, 0), (1, 0, 0, 1), (0, 1, 1, 0), (0, 0, 0, 1), (0, 0, 1, 0), (0, 0, 0, 0)))
-def lengths_wrong(k, h, p, d, lengths):
-    """the height swings by another length than that of the parts perpendicular to the axis. What is the largest
-    value of A cos(theta) + B sin(theta)?"""
-    r = np.prod(np.linalg.norm([h, p, across(k, h), across(k, p)], axis=1) ** lengths)
-    return _either_side((k, h, p, d), d - (k @ h) * (k @ p), r)
-
-
 shared.add_swings(EXERCISE, _solutions, lambda k, h, p, d: (k, p, h))
