@@ -1,9 +1,9 @@
 """Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows no formula.
 
-tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called right_... are accepted: three
-at least, different in method or form. Those called wrong_... are refused; the first line of their docstring is a phrase of
-the name that the check gives the mistake, the type of the error they end in, or "unnamed" if no known mistake is to be
-claimed. The mistakes of the exercise itself, which stand below its check, are refused and named.
+tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called right_... are accepted:
+three at least, different in method or form. Those called wrong_... are refused; the first line of their docstring is a
+phrase of the name that the check gives the mistake, the type of the error they end in, or "unnamed" if no known mistake
+is to be claimed. The mistakes of the exercise itself, which stand below its check, are refused and named.
 
 SEEDS=50 in the environment tries fifty seeds of the cases instead of two.
 """
