@@ -31,8 +31,8 @@ from site_notebooks import (
 )
 from site_visits import CONTRAST, OPEN, Visit, assert_readable
 
+from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
-from course_lib.pack.site.errors import SiteError
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
 SLOW = json.loads(json.dumps(MOVING).replace('"duration": 20', '"duration": 500'))  # time to press Pause
@@ -162,9 +162,9 @@ def test_a_block_of_code_is_copied_by_its_button(reader):
     page.locator("summary", has_text="Solution").press("Enter")
     button = page.locator("details[open] .highlight").get_by_role("button", name="Copy")
     button.focus()
-    assert button.evaluate("e => getComputedStyle(e).opacity") == "1", "whoever has no mouse sees it"
+    page.wait_for_function("getComputedStyle(document.activeElement).opacity === '1'")  # whoever has no mouse sees it
     page.keyboard.press("Enter")
-    page.get_by_role("button", name="Copied").wait_for()
+    page.locator("button.copybtn.success").wait_for()
     page.evaluate("document.querySelector('article').prepend(document.createElement('textarea'))")
     words = page.locator("textarea")
     words.focus()
@@ -172,7 +172,7 @@ def test_a_block_of_code_is_copied_by_its_button(reader):
     assert words.input_value().rstrip("\n") == SOLUTION
     words.evaluate("e => e.remove()")
     blocks = page.locator("article .highlight:not(.output .highlight)").count()
-    assert page.locator("button.copy").count() == blocks
+    assert page.locator("button.copybtn").count() == blocks
 
 
 def test_still_pictures_are_printed_in_place_of_figures(reader):

@@ -8,8 +8,8 @@ from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import HELIX, MOVING, NBGRADER, PLOTLY, SOLUTION, TEXT, cell, output, png, write
 from site_visits import Visit, assert_readable
 
+from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
-from course_lib.pack.site.errors import SiteError
 
 
 @pytest.fixture(scope="module")

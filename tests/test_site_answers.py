@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, png, write
 from site_visits import CONTRAST, Visit
 
-from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site import SiteError
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 ANSWERS = {"Solution": "gooseberry", "Model answer": "stay orthogonal"}  # name: words that are inside

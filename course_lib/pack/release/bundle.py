@@ -77,55 +77,21 @@ def _as_they_are(folder, paths):
 
 
 def reduced_project(text):
-    r"""Return pyproject.toml with only the tables that installing the package needs.
-
-    Parameters
-    ----------
-    text : str
-        The project's own pyproject.toml.
-
-    Examples
-    --------
-    >>> print(reduced_project("[project]\nname = 'a'\n[tool.ruff]\nline-length = 120\n"), end="")
-    [project]
-    name = 'a'
-    """
+    """Return the text of pyproject.toml with only the tables that installing the package needs."""
     tables = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
     return "".join(table for table in tables if table.startswith(("[build-system]", "[project]"))).rstrip() + "\n"
 
 
 def wanted(project):
-    r"""Return the requirements of a pyproject.toml that students need: to run the package, and to install it.
-
-    Parameters
-    ----------
-    project : str
-        The text of pyproject.toml.
-
-    Examples
-    --------
-    >>> wanted("[project]\ndependencies = ['numpy']\n[dependency-groups]\nbuild = ['flit-core']\ntest = ['pytest']")
-    ['numpy', 'flit-core']
-    """
+    """Return the requirements of a pyproject.toml that students need: to run the package, and to install it."""
     tables = tomllib.loads(project)
     return [*tables["project"]["dependencies"], *tables["dependency-groups"]["build"]]
 
 
 def reduced_lock(lock, requirements):
-    r"""Return the lines of a lock that the requirements need, and what those need in turn.
+    """Return the lines of a lock that the requirements need, and what those need in turn.
 
     Environment markers are ignored, except for extras, because the lines of the lock have markers of their own.
-
-    Parameters
-    ----------
-    lock : str
-        The text of environment.txt.
-    requirements : list of str
-
-    Examples
-    --------
-    >>> print(reduced_lock("numpy==2.4.6\nruff==0.12.0\n", ["numpy>=2.2"]).splitlines()[1:])
-    ['numpy==2.4.6']
     """
     lines = [line for line in lock.splitlines() if not line.startswith("#")]
     pinned = {Requirement(line).name for line in lines}
@@ -159,25 +125,9 @@ def _extra(requirement):
 
 
 def named(files):
-    r"""Return the name of a release and its files, which now bear it.
+    """Return the name of a release (version and hash of all contents), and {path in the zip: bytes} with that name.
 
-    Parameters
-    ----------
-    files : dict
-        {path in the zip: bytes}, as `collect` returns them.
-
-    Returns
-    -------
-    release : str
-        The project's version and a hash of all contents.
-    files : dict
-        The same with the release's folder before each path, and the release in place of each placeholder.
-
-    Examples
-    --------
-    >>> release, files = named({"pyproject.toml": b"[project]\nversion = '1.0'"})
-    >>> release[:4], list(files) == [f"{FOLDER}-{release}/pyproject.toml"]
-    ('1.0-', True)
+    It is the folder before each path, and stands in place of each placeholder.
     """
     version = tomllib.loads(files["pyproject.toml"].decode())["project"]["version"]
     digest = hashlib.sha256()

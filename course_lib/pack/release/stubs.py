@@ -15,30 +15,8 @@ FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 def students_copy(text, name, release):
     """Return the text of a notebook without solutions and outputs.
 
-    Parameters
-    ----------
-    text : str
-        The author's notebook.
-    name : str
-        Its name, for messages.
-    release : str
-        Goes into its metadata.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    ReleaseError
-        Naming notebook and cell, if the markers are not paired, a stub would not be a function, or another cell
-        contains words for graders.
-
-    Examples
-    --------
-    >>> book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("x = 1", execution_count=7)])
-    >>> '"release": "1.0"' in students_copy(nbformat.writes(book), "a notebook", "1.0")
-    True
+    `name` is the notebook's, for messages; `release` goes into its metadata. Raises ReleaseError, which names notebook
+    and cell, if markers are not paired, a stub would not be a function, or another cell contains words for graders.
     """
     notebook = _read(text, name)
     for number, cell in enumerate(notebook.cells, 1):
@@ -74,25 +52,8 @@ def _empty(cell, place):
 def take_answer(cell, place):
     """Replace the author's answer in an answer cell by its stub or prompt; refuse answers in other cells.
 
-    Parameters
-    ----------
-    cell : NotebookNode
-        Changed in place.
-    place : str
-        The notebook and the cell, for messages.
-
-    Raises
-    ------
-    ReleaseError
-        If the answer cannot be separated from the rest, or another cell contains words for graders.
-
-    Examples
-    --------
-    >>> about = {"nbgrader": {"solution": True, "grade_id": "explain"}}
-    >>> cell = nbformat.v4.new_markdown_cell("**Model answer.** Because.", metadata=about)
-    >>> take_answer(cell, "a notebook, cell 1")
-    >>> cell.source
-    '*Type your answer here.*'
+    `place` names the notebook and the cell in messages. Raises ReleaseError if the answer cannot be separated from the
+    rest, or another cell contains words for graders.
     """
     nbgrader = cell.metadata.get("nbgrader", {})
     if nbgrader.get("solution"):
@@ -105,33 +66,12 @@ def take_answer(cell, place):
 
 
 def stub(source, exercise, place):
-    r"""Return the source of an answer cell with the marked lines replaced by one that says what to write.
+    """Return the source of an answer cell with the marked lines replaced by one that says what to write.
 
     If there are lines below the marked ones, the exercise is to find a bug in them, and only they are kept.
 
-    Parameters
-    ----------
-    source : str
-    exercise : str
-        Its name.
-    place : str
-        The notebook and the cell, for messages.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    ReleaseError
-        If the markers do not pair, or what remains is not a function of the exercise's name.
-
-    Examples
-    --------
-    >>> source = ["def double(x):", "    ### BEGIN SOLUTION", "    return 2 * x", "    ### END SOLUTION"]
-    >>> print(stub("\n".join(source), "double", "a notebook, cell 1"))
-    def double(x):
-        raise NotImplementedError("Write double here.")
+    `place` names the notebook and the cell in messages. Raises ReleaseError if the markers do not pair, or what remains
+    is not a function of the exercise's name.
     """
     kept, inside, blocks = [], False, 0
     has_bug = source.rpartition(END)[2].strip(" #\n") != ""

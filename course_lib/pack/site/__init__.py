@@ -1,1 +1,12 @@
 """The executed notebooks as a static site that opens from a folder with the network off."""
+
+LIVING = ("motion", "scene", "toys", "panda")  # the home page's scripts, of course_lib/figures/scripts, in order
+
+
+class SiteError(Exception):
+    """Why the site cannot be built, in a sentence for the person who builds it."""
+
+
+def heading_anchor(text: str) -> str:
+    """Return the name by which JupyterLab lets other cells link to a heading."""
+    return text.strip().replace(" ", "-")

@@ -5,18 +5,8 @@ import importlib.util
 import sys
 from pathlib import Path
 
-NEEDED = [
-    "nbformat",
-    "nbclient",
-    "sphinx",
-    "myst_nb",
-    "sphinx_book_theme",
-    "sphinx-mathjax-offline",
-    "py_mini_racer",
-    "plotly",
-    "bs4",
-    "PIL",
-]
+NEEDED = ["nbformat", "nbclient", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx_copybutton"]
+NEEDED += ["sphinx-mathjax-offline", "py_mini_racer", "plotly", "bs4", "PIL"]
 
 
 def main() -> int:
@@ -45,8 +35,8 @@ def main() -> int:
         return 1
 
     # Imported only now, because it needs the packages above.
+    from course_lib.pack.site import SiteError
     from course_lib.pack.site.build import build
-    from course_lib.pack.site.errors import SiteError
 
     try:
         solutions = chosen.solutions == "yes"

@@ -5,7 +5,7 @@ import re
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
-from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site import SiteError
 
 # A printed line that addresses the person who wrote the answers.
 OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)

@@ -7,17 +7,16 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from importlib.resources import files
 from pathlib import Path
 
 import nbformat
 
 import course_lib.figures
-from course_lib.pack.site import gather, search, sections
+from course_lib.pack.site import SiteError, gather, icons, search, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
-from course_lib.pack.site.errors import SiteError
 from course_lib.pack.site.finish import finish
 from course_lib.pack.site.living import living_panda
-from course_lib.pack.site.packages import folder
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
 from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
@@ -32,22 +31,9 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
 
     No cell is executed and no notebook is changed. If nothing has changed since the last build, nothing is done.
 
-    Parameters
-    ----------
-    notebooks : Path
-    output : Path
-        A folder that is empty, absent, or holds a site.
-    say : callable, optional
-        Called with a line of text for each notebook and stage.
-    solutions : bool, optional
-        True to fold the answers, False to leave them out.
-    single : bool, optional
-        True to make each page one file that needs no other.
-
-    Raises
-    ------
-    SiteError
-        If a notebook cannot be published; `output` then stays as it was.
+    `output` is empty, absent, or holds a site; `say` is called with a line of text for each notebook and stage. With
+    `solutions` the answers are folded, else left out; with `single` each page is one file that needs no other. Raises
+    SiteError if a notebook cannot be published; `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
@@ -125,11 +111,12 @@ def _linked(sources: list[Path], pages: Path) -> list[Path]:
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
     """Put our style and scripts and (if a figure needs it) plotly.js into `static`."""
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
+    (static / "icons.css").write_text(icons.style(), encoding="utf-8")
     (static / "figures").mkdir()
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
     if with_plotly:
-        plotly = (folder("plotly") / "package_data" / "plotly.min.js").read_bytes()
+        plotly = (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
         (static / PLOTLY).write_text(_packed(plotly), encoding="utf-8")
 
 
@@ -144,19 +131,9 @@ def _packed(script: bytes) -> str:
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:
     """Run Sphinx on `pages`; every warning is an error, because readers would see its effect."""
-    command = [
-        sys.executable,
-        "-m",
-        "sphinx",
-        "-b",
-        "html",
-        "-q",
-        "-N",
-        "-W",
-        "--keep-going",
-        *["-t", "single"] * single,
-    ]
-    done = subprocess.run([*command, "-d", doctrees, pages, site], capture_output=True, text=True)
+    settings = ["-q", "-N", "-W", "--keep-going", *["-t", "single"] * single, "-d", doctrees]
+    command = [sys.executable, "-m", "sphinx", "-b", "html", *settings, pages, site]
+    done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         raise SiteError("Sphinx says:\n" + _readable(done.stderr, pages))
 

@@ -6,13 +6,14 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import for_sphinx, formulas, search
+from course_lib.pack.site import LIVING, formulas, search
 
 project = "Robot kinematics"
 html_title = project
 language = "en"
 
-extensions = ["myst_nb"]
+extensions = ["myst_nb", "sphinx_copybutton"]
+copybutton_selector = ".bd-article div.highlight:not(.output div.highlight) pre"
 include_patterns = ["*.md", "*.ipynb"]
 
 nb_execution_mode = "off"
@@ -21,7 +22,7 @@ nb_merge_streams = True
 myst_enable_extensions = ["dollarmath", "amsmath"]
 # The notebooks are written to be read in JupyterLab too, so they link to headings and set formulas as it does.
 myst_heading_anchors = 4
-myst_heading_slug_func = "course_lib.pack.site.for_sphinx.heading_anchor"
+myst_heading_slug_func = "course_lib.pack.site.heading_anchor"
 myst_dmath_double_inline = True
 myst_dmath_allow_labels = False
 
@@ -85,7 +86,7 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if '<div class="living">' in context.get("body", ""):
-        for script in for_sphinx.LIVING:
+        for script in LIVING:
             app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if pagename == "search":
         app.add_js_file(search.NAME, loading_method="defer")

@@ -9,7 +9,7 @@ import nbformat
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 from course_lib.pack.release.stubs import students_copy
-from course_lib.pack.site.errors import SiteError
+from course_lib.pack.site import SiteError
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'

@@ -4,11 +4,9 @@ import html
 import json
 import re
 from functools import cache
-from pathlib import Path
+from importlib.resources import files
 
 from py_mini_racer import MiniRacer
-
-from course_lib.pack.site.packages import folder
 
 PARTS = ("loader", "core", "adaptors/liteDOM", "input/tex-full", "output/svg", "output/svg/fonts/tex")
 
@@ -39,11 +37,11 @@ class FormulaError(ValueError):
 @cache
 def _mathjax() -> MiniRacer:
     """Return a JavaScript engine with MathJax; one a process, because it takes half a second to start."""
-    files = folder("sphinx-mathjax-offline") / "static" / "mathjax"
+    folder = files("sphinx-mathjax-offline") / "static" / "mathjax"
     engine = MiniRacer()
     engine.eval("globalThis.MathJax = { loader: { load: [] } }; 0")
     for part in PARTS:
-        engine.eval(Path(files, f"{part}.js").read_text(encoding="utf-8") + "\n;0")
+        engine.eval((folder / f"{part}.js").read_text(encoding="utf-8") + "\n;0")
     engine.eval(SET_UP)
     return engine
 
@@ -60,17 +58,7 @@ def close() -> None:
 def typeset(text: str, display: bool = False) -> str:
     """Return HTML for a formula: a picture, and MathML for readers who do not see it.
 
-    Parameters
-    ----------
-    text : str
-        The formula in TeX, without dollars.
-    display : bool, optional
-        Whether it is on a line of its own.
-
-    Raises
-    ------
-    FormulaError
-        If MathJax does not understand the formula; the message is MathJax's own.
+    `text` is TeX without dollars; `display` puts it on a line of its own. Raises FormulaError with MathJax's message.
     """
     picture, mathml = json.loads(_mathjax().eval(f"set({json.dumps(text)}, {json.dumps(display)})"))
     error = re.search(r'<merror data-mjx-error="([^"]*)"', mathml)
@@ -94,15 +82,7 @@ def typeset(text: str, display: bool = False) -> str:
 def letters_of(page: str) -> str:
     """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas.
 
-    Parameters
-    ----------
-    page : str
-        HTML with formulas that `typeset` made in this process.
-
-    Examples
-    --------
-    >>> letters_of("<p>no formula</p>")
-    ''
+    `page` is HTML with formulas that `typeset` made in this process.
     """
     used = dict.fromkeys(LETTER.findall(page))
     if not used:

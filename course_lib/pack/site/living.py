@@ -16,7 +16,7 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.solids import arm_model, shells
 from course_lib.figures.toys.toy import solid
-from course_lib.pack.site.for_sphinx import LIVING
+from course_lib.pack.site import LIVING
 
 ALT = "A Franka Panda, a white robot arm with seven joints and a gripper, on a floor with a grid."
 START = np.deg2rad([-20, -15, 0, -125, 0, 110, 45])

@@ -13,8 +13,8 @@ import nbformat
 from PIL import Image
 
 from course_lib.figures.display import PLOTLY, TOY
+from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
-from course_lib.pack.site.errors import SiteError
 
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
@@ -32,20 +32,8 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
 
     Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
 
-    Parameters
-    ----------
-    notebook, folder : Path
-    solutions : bool, optional
-        True to fold the answers, False to leave them out.
-
-    Returns
-    -------
-    Counts
-
-    Raises
-    ------
-    SiteError
-        Naming notebook and cell, for what must not be published.
+    With `solutions` the answers are folded, else left out. Raises SiteError, which names notebook and cell, for what
+    must not be published.
     """
     try:
         book = nbformat.read(notebook, as_version=4)
@@ -113,11 +101,6 @@ def mark_dollars(page: str) -> str:
     """Return HTML in which formulas between dollars, as JupyterLab typesets them, are marked for Sphinx.
 
     The contents of code and of attributes are left as they are.
-
-    Examples
-    --------
-    >>> mark_dollars("<p>$q_1$</p><code>$HOME$</code>")
-    '<p><span class="math" data-tex="q_1"></span></p><code>$HOME$</code>'
     """
     parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
     parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]

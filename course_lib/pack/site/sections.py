@@ -107,24 +107,7 @@ def _from_elsewhere(text: str, link: str) -> str:
 
 
 def section(book, heading: str) -> list:
-    r"""Return copies of the cells between a heading of the second level and the next one; code is folded.
-
-    Parameters
-    ----------
-    book : NotebookNode
-    heading : str
-
-    Returns
-    -------
-    list of NotebookNode
-
-    Examples
-    --------
-    >>> from nbformat.v4 import new_markdown_cell, new_notebook
-    >>> book = new_notebook(cells=[new_markdown_cell("## Sources\n\n- a book\n\n## Further")])
-    >>> [cell.source for cell in section(book, "Sources")]
-    ['## Sources\n\n- a book\n\n']
-    """
+    """Return copies of the cells between a heading of the second level and the next one; code is folded."""
     found, inside = [], False
     for cell in book.cells:
         if cell.cell_type == "markdown":

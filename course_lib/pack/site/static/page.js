@@ -54,30 +54,3 @@
     if (first) first.scrollIntoView({ block: "center" });
   });
 })();
-
-// A button on each block of code that copies it.
-(() => {
-  "use strict";
-  async function copy(text) {
-    try {
-      await navigator.clipboard.writeText(text);
-    } catch {
-      // Some browsers do not allow that to pages opened from a folder.
-      const field = Object.assign(document.createElement("textarea"), { value: text });
-      document.body.append(field);
-      field.select();
-      document.execCommand("copy");
-      field.remove();
-    }
-  }
-  window.addEventListener("DOMContentLoaded", () =>
-    document.querySelectorAll(".bd-article div.highlight:not(.output div.highlight)").forEach((block) => {
-      const button = Object.assign(document.createElement("button"), { type: "button", className: "copy", textContent: "Copy" });
-      button.addEventListener("click", async () => {
-        await copy(block.querySelector("pre").textContent);
-        button.textContent = "Copied";
-        setTimeout(() => (button.textContent = "Copy"), 1500);
-      });
-      block.append(button);
-    }));
-})();
