@@ -15,12 +15,12 @@ unexport PYTHONDONTWRITEBYTECODE
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html grade notebooks animations data bench: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html grade notebooks animations data bench: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html pdf grade notebooks animations data bench: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html pdf grade notebooks animations data bench: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 # Many small k-means, in parallel tests: threads of their own would only get in each other's way.
 test html notebooks: export OMP_NUM_THREADS = 1
 
-.PHONY: help environment lab test html student grade notebooks animations data lock bench clean
+.PHONY: help environment lab test html pdf student grade notebooks animations data lock bench clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -49,6 +49,10 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 
 html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/; SINGLE=yes for one file a page
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") $(if $(SINGLE),--single "$(SINGLE)")
+
+pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no for students, build/course-students.pdf
+	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") \
+		--pdf build/course$(if $(filter no,$(SOLUTIONS)),-students).pdf
 
 student: environment ## write the release to students, without solutions, build/student.zip
 	@$(PY) -m course_lib.pack.release

@@ -22,6 +22,7 @@ from course_lib.pack.release.stubs import students_copy
 FOLDER = "robot-kinematics"
 RELEASE = "@RELEASE@"  # a placeholder until the contents, and so the release, are known
 STUDENTS = Path(__file__).parent / "students"  # what only students have
+PAGES = ("reports.md", "places.md", "changes.md")  # beside the notebooks, and the text pages that they name
 SET_UP = "course_lib/pack/environment.sh"
 LOCK_SAYS = "# The versions of all packages that this release was made with.\n"
 
@@ -59,7 +60,8 @@ def _read_by(notebooks, root):
     """
     text = b"".join(notebooks.values())
     beside = [*root.glob("notebooks/*.md"), *root.glob("notebooks/data/*.csv"), *root.glob("notebooks/data/*.json")]
-    return [path for path in beside if path.relative_to(root / "notebooks").as_posix().encode() in text]
+    asked = [path.relative_to(root / "notebooks").as_posix() for path in beside]
+    return [path for path, name in zip(beside, asked, strict=True) if name in PAGES or name.encode() in text]
 
 
 def _package(root):

@@ -17,6 +17,7 @@ def main() -> int:
         "--output", type=Path, help="folder to write; build/html, or build/html-students without solutions"
     )
     parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
+    parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
     parser.add_argument("--single", default="no", help="yes: make each page one file")
     chosen = parser.parse_args()
 
@@ -37,11 +38,15 @@ def main() -> int:
     # Imported only now, because it needs the packages above.
     from course_lib.pack.site import SiteError
     from course_lib.pack.site.build import build
+    from course_lib.pack.site.pdf import write_pdf
 
     try:
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
         build(chosen.notebooks, output, solutions=solutions, single=chosen.single == "yes")
+        if chosen.pdf:
+            write_pdf(output, chosen.pdf)
+            print(f"Wrote {chosen.pdf}, {chosen.pdf.stat().st_size / 1e6:.1f} MB.")
     except SiteError as error:
         print(f"No site was built. {error}", file=sys.stderr)
         return 1

@@ -13,6 +13,7 @@ from pathlib import Path
 import nbformat
 
 import course_lib.figures
+from course_lib.pack.release.bundle import PAGES
 from course_lib.pack.site import SiteError, gather, icons, search, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
@@ -103,7 +104,7 @@ def _linked(sources: list[Path], pages: Path) -> list[Path]:
     text = "".join(source.read_text(encoding="utf-8") for source in sources)
     found = sorted(pages.glob("*.md"))
     for page in found:
-        if page.name not in text:
+        if page.name not in text and page.name not in PAGES:
             page.unlink()
     return [page for page in found if page.exists()]
 

@@ -3,6 +3,7 @@
 import html
 import re
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import nbformat
@@ -59,6 +60,10 @@ python -m venv .venv
 
 {more}
 
+## Cite
+
+*Robot kinematics in six notebooks*, version {version}, with the date on which you read it.
+
 ```{{toctree}}
 :hidden:
 :titlesonly:
@@ -102,10 +107,14 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     time = f" All together they take about {sum(hours)} hours." if all(hours) else ""
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
     steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
-    if any(page.stem == "errata" for page in others):
+    pages = {page.name for page in others}
+    if "reports.md" in pages:
+        steps.append("[Each report, and its numbers beside ours](reports.md)")
+    if "errata.ipynb" in pages:
         steps.append("[Errors in the published reports](errata.ipynb)")
     return HOME.format(
         time=time,
+        version=version("course_lib"),
         living=living,
         zip=f"{offered} and unpack it. " if offered else "",
         steps="\n".join(f"- {step}" for step in steps),

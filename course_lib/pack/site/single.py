@@ -1,4 +1,4 @@
-"""Pages that are one file each: with styles, scripts and pictures inside, and no links to other pages."""
+"""Pages that are one file each, with styles, scripts and pictures inside; links lead to the pages beside it."""
 
 import base64
 import mimetypes
@@ -16,15 +16,15 @@ LEFT_OUT = """link[rel=search], link[rel=next], link[rel=prev], link[rel=preload
 def make_single(site: Path) -> None:
     """Turn the pages of a site into files that need no other, and delete all others except hidden files."""
     pages = [page for page in site.glob("*.html") if page.name not in ("search.html", "genindex.html")]
-    made = {page.name: _whole(page) for page in pages}
+    made = {page.name: _whole(page, {page.name for page in pages}) for page in pages}
     for old in site.glob("[!.]*"):
         shutil.rmtree(old) if old.is_dir() else old.unlink()
     for name, text in made.items():
         (site / name).write_text(text, encoding="utf-8")
 
 
-def _whole(page: Path) -> str:
-    """Return a page with everything that it loads inside."""
+def _whole(page: Path, beside: set[str]) -> str:
+    """Return a page with everything that it loads inside, and links only to the pages `beside` it and to the web."""
     soup = BeautifulSoup(page.read_text(encoding="utf-8"), "html.parser")
     for element in soup.select(LEFT_OUT):
         element.decompose()
@@ -45,7 +45,8 @@ def _whole(page: Path) -> str:
     for script in late:
         soup.body.append(script)
     for link in soup.select("a[href]"):
-        if not re.match(r"#|data:|https?:|mailto:", link["href"]):
+        here = re.match(r"#|data:|https?:|mailto:", link["href"]) or link["href"].partition("#")[0] in beside
+        if not here:
             link.unwrap()
     return str(soup)
 
