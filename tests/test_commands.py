@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from course_copy import ROOT, copied, made, run
 from helpers import FIGURE, stored
-from nbformat.v4 import new_code_cell
+from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
 
 from course_lib.figures import rigid_motion
@@ -64,6 +64,20 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
     write(course / "notebooks", "01_small.ipynb", cell(output({FIGURE: stored(movie)})))
     assert "build/animations/body.gif" in made(course, "animations", f"NOTEBOOKS={path}")
     assert (course / "build/animations/body.gif").read_bytes().startswith(b"GIF89a")
+    (course / path).unlink()
+
+
+def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
+    path = "notebooks/01_small.ipynb"
+    first, second = new_markdown_cell("# Small\n\nSee [there](#Further)."), new_markdown_cell("## Further\n\nWords.")
+    write(course / "notebooks", "01_small.ipynb", first, cell(output({"text/html": "x"})), second)
+    assert "Wrote build/course.pdf" in made(course, "pdf")
+    content = (course / "build/course.pdf").read_bytes()
+    assert content.startswith(b"%PDF-")
+    assert len(re.findall(rb"/Type /Page\b", content)) >= 2, "the contents and the notebook"
+    assert b"/Outlines" in content
+    assert b"01_small-further" in content.lower(), "what a link leads to"
+    assert not (course / "build/html/book.html").exists()
     (course / path).unlink()
 
 

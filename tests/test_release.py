@@ -77,7 +77,7 @@ def test_holds_what_students_need_and_nothing_else(files):
     kinds = [
         r"Makefile|README\.md|carry_over\.py|environment\.txt|pyproject\.toml",
         r"notebooks/\d\d_\w+\.ipynb",
-        r"notebooks/notation\.md",
+        r"notebooks/(notation|reports|places|changes)\.md",
         r"notebooks/data/\w+\.(csv|json)",
         r"course_lib/\w+\.py",
         r"course_lib/(checks|figures)/(\w+/)?\w+\.py",

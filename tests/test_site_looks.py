@@ -10,6 +10,7 @@ from site_visits import OPEN, Visit, assert_readable
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 PAGES = {"index": None, "errata": None, "sources": None, "notation": None, "search": None}
+PAGES |= {"reports": None, "places": None, "changes": None}
 PAGES |= {notebook.stem: notebook for notebook in NOTEBOOKS}
 WIDE = """() => [...document.querySelectorAll("article :is(.math, pre, table, .output, .plotly-figure, .panels, img)")]
   .filter((e) => e.scrollWidth > e.clientWidth || e.getBoundingClientRect().right > innerWidth)

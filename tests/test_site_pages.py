@@ -38,7 +38,7 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_
     page = on_a_phone("index").page
     article = page.locator("article")
     text = words(article.inner_text())
-    assert article.locator(".first-steps a").count() == 3
+    assert article.locator(".first-steps a").count() == 4
     hours = []
     for notebook in NOTEBOOKS:
         said = first_cell(notebook)
@@ -50,7 +50,7 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_
         assert "?" in card
         hours.append(int(re.search(r"About (\d+) hours\.", card)[1]))
     assert f"about {sum(hours)} hours" in text
-    for name in ("notation", "errata", "sources"):
+    for name in ("reports", "notation", "places", "changes", "errata", "sources"):
         assert article.locator(f"li a[href='{name}.html']").count() >= 1
 
 

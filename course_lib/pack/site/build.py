@@ -100,13 +100,19 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
 
 
 def _linked(sources: list[Path], pages: Path) -> list[Path]:
-    """Return the pages of text that the notebooks name; delete the others, which may be the author's own."""
+    """Return the pages of text that the notebooks name, and the course's own; delete the others.
+
+    Those may be the author's notes, or lead to a notebook that is not published here.
+    """
     text = "".join(source.read_text(encoding="utf-8") for source in sources)
-    found = sorted(pages.glob("*.md"))
-    for page in found:
-        if page.name not in text and page.name not in PAGES:
+    names, found = {source.name for source in sources}, []
+    for page in sorted(pages.glob("*.md"), key=lambda page: (page.name != PAGES[0], page.name)):
+        links = set(re.findall(r"\]\((\w+\.ipynb)", page.read_text(encoding="utf-8")))
+        if page.name in text or (page.name in PAGES and links <= names):
+            found.append(page)
+        else:
             page.unlink()
-    return [page for page in found if page.exists()]
+    return found
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:

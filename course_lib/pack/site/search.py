@@ -14,6 +14,7 @@ PAGE = """<section id="search"><h1>Search</h1>
 <ol id="search-results"></ol></section>"""
 
 SECTION = re.compile(r'<section [^>]*?id="([^"]+)">')
+CODE = re.compile(r"<pre.*?</pre>", re.DOTALL)
 HEADING = re.compile(r"<h([1-6])>(.*?)</h\1>", re.DOTALL)
 # Not in the index: formulas (pictures and MathML), the data of figures, and the link beside each heading.
 SILENT = re.compile(
@@ -48,6 +49,7 @@ def _sections(page: Path) -> list[list[str]]:
 
 
 def _words(page: str) -> str:
-    """Return the text of a part of a page, on one line."""
+    """Return the text of a part of a page, on one line: first the sentences, then code and what it prints."""
+    page = CODE.sub(" ", page) + " ".join(part[0] for part in CODE.finditer(page))
     text = re.sub(r"<[^>]*>", " ", re.sub(r"</?(?:span|m[a-z]+|em|strong|code|a)\b[^>]*>", "", SILENT.sub(" ", page)))
     return " ".join(html.unescape(text).split())
