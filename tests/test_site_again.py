@@ -116,15 +116,6 @@ def test_every_kind_of_change_is_noticed(notebooks, begins, change):
     assert begins(notebooks)
 
 
-def test_a_page_that_was_edited_is_written_again(notebooks):
-    first = written(notebooks)
-    (notebooks.parent / "html/01_rotations.html").write_text("scribbled over")
-    said, second = built(notebooks)
-    assert said[-1].startswith("Wrote")
-    assert min(second.values()) > max(first.values())
-    assert "scribbled" not in (notebooks.parent / "html/01_rotations.html").read_text("utf-8")
-
-
 def test_other_settings_are_noticed(notebooks, begins):
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")

@@ -137,6 +137,10 @@ def test_every_link_leads_somewhere(course, parsed):
 @pytest.mark.parametrize(("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")])
 def test_search_finds(course, browser, word, page):
     with Visit(browser, course / "search.html", query=f"?q={word}") as visit:
+        first = visit.page.locator("#search-results a").first
+        assert not first.get_attribute("href").startswith("errata"), "first what teaches it"
+        with visit.at_width(320):
+            assert visit.page.evaluate("document.documentElement.scrollWidth") <= 320
         link = visit.page.locator("#search-results a", has_text=page).first
         link.click()
         visit.page.locator("article mark").first.wait_for()
