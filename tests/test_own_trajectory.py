@@ -55,7 +55,7 @@ def run_with(path):
         source = cell.source.replace(LINE, f"TRAJECTORY = {str(path)!r}")
         exec(compile(source, cell.id, "exec"), space)
         if cell.id == "setup":
-            space["show"] = lambda fig, alt, caption: told.append(alt)
+            space["show"] = lambda picture, alt=None, caption=None: told.append(alt or picture.alt)
     return space, told
 
 

@@ -49,7 +49,7 @@ def wrong_as_in_the_report(src, dst, weights):
 
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):
-    """the sign is taken from the determinant of the sum"""
+    """the block is no rotation"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ Ut)
 
 
