@@ -116,7 +116,7 @@ def test_places_that_share_a_student_are_named(tmp_path):
         tmp_path, "bo_01_rotations.ipynb", "bo_rotations (1).ipynb", "cy_01_rotations.ipynb", "cy_02_rigid_motion.ipynb"
     )
     empty = {"problems": [], "exercises": [], "questions": [], "release": ""}
-    files = graded_files([(each, empty | {"notebook": each.notebook}) for each in find(tmp_path, NOTEBOOKS)])
+    files = graded_files([(each, empty | {"notebook": each.notebook}) for each in find(tmp_path, NOTEBOOKS)], {})
     said = ["ada: ada/, ada_02_rigid_motion.ipynb", "bo: bo_01_rotations.ipynb, bo_rotations (1).ipynb"]
     assert sharing(files) == said
 

@@ -13,9 +13,9 @@ from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.feedback import feedback_page, write_feedback
 from course_lib.pack.grade.jobs import ungraded_result
-from course_lib.pack.grade.marks import key, mark_answer
+from course_lib.pack.grade.marks import key
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GradedFile, graded_files
+from course_lib.pack.grade.tables import graded_files
 
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m {brace}"
 TAGS = {"html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "p", "strong", "a", "pre"}
@@ -44,8 +44,9 @@ def of(student, points=(), texts=(), place=None, notebook="01_rotations", **chan
     return submission, result(points, texts, notebook, **changed)
 
 
-def marks_of(each):
-    return [mark_answer(question, each.student, each.notebook, {}) for question in each.result["questions"]]
+def one(*outcome, rows=()):
+    """The GradedFile of one outcome."""
+    return graded_files([outcome], dict(rows))[0]
 
 
 def evil_one():
@@ -69,8 +70,7 @@ def assert_inert(text):
 
 
 def test_feedback_shows_points_messages_and_comments():
-    each = GradedFile(*of("zoe", [2, 0], ["because"]))
-    read = Read(feedback_page(each, marks_of(each)))
+    read = Read(feedback_page(one(*of("zoe", [2, 0], ["because"]))))
     for words in "2 of 6 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because":
         assert words in read.text
     for words in "✓ right", "✗ wrong", "to be read", "release 0.1.0-abc", "zoe/01_rotations.ipynb":
@@ -81,8 +81,7 @@ def test_feedback_shows_points_messages_and_comments():
 
 
 def test_feedback_escapes_all_text_from_a_submission():
-    each = GradedFile(*evil_one())
-    assert_inert(feedback_page(each, marks_of(each)))
+    assert_inert(feedback_page(one(*evil_one())))
 
 
 def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_path):
@@ -96,10 +95,11 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
             of("anna", [2], notebook="../../x"),
             of("", place="roster.csv"),
             (of("bob")[0], ungraded_result(of("bob")[0], "It is a link to another file.", "refused")),
-        ]
+        ],
+        {},
     )
     folder = tmp_path / "out" / "feedback"
-    write_feedback(folder, everything, marks_of)
+    write_feedback(folder, everything)
     written = sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file())
     assert len(written) == 6
     assert all(path.startswith("out/feedback/") and path.count("/") == 3 for path in written)
@@ -107,7 +107,7 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
     assert "<strong>2 of 2 points" in (folder / "zoe/01_rotations.html").read_text()
     assert "It is a link" in (folder / "bob/01_rotations.html").read_text()
 
-    write_feedback(folder, [each for each in everything if each.student == "zoe"], marks_of)
+    write_feedback(folder, [each for each in everything if each.student == "zoe"])
     assert [path.name for path in folder.iterdir()] == ["zoe"]
 
 
@@ -117,7 +117,7 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
 def a_class():
     outcomes = [of(f"s{i}", [2 * (i % 2), 2 * (i % 5 == 0), 2], ["because"]) for i in range(12)]
     twice = [of("s1", [points], notebook="02_rigid_motion", place=f"{points}") for points in (2, 0)]
-    return graded_files([*outcomes, *twice])
+    return graded_files([*outcomes, *twice], {})
 
 
 def rows(page, title):
@@ -128,7 +128,7 @@ def rows(page, title):
 
 
 def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
-    page = class_page(a_class(), marks_of)
+    page = class_page(a_class())
     read = Read(page)
     points = rows(page, "Distribution of the points")
     assert points[5] == ["50 to 60 %", "6", ["8.00"]]  # four of eight points; two are for the answer not read
@@ -142,23 +142,22 @@ def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
 
 
 def test_the_class_page_escapes_all_text_from_a_submission():
-    page = class_page(graded_files([evil_one()]), marks_of)
+    page = class_page([one(*evil_one())])
     assert_inert(page)
     assert page.count("<h2>") == 3
 
 
 @pytest.mark.parametrize("points", [[], [2, 2]])
 def test_a_class_without_mistakes_or_grades_has_a_page(points):
-    page = class_page(graded_files([of("zoe", points)]), marks_of)
+    page = class_page([one(*of("zoe", points))])
     assert page.count("<h2>") == (1 if points else 0)
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_both_pages_are_readable_in_the_light_and_in_the_dark_theme(browser, tmp_path, theme):
     everything = a_class()
-    (tmp_path / "class.html").write_text(class_page(everything, marks_of), encoding="utf-8")
-    page = feedback_page(everything[0], marks_of(everything[0]))
-    (tmp_path / "one.html").write_text(page, encoding="utf-8")
+    (tmp_path / "class.html").write_text(class_page(everything), encoding="utf-8")
+    (tmp_path / "one.html").write_text(feedback_page(everything[0]), encoding="utf-8")
     for name in "class.html", "one.html":
         visit = Visit(browser, tmp_path / name, theme=theme, width=400)
         elements = visit.page.query_selector_all("h1, h2, p, td, th, a, pre")
@@ -187,7 +186,7 @@ def test_the_class_page_counts_ungraded_files_separately():
         exercise["state"] = UNREADABLE
     refused = of("s5")[0]
     outcomes += [broken, (refused, ungraded_result(refused, "It is a link to another file.", "refused"))]
-    read = Read(class_page(graded_files(outcomes), marks_of))
+    read = Read(class_page(graded_files(outcomes, {})))
     said = "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (not in the means below)"
     assert said in read.text
     assert "01_rotations6 4 4.0 4 4".replace(" ", "") in "".join(read.text.split())
@@ -196,9 +195,7 @@ def test_the_class_page_counts_ungraded_files_separately():
 def test_feedback_shows_a_question_with_its_letter_its_mark_and_the_comment():
     question = {"question": "explain_frame", "of": 2, "text": "because", "task": "**B.** Which frame's velocities?"}
     rows = {key("zoe", "01_rotations", "explain_frame", "because"): {"mark": "1.5", "comment": "Nearly: which axis?"}}
-    each = GradedFile(*of("zoe", [2]))
-    page = feedback_page(each, [mark_answer(question, "zoe", "01_rotations", rows)])
-    read = Read(page)
+    read = Read(feedback_page(one(*of("zoe", [2], questions=[question]), rows=rows)))
     for words in ("explain_frame (B): read, 1.5 of 2", "Which frame's velocities?", "because", "Nearly: which axis?"):
         assert words in read.text
     assert ("href", "#explain_frame") in read.attributes
@@ -207,6 +204,6 @@ def test_feedback_shows_a_question_with_its_letter_its_mark_and_the_comment():
 def test_feedback_never_says_not_attempted_yet():
     submission, its = of("zoe", [0])
     its["exercises"][0]["state"] = NOT_ATTEMPTED
-    text = Read(feedback_page(GradedFile(submission, its), [])).text
+    text = Read(feedback_page(one(submission, its))).text
     assert "○ not attempted" in text
     assert "yet" not in text

@@ -8,9 +8,10 @@ from datetime import datetime
 import pytest
 from grade_stand_in import grade, hand_in
 
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.deadline import DAY, Deadline, DeadlineUnclear, read_deadline
-from course_lib.pack.grade.gradebook import Roster, RosterUnreadable, gradebook_text, read_roster
+from course_lib.pack.grade.deadline import DAY, Deadline, read_deadline
+from course_lib.pack.grade.gradebook import Roster, gradebook_text, read_roster
 from course_lib.pack.grade.tables import Totals
 
 POINTS = Totals(
@@ -136,12 +137,12 @@ def test_nobody_is_taken_for_canvas_row_of_points(roster):
 
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
 def test_a_file_that_is_not_a_roster_is_refused(roster, text):
-    with pytest.raises(RosterUnreadable, match="is not a roster"):
+    with pytest.raises(GradingStopped, match="is not a roster"):
         roster(text)
 
 
 def test_a_roster_with_a_cell_of_any_length_is_refused_in_a_sentence(roster):
-    with pytest.raises(RosterUnreadable, match="is not a table: field larger than"):
+    with pytest.raises(GradingStopped, match="is not a table: field larger than"):
         roster("Student,ID\n" + "x" * 200_000 + ",1\n")
 
 
@@ -172,7 +173,7 @@ def test_a_date_counts_to_its_end_and_a_time_to_the_second():
     [("soon", ""), ("2026-13-01", ""), ("0001-01-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")],
 )
 def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
-    with pytest.raises(DeadlineUnclear, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
+    with pytest.raises(GradingStopped, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
         read_deadline(when, rule)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from grade_stand_in import result
 
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, cell_text
 from course_lib.pack.grade.jobs import ungraded_result
@@ -16,7 +17,6 @@ from course_lib.pack.grade.marks import (
     OLDER,
     READ,
     TO_BE_READ,
-    MarksUnreadable,
     key,
     mark_answer,
     marks_text,
@@ -36,10 +36,6 @@ def outcome(student, points=(), texts=(), notebook="01_rotations", place=None, *
     return submission(student, notebook, place), result(points, texts, notebook, **changed)
 
 
-def its_marks(each, rows):
-    return [mark_answer(question, each.student, each.notebook, rows) for question in each.result["questions"]]
-
-
 def read_table(text):
     return list(csv.DictReader(io.StringIO(text.removeprefix("\ufeff"), newline="")))
 
@@ -48,19 +44,19 @@ class Class:
     """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps it."""
 
     def __init__(self, path, *outcomes):
-        self.path, self.rows, self.everything = path, read_marks(path), graded_files(outcomes)
-        self.marks_of = functools.partial(its_marks, rows=self.rows)
+        self.path, self.rows = path, read_marks(path)
+        self.everything = graded_files(outcomes, self.rows)
 
     def questions(self):
-        listed = [(each.student, each.notebook, answer) for each in self.everything for answer in self.marks_of(each)]
+        listed = [(each.student, each.notebook, answer) for each in self.everything for answer in each.answers]
         self.path.write_text(marks_text(listed, self.rows), encoding="utf-8", newline="")
         return read_table(self.path.read_text(encoding="utf-8"))
 
     def grades(self):
-        return read_table(grades_text(self.everything, self.marks_of))
+        return read_table(grades_text(self.everything))
 
     def totals(self):
-        return read_table(totals_text(totals(self.everything, self.marks_of)))
+        return read_table(totals_text(totals(self.everything)))
 
 
 @pytest.fixture
@@ -168,7 +164,7 @@ def test_statements_that_cannot_be_written_or_read_are_left_out(path):
     evil = outcome("=anna", [0], ["\ud800 x\x00\x1b[31m \r\n=1"], release="-1\n")
     evil[1]["exercises"][0]["message"] = "=" + "m" * 5000 + "\ud800"
     written = Class(path, evil)
-    grades = grades_text(written.everything, written.marks_of)
+    grades = grades_text(written.everything)
     grades.encode()
     assert "\x1b" not in grades
     (row, _) = read_table(grades)
@@ -192,7 +188,7 @@ def test_a_mark_is_merged_by_the_next_run_and_stays(path):
         assert [(row["mark"], row["state"]) for row in merged.questions()] == [("1,5", READ)]
         question = merged.grades()[1]
         assert (question["points"], question["state"], question["message"]) == ("1.5", READ, "'- nearly")
-        assert merged.marks_of(merged.everything[0])[0].comment == "- nearly"
+        assert merged.everything[0].answers[0].comment == "- nearly"
         assert (merged.totals()[0]["total"], merged.totals()[0]["to be read"]) == ("3.5", "0")
     text = path.read_text()
     Class(path, ZOE(texts=["because"])).questions()
@@ -276,7 +272,7 @@ def test_a_copied_line_takes_no_mark_away(path):
 @pytest.mark.parametrize("text", ["student,notebook\nzoe,01\n", "key;marks;comment\n1;2;3\n", "x" * 200_000])
 def test_a_table_that_lost_its_columns_stops_the_run(path, text):
     path.write_text(text + "\nmore")
-    with pytest.raises(MarksUnreadable, match=r"questions\.csv"):
+    with pytest.raises(GradingStopped, match=r"questions\.csv"):
         read_marks(path)
 
 

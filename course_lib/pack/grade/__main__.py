@@ -2,7 +2,6 @@
 
 import argparse
 import contextlib
-import functools
 import os
 import secrets
 import sys
@@ -10,15 +9,16 @@ from collections import Counter
 from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find, platform_of
 from course_lib.pack.grade.csv_text import count_noun
-from course_lib.pack.grade.deadline import DeadlineUnclear, read_deadline
+from course_lib.pack.grade.deadline import read_deadline
 from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.gradebook import IDENTITY, RosterUnreadable, gradebook_text, read_roster
-from course_lib.pack.grade.isolation import NONE, NotIsolated
-from course_lib.pack.grade.jobs import ROOT, GradingStopped, grade_all
-from course_lib.pack.grade.marks import MarksUnreadable, mark_answer, marks_text, read_marks
+from course_lib.pack.grade.gradebook import IDENTITY, gradebook_text, read_roster
+from course_lib.pack.grade.isolation import NONE
+from course_lib.pack.grade.jobs import ROOT, grade_all
+from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, sharing, totals, totals_text
@@ -31,7 +31,7 @@ def main(arguments=None, grade=None):
     chosen = _parser().parse_args(arguments)
     try:
         _grade(chosen, grade)
-    except (GradingStopped, NotIsolated, MarksUnreadable, RosterUnreadable, DeadlineUnclear) as error:
+    except GradingStopped as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
     except OSError as error:
@@ -78,7 +78,7 @@ def _grade(chosen, grade):
             how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
             print(f"Each submission runs {how}.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
-        _write(output, graded_files(outcomes, deadline), chosen.lms.replace("none", ""), roster)
+        _write(output, outcomes, deadline, chosen.lms.replace("none", ""), roster)
 
 
 def _submissions(chosen):
@@ -155,29 +155,20 @@ def _seed(path, given):
 # ---- the output files ----
 
 
-def _write(output, everything, platform, roster):
+def _write(output, outcomes, deadline, platform, roster):
     rows = read_marks(output / "questions.csv")  # read again, because marks may have been typed during the run
-
-    @functools.cache
-    def marks_of(place):
-        each = by_place[place]
-        return [mark_answer(question, each.student, each.notebook, rows) for question in each.result["questions"]]
-
-    def its_marks(each):
-        return [] if each.superseded_by else marks_of(each.submission.place)
-
-    by_place = {each.submission.place: each for each in everything}
-    listed = [(each.student, each.notebook, answer) for each in everything for answer in its_marks(each)]
+    everything = graded_files(outcomes, rows, deadline)
+    listed = [(each.student, each.notebook, answer) for each in everything for answer in each.answers]
     write_atomically(output / "questions.csv", marks_text(listed, rows))
-    write_atomically(output / "grades.csv", grades_text(everything, its_marks))
-    points = totals(everything, its_marks)
+    write_atomically(output / "grades.csv", grades_text(everything))
+    points = totals(everything)
     write_atomically(output / "totals.csv", totals_text(points))
     missing, shared = [], []
     if platform:
         text, missing, shared = gradebook_text(platform, points, roster)
         write_atomically(output / f"{platform}.csv", text)
-    write_feedback(output / "feedback", everything, its_marks)
-    write_atomically(output / "class.html", class_page(everything, its_marks))
+    write_feedback(output / "feedback", everything)
+    write_atomically(output / "class.html", class_page(everything))
     print(_summary(output, everything, listed))
     if missing:
         print(f"Not in the roster, and so not in {output / f'{platform}.csv'}: {', '.join(missing)}.")

@@ -16,9 +16,9 @@ STATES |= {NOT_ATTEMPTED: ("not attempted", "#8c8c8c")}
 BLUE = "#4a90d9"
 
 
-def class_page(everything, marks_of):
-    """Return the HTML page about the class. everything: GradedFiles; marks_of(each): the MarkedAnswers of one."""
-    found = totals(everything, marks_of)
+def class_page(everything):
+    """Return the HTML page about the class. everything: GradedFiles."""
+    found = totals(everything)
     counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
     graded = [each for each in counting if each.graded and not each.unreadable]
     said = f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} graded"

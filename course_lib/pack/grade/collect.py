@@ -15,6 +15,7 @@ from pathlib import Path
 
 from course_lib.pack.grade import zips
 from course_lib.pack.grade.platforms import exported_name, recognized
+from course_lib.pack.grade.zips import Refused
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
 MAX_DEPTH = 20  # folders in folders, of one student
@@ -71,10 +72,6 @@ class Submission:
     def top(self):
         """The file or folder, among those in the folder of submissions, that holds it."""
         return self.place.partition("/")[0] + ("/" if self.in_folder else "")
-
-
-class Refused(Exception):
-    """The file is not read; the text says why."""
 
 
 # ---- finding ----
@@ -190,7 +187,7 @@ def _in_zip(whole, notebooks):
     """Return the Submissions in a zip that a student handed in; `whole` is the zip's own."""
     try:
         names = [name for name in zips.notebooks_in(whole.path) if not any(map(_is_clutter, name.split("/")))]
-    except zips.ZipRefused as reason:
+    except Refused as reason:
         return [replace(whole, refused=str(reason))]
     stems = [printable(name.rpartition("/")[2]).removesuffix(".ipynb") for name in names]
     if not whole.in_folder and len(stems) > 1 and recognized(stems, []):
@@ -312,16 +309,11 @@ def read(submission):
         with os.fdopen(os.open(submission.path, flags), "rb") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise Refused("It is not a regular file.")
-            if submission.member:
-                content = zips.content(file, submission.member, MAX_BYTES + 1)
-            else:
-                content = file.read(MAX_BYTES + 1)
-    except zips.ZipRefused as reason:
-        raise Refused(str(reason)) from reason
-    except OSError as error:
-        raise Refused(f"It cannot be read: {error.strerror}.") from error
-    except (ValueError, MemoryError) as error:
-        raise Refused(f"It cannot be read: {type(error).__name__}.") from error
+            most, member = MAX_BYTES + 1, submission.member
+            content = zips.content(file, member, most) if member else file.read(most)
+    except (OSError, ValueError, MemoryError) as error:
+        reason = getattr(error, "strerror", None) or type(error).__name__
+        raise Refused(f"It cannot be read: {reason}.") from error
     if len(content) > MAX_BYTES:
         raise Refused(f"It is larger than {MAX_BYTES // 1_000_000} MB. Clear its outputs and hand it in again.")
     return content

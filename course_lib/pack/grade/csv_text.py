@@ -4,6 +4,8 @@ import csv
 import io
 import re
 
+from course_lib.pack.grade import GradingStopped
+
 LONGEST = 1000  # characters of a message in a table; the feedback has all
 LONGEST_ANSWER = 30_000  # characters that a spreadsheet's cell can hold
 FORMULA = "=+-@\uff1d\uff0b\uff0d\uff20"  # how a formula may begin in a spreadsheet, also in full-width letters
@@ -13,10 +15,6 @@ MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 MARK = "\ufeff"  # without it Excel on Windows shows accents wrongly; Canvas and Moodle import a file that has it
 
 
-class TableUnreadable(ValueError):
-    """The file is no table; the text says why, to follow its name."""
-
-
 def table_text(columns, rows):
     """Return a table as CSV text. columns, rows: lists of texts made by `cell`."""
     file = io.StringIO(newline="")
@@ -24,17 +22,16 @@ def table_text(columns, rows):
     return MARK + file.getvalue()
 
 
-def read_table(content, known):
+def read_table(path, known):
     """Return the rows of a CSV file as dicts; of columns with the same name the first that is filled counts.
 
-    Parameters
-    ----------
-    content : bytes
-        UTF-8, UTF-16, or the single bytes of Windows; cells separated by commas, semicolons or tabs.
-    known : set of str
-        Names of columns: the separator is the one that finds most of them.
+    The file is UTF-8, UTF-16, or the single bytes of Windows. Of commas, semicolons and tabs, the separator is the one
+    that finds most of the `known` names of columns.
     """
-    text, readings, problem = _decoded(content), [], None
+    try:
+        text, readings, problem = _decoded(path.read_bytes()), [], None
+    except OSError as error:
+        raise GradingStopped(f"{path} cannot be read: {error.strerror}.") from error
     for separator in ",;\t":
         try:
             rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
@@ -44,7 +41,7 @@ def read_table(content, known):
         names = [name.strip().strip('"') for name in rows[0]] if rows else []
         readings.append((len(known & set(names)), len(names), names, rows[1:]))
     if not readings:
-        raise TableUnreadable(f"is not a table: {problem}.") from problem
+        raise GradingStopped(f"{path} is not a table: {problem}.") from problem
     _, _, names, rows = max(readings, key=lambda reading: reading[:2])
     found = []
     for row in filter(any, rows):

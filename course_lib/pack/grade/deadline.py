@@ -5,11 +5,9 @@ import re
 from dataclasses import dataclass
 from datetime import datetime
 
+from course_lib.pack.grade import GradingStopped
+
 DAY = 86_400
-
-
-class DeadlineUnclear(Exception):
-    """The deadline or its rule cannot be understood; the text says why."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,7 @@ def read_deadline(when, rule):
     """
     if not when:
         if rule not in ("", "none"):
-            raise DeadlineUnclear(f"LATE={rule} has no meaning without DEADLINE=.")
+            raise GradingStopped(f"LATE={rule} has no meaning without DEADLINE=.")
         return None
     try:
         moment = datetime.fromisoformat(when)
@@ -44,8 +42,8 @@ def read_deadline(when, rule):
             moment = moment.replace(hour=23, minute=59, second=59)
         seconds = moment.timestamp()
     except (ValueError, OverflowError, OSError):
-        raise DeadlineUnclear(f"DEADLINE={when} is not a date: write 2026-11-30 or '2026-11-30 18:00'.") from None
+        raise GradingStopped(f"DEADLINE={when} is not a date: write 2026-11-30 or '2026-11-30 18:00'.") from None
     typed = re.fullmatch(r"(\d+(?:\.\d+)?)\s*%?(?:\s*(?:a|per) day)?", rule.strip())
     if rule not in ("", "none") and (not typed or float(typed[1]) > 100):
-        raise DeadlineUnclear(f"LATE={rule} is neither none nor a number of percent a day from 0 to 100.")
+        raise GradingStopped(f"LATE={rule} is neither none nor a number of percent a day from 0 to 100.")
     return Deadline(seconds, float(typed[1]) if typed else 0.0)

@@ -66,20 +66,17 @@ def wide_table(head, rows):
 # ---- one submission ----
 
 
-def feedback_page(each, answers):
-    """Return the HTML page of one GradedFile with the MarkedAnswers of its written answers."""
-    read = sum(answer.points or 0 for answer in answers)
-    waiting = sum(answer.points is None for answer in answers)
+def feedback_page(each):
+    """Return the HTML page of one GradedFile."""
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
     if each.graded:
-        later = f", {count_noun(waiting, 'written answer')} still to be read" if waiting else ""
-        points = (each.points + read) * each.share
-        body.append(f"<p><strong>{points:.4g} of {each.of} points</strong>{later}</p>")
+        later = f", {count_noun(each.unread, 'written answer')} still to be read" if each.unread else ""
+        body.append(f"<p><strong>{each.total:.4g} of {each.of} points</strong>{later}</p>")
         body.append(f'<p class="problem">{escaped(lateness(each))}</p>' if lateness(each) else "")
     body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
-    body.append(_overview(each.result["exercises"], answers))
+    body.append(_overview(each.result["exercises"], each.answers))
     body += [_exercise(exercise) for exercise in each.result["exercises"] if exercise["message"]]
-    body += [_answer(answer) for answer in answers]
+    body += [_answer(answer) for answer in each.answers]
     release = f", release {escaped(each.result['release'])}" if each.result["release"] else ""
     body.append(f'<p class="none">Graded from {escaped(each.submission.place)}{release}.</p>')
     return page(f"{each.notebook}, {each.student}", "\n".join(body))
@@ -131,7 +128,7 @@ def _answer(answer):
 # ---- all of them ----
 
 
-def write_feedback(folder, everything, marks_of):
+def write_feedback(folder, everything):
     """Write <student>/<notebook>.html for each file that counts; delete the pages of students not in this run."""
     counting = [each for each in everything if not each.superseded_by and each.student]
     students = file_names({each.student for each in counting})
@@ -143,7 +140,7 @@ def write_feedback(folder, everything, marks_of):
         names = file_names(set(its))
         for notebook, each in its.items():
             path = folder / students[student] / f"{names[notebook]}.html"
-            write_atomically(path, feedback_page(each, marks_of(each)))
+            write_atomically(path, feedback_page(each))
             written.add(path)
     for path in folder.glob("*/*.html"):
         if path not in written:

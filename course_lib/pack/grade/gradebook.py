@@ -12,7 +12,8 @@ Gradescope imports no totals: the file has the columns of its own export, "<name
 import re
 import unicodedata
 
-from course_lib.pack.grade.csv_text import TableUnreadable, cell, cell_text, read_table, table_text
+from course_lib.pack.grade import GradingStopped
+from course_lib.pack.grade.csv_text import cell, cell_text, read_table, table_text
 
 IDENTITY = {
     "canvas": ("Student", "ID", "SIS User ID", "SIS Login ID", "Section"),
@@ -25,20 +26,11 @@ WITHOUT_ROSTER = {"moodle": "Username", "gradescope": "SID"}  # the column of th
 POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words in its first cell for that row
 
 
-class RosterUnreadable(Exception):
-    """The roster cannot be used; the text says why."""
-
-
 def read_roster(path):
     """Return the rows of a roster: a CSV with a line for each student, as the platform exports it or with our names."""
-    try:
-        rows = read_table(path.read_bytes(), KEYS | {*NAMES, "Name", "Section"})
-    except OSError as error:
-        raise RosterUnreadable(f"{path} cannot be read: {error.strerror}.") from error
-    except TableUnreadable as problem:
-        raise RosterUnreadable(f"{path} {problem}") from problem
+    rows = read_table(path, KEYS | {*NAMES, "Name", "Section"})
     if not rows or len(rows[0]) < 2:
-        raise RosterUnreadable(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
+        raise GradingStopped(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
     rows = [{name: value.strip() for name, value in row.items()} for row in rows]
     return [row for row in rows if POINTS_POSSIBLE not in row.get("Student", "")]
 

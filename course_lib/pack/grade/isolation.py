@@ -14,7 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from course_lib.pack.grade import enter
+from course_lib.pack.grade import GradingStopped, enter
 from course_lib.pack.grade.visible import DEVICES, LIBRARIES, PYTHON, mounts, packages
 
 BUBBLEWRAP, NAMESPACES, NONE = "bubblewrap", "namespaces", "none"
@@ -27,16 +27,12 @@ seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submi
 yourself, with limits only; never as root.""".replace("\n", " ")
 
 
-class NotIsolated(Exception):
-    """Submissions cannot be isolated here; the text says what is missing, and what to do."""
-
-
 def kind(wanted=""):
-    """Return the kind of isolation to use. wanted: NONE if the instructor asked for none. Raises NotIsolated."""
+    """Return the kind of isolation to use. wanted: NONE if the instructor asked for none."""
     if wanted != NONE:
         return _best()
     if os.geteuid() == 0:
-        raise NotIsolated("ISOLATION=none runs submissions as yourself, and you are root: be another user for that.")
+        raise GradingStopped("ISOLATION=none runs submissions as yourself, and you are root: be another user for that.")
     return NONE
 
 
@@ -48,7 +44,7 @@ def _best():
         if not problem:
             return each
         tried.append(f"{each.capitalize()}: {problem}.")
-    raise NotIsolated(HELP.format(tried=" ".join(tried)))
+    raise GradingStopped(HELP.format(tried=" ".join(tried)))
 
 
 @functools.cache

@@ -15,17 +15,13 @@ from joblib import Parallel, delayed, parallel_config
 from tqdm import tqdm
 
 from course_lib.pack.files import write_atomically
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.collect import Refused, read
-from course_lib.pack.grade.isolation import NotIsolated
 
 LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
 CLUSTER_SECONDS = 60  # to wait for a scheduler, and for its first worker
 ROOT = Path(__file__).parents[3]
-
-
-class GradingStopped(Exception):
-    """The whole run cannot continue; the text says why."""
 
 
 # ---- the name of a result ----
@@ -167,7 +163,7 @@ def _one(submission, grade, seed, whose, content):
         if hasattr(grade, "prepare"):  # here and not in the process of each submission
             grade.prepare()
         return submission, digest, {"result": call_bounded(grade, content, submission.notebook, seed)}
-    except NotIsolated as problem:
+    except GradingStopped as problem:
         return submission, digest, {"stop": f"{platform.node()}: {problem}"}
     except OutOfBounds as reason:
         return submission, digest, {"failed": f"It could not be graded: {reason}."}

@@ -5,16 +5,13 @@ import math
 from dataclasses import dataclass, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
-from course_lib.pack.grade.csv_text import TableUnreadable, answer_text, cell, cell_text, read_table, table_text
+from course_lib.pack.grade import GradingStopped
+from course_lib.pack.grade.csv_text import answer_text, cell, cell_text, read_table, table_text
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.release import PROMPT
 
 COLUMNS = ("student", "notebook", "question", "of", "mark", "comment", "state", "answer", "key")
 TO_BE_READ, READ, OLDER = "to be read", "read", "of an older answer, or not in this run"
-
-
-class MarksUnreadable(Exception):
-    """The reader's table cannot be read and must not be overwritten; the text says why."""
 
 
 @dataclass(frozen=True)
@@ -48,23 +45,10 @@ def key(student, notebook, question, text):
 
 
 def read_marks(path):
-    """Return the rows of the reader's table as {key: {column: text}}; empty if there is no table yet.
-
-    Raises
-    ------
-    MarksUnreadable
-        If the file cannot be read, or has lost a column that is needed.
-    """
-    try:
-        rows = read_table(path.read_bytes(), set(COLUMNS))
-    except FileNotFoundError:
-        return {}
-    except OSError as error:
-        raise MarksUnreadable(f"{path} cannot be read: {error.strerror}.") from error
-    except TableUnreadable as problem:
-        raise MarksUnreadable(f"{path} {problem}") from problem
+    """Return the rows of the reader's table as {key: {column: text}}; empty if there is no table yet."""
+    rows = read_table(path, set(COLUMNS)) if path.exists() else []
     if rows and not {"key", "mark", "comment"} <= set(rows[0]):
-        raise MarksUnreadable(
+        raise GradingStopped(
             f"{path} no longer has the columns `key`, `mark` and `comment`. Restore them, or move "
             "the file away: the next run then writes a new one without marks."
         )

@@ -123,7 +123,7 @@ class Grader:
     wanted: str = ""
 
     def prepare(self):
-        """Load the course and try the isolation once, for all processes forked from this one. Raises NotIsolated."""
+        """Load the course and try the isolation once, for all processes forked from this one."""
         if isolation.kind(self.wanted) != isolation.NONE:
             isolation.mounts()
         _load()

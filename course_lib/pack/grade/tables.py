@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, count_noun, table_text
+from course_lib.pack.grade.marks import mark_answer
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
 GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message", "release")
@@ -12,13 +13,14 @@ GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message",
 
 @dataclass(frozen=True)
 class GradedFile:
-    """A submission with its result, as `submission.grade` returns it.
+    """A submission with its result, as `submission.grade` returns it, and its MarkedAnswers.
 
     superseded_by: the place of the file that counts instead of it, or "". share: of its points that a late file keeps.
     """
 
     submission: Submission
     result: dict
+    answers: tuple = ()
     superseded_by: str = ""
     days_late: int = 0
     share: float = 1.0
@@ -49,6 +51,16 @@ class GradedFile:
         return sum(exercise["points"] for exercise in self.result["exercises"])
 
     @property
+    def total(self):
+        """The points of exercises and written answers, after a deduction for lateness."""
+        return (self.points + sum(answer.points or 0 for answer in self.answers)) * self.share
+
+    @property
+    def unread(self):
+        """The number of written answers that have no mark yet."""
+        return sum(answer.points is None for answer in self.answers)
+
+    @property
     def of(self):
         """The points that the notebook offers, written answers included."""
         return sum(each["of"] for each in [*self.result["exercises"], *self.result["questions"]])
@@ -59,12 +71,13 @@ def final_state(state):
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
-def graded_files(outcomes, deadline=None):
+def graded_files(outcomes, rows, deadline=None):
     """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
 
-    outcomes: a list of (Submission, result). deadline: None if nothing is late.
+    outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if nothing is late.
     """
-    everything = sorted((_graded_file(*outcome, deadline) for outcome in outcomes), key=_order)
+    everything = [_graded_file(*outcome, rows, deadline) for outcome in outcomes]
+    everything.sort(key=lambda each: (each.student, each.notebook, each.submission.place))
     best = {}
     for each in everything:
         best.setdefault((each.student, each.notebook), []).append(each)
@@ -72,18 +85,16 @@ def graded_files(outcomes, deadline=None):
         best[group] = max(several, key=lambda each: (each.graded, each.points * each.share))  # the first of equals
     return [
         each if (winner := best[each.student, each.notebook]) is each or not each.student or not each.graded
-        else replace(each, superseded_by=winner.submission.place)
+        else replace(each, superseded_by=winner.submission.place, answers=())
         for each in everything
     ]  # fmt: skip
 
 
-def _graded_file(submission, result, deadline):
+def _graded_file(submission, result, rows, deadline):
     days = deadline.days_late(submission.modified) if deadline else 0
-    return GradedFile(submission, result, "", days, deadline.share_left(days) if deadline else 1.0)
-
-
-def _order(each):
-    return each.student, each.notebook, each.submission.place
+    each = GradedFile(submission, result, days_late=days, share=deadline.share_left(days) if deadline else 1.0)
+    marked = (mark_answer(question, each.student, each.notebook, rows) for question in result["questions"])
+    return replace(each, answers=tuple(marked))
 
 
 def sharing(everything):
@@ -111,15 +122,15 @@ def lateness(each):
 # ---- the tables ----
 
 
-def grades_text(everything, marks_of):
-    """Return the text of grades.csv: a line for each exercise. marks_of(each): the MarkedAnswers of a GradedFile."""
+def grades_text(everything):
+    """Return the text of grades.csv: a line for each exercise. everything: GradedFiles."""
     rows = []
     for each in everything:
-        rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each, marks_of)]
+        rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each)]
     return table_text(GRADES, [[cell(value) for value in row] for row in rows])
 
 
-def _lines(each, marks_of):
+def _lines(each):
     """Yield (exercise, points, of, state, message) for each entry of one file."""
     if each.superseded_by:
         yield "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
@@ -134,7 +145,7 @@ def _lines(each, marks_of):
     for exercise in each.result["exercises"]:
         name, points, of = (exercise[key] for key in ("exercise", "points", "of"))
         yield name, points, of, final_state(exercise["state"]), exercise["message"]
-    for answer in marks_of(each):
+    for answer in each.answers:
         points = "" if answer.points is None else answer.points
         yield answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
 
@@ -143,18 +154,9 @@ def _lines(each, marks_of):
 class Totals:
     """The points of a class.
 
-    Parameters
-    ----------
-    of : dict
-        {notebook: points there are}.
-    students : dict
-        {student: {notebook: points}}.
-    waiting : dict
-        {student: number of answers still to be read}.
-    late : dict
-        {(student, notebook): days}.
-    user_ids : dict
-        {student: the number by which the platform's gradebook knows them}.
+    of: {notebook: points there are}. students: {student: {notebook: points}}. waiting: {student: number of answers
+    still to be read}. late: {(student, notebook): days}. user_ids: {student: the number by which the platform's
+    gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
@@ -164,19 +166,16 @@ class Totals:
     user_ids: dict = field(default_factory=dict)
 
 
-def totals(everything, marks_of):
+def totals(everything):
     """Return the Totals of a class, after the deductions for late files. everything: GradedFiles."""
     of, found = {}, Totals()
     for each in sorted(everything, key=lambda each: each.student):
         if each.superseded_by or not each.student:
             continue
-        answers = marks_of(each)
         line = found.students.setdefault(each.student, {})
-        points = each.points + sum(answer.points or 0 for answer in answers)
-        line[each.notebook] = line.get(each.notebook, 0) + _rounded(points * each.share)
+        line[each.notebook] = line.get(each.notebook, 0) + _rounded(each.total)
         of[each.notebook] = max(of.get(each.notebook, 0), each.of)
-        unread = sum(answer.points is None for answer in answers)
-        found.waiting[each.student] = found.waiting.get(each.student, 0) + unread
+        found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
         found.late[each.student, each.notebook] = each.days_late
         if each.submission.user_id:
             found.user_ids[each.student] = each.submission.user_id

@@ -12,22 +12,20 @@ MOST_RATIO = 200  # of a file's size to what it takes in the zip, beyond a milli
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the memory that others take is the writer's choice
 
 
-class ZipRefused(Exception):
-    """The zip, or a file in it, is not read; the text says why."""
+class Refused(Exception):
+    """The file is not read; the text says why."""
 
 
 def notebooks_in(path):
     """Return the names of the notebooks in a zip, sorted. Its list of files is read in a process of its own."""
     if os.path.getsize(path) > MOST_BYTES:
-        raise ZipRefused(f"The zip is larger than {MOST_BYTES // 10**6} MB.")
+        raise Refused(f"The zip is larger than {MOST_BYTES // 10**6} MB.")
     try:
         names = call_bounded(_names, str(path), cpu_seconds=10, memory=500_000_000, clock_seconds=120)
-    except OutOfBounds as bound:
-        raise ZipRefused(f"The zip cannot be opened: {bound}.") from bound
-    except RuntimeError as problem:
-        raise ZipRefused(f"The zip cannot be opened: {problem}.") from problem
+    except (OutOfBounds, RuntimeError) as problem:
+        raise Refused(f"The zip cannot be opened: {problem}.") from problem
     if len(names) > MOST_ENTRIES:
-        raise ZipRefused(f"The zip holds more than {MOST_ENTRIES} files.")
+        raise Refused(f"The zip holds more than {MOST_ENTRIES} files.")
     return sorted({name for name in names if name.lower().endswith(".ipynb")})
 
 
@@ -42,12 +40,12 @@ def content(file, name, most):
         with zipfile.ZipFile(file) as archive:
             about = archive.getinfo(name)
             if about.flag_bits & 1:
-                raise ZipRefused("It is encrypted in the zip.")
+                raise Refused("It is encrypted in the zip.")
             if about.compress_type not in METHODS:
-                raise ZipRefused("It is compressed in a way that is not read: hand in an ordinary zip.")
+                raise Refused("It is compressed in a way that is not read: hand in an ordinary zip.")
             if about.file_size > 10**6 and about.file_size > MOST_RATIO * about.compress_size:
-                raise ZipRefused("It is far larger than what it takes in the zip. Clear its outputs and zip it again.")
+                raise Refused("It is far larger than what it takes in the zip. Clear its outputs and zip it again.")
             with archive.open(about) as member:
                 return member.read(most)
     except (zipfile.BadZipFile, zlib.error, KeyError, NotImplementedError, EOFError) as problem:
-        raise ZipRefused(f"It cannot be read from the zip: {type(problem).__name__}.") from problem
+        raise Refused(f"It cannot be read from the zip: {type(problem).__name__}.") from problem
