@@ -12,13 +12,24 @@ import time
 import uuid
 from pathlib import Path
 
+TABLES = ("grades.csv", "totals.csv", "questions.csv")
+SOON = 120  # seconds that a loaded machine may take
+
+
+def wait_for(what):
+    """Return the first true value of what(), or fail after a while."""
+    deadline = time.monotonic() + SOON
+    while not (value := what()):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    return value
+
 
 def grade(content, notebook, seed):
     told = json.loads(content)
     if "log" in told:
-        Path(told["log"], f"{uuid.uuid4()}").write_text(
-            str(os.getppid())
-        )  # whoever started it: grading forks a process for each
+        # Whoever started it: grading forks a process for each.
+        Path(told["log"], f"{uuid.uuid4()}").write_text(str(os.getppid()))
     time.sleep(told.get("seconds", 0))
     if told.get("do") == "raise":
         raise ValueError("a grader has errors too")

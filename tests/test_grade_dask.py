@@ -5,28 +5,16 @@ import re
 import subprocess
 import sys
 import threading
-import time
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from grade_stand_in import grade, hand_in
+from grade_stand_in import TABLES, grade, hand_in, wait_for
 
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.jobs import course_hash
 
 ROOT = Path(__file__).parents[1]
-SOON = 120  # seconds that a loaded machine may take
-TABLES = ("grades.csv", "totals.csv", "questions.csv")
-
-
-def wait_for(what):
-    """Return the first true value of what(), or fail after a while."""
-    deadline = time.monotonic() + SOON
-    while not (value := what()):
-        assert time.monotonic() < deadline
-        time.sleep(0.1)
-    return value
 
 
 class Cluster:

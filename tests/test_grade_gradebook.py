@@ -210,6 +210,9 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
 @pytest.mark.parametrize(
     ("options", "said"),
     [
+        (("--jobs", "two"), "JOBS=two is not a whole number."),
+        (("--seed", "two"), "SEED=two is not a whole number."),
+        (("--isolation", "weak"), "ISOLATION=weak is not none, the only choice to make."),
         (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
         (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
@@ -223,17 +226,11 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
     assert not (tmp_path / "out").exists()
 
 
-def test_students_not_in_the_roster_are_named(tmp_path, capsys):
-    hand_in(tmp_path / "in", "eve_01_rotations.ipynb", points=[2])
-    (tmp_path / "roster.csv").write_text(CANVAS)
-    out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
-    assert f"Not in the roster, and so not in {out / 'canvas.csv'}: eve." in capsys.readouterr().out
-
-
-def test_two_folders_of_one_student_are_named(tmp_path, capsys):
-    for name in ("jane", "Doe Jane"):
+def test_students_not_in_the_roster_and_those_who_share_a_line_are_named(tmp_path, capsys):
+    for name in ("eve", "jane", "Doe Jane"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(CANVAS)
-    written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
-    expected = "One student of the roster, whose better points of each notebook count: Doe Jane, jane."
-    assert expected in capsys.readouterr().out
+    out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
+    said = capsys.readouterr().out
+    assert f"Not in the roster, and so not in {out / 'canvas.csv'}: eve." in said
+    assert "One student of the roster, whose better points of each notebook count: Doe Jane, jane." in said

@@ -1,5 +1,6 @@
 """Folders that students hand in may hold anything: each student has a line, and no student's files affect another's."""
 
+import contextlib
 import os
 import shutil
 import socket
@@ -19,28 +20,20 @@ NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
 
 
 def nested(folder, depth):
-    """Make folders in folders, deeper than a path may be long; return the number made."""
-    here = os.getcwd()
+    """Make folders in folders, deeper than a path may be long."""
     os.makedirs(folder)
-    os.chdir(folder)
-    try:
+    with contextlib.chdir(folder):
         for _ in range(depth):
             os.mkdir("d")
             os.chdir("d")
-        with open("01_rotations.ipynb", "w") as file:
-            file.write("{}")
-    finally:
-        os.chdir(here)
+        Path("01_rotations.ipynb").write_text("{}")
 
 
 def lines(folder):
-    """Return {student: the result of the student's files} after a complete run."""
+    """Return {student: what became of the student's one file} after a complete run."""
     found = find(folder, NOTEBOOKS)
     outcomes = grade_all(found, folder.parent / "results", 1, grade, jobs=1)
-    lines = {}
-    for submission, result in outcomes:
-        lines.setdefault(submission.student, []).append(result.get("state") or "graded")
-    return lines
+    return {submission.student: result.get("state", "graded") for submission, result in outcomes}
 
 
 @pytest.fixture
@@ -55,7 +48,7 @@ def handed_in():
 @pytest.mark.parametrize("depth", [MAX_DEPTH, 1500, 3000])
 def test_deeply_nested_folders_affect_only_their_student(handed_in, depth):
     nested(handed_in / "mallory", depth)
-    assert lines(handed_in) == {"innocent": ["graded"], "mallory": ["refused"]}
+    assert lines(handed_in) == {"innocent": "graded", "mallory": "refused"}
     (said,) = (each.refused for each in find(handed_in, NOTEBOOKS) if each.student == "mallory")
     assert said == f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
 
@@ -85,9 +78,7 @@ def test_a_folder_whose_name_begins_with_a_dot_has_a_line(handed_in):
     hand_in(handed_in, ".more/report.pdf")
     hand_in(handed_in, "eve/.work/01_rotations.ipynb")
     hand_in(handed_in, "eve/.ipynb_checkpoints/01_rotations-checkpoint.ipynb")
-    assert lines(handed_in) == {
-        "innocent": ["graded"], ".hidden": ["graded"], ".more": ["refused"], "eve": ["graded"]
-    }  # fmt: skip
+    assert lines(handed_in) == {"innocent": "graded", ".hidden": "graded", ".more": "refused", "eve": "graded"}
 
 
 def test_names_that_print_alike_stay_two_submissions(handed_in):
@@ -135,11 +126,8 @@ def test_anything_in_a_folder_affects_no_other_student(handed_in):
         os.symlink(".", path / "loop")
         os.symlink("/etc", path / "etc.ipynb")
         os.symlink("/nowhere", path / "nowhere")
-        here = os.getcwd()
-        os.chdir(path)  # the name of a socket must be short
-        with socket.socket(socket.AF_UNIX) as one:
+        with contextlib.chdir(path), socket.socket(socket.AF_UNIX) as one:  # the name of a socket must be short
             one.bind("socket.ipynb")
-        os.chdir(here)
         (path / "empty.ipynb").write_bytes(b"")
     out = handed_in.parent / "out"
     assert main([str(handed_in), "--output", str(out), "--jobs", "1"], grade=grade) == 0

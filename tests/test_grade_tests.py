@@ -176,21 +176,3 @@ def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing
     row = graded(ATTACKS[attack])
     assert row["state"] != "right", row
     assert row["points"] <= 1, row  # a guess may be lucky: on average it earns nothing
-
-
-def test_candidates_answer_so_many_calls_and_no_more(monkeypatch):
-    calls, reply = [], submission.Student.reply
-
-    def counted(student, questions, consult=None):
-        calls.append(0)
-
-        def count(call):
-            calls[-1] += 1
-            return consult(call)
-
-        return reply(student, questions, consult and count)
-
-    monkeypatch.setattr(submission, "MOST_CALLS", 1000)
-    monkeypatch.setattr(submission.Student, "reply", counted)
-    graded(ATTACKS["calls without an end"])
-    assert max(calls) == 1000

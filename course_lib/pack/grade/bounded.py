@@ -1,8 +1,7 @@
 """Bounds on the processor time and memory of the grader's own work on one submission.
 
-The grader reads files and judges answers outside the sandbox, from data that a student made. It therefore grades each
-submission in a process of its own, so that a crash affects no other submission. Within that process a deadline ends an
-exercise that takes too long, so that the others keep their points.
+The grader reads files and judges answers outside the sandbox, from data that a student made. So each submission has a
+process of its own, and within it a deadline ends an exercise that takes too long: the others keep their points.
 """
 
 import contextlib
@@ -57,14 +56,8 @@ def cpu_deadline(seconds):
 def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=CLOCK_SECONDS):
     """Return function(*arguments), plain data, from a process of its own with bounded resources.
 
-    memory: bytes of address space, in addition to that at the start.
-
-    Raises
-    ------
-    OutOfBounds
-        If the function exceeded a bound, or ended its process.
-    RuntimeError
-        If the function raised: the text holds the exception's type and message.
+    memory: bytes of address space, in addition to that at the start. Raises OutOfBounds if the function exceeded a
+    bound or ended its process, and RuntimeError with the type and message of an exception that it raised.
     """
     there, here = os.pipe()
     with warnings.catch_warnings():

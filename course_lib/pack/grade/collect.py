@@ -31,29 +31,13 @@ LINK = "It is a link to another file, and links are not followed."
 
 @dataclass(frozen=True)
 class Submission:
-    """A file that was handed in.
+    """A file that was handed in. A text that does not apply is "".
 
-    Parameters
-    ----------
-    student : str
-        Whose it is, or "" if the file's name does not say.
-    notebook : str
-        The course's name for it if the file's name contains one, else the file's own.
-    place : str
-        The path below the folder of submissions, unique, for messages and hashes.
-    path : Path
-    member : str
-        The file's name in the zip at `path`; "" if that is the file itself.
-    refused : str
-        Why it is not graded, or "".
-    modified : float or None
-        Seconds since 1970 at which the file was last written.
-    platform_id, user_id : str
-        The learning platform's number in the file's name, and the same if the platform's gradebook has it too; or "".
-    late : bool
-        Whether the platform marked the file as late.
-    in_folder : bool
-        Whether a folder bears the student's name.
+    student: whose it is. notebook: the course's name for it if the file's name contains one, else the file's own.
+    place: the path below the folder of submissions, unique, for messages and hashes. member: the file's name in the
+    zip at `path`. refused: why it is not graded. modified: seconds since 1970. platform_id: the learning platform's
+    number in the file's name; user_id: the same if its gradebook has it too. late: whether the platform says so.
+    in_folder: whether a folder bears the student's name.
     """
 
     student: str
@@ -80,14 +64,8 @@ class Submission:
 def find(folder, notebooks, platform=None):
     """Return the Submissions in a folder, in the order of their places.
 
-    Parameters
-    ----------
-    folder : Path
-        Holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export.
-    notebooks : list of str
-        The names of the course's notebooks.
-    platform : str, optional
-        The learning platform that exported the files; None to look whether all names are as one exports them.
+    folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export. notebooks:
+    the course's. platform: which one exported the files; None to look whether all names are as one exports them.
     """
     paths = [path for path in sorted(folder.iterdir()) if not _is_clutter(path.name)]
     platform = platform_of(folder) if platform is None else platform
@@ -99,7 +77,10 @@ def find(folder, notebooks, platform=None):
             else:
                 found += _flat(path, folder, notebooks, platform)
         except Exception as problem:  # any problem of one file must not affect the others
-            found.append(_broken(path, problem, platform))
+            name = exported_name(printable(path.stem), platform)
+            reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
+            refused = f"It cannot be read: {reason}."
+            found.append(Submission(name.student, "", printable(path.name), path, refused=refused, **name.about()))
     found = [replace(each, modified=_modified(each.path)) for each in found]
     return sorted(_newest_copies(_unique_places(_one_name_each(found))), key=lambda submission: submission.place)
 
@@ -109,18 +90,6 @@ def platform_of(folder):
     paths = [path for path in folder.iterdir() if not _is_clutter(path.name)]
     folders = [printable(path.name) for path in paths if os.path.isdir(path)]
     return recognized(folders + [printable(path.stem) for path in paths if path.suffix.lower() in READ], folders)
-
-
-def _broken(path, problem, platform):
-    name = exported_name(printable(path.stem), platform)
-    reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
-    refused = f"It cannot be read: {reason}."
-    return Submission(name.student, "", printable(path.name), path, refused=refused, **_of_platform(name))
-
-
-def _of_platform(name):
-    """Return the fields of a Submission that the learning platform gives. name: Exported."""
-    return {"platform_id": name.number, "late": name.late, "user_id": name.user_id}
 
 
 def _is_clutter(name):
@@ -153,7 +122,7 @@ def _flat(path, folder, notebooks, platform):
         student = printable(path.name)
     if not student and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
-    whole = Submission(student, notebook, printable(path.relative_to(folder)), path, **_of_platform(name))
+    whole = Submission(student, notebook, printable(path.relative_to(folder)), path, **name.about())
     return _in_zip(whole, notebooks) if ending == ".zip" and not refused else [replace(whole, refused=refused)]
 
 
@@ -161,7 +130,7 @@ def _in_folder(top, folder, notebooks, platform):
     """Return the Submissions in a student's folder, whose name is the student's."""
     place = printable(top.name)
     name = exported_name(place, platform) if platform == "moodle" else exported_name("", "")
-    whole = Submission(name.student or place, "", place, top, in_folder=True, **_of_platform(name))
+    whole = Submission(name.student or place, "", place, top, in_folder=True, **name.about())
     files, others, problems = _walk(top)
     found = []
     for path, is_link in files[:MAX_LISTED]:
@@ -208,8 +177,8 @@ def _in_zip(whole, notebooks):
 def _walk(top):
     """Search a student's folder without recursion and within bounds.
 
-    Returns the notebooks, zips and links as [(path, whether it is a link)] in the order of their paths, the names of
-    the other files, and sentences on what could not be searched.
+    Returns the notebooks, zips and links, sorted, as [(path, whether it is a link)], the names of the other files, and
+    sentences on what could not be searched.
     """
     files, others, problems = [], [], []
     left, seen = [(top, 1)], 0

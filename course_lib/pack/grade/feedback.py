@@ -10,7 +10,7 @@ from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.tables import final_state, lateness
 
 LONGEST = 100_000  # characters of one message or answer
-MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), NOT_ATTEMPTED: ("○", "none")}
+MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), final_state(NOT_ATTEMPTED): ("○", "none")}
 
 PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -93,16 +93,12 @@ def _overview(exercises, answers):
     ]
     rows = []
     for name, state, points, of, more in lines:
-        mark, colour = _mark(state)
+        mark, colour = MARKS.get(state, ("·", "none"))
         name = f'<a href="#{escaped(name.partition(" ")[0])}">{escaped(name)}</a>' if more else escaped(name)
         numbers = f'<td class="number">{points}</td><td class="number">{of}</td>'
         rows.append(f'<tr><td>{name}</td><td class="{colour}">{mark} {escaped(state)}</td>{numbers}</tr>')
     head = '<tr><th>exercise</th><th>state</th><th class="number">points</th><th class="number">of</th></tr>'
     return wide_table(head, rows)
-
-
-def _mark(state):
-    return MARKS.get(state, ("○", "none") if state == final_state(NOT_ATTEMPTED) else ("·", "none"))
 
 
 def _title(answer):

@@ -75,21 +75,9 @@ def _words(name):
 def gradebook_text(platform, totals, roster=None):
     """Return the text of the file for a platform, and the students who are not in it or share a line of it.
 
-    Parameters
-    ----------
-    platform : {"canvas", "moodle", "gradescope"}
-    totals : Totals
-    roster : list of dict, optional
-        The result of read_roster. Without it, a student's name is used as the login name, and the Canvas number in the
-        names of its files as the ID.
-
-    Returns
-    -------
-    text : str
-    missing : list of str
-        Students who are not in the roster, or whom Canvas would not take for a student.
-    shared : list of list of str
-        Those whose names lead to the same line of the roster; of each notebook the better points are in the file.
+    Not in it are those who are not in the roster, or whom Canvas would not take for a student. Of those who share a
+    line, the better points of each notebook are in the file. Without a roster, as read_roster returns it, a student's
+    name is used as the login name, and the Canvas number in the names of its files as the ID.
     """
     look = Roster(roster) if roster else None
     lines, missing = {}, []  # lines: {what identifies a student: their names}

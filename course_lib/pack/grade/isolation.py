@@ -96,17 +96,9 @@ def write_files(folder, contents):
 
 
 def start(each, course, limits, hidden=()):
-    """Return the command that runs course/runner.py with this kind of isolation.
+    """Return the command that runs course/runner.py with this kind of isolation, and these Limits as a dict.
 
-    Parameters
-    ----------
-    each : {"bubblewrap", "namespaces", "none"}
-    course : Path
-        The folder of the course's copy, among those that write_files makes.
-    limits : dict
-        Of the Limits in sandbox.py.
-    hidden : tuple of str, optional
-        Folders to hide wherever they are.
+    course: the folder that write_files made. hidden: folders to hide wherever they are.
     """
     if each == NONE:
         told = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}

@@ -77,26 +77,19 @@ def ungraded_result(submission, reason, state):
 def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
     """Return each submission with its result, in the same order; stored results are not computed again.
 
-    submissions: a list of Submission. results: the folder (Path) of stored results. seed: of the cases. grade:
-    grade(content, notebook, seed) returns a result; its method `prepare`, if it has one, is called in each worker
-    process. jobs: how many are graded at once; -1 for one for each processor. scheduler: the address of a Dask cluster
-    that does the work, or "".
-
-    Raises GradingStopped if the whole run cannot continue.
+    results: the folder of stored results. grade(content, notebook, seed) returns a result; its method `prepare`, if it
+    has one, is called in each worker process. jobs: how many are graded at once; -1 for one for each processor.
+    scheduler: the address of a Dask cluster that does the work, or "".
     """
     done, left = {}, {}
     for submission in submissions:
         try:
             path = results / result_name(submission, read(submission), seed)
-        except Refused as reason:
-            done[submission] = ungraded_result(submission, str(reason), "refused")
-            continue
         except Exception as problem:  # nothing about one file may stop the others
-            reason = f"It cannot be read: {type(problem).__name__}."
+            reason = str(problem) if isinstance(problem, Refused) else f"It cannot be read: {type(problem).__name__}."
             done[submission] = ungraded_result(submission, reason, "refused")
             continue
-        kept = stored(path)
-        if kept is None:
+        if (kept := stored(path)) is None:
             left[submission] = path
         else:
             done[submission] = kept

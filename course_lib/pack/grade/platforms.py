@@ -34,6 +34,10 @@ class Exported(NamedTuple):
     late: bool = False
     user_id: str = ""
 
+    def about(self):
+        """Return the fields of a Submission that the platform gives."""
+        return {"platform_id": self.number, "late": self.late, "user_id": self.user_id}
+
 
 def exported_name(stem, platform):
     """Return the parts of a name that a platform exported, or an empty Exported for any other name.

@@ -62,15 +62,8 @@ class Idle(TooSlow):
 class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
-    Parameters
-    ----------
-    contents : dict
-        {path: bytes} of the files at /course, runner.py among them.
-    limits : Limits
-    hidden : tuple of str, optional
-        Folders that must not be visible, wherever they are.
-    wanted : str, optional
-        "none" if the instructor asked for no isolation.
+    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must not be visible,
+    wherever they are. wanted: "none" if the instructor asked for no isolation.
     """
 
     def __init__(self, contents, limits, hidden=(), wanted=""):
@@ -101,8 +94,7 @@ class Sandbox:
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
         left = list(below(self._process.pid)) if self._kind == isolation.NONE else []
-        with contextlib.suppress(OSError):
-            os.killpg(self._process.pid, signal.SIGKILL)  # and with it, by the kernel, all in its namespaces
+        self._kill()
         for pid in left:
             with contextlib.suppress(OSError):
                 os.kill(pid, signal.SIGKILL)
@@ -132,13 +124,7 @@ class Sandbox:
         return Watch(self.computed, clock, cpu, self._limits.idle_seconds)
 
     def receive(self, watch):
-        """Return the next message, a dict; anything else that the sandbox writes is ignored.
-
-        Raises
-        ------
-        Ended
-            If the sandbox ended or was ended; from then on always.
-        """
+        """Return the next message, a dict; raise Ended if the sandbox ended, and from then on always."""
         try:
             return self._next(watch)
         except Ended as end:
@@ -163,9 +149,11 @@ class Sandbox:
             elif sum(usage.pages for usage in running.values()) * resource.getpagesize() > limits.everything:
                 self._excess = f"memory ran out; it may use {limits.everything // 10**9} GB"
             if self._excess:
-                with contextlib.suppress(OSError):
-                    os.killpg(self._process.pid, signal.SIGKILL)
-                return
+                return self._kill()
+
+    def _kill(self):
+        with contextlib.suppress(OSError):
+            os.killpg(self._process.pid, signal.SIGKILL)  # and with it, by the kernel, all in its namespaces
 
     def _next(self, watch):
         looked_at = 0

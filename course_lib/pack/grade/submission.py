@@ -43,9 +43,8 @@ class Outcome:
 class Cells:
     """What is known about a run of the cells when one of its functions is asked.
 
-    final: True if no later run could define a missing function. alike: True if this function would behave the same if
-    only the statements that it needs were run. left_out: why a statement was left out, or "". whole: True if all cells
-    were run as Jupyter does.
+    final: no later run could define a missing function. alike: this function would behave the same if only the
+    statements that it needs were run. left_out: why a statement was left out, or "". whole: all cells were run.
     """
 
     final: bool
@@ -87,13 +86,9 @@ class Run:
 def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
 
+    It holds "notebook", "release", "problems" (sentences), "exercises" and "questions" (a dict for each).
     text: the file. notebook: the name under which it was handed in. seed: the secret seed of the cases. hidden: folders
     that the submission must not see, wherever they are. wanted: "none" to run it without isolation.
-
-    Returns
-    -------
-    dict
-        "notebook", "release", "problems" (sentences), "exercises" and "questions" (a dict for each).
     """
     try:
         cells, release = notebook_file.read(text)
@@ -112,7 +107,8 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
         if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
             outcomes[exercise.name] = Outcome(Verdict(exercise, ERROR, why))
     _blame_helpers(outcomes)
-    return _result(notebook, release, course, _problems(run), outcomes, cells)
+    problems = [f"Code cell {number + 1} was left out: {how}." for number, how in sorted(run.left_out.items())]
+    return _result(notebook, release, course, problems, outcomes, cells)
 
 
 @dataclass(frozen=True)
@@ -146,16 +142,14 @@ def _files(forbidden):
 def ask_all(run):
     """Return {exercise's name: Outcome}; the cheapest runs come first."""
     everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
-    outcomes = attempt(run, run.exercises, everything, whole=False)
-    for exercise in run.exercises:
-        if ALONE in outcomes[exercise.name].again and not run.over():
-            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=False)
-    left = [exercise for exercise in run.exercises if WHOLE in outcomes[exercise.name].again]
-    if left and not run.over():
-        outcomes |= attempt(run, left, everything, whole=True)
-    for exercise in left:
-        if ALONE in outcomes[exercise.name].again and not run.over():
-            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)
+    outcomes, left = attempt(run, run.exercises, everything, whole=False), run.exercises
+    for whole in (False, True):
+        if whole and left and not run.over():
+            outcomes |= attempt(run, left, everything, whole)
+        for exercise in left:
+            if ALONE in outcomes[exercise.name].again and not run.over():
+                outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole)
+        left = [exercise for exercise in run.exercises if WHOLE in outcomes[exercise.name].again]
     return outcomes
 
 
@@ -196,15 +190,8 @@ def attempt(run, exercises, forbidden, whole):
 def run_cells(sandbox, order, run):
     """Run the cells of a submission in a sandbox; order: what the runner is to do, see runner.py.
 
-    Returns
-    -------
-    current : list of int or None
-        The place that ran last, [cell, line].
-    end : Ended or None
-        How the sandbox ended, if it did.
-    message : dict
-        The runner's last: {"defined": names that the cells define, "alike": names of functions that would be the same
-        if each were run separately}.
+    Returns the place that ran last, [cell, line], or None; how the sandbox ended, an Ended or None; the runner's last
+    message, with the names that the cells define, and "alike": those of functions that a run alone would not change.
     """
     limits, current = run.limits, None
     watch = sandbox.watch(limits.notebook_seconds, limits.cell_cpu_seconds)
@@ -265,9 +252,9 @@ def judged(run, exercise, student):
 class Student:
     """Passes one exercise's questions to a sandbox. See judge.
 
-    ended: why no reply came, or "". too_slow: True if the time ran out. missing: a name that was undefined when the
-    function was called, or "". hindered: True if something that this run left out may have changed an answer.
-    candidates: True if the answer is a test, which was given functions to call.
+    ended: why no reply came, or "". too_slow: whether the time ran out. missing: a name that was undefined when the
+    function was called, or "". hindered: whether what this run left out may have changed an answer. candidates: whether
+    the answer is a test, which was given functions to call.
     """
 
     def __init__(self, sandbox, run, exercise):
@@ -414,7 +401,3 @@ def _message(verdict):
 def _shown(text):
     """Return the text without control characters, because it may contain text from a student's code."""
     return "".join(sign if sign.isprintable() or sign == "\n" else "\N{REPLACEMENT CHARACTER}" for sign in text)
-
-
-def _problems(run):
-    return [f"Code cell {number + 1} was left out: {how}." for number, how in sorted(run.left_out.items())]
