@@ -1,7 +1,6 @@
 """How submissions are kept apart from the machine: with bubblewrap, without it, and without both."""
 
 import os
-import platform
 import shutil
 import struct
 import subprocess
@@ -13,9 +12,9 @@ import pytest
 from grade_stand_in import hand_in
 from hostile.build import FULL, KINDS, NAME, SEED, SHORT, book, points, processes, sources
 
-from course_lib.pack.grade import confine, isolation, sandbox, visible
+from course_lib.pack.grade import confine, isolation, sandbox
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.sandbox import Ended, Limits, Sandbox, TooSlow, Watch
+from course_lib.pack.grade.sandbox import Ended, Sandbox, TooSlow, Watch
 from course_lib.pack.grade.submission import grade
 
 ROOT = Path(__file__).parents[1]
@@ -72,6 +71,7 @@ found += [path for path in files if "{secret}" in (says(path) if path.endswith(w
 found += [socket.gethostname()] + [text for text in [*sys.path, *os.environ.values()] if "{secret}" in text]
 found += [name for name in ("proc", "etc", "sys", "usr", "home", "root") if os.path.exists("/" + name)]
 found += [name for _, name in socket.if_nameindex() if name != "lo"]
+found += ["many libraries"] * (len(os.listdir("/libraries")) > 100)
 """
 
 
@@ -282,12 +282,3 @@ def test_python_named_by_a_path_from_another_folder_is_found(tmp_path):
         pytest.skip("submissions cannot be isolated here")
     done = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout == f"{isolation._best()}\n"
-
-
-@pytest.mark.skipif(platform.system() != "Linux", reason="only Linux isolates")
-def test_the_libraries_that_are_shown_are_those_of_python_and_few():
-    shown, _ = visible.mounts()
-    libraries = [target for _, target in shown if target.startswith("/libraries/")]
-    assert {"/libraries/libc.so.6", "/libraries/libm.so.6"} <= set(libraries)
-    assert len(libraries) < 100
-    assert Limits().idle_seconds == 60

@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import fcntl
 import os
 import secrets
 import sys
@@ -124,13 +125,10 @@ def _whole_number(name, typed):
 def _alone(path):
     """Keep a second run from writing to the same folder. The lock is released when this process ends."""
     with path.open("w") as file:
-        with contextlib.suppress(ImportError):
-            import fcntl
-
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError as error:
-                raise GradingStopped(f"Another run is writing to {path.parent}.") from error
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            raise GradingStopped(f"Another run is writing to {path.parent}.") from error
         for part in path.parent.rglob(f".*{PART}"):  # of a run that was killed
             part.unlink()
         yield

@@ -35,13 +35,13 @@ class CpuDeadline(BaseException):
 def cpu_deadline(seconds):
     """Raise CpuDeadline in the block once it has used so many seconds of processor time.
 
-    It has no effect outside the main thread, where Python runs no signal handlers, or on a system without such a clock.
+    It has no effect outside the main thread, where Python runs no signal handlers.
     """
 
     def ring(signum, frame):
         raise CpuDeadline(f"more than {seconds} seconds of computing")
 
-    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
     earlier = signal.signal(signal.SIGPROF, ring)

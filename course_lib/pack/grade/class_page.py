@@ -43,7 +43,6 @@ def _notebooks(of, counting, graded, students):
 
 
 def _distribution(of, graded, students):
-    """Return how many students have how many percent of the points of their graded notebooks."""
     counts, pairs = [0] * 10, {}
     for each in graded:
         pairs.setdefault(each.student, set()).add(each.notebook)
@@ -57,7 +56,6 @@ def _distribution(of, graded, students):
 
 
 def _hardest(graded):
-    """Return the states of all answers to the exercises that somebody did not solve, the hardest first."""
     states = {}
     for each in graded:
         for exercise in each.result["exercises"]:
@@ -76,7 +74,6 @@ def _hardest(graded):
 
 
 def _mistakes(graded):
-    """Return the mistakes that the checks recognized, the most frequent first."""
     named = ((e["exercise"], e["mistake"]) for each in graded for e in each.result["exercises"] if e["mistake"])
     counts = Counter(_short(f"{exercise}: {mistake}") for exercise, mistake in named)
     order = sorted(counts, key=lambda name: (-counts[name], name))
@@ -86,7 +83,6 @@ def _mistakes(graded):
 
 
 def _short(text):
-    """Return the text on one line and not too long."""
     text = " ".join(clean(text).split())
     return text if len(text) <= 120 else text[:120] + " ..."
 

@@ -114,12 +114,12 @@ def _flat(path, folder, notebooks, platform):
     refused = ""
     if path.is_symlink():
         refused = LINK
+        if not ending and not notebook:  # in place of a student's folder
+            student = printable(path.name)
     elif ending not in READ:
         refused = "It is not a notebook: its name does not end in .ipynb."
     elif notebook and not student:
         refused = "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each student."
-    if path.is_symlink() and not ending and not notebook:  # a link in place of a student's folder
-        student = printable(path.name)
     if not student and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
     whole = Submission(student, notebook, printable(path.relative_to(folder)), path, **name.about())
@@ -135,13 +135,10 @@ def _in_folder(top, folder, notebooks, platform):
     found = []
     for path, is_link in files[:MAX_LISTED]:
         each = replace(whole, place=printable(path.relative_to(folder)), path=path)
-        is_zip = path.suffix.lower() == ".zip"
-        if is_zip and not is_link:
-            found += _in_zip(each, notebooks)
-            continue
-        stem = printable(path.stem)
-        named = (split(stem, notebooks)[1] or stem) if path.suffix.lower() == ".ipynb" else ""
-        found.append(replace(each, notebook=named, refused=LINK if is_link else ""))
+        ending, stem = path.suffix.lower(), printable(path.stem)
+        named = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
+        single = replace(each, notebook=named, refused=LINK if is_link else "")
+        found += _in_zip(each, notebooks) if ending == ".zip" and not is_link else [single]
     if len(files) > MAX_LISTED:
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
     if not found and not problems:
@@ -168,10 +165,8 @@ def _in_zip(whole, notebooks):
     for name, stem in list(zip(names, stems, strict=True))[:MAX_LISTED]:
         notebook = split(stem, notebooks)[1] or (whole.notebook if whole.notebook in notebooks else stem)
         found.append(replace(whole, notebook=notebook, place=f"{whole.place}/{printable(name)}", member=name))
-    if len(names) > MAX_LISTED:
-        reason = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
-        found.append(replace(whole, refused=reason))
-    return found
+    more = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
+    return found + [replace(whole, refused=more)] * (len(names) > MAX_LISTED)
 
 
 def _walk(top):
@@ -220,23 +215,17 @@ def _one_name_each(found):
         if each.platform_id:
             numbers[each.student, each.notebook].add(each.platform_id)
     double = {student for (student, _), several in numbers.items() if len(several) > 1}
-    return [
-        replace(each, student=f"{each.student} {each.platform_id}")
-        if each.student in double and each.platform_id
-        else each
-        for each in found
-    ]
+    shared = [each for each in found if each.student in double and each.platform_id]
+    names = {each: f"{each.student} {each.platform_id}" for each in shared}
+    return [replace(each, student=names.get(each, each.student)) for each in found]
 
 
 def _unique_places(found):
     """Add a hash to the places of two paths that print alike."""
     counts = collections.Counter(each.place for each in found)
-    return [
-        replace(each, place=f"{each.place} [{_digest(os.fsdecode(each.path) + each.member + each.refused)}]")
-        if counts[each.place] > 1
-        else each
-        for each in found
-    ]
+    alike = [each for each in found if counts[each.place] > 1]
+    marks = {each: f" [{_digest(os.fsdecode(each.path) + each.member + each.refused)}]" for each in alike}
+    return [replace(each, place=each.place + marks.get(each, "")) for each in found]
 
 
 def _newest_copies(found):
@@ -248,9 +237,8 @@ def _newest_copies(found):
     older = {}
     for group in groups.values():
         group.sort(key=lambda each: (-(each.modified or 0), each.place))
-        reason = f"Only the {MAX_COPIES} newest of {len(group)} copies are graded."
-        older |= dict.fromkeys(group[MAX_COPIES:], reason)
-    return [replace(each, refused=older[each]) if each in older else each for each in found]
+        older |= dict.fromkeys(group[MAX_COPIES:], f"Only the {MAX_COPIES} newest of {len(group)} copies are graded.")
+    return [replace(each, refused=older.get(each, each.refused)) for each in found]
 
 
 def split(stem, notebooks):
@@ -273,7 +261,7 @@ def read(submission):
     """Return the bytes of a Submission's file. Raises Refused if it is refused, too large or cannot be read."""
     if submission.refused:
         raise Refused(submission.refused)
-    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)  # a pipe must not stop the run
+    flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK  # a pipe must not stop the run
     try:
         with os.fdopen(os.open(submission.path, flags), "rb") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):

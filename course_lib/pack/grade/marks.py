@@ -68,20 +68,13 @@ def mark_answer(question, student, notebook, rows):
     typed, commented = cell_text(row.get("mark", "")).strip(), replace(empty, comment=cell_text(row.get("comment", "")))
     if not typed:
         return commented
-    points = _number(typed)
-    if points is None or not 0 <= points <= of:
-        return replace(commented, wrong=f"the mark {typed[:20]} is not a number from 0 to {of}")
-    return replace(commented, state=READ, points=points)
-
-
-def _number(typed):
     try:
-        number = float(typed.replace(",", "."))
+        points = float(typed.replace(",", "."))
     except ValueError:
-        return None
-    if not math.isfinite(number):
-        return None
-    return int(number) if number == int(number) else number
+        points = math.nan
+    if not 0 <= points <= of:
+        return replace(commented, wrong=f"the mark {typed[:20]} is not a number from 0 to {of}")
+    return replace(commented, state=READ, points=int(points) if points.is_integer() else points)
 
 
 def marks_text(listed, rows):

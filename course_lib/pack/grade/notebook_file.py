@@ -67,7 +67,7 @@ def read(content):
         raise Unreadable("It holds far more than a notebook does. Clear its outputs and hand it in again.")
     try:
         # No number in a notebook is needed. Kept as text, even a very long one can be read.
-        book = json.loads(_text(content), parse_int=str, parse_float=str)
+        book = json.loads(content, parse_int=str, parse_float=str)
     except (ValueError, RecursionError, MemoryError):
         raise Unreadable(
             "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
@@ -82,13 +82,6 @@ def read(content):
         raise Unreadable(f"Its cells hold more than {MOST_CODE // 10**6} million characters.")
     release = _within(book, "metadata", "course", "release")
     return cells, release[:100] if isinstance(release, str) else ""
-
-
-def _text(content):
-    for mark, encoding in ((b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"), (b"", "utf-8-sig")):
-        if content.startswith(mark):
-            return content.decode(encoding)
-    return ""
 
 
 def _cell(cell):

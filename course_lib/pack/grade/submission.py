@@ -363,14 +363,12 @@ def _result(notebook, release, course, problems, outcomes, cells):
     found = {"notebook": course.name if course else notebook, "release": _shown(release), "problems": problems}
     exercises = course.exercises if course else ()
     found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
-    questions = course.questions if course else ()
+    unread = {"state": UNREADABLE} if cells is None else {}
     found["questions"] = [
         {"question": q.name, "of": q.points, "task": q.after, "text": notebook_file.answer(q, cells or [])[:100_000]}
-        for q in questions
+        | unread
+        for q in (course.questions if course else ())
     ]
-    if cells is None:
-        for question in found["questions"]:
-            question["state"] = UNREADABLE
     return json.loads(json.dumps(found))
 
 
@@ -379,12 +377,10 @@ def _row(exercise, outcome):
     if outcome is None:
         return row | {"state": UNREADABLE, "message": "The file cannot be read."}
     verdict = outcome.verdict
-    mistake = verdict.mistake.name if verdict.mistake and not verdict.blames else ""
-    return (
-        row
-        | {"points": verdict.points, "state": verdict.state, "message": _message(verdict), "mistake": mistake}
-        | ({"blames": verdict.blames} if verdict.blames else {})
-    )
+    row |= {"points": verdict.points, "state": verdict.state, "message": _message(verdict)}
+    if verdict.blames:
+        return row | {"blames": verdict.blames}
+    return row | {"mistake": verdict.mistake.name if verdict.mistake else ""}
 
 
 def _message(verdict):
