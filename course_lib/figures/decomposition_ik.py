@@ -16,12 +16,7 @@ _EDGE = "#555555"
 def two_elbows(solutions, xy):
     """Return the 2R arm at two pairs of joint angles, and the desired position.
 
-    Parameters
-    ----------
-    solutions : array (2, 2)
-        Joint angles in radians, a row for each elbow, q2 >= 0 first.
-    xy : array (2,)
-        The desired position.
+    solutions: (2, 2), joint angles in radians, a row for each elbow, q2 >= 0 first. xy: (2,), the desired position.
     """
     fig, (ax,) = plane_figure(5.2, 4.2)
     looks = ((BLUE, "-", r"$q_2 \geq 0$"), (RED, "--", r"$q_2 \leq 0$"))
@@ -50,15 +45,8 @@ def two_elbows(solutions, xy):
 def samples(xy, cell, low, high, n):
     """Return the samples in the workspace, plain, and coloured by their cells; neighbours differ.
 
-    Parameters
-    ----------
-    xy : array (m, 2)
-    cell : array (m, 2)
-        Column and row of each.
-    low, high : array (2,)
-        Corners of the grid; every fifth of its lines is drawn.
-    n : int
-        Cells along each side.
+    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n cells along each side;
+    every fifth of its lines is drawn.
     """
     fig, axes = plane_figure(10.2, 4.6, 2, sharey=True)
     by_cell = np.array(COLOURS)[(cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
@@ -83,10 +71,7 @@ def samples(xy, cell, low, high, n):
 def clusters(contents):
     """Return the samples of a few cells in joint space, a panel for each cell.
 
-    Parameters
-    ----------
-    contents : dict
-        {title: (joint angles (m, 2) in radians, labels (m,) of 0 and 1)}.
+    contents: {title: (joint angles (m, 2) in radians, labels (m,) of 0 and 1)}.
     """
     labels = {"xlabel": "$q_1$ (degrees)", "ylabel": "$q_2$ (degrees)"}
     fig, axes = plane_figure(3.4 * len(contents), 3.5, len(contents))
@@ -126,12 +111,7 @@ def errors_in_the_report(xy, error):
 def errors_of_both(xy, error):
     """Return the errors of the better and of the worse answer at the queries that have both.
 
-    Parameters
-    ----------
-    xy : ndarray, shape (m, 2)
-        The queries.
-    error : ndarray, shape (m, 2)
-        Of both answers; NaN where there is none.
+    xy: (m, 2), the queries. error: (m, 2), of both answers; NaN where there is none.
     """
     known = ~np.isnan(error).any(axis=1)
     contents = {"the better answer": error[known].min(axis=1), "the worse": error[known].max(axis=1)}
@@ -162,14 +142,8 @@ def _errors(xy, contents, caption):
 def convergence(sizes, curves, slopes):
     """Return the largest error of the position over the size of the cell.
 
-    Parameters
-    ----------
-    sizes : ndarray, shape (n,)
-        Widths of the cell, in metres.
-    curves : dict
-        {name: largest errors (n,) in metres}.
-    slopes : dict
-        {name: slope of the curve on logarithmic axes}.
+    sizes: (n,), widths of the cell. curves: {name: largest errors (n,), in metres}. slopes: {name: slope of the curve
+    on logarithmic axes}.
     """
     said = "; ".join(f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}" for name, e in curves.items())
     shown = {f"{name}: slope {slopes[name]:.1f}": 100 * e for name, e in curves.items()}
@@ -183,12 +157,7 @@ def convergence(sizes, curves, slopes):
 def by_bend(edges, mean):
     """Return the mean error over the bend |q2| of the elbow.
 
-    Parameters
-    ----------
-    edges : ndarray, shape (n + 1,)
-        Of the intervals of |q2|, in degrees.
-    mean : ndarray, shape (n,)
-        Mean error in each.
+    edges: (n + 1,), of the intervals of |q2|, in degrees. mean: (n,), the mean error in each.
     """
     top, middles = int(np.argmax(mean)), (edges[:-1] + edges[1:]) / 2
     curve = {"affine, split by the sign": mean}
@@ -203,10 +172,7 @@ def by_bend(edges, mean):
 def costs(measured):
     """Return the mean error of methods over the memory that they need, both logarithmic, a named dot for each method.
 
-    Parameters
-    ----------
-    measured : dict
-        {name: {"bytes": memory, "mean_error": in metres, "seconds": for a query}}.
+    measured: {name: {"bytes": memory, "mean_error": in metres, "seconds": for a query}}.
     """
     fig, (ax,) = plane_figure(7.2, 4.6)
     named, said = {}, []

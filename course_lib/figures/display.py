@@ -78,13 +78,7 @@ def show(fig, *, alt="", caption=""):
 
 
 def show_caption(caption):
-    """Display a caption, if there is one, as an output of its own, which pages join to the figure before it.
-
-    Parameters
-    ----------
-    caption : str
-        One sentence in Markdown; "" for none.
-    """
+    """Display a caption, Markdown or "", as an output of its own, which pages join to the figure before it."""
     from IPython.display import display
 
     if caption:
@@ -100,18 +94,7 @@ def _png(fig):
 
 
 def smaller_png(content):
-    """Return a PNG file with at most 256 colours: a third of the bytes, with no visible difference.
-
-    Parameters
-    ----------
-    content : bytes
-        A PNG file.
-
-    Returns
-    -------
-    bytes
-        The smaller one of the two files.
-    """
+    """Return a PNG file (bytes) with at most 256 colours if that is smaller: a third, with no visible difference."""
     from PIL import Image
 
     picture = Image.open(io.BytesIO(content)).convert("RGB")

@@ -7,29 +7,15 @@ from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 _CONTROLS = 82  # pixels below the picture for the button and the slider
 
 
-def plane_layout(half, *, height=560, unit="m", centre=(0, 0)):
-    """Return the plotly layout of a square of the plane with equal scales.
-
-    Parameters
-    ----------
-    half : float
-        From the centre of the square to its edge.
-    height : int, optional
-        In pixels.
-    unit : str, optional
-        Of both axes.
-    centre : tuple of float, optional
-        The centre of the square, (x, y).
-    """
+def plane_layout(half):
+    """Return the plotly layout of a square of the plane about the origin, `half` to its edge, with equal scales."""
     axis = {"showgrid": True, "gridcolor": "#dddddd", "zeroline": False, "linecolor": BLACK, "constrain": "domain"}
     axis |= {"ticks": "outside", "ticklen": 4}
-    x, y = centre
     return {
         **PLOTLY_LAYOUT,
-        "xaxis": axis | {"range": [x - half, x + half], "title": {"text": f"x ({unit})"}},
-        "yaxis": axis
-        | {"range": [y - half, y + half], "title": {"text": f"y ({unit})"}, "scaleanchor": "x", "scaleratio": 1},
-        "height": height,
+        "xaxis": axis | {"range": [-half, half], "title": {"text": "x (m)"}},
+        "yaxis": axis | {"range": [-half, half], "title": {"text": "y (m)"}, "scaleanchor": "x", "scaleratio": 1},
+        "height": 560,
         "showlegend": False,
         "margin": {"l": 60, "r": 20, "t": 20, "b": 50},
     }
@@ -47,22 +33,8 @@ def path(points, colour, *, width=2, dash="solid", mode="lines", **options):
 def movie(name, layout, still, moving, times):
     """Return a figure that plays in real time.
 
-    Parameters
-    ----------
-    name : str
-        Name of its file if it is written as an animation.
-    layout : dict
-        The plotly layout.
-    still : list of plotly traces
-        What stays.
-    moving : list of plotly traces
-        What moves, as it is at each time.
-    times : array_like, shape (n,)
-        In seconds.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
+    name: that of its file if it is written as an animation. still: the traces that stay. moving: the trace that moves,
+    as it is at each of the times (n,), in seconds.
     """
     fig = go.Figure([*still, moving[0]], layout=layout)
     # Frames say only where: the looks are those of the first.
@@ -78,14 +50,7 @@ def movie(name, layout, still, moving, times):
 def add_controls(fig, times, *, redraw):
     """Add a button that plays and a slider to a figure that has a frame for each time, and make room for them.
 
-    Parameters
-    ----------
-    fig : plotly.graph_objects.Figure
-        It is changed in place.
-    times : array_like, shape (n,)
-        In seconds.
-    redraw : bool
-        Whether plotly draws the whole figure at each frame, as scenes in space need it.
+    times: (n,), in seconds. redraw: whether plotly draws the whole figure at each frame, as scenes in space need it.
     """
     seconds = float(times[-1] - times[0])
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}

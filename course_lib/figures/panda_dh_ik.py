@@ -76,12 +76,8 @@ def _arc(centre, start, end, radius):
 def conventions(modified, standard, base):
     """Return the Panda twice, seen through, with the frames 1 to n of both conventions.
 
-    Parameters
-    ----------
-    modified, standard : ndarray, shape (n, 4, 4)
-        Poses of the frames in the world. The arm is drawn where the modified ones, those of `arms.panda()`, are.
-    base : array_like, shape (3,)
-        Where the arm stands.
+    modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the modified ones, those of
+    `arms.panda()`, are. base: (3,), where the arm stands.
     """
     model, poses = arm_model(panda()), _bodies(modified, np.asarray(base, float))
     vertices = model.placed(poses)
@@ -120,13 +116,8 @@ def _numbers(frames):
 def matches(template, scene_points, T, wrong):
     """Return a mug's key points in its own frame, and those seen in the scene with the mug laid on them.
 
-    Parameters
-    ----------
-    template, scene_points : ndarray, shape (n, 3)
-    T : ndarray, shape (4, 4)
-        The mug's pose by registration.
-    wrong : sequence of int
-        Which matches were dropped; they are drawn in red, with dashed lines to where they should be.
+    template, scene_points: (n, 3). T: (4, 4), the mug's pose by registration. wrong: which matches were dropped; they
+    are drawn in red, with dashed lines to where they should be.
     """
     mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
     laid = template @ T[:3, :3].T + T[:3, 3]
@@ -269,14 +260,9 @@ def fastest_joint(times, speeds):
 
 
 def iterations(counts, most):
-    """Return histograms of how many iterations each reached target took, one panel for each method.
+    """Return histograms of how many iterations each reached target took, {method: (n,)}, one panel for each method.
 
-    Parameters
-    ----------
-    counts : dict
-        {method: iterations (n,)}.
-    most : int
-        Where the axis of the iterations ends; the last bar counts what took more, too.
+    The axis ends at `most` iterations; the last bar counts what took more, too.
     """
     fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
     for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):

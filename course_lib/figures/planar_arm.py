@@ -9,18 +9,9 @@ from course_lib.figures.style import BLUE, CRIMSON, GREY
 def draw_arms(contents, every, window=None):
     """Return a figure of arms side by side, drawn at several instants, the later the darker, with the tip's path.
 
-    Parameters
-    ----------
-    contents : dict
-        {title: points (n, links + 1, 2)}: the joints' positions, the base first, the tip last, in metres.
-    every : int
-        How many instants lie between two that are drawn. The last is always drawn.
-    window : array_like, shape (2, 2), optional
-        The lowest and the highest x and y that are shown; if None, what links of one metre can reach.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
+    contents: {title: points (n, links + 1, 2)}, the base first, the tip last, in metres. Every so many instants are
+    drawn, and the last. window: (2, 2), the lowest and the highest x and y shown; if None, what links of one metre can
+    reach.
     """
     fig, axes = in_columns(contents, 4.2, 4.2, xlabel="x (m)", ylabel="y (m)")
     for ax, points in zip(axes, contents.values(), strict=True):

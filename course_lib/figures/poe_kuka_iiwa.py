@@ -18,15 +18,7 @@ from course_lib.figures.three_views import direction
 
 
 def wrong_frame(paths, table):
-    """Return the paths of a gripper in the plane of x and z, above a table.
-
-    Parameters
-    ----------
-    paths : dict
-        Label to positions, shape (n, 3).
-    table : float
-        Its height.
-    """
+    """Return the paths {label: positions (n, 3)} of a gripper in the plane of x and z, above a table of that height."""
     fig, (ax,) = plane_figure(6.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
         ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
@@ -49,10 +41,7 @@ def wrong_frame(paths, table):
 def digits_lost(textbook, with_series):
     """Return the relative errors of three formulas for (1 - cos a)/a, over the angle, both logarithmic.
 
-    Parameters
-    ----------
-    textbook, with_series : callable
-        Two of them, from angles of shape (n,) to values of shape (n,). The third is the library's ``exp_se3``.
+    textbook, with_series: functions from angles (n,) to values (n,). The third is the library's ``exp_se3``.
     """
     sizes = np.logspace(-12, 0, 121)
     exact = np.sinc(sizes / 2 / np.pi) ** 2 * sizes / 2  # 2 sin(a/2)^2 / a has all digits
@@ -74,12 +63,7 @@ def digits_lost(textbook, with_series):
 def screw_motion(poses, through, axis):
     """Return a frame at four instants of its motion along a screw, and the path of its origin.
 
-    Parameters
-    ----------
-    poses : ndarray, shape (n, 4, 4)
-        The frame's poses.
-    through, axis : ndarray, shape (3,)
-        A point on the screw axis and its direction, a unit vector.
+    poses: (n, 4, 4). through, axis: (3,), a point on the screw axis and its direction, a unit vector.
     """
     path = poses[:, :3, 3]
     along = (path - through) @ axis
@@ -116,14 +100,7 @@ def arm_with_axes(arm):
 
 
 def arm_movie(arm, motion):
-    """Return a film of an arm that moves along a trajectory, with the path of its end-effector.
-
-    Parameters
-    ----------
-    arm : SerialArm
-    motion : Trajectory
-        Its times and joint angles are used.
-    """
+    """Return a film of an arm that moves along a Trajectory, with the path of its end-effector."""
     path = arm.fk(motion.q)[:, :3, 3]
     size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
     model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
@@ -175,14 +152,7 @@ def _side(a, b, c):
 
 
 def velocities_over_time(t, v):
-    """Return the components of linear velocities over time, one panel for each frame.
-
-    Parameters
-    ----------
-    t : array_like, shape (n,)
-    v : dict
-        {frame: velocities (n, 3) in metres per second}.
-    """
+    """Return the components of linear velocities over times (n,), one panel for each of {frame: velocities (n, 3)}."""
     fig, axes = plane_figure(7.2, 6.6, rows=len(v), sharex=True, sharey=True)
     for ax, (frame, part) in zip(axes, v.items(), strict=True):
         for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
@@ -199,13 +169,7 @@ def velocities_over_time(t, v):
 
 
 def velocities_against_each_other(v):
-    """Return the components of linear velocities plotted against one another, a row for each frame.
-
-    Parameters
-    ----------
-    v : dict
-        {frame: velocities (n, 3) in metres per second}.
-    """
+    """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
     fig, axes = plane_figure(7.2, 7.2, 3, rows=len(v))
     for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
         for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
@@ -264,12 +228,7 @@ def shares_of_the_limits(arm, angles, joints, steps=50):
 def singular_values(arm, generic, straight):
     """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
 
-    Parameters
-    ----------
-    arm : SerialArm
-        The iiwa.
-    generic, straight : array_like, shape (7,)
-        Joint angles: of an ordinary configuration, and of the same one with a straight wrist.
+    arm: the iiwa. generic, straight: joint angles (7,) of an ordinary configuration, and of it with a straight wrist.
     """
     varied = {
         "$q_4$ varies (elbow)": (4, generic),

@@ -49,12 +49,9 @@ def _rotation(theta):
 
 
 def missed_dock(driven, believed):
-    """Return the path that a vacuum robot drives to its dock, and the path that it computes, with the robot on them.
+    """Return the paths (n, 3) that a vacuum robot drives to its dock and that it computes, with the robot on them.
 
-    Parameters
-    ----------
-    driven, believed : ndarray, shape (n, 3)
-        Poses; the robot stands in its dock in the last of those driven.
+    It stands in its dock in the last of the poses driven.
     """
     fig, (ax,) = plane_figure(7.2, 4.4)
     ax.plot(*driven[:, :2].T, color=BLUE, linewidth=3, label="where it drives")
@@ -71,16 +68,8 @@ def missed_dock(driven, believed):
 def parking(poses, dock, table, keep_away):
     """Return the path of a car that is to stop in its dock, and the round table on its way.
 
-    Parameters
-    ----------
-    poses : ndarray, shape (n, 3)
-        Of the car.
-    dock : array_like, shape (3,)
-        The pose in which it is to stop.
-    table : array_like, shape (3,)
-        Its middle and its radius: (x, y, r), metres.
-    keep_away : float
-        How far from there the car's centre has to stay, metres.
+    poses: (n, 3), of the car. dock: (3,), the pose in which it is to stop. table: its middle and its radius, (x, y, r).
+    keep_away: how far from there the car's centre has to stay.
     """
     middle = np.asarray(table[:2], float)
     fig, (ax,) = plane_figure(5.6, 4.8)
@@ -122,12 +111,7 @@ def _dock(fig, ax, pose, columns):
 def body_movie(name, poses, times):
     """Return a film of the body, outlined in red, moving along its dashed blue path.
 
-    Parameters
-    ----------
-    name : str
-        Name of its file if it is written as an animation.
-    poses : ndarray, shape (n, 3)
-    times : array_like, shape (n,)
+    name: that of its file if it is written as an animation. poses: (n, 3), at the times (n,).
     """
     trail = path(np.round(poses[:, :2], 3), BLUE, dash="dash")
     ends = path(np.round(poses[[0, -1], :2], 3), BLUE, mode="markers")
@@ -140,13 +124,7 @@ def body_movie(name, poses, times):
 
 
 def longer_arc(wrapped, unwrapped):
-    """Return a motion along the shorter arc beside one along the longer arc.
-
-    Parameters
-    ----------
-    wrapped, unwrapped : ndarray, shape (n, 3)
-        Poses, with angles that do not jump.
-    """
+    """Return a motion along the shorter arc beside one along the longer arc: poses (n, 3), whose angles do not jump."""
     motions = {"wrapped": wrapped, "not wrapped": unwrapped}
     titled = {f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad": poses for name, poses in motions.items()}
     return _body_paths(titled, 12, "Both motions end in the same pose; the two rotations differ by $2\\pi$.")
@@ -159,14 +137,7 @@ def past_a_gate(paths):
 
 
 def straight_and_screw(motions, pole):
-    """Return two motions between the same poses, with the pole of the second one.
-
-    Parameters
-    ----------
-    motions : dict
-        Title to poses, shape (n, 3): the straight motion and the screw.
-    pole : array_like, shape (2,)
-    """
+    """Return two motions {title: poses (n, 3)}, straight and screw, between two poses, and the screw's pole (2,)."""
     far = {title: np.linalg.norm(poses[:, :2] - pole, axis=1) for title, poses in motions.items()}
     said = "; ".join(f"{title}: {d.min():.2f} to {d.max():.2f} m" for title, d in far.items())
     return _body_paths(motions, 10, f"Distance from the pole: {said}.", pole)
@@ -196,13 +167,7 @@ def _body_paths(contents, every, caption, pole=None):
 
 
 def euler_paths(paths):
-    """Return paths of a plan by Euler's method beside the exact one.
-
-    Parameters
-    ----------
-    paths : dict
-        Label to points, shape (n, 2), in metres; the last one is exact.
-    """
+    """Return paths {label: points (n, 2)} of a plan by Euler's method beside the exact one, which is the last."""
     exact = list(paths)[-1]
     fig, (ax,) = plane_figure(7.2, 4.2)
     said = []
@@ -221,13 +186,7 @@ def euler_paths(paths):
 
 
 def euler_errors(steps, errors):
-    """Return the error of Euler's method against its step.
-
-    Parameters
-    ----------
-    steps, errors : ndarray, shape (n,)
-        In seconds, the longest first; in metres.
-    """
+    """Return the error (n,) of Euler's method, in metres, against its step (n,), the longest first."""
     curves = {"Euler": errors, "slope 1": errors[-1] * steps / steps[-1]}
     return Picture(
         lines(steps, curves, log="xy", xlabel="step dt (s)", ylabel="error at the end (m)"),
@@ -240,10 +199,7 @@ def euler_errors(steps, errors):
 def travel_directions(motions):
     """Return the direction in which a body moves, as seen from its nose, along each motion.
 
-    Parameters
-    ----------
-    motions : dict
-        Label to poses, shape (n, 3), at evenly spaced times with the cubic time scaling.
+    motions: {label: poses (n, 3)}, at evenly spaced times with the cubic time scaling.
     """
     curves = {}
     for label, poses in motions.items():
@@ -265,12 +221,7 @@ def travel_directions(motions):
 def time_scalings(u, curves):
     """Return three time scalings with their velocities and accelerations.
 
-    Parameters
-    ----------
-    u : array_like, shape (n,)
-        Time, as a part of T.
-    curves : dict
-        Name to the values of s, of its velocity and of its acceleration: shape (3, n).
+    u: (n,), time as a part of T. curves: {name: (3, n), the values of s, of its velocity and of its acceleration}.
     """
     names = ["s", "velocity of s (1/T)", "acceleration of s (1/T²)"]
     contents = {name: {label: curve[k] for label, curve in curves.items()} for k, name in enumerate(names)}
@@ -302,13 +253,8 @@ def end_velocities(times, curves):
 def arm_movie(name, points, times):
     """Return a film of a planar arm in red, with its tip's dashed blue path.
 
-    Parameters
-    ----------
-    name : str
-        Name of its file if it is written as an animation.
-    points : ndarray, shape (n, links + 1, 2)
-        Of base, joints and tip, in metres; links of one metre.
-    times : array_like, shape (n,)
+    name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base, joints and tip, at the
+    times (n,); links of one metre.
     """
     shown = np.round(points, 3)
     trail = path(shown[:, -1], BLUE, dash="dash")

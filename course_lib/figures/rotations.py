@@ -14,13 +14,7 @@ from course_lib.rotations import exp_so3
 
 
 def body_frame(R):
-    """Return a drone with its frame b, coloured, in the fixed frame a, grey; the names of their axes beside them.
-
-    Parameters
-    ----------
-    R : ndarray, shape (3, 3)
-        The orientation of b relative to a.
-    """
+    """Return a drone with its frame b, coloured, at the orientation R (3, 3) in the fixed frame a, grey, axes named."""
     model, height = _drone_in_fixed_axes(1.15, 1.35), 420
     poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped
     frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
@@ -42,10 +36,7 @@ def body_frame(R):
 def frames(orientations):
     """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
 
-    Parameters
-    ----------
-    orientations : dict
-        {title: R (3, 3)}; a matrix that is not a rotation deforms the drone.
+    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone.
     """
     model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
@@ -101,15 +92,9 @@ def _with_orientation(R):
 
 
 def rotated_point(w, p, exp=exp_so3):
-    """Return the path of the point p under exp(t w), t from 0 to 1, about the axis w.
+    """Return the path of the point p (3,) under exp(t w), t from 0 to 1, about the axis w (3,), radians.
 
-    Parameters
-    ----------
-    w : ndarray, shape (3,)
-        Rotation vector, radians.
-    p : ndarray, shape (3,)
-    exp : callable
-        The exponential that computes the path: w -> R.
+    exp: the exponential that computes the path, from w to R.
     """
     path = np.array([exp(t * w) @ p for t in np.linspace(0, 1, 60)])
     angle = np.linalg.norm(w)
@@ -130,13 +115,7 @@ def rotated_point(w, p, exp=exp_so3):
 
 
 def series_errors(errors):
-    """Return how far sums of the exponential series are from a rotation.
-
-    Parameters
-    ----------
-    errors : dict
-        {label: errors after 1, 2, ... terms}.
-    """
+    """Return how far sums of the exponential series are from a rotation: {label: errors after 1, 2, ... terms}."""
     said = [
         f"for {label} it is {e[0]:.2g} after one term, at most {max(e):.2g}, and {e[-1]:.1g} after {len(e)}"
         for label, e in errors.items()
@@ -150,15 +129,7 @@ def series_errors(errors):
 
 
 def log_errors(short_of_pi, errors):
-    """Return errors of logarithms near the angle pi.
-
-    Parameters
-    ----------
-    short_of_pi : array_like, shape (n,)
-        Pi minus the angle, radians.
-    errors : dict
-        {label: errors (n,)}, radians.
-    """
+    """Return errors of logarithms {label: (n,)} over pi minus the angle, (n,), all in radians."""
     drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
     said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
     return Picture(
@@ -169,14 +140,7 @@ def log_errors(short_of_pi, errors):
 
 
 def euler_rates(beta, smallest):
-    """Return the smallest singular value of the Euler rate matrix, shape (n,), against the pitch.
-
-    Parameters
-    ----------
-    beta : array_like, shape (n,)
-        Pitch, radians.
-    smallest : array_like, shape (n,)
-    """
+    """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,), radians."""
     top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
     return Picture(
         lines(beta, {"": smallest}, xlabel=r"pitch $\beta$ (rad)", ylabel="smallest singular value", parts_of_pi=4),
@@ -187,15 +151,7 @@ def euler_rates(beta, smallest):
 
 
 def double_cover(angle, w, entry):
-    """Return an entry of a quaternion and one of a matrix against the angle of rotation.
-
-    Parameters
-    ----------
-    angle : array_like, shape (n,)
-        Radians.
-    w, entry : array_like, shape (n,)
-        The scalar of the quaternion, and the first entry of the matrix.
-    """
+    """Return the scalar (n,) of a quaternion and the first entry (n,) of a matrix over the angle (n,) in radians."""
     once = np.argmin(np.abs(angle - 2 * np.pi))
     named = {"the scalar w of the quaternion": w, "the first entry of the matrix": entry}
     said = [f"{name} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for name, v in named.items()]
@@ -208,14 +164,7 @@ def double_cover(angle, w, entry):
 
 
 def interpolation(t, angles):
-    """Return the angle from the start against t.
-
-    Parameters
-    ----------
-    t : array_like, shape (n,)
-    angles : dict
-        {label: angles (n,)}, radians.
-    """
+    """Return the angle from the start, {label: (n,)} in radians, against t (n,)."""
     said = []
     for label, angle in angles.items():
         bend = np.abs(angle - angle[-1] * t).max()
@@ -231,11 +180,7 @@ def interpolation(t, angles):
 def nearest_on_circle(M, candidates):
     """Return a 2x2 matrix beside rotations: its columns and theirs, and the distance to the rotations around them.
 
-    Parameters
-    ----------
-    M : ndarray, shape (2, 2)
-    candidates : dict
-        {name: R (2, 2)}, two at most.
+    candidates: {name: R (2, 2)}, two at most.
     """
     fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
     circle = np.linspace(0, 2 * np.pi, 721)
@@ -267,13 +212,7 @@ def nearest_on_circle(M, candidates):
 
 
 def on_sphere(samples):
-    """Return rotations drawn on spheres side by side: where each takes e_x, with a short line along the image of e_y.
-
-    Parameters
-    ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
-    """
+    """Return rotations {title: (n, 3, 3)} on spheres: where each takes e_x, and a short line along the image of e_y."""
     drawn, scenes, said = [], [], []
     for i, (title, R) in enumerate(samples.items()):
         name, height = scene_name(i), 420
@@ -293,12 +232,9 @@ def on_sphere(samples):
 
 
 def angles(samples):
-    """Return histograms of the rotation angle, one a sample, against the density (1 - cos a)/pi of uniform rotations.
+    """Return histograms of the rotation angle against the density (1 - cos a)/pi of uniform rotations.
 
-    Parameters
-    ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
+    samples: {title: R (n, 3, 3)}.
     """
     fig, axes = in_columns(samples, 4.2, 3.2, xlabel="rotation angle a (rad)", ylabel="density (1/rad)")
     a, said = np.linspace(0, np.pi, 200), []
@@ -318,10 +254,7 @@ def angles(samples):
 def heights(samples):
     """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
 
-    Parameters
-    ----------
-    samples : dict
-        {title: R (n, 3, 3)}.
+    samples: {title: R (n, 3, 3)}.
     """
     fig, axes = in_columns(samples, 4.2, 3.2, xlabel="height z of the image", ylabel="density")
     said = []

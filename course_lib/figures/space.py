@@ -31,11 +31,6 @@ def words_at(at, words, colour, scene="scene", size=16):
     return go.Scatter3d(**coordinates(at), mode="text", text=list(words), textfont=font, hoverinfo="skip", scene=scene)
 
 
-def name_at(point, name, colour, scene="scene"):
-    """Return a word at a point, shape (3,)."""
-    return words_at([point], [name], colour, scene)
-
-
 def fixed_frame(scene, size):
     """Return traces of the fixed frame: three grey axes of a length, then their names."""
     axes = [line([np.zeros(3), size * e], GREY, 3, scene) for e in np.eye(3)]
@@ -48,9 +43,9 @@ def segments(starts, ends, colour, width, scene="scene"):
     return line(np.stack([starts, ends, gap], 1).reshape(-1, 3), colour, width, scene)
 
 
-def sphere(radius, n=17):
-    """Return the arguments of a plotly surface: a pale sphere about the origin, with n circles of latitude."""
-    polar, around = np.meshgrid(np.linspace(0, np.pi, n), np.linspace(0, 2 * np.pi, 2 * n - 1))
+def sphere(radius):
+    """Return the arguments of a plotly surface: a pale sphere about the origin."""
+    polar, around = np.meshgrid(np.linspace(0, np.pi, 17), np.linspace(0, 2 * np.pi, 33))
     at = radius * np.array([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)])
     return {
         **dict(zip("xyz", np.round(at, 3), strict=True)),

@@ -20,22 +20,10 @@ PLOTLY_LAYOUT = {
 
 
 def plane_figure(width, height, columns=1, rows=1, **options):
-    """Return a matplotlib figure in the course's style, and its axes.
+    """Return a matplotlib figure in the course's style, and its axes (rows * columns,), row by row.
 
-    Parameters
-    ----------
-    width, height : float
-        Of the figure, in inches.
-    columns, rows : int, optional
-        The number of axes beside and above each other.
-    **options
-        Passed to `matplotlib.figure.Figure.subplots`, such as sharey=True.
-
-    Returns
-    -------
-    fig : matplotlib.figure.Figure
-    axes : ndarray of matplotlib.axes.Axes, shape (rows * columns,)
-        Row by row.
+    width, height: of the figure, in inches. options: passed to `matplotlib.figure.Figure.subplots`, such as
+    sharey=True.
     """
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
     axes = fig.subplots(rows, columns, squeeze=False, **options).ravel()

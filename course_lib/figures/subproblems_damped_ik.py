@@ -14,7 +14,7 @@ from course_lib.figures.plots import STYLES, in_metres, legend_above, lines
 from course_lib.figures.solids import Model, Part, draw, scene
 from course_lib.figures.solids.meshes import arrow, basis
 from course_lib.figures.solids.model import AXIS, VIOLET
-from course_lib.figures.space import coordinates, fixed_frame, line, name_at, points, sphere
+from course_lib.figures.space import coordinates, fixed_frame, line, points, sphere, words_at
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.rotations import exp_so3, log_so3
 
@@ -26,14 +26,7 @@ _TO_EYE = CAMERA / np.linalg.norm(CAMERA)
 
 
 def rotated_onto(k, p, g, theta):
-    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside g.
-
-    Parameters
-    ----------
-    k, p, g : ndarray, shape (3,)
-        The axis, the point that rotates, and the goal.
-    theta : float
-    """
+    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g."""
     end, foot = _rotated(k, theta, p), (k @ p) * k
     drawn = [_circle(k, p, BLUE), points([p, g], 6, BLACK), points([end], 6, CRIMSON)]
     drawn += [line([foot, p], GREY, 3), line([foot, end], CRIMSON, 4)]
@@ -51,12 +44,7 @@ def rotated_onto(k, p, g, theta):
 def circles_meet(k1, k2, p1, p2, theta):
     """Return subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
 
-    Parameters
-    ----------
-    k1, k2, p1, p2 : ndarray, shape (3,)
-        Two axes, and the point that rotates about each.
-    theta : array_like, shape (m, 2)
-        The pairs of angles; points that they do not bring together are joined by a line.
+    theta: (m, 2), the pairs of angles; points that they do not bring together are joined by a line.
     """
     drawn = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN), points([p1], 6, BLUE), points([p2], 6, GREEN)]
     meetings = {}
@@ -77,14 +65,7 @@ def circles_meet(k1, k2, p1, p2, theta):
 def circle_and_sphere(k, p, g, d, theta):
     """Return subproblem 3: the circle of p about k, and the sphere of radius d about g.
 
-    Parameters
-    ----------
-    k, p, g : ndarray, shape (3,)
-        The axis, the point that rotates, and the goal.
-    d : float
-        The distance from the goal.
-    theta : array_like, shape (m,)
-        The angles at which the circle pierces the sphere.
+    theta: (m,), the angles at which the circle pierces the sphere.
     """
     ball, far = sphere(d), [p, np.abs(g) + d]
     for c, centre in zip("xyz", g, strict=True):
@@ -92,7 +73,7 @@ def circle_and_sphere(k, p, g, d, theta):
     ball |= {"opacity": 0.45, "colorscale": [[0, ORANGE], [1, ORANGE]]}
     beside = g + (d + 0.15 * _reach(far)) * _TO_EYE
     answers, dots = _answers(k, p, theta)
-    drawn = [go.Surface(**ball), *dots, points([g], 5, BLACK), name_at(beside, "g", BLACK)]
+    drawn = [go.Surface(**ball), *dots, points([g], 5, BLACK), words_at([beside], ["g"], BLACK)]
     away = np.linalg.norm([_rotated(k, t, p) - g for t in np.linspace(0, 2 * np.pi, 721)], axis=1)
     found = [np.linalg.norm(end - g) for end in answers.values()]
     return Picture(
@@ -104,16 +85,9 @@ def circle_and_sphere(k, p, g, d, theta):
 
 
 def circle_and_plane(k, h, p, d, theta):
-    """Return subproblem 4: the circle of p about k, and the plane of the points at height d along h.
+    """Return subproblem 4: the circle of p about k, and the plane of the points at height d along h, of any length.
 
-    Parameters
-    ----------
-    k, h, p : ndarray, shape (3,)
-        The axis, the direction of the height, of any length, and the point that rotates.
-    d : float
-        The height, h . R p = d.
-    theta : array_like, shape (m,)
-        The angles at which the circle pierces the plane.
+    theta: (m,), the angles at which the circle pierces the plane, where h . R p = d.
     """
     a, b, n = basis(h)
     middle, r = d / np.linalg.norm(h) * n, 1.1 * np.linalg.norm(p)
@@ -133,12 +107,7 @@ def circle_and_plane(k, h, p, d, theta):
 def orientation_paths(tracks, duration):
     """Return where rotating frames take e_x, on a sphere.
 
-    Parameters
-    ----------
-    tracks : dict
-        Label to rotations, shape (n, 3, 3), evenly spaced in time, with the same first and last one.
-    duration : float
-        In seconds.
+    tracks: {label: rotations (n, 3, 3)}, evenly spaced over the duration in seconds, with the same first and last one.
     """
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
     drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
@@ -260,10 +229,7 @@ def joint_motion(motions):
 def largest_rates(inverse_rate_matrix):
     """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
 
-    Parameters
-    ----------
-    inverse_rate_matrix : callable
-        From the three angles to the matrix (3, 3) that takes angular velocities to rates.
+    inverse_rate_matrix: from the three angles to the matrix (3, 3) that takes angular velocities to rates.
     """
     b2 = np.linspace(0.02, np.pi - 0.02, 301)
     inverses = np.array([inverse_rate_matrix(np.array([0.4, x, 0.0])) for x in b2])
@@ -279,19 +245,10 @@ def largest_rates(inverse_rate_matrix):
     )
 
 
-def columns_and_ellipse(points, J, scale=0.3):
-    """Return a planar arm, the columns of its Jacobian as arrows, and the manipulability ellipse.
-
-    Parameters
-    ----------
-    points : ndarray, shape (n + 1, 2)
-        The arm, base first.
-    J : ndarray, shape (2, n)
-        The Jacobian of the tip's position.
-    scale : float, optional
-        Metres drawn for one metre of J.
-    """
+def columns_and_ellipse(points, J):
+    """Return a planar arm (n + 1, 2), the columns of its Jacobian (2, n) as arrows, and the manipulability ellipse."""
     fig, (ax,) = plane_figure(6.0, 4.6)
+    scale = 0.3  # metres drawn for one metre of J
     ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
     tip = points[-1]
     for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
@@ -316,13 +273,7 @@ def columns_and_ellipse(points, J, scale=0.3):
 def descents(runs, target, caption=""):
     """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
 
-    Parameters
-    ----------
-    runs : dict
-        Label to arms, shape (n, links + 1, 2), one configuration a step, base first.
-    target : array_like, shape (2,)
-    caption : str, optional
-        What to notice.
+    runs: {label: arms (n, links + 1, 2), one configuration a step, base first}. target: (2,). caption: what to notice.
     """
     fig, (plane, error) = plane_figure(9.6, 4.4, 2, width_ratios=[1, 1.1])
     said, corners, lowest = [], [np.zeros((1, 2)), [target]], np.inf
@@ -360,19 +311,12 @@ def _window(corners, margin):
     return corners.min(0) - margin, corners.max(0) + margin
 
 
-def race(racers, points_of, target, near=0.01):
+def race(racers, points_of, target):
     """Return the runs of several methods towards one target; the legend says how fast and how large their steps are.
 
-    Parameters
-    ----------
-    racers : dict
-        Label to joint angles, shape (steps + 1, joints).
-    points_of : callable
-    target : array_like, shape (2,)
-    near : float, optional
-        The distance at which the target counts as reached.
+    racers: {label: joint angles (steps + 1, joints)}. target: (2,), reached within a centimetre.
     """
-    runs = {}
+    runs, near = {}, 0.01
     for label, path in racers.items():
         arms = points_of(path)
         miss = np.linalg.norm(arms[:, -1] - target, axis=-1)
@@ -385,12 +329,7 @@ def race(racers, points_of, target, near=0.01):
 def gains(epsilons, values):
     """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
 
-    Parameters
-    ----------
-    epsilons : sequence of float
-        Dampings.
-    values : dict
-        Label to a singular value to point out.
+    epsilons: the dampings. values: {label: a singular value to point out}.
     """
     s = np.linspace(0.01, 4.2, 300)
     fig, (ax,) = plane_figure(7.2, 3.6)
@@ -417,15 +356,8 @@ def gains(epsilons, values):
 def step_map(alphas, epsilons, errors, largest, runs):
     """Return the error after a run, for step sizes and dampings, with the limit 2 (1 + eps/s1^2).
 
-    Parameters
-    ----------
-    alphas, epsilons : array_like, shape (n,) and (m,)
-        Step sizes and dampings.
-    errors : ndarray, shape (n, m)
-    largest : float
-        The largest singular value at the target.
-    runs : sequence of (float, float)
-        The pairs (alpha, eps) to mark.
+    alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest singular value at the
+    target. runs: the pairs (alpha, eps) to mark.
     """
     fig, (ax,) = plane_figure(7.2, 4.6)
     levels = TwoSlopeNorm(-2, -8, 0.5)
@@ -451,17 +383,8 @@ def step_map(alphas, epsilons, errors, largest, runs):
     )
 
 
-def two_arms(paths, points_of, every=12):
-    """Return arms side by side, drawn at evenly spaced instants of their joint paths.
-
-    Parameters
-    ----------
-    paths : dict
-        Damping to joint angles, shape (n, joints).
-    points_of : callable
-    every : int, optional
-        One arm is drawn for so many of 60 instants.
-    """
+def two_arms(paths, points_of):
+    """Return arms side by side, {damping: joint angles (n, joints)}, at evenly spaced instants of their joint paths."""
     arms = {}
     for eps, path in paths.items():
         gone = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
@@ -470,7 +393,7 @@ def two_arms(paths, points_of, every=12):
         arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(even)
     folds = ", ".join(f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items())
     return Picture(
-        draw_arms(arms, every, _window(arms.values(), 0.3)),
+        draw_arms(arms, 12, _window(arms.values(), 0.3)),
         f"Arms between the same start and target, later ones darker. The last elbow bends at most by {folds}.",
         "With much damping the tip swings out in a bow, and the joints move less.",
     )
@@ -479,11 +402,7 @@ def two_arms(paths, points_of, every=12):
 def manipulability_along(dampings, values):
     """Return the manipulability over the steps of runs with several dampings.
 
-    Parameters
-    ----------
-    dampings : array_like, shape (m,)
-    values : ndarray, shape (m, n)
-        One row a damping, one value a step, in square metres.
+    values: (m, n), a row for each of the dampings (m,), one value a step, in square metres.
     """
     rows = {rf"$\epsilon$ = {eps:g} m²": row for eps, row in zip(dampings, values, strict=True)}
     said = [f"epsilon = {e:g} m²: {min(row):.1f} to {max(row):.1f}" for e, row in zip(dampings, values, strict=True)]

@@ -8,11 +8,7 @@ from course_lib import cells
 def table(columns, rows):
     """Print rows of a table under the names of their columns.
 
-    Parameters
-    ----------
-    columns : sequence of str
-    rows : dict
-        {name: values, numbers or text, one for each column}. Numbers below 1e-6 are all shown as "< 1e-06".
+    rows: {name: values, numbers or text, one for each column}. Numbers below 1e-6 are all shown as "< 1e-06".
     """
     shown = [[columns[k], *(_short([*values][k]) for values in rows.values())] for k in range(len(columns))]
     names = ["", *rows]
@@ -29,13 +25,7 @@ def _short(value):
 
 
 def dh_tables(modified, standard):
-    """Print two DH tables side by side, their angles in degrees.
-
-    Parameters
-    ----------
-    modified, standard : array_like, shape (n, 3)
-        Rows a, alpha, d: metres and radians.
-    """
+    """Print two DH tables side by side, their angles in degrees: rows a, alpha, d (n, 3), metres and radians."""
     print("joint   modified: a    alpha     d   standard: a    alpha     d")
     for i, rows in enumerate(np.hstack([modified, standard]), 1):
         shown = rows * np.tile([1, 180 / np.pi, 1], 2) + 0.0
@@ -45,16 +35,8 @@ def dh_tables(modified, standard):
 def mirrored(n, as_given, corrected):
     """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
 
-    Parameters
-    ----------
-    n : int
-        Of three points rounding decides: no two machines count the same, and the words say "about half".
-    as_given, corrected : array_like, shape (m,)
-        Errors in degrees, one for each shape.
-
-    Returns
-    -------
-    str, float
+    Of three points rounding decides: no two machines count the same, and the words say "about half". as_given,
+    corrected: (m,), errors in degrees, one for each shape.
     """
     count, m = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum()), len(corrected)
     about = n == 3 and 0.36 * m < count < 0.64 * m

@@ -51,12 +51,7 @@ _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direct
 def three_views(name, arm):
     """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, from above, from the end.
 
-    Parameters
-    ----------
-    name : str
-        "iiwa" or "ur5e".
-    arm : SerialArm
-        Whose screw axes are drawn.
+    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn.
     """
     data = _ARMS[name]
     corners = np.array(data["corners"])

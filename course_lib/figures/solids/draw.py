@@ -11,18 +11,9 @@ from course_lib.figures.space import line
 
 
 def link_poses(arm, q):
-    """Return the poses of an arm's bodies relative to their poses at q = 0.
+    """Return the poses (..., n + 1, 4, 4) of an arm's bodies at joint angles (..., n), relative to those at q = 0.
 
-    Parameters
-    ----------
-    arm : SerialArm
-    q : array_like, shape (..., n)
-        Joint angles, radians.
-
-    Returns
-    -------
-    ndarray, shape (..., n + 1, 4, 4)
-        Of the base, which does not move, and of the body that each joint moves: the products of exponentials up to it.
+    The base does not move; each joint's body moves by the product of exponentials up to it.
     """
     moved = arm.frames(q)[..., :-1, :, :] @ rigid.inverse(arm.home[:-1])
     base = np.broadcast_to(np.eye(4), (*moved.shape[:-3], 1, 4, 4))
@@ -35,29 +26,12 @@ def arm_model(arm, extra=()):
 
 
 def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=around.VIEW, height=480):
-    """Return a picture of an arm as solid bodies on a floor.
+    """Return a picture of an arm as solid bodies on a floor, at joint angles q (n,).
 
     The iiwa, the Panda and the UR5e look like themselves; any other arm gets capsules and drums from its screw axes.
-
-    Parameters
-    ----------
-    arm : SerialArm
-    q : array_like, shape (n,)
-        Joint angles, radians.
-    axes : bool
-        Whether the joint axes are drawn, dashed and numbered.
-    end_frame, base_frame : bool
-        Whether the frame of the end-effector is drawn, and beside the base one parallel to the base frame.
-    extra : sequence of Part
-        More to draw on the arm's bodies, 0 to n, in the base frame at q = 0: for example a gripper.
-    view : array_like, shape (3,)
-        The direction from the arm to the eye.
-    height : int
-        Pixels.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
+    axes: draw the joint axes, dashed and numbered. end_frame, base_frame: draw the frame of the end-effector, and
+    beside the base one parallel to the base frame. extra: Parts to draw on the bodies 0 to n, in the base frame at q =
+    0, for example a gripper. view: (3,), the direction from the arm to the eye. height: pixels.
     """
     q = np.asarray(q, float)
     poses = link_poses(arm, q)

@@ -15,14 +15,14 @@ _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0):
     """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in twenty frames.
 
+    Its lengths are in millimetres; scripts/film.js describes its `layout.meta.course`.
+
     Parameters
     ----------
     name : str
         Name of its file if it is written as an animation.
     model : Model
-        The bodies that move.
-    poses : array_like, shape (m, bodies, 4, 4)
-    times : array_like, shape (m,)
+    poses, times : array_like, shapes (m, bodies, 4, 4) and (m,)
         Seconds, increasing; it plays in real time.
     still : sequence of plotly traces
         Objects that stand still, without the floor.
@@ -34,11 +34,6 @@ def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, he
         Pixels, without the controls.
     ground : float
         The height of the floor, metres.
-
-    Returns
-    -------
-    plotly.graph_objects.Figure
-        Lengths in millimetres. scripts/motion.js describes `layout.meta.course`.
     """
     kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
     poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]

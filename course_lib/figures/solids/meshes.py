@@ -50,18 +50,10 @@ def ring(centre, axis, radius, half, n=12):
 
 
 def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
-    """Return a tube along a smooth curve through `points`, with rounded ends where `caps` says so.
+    """Return a tube along a smooth curve through points (m, 3), with rounded ends where `caps` says so.
 
-    Parameters
-    ----------
-    points : array_like, shape (m, 3)
-    radii : float or array_like, shape (m,)
-    steps : int
-        Rings along the curve.
-    wide : float
-        By how much the section is stretched along `side`.
-    side : array_like, shape (3,), optional
-        A direction across the curve at its beginning.
+    radii: one or (m,). steps: rings along the curve. wide: by how much the section is stretched along `side`, (3,), a
+    direction across the curve at its beginning.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -114,10 +106,10 @@ def arrow(start, direction, length, radius, n=6):
     )
 
 
-def ball(centre, radius, n=12, rings=5):
+def ball(centre, radius):
     """Return a sphere."""
-    polar = np.linspace(0, np.pi, rings + 2)[1:-1]
-    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], n)
+    polar = np.linspace(0, np.pi, 7)[1:-1]
+    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], 12)
 
 
 def mug(radius=0.035, height=0.09, n=18):

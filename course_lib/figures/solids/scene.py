@@ -17,22 +17,9 @@ VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets ano
 def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
     """Return plotly's settings of a scene whose camera shows all points, as large as it can.
 
-    Parameters
-    ----------
-    points : array_like, shape (n, 3)
-        Everything that must be visible, in every frame of a film.
-    view : array_like, shape (3,)
-        The direction from the scene to the eye.
-    aspect : float
-        Width of the scene over its height, in pixels; plotly draws to the scale of the height.
-    fill : float
-        The share of the picture's height or width that the points take.
-    domain : (float, float)
-        Left and right edge, as shares of the figure's width.
-
-    Returns
-    -------
-    dict
+    points: (n, 3), everything that must be visible, in every frame of a film. view: (3,), the direction to the eye.
+    aspect: width of the scene over its height, in pixels; plotly draws to the scale of the height. fill: the share of
+    the picture's height or width that the points take. domain: left and right edge, as shares of the figure's width.
     """
     points = np.asarray(points, float).reshape(-1, 3)
     low, high = points.min(0), points.max(0)
@@ -146,24 +133,10 @@ def rim(vertices, height=0.0):
 def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
     """Return the joint axes outside the bodies that they pass through: dashes, arrowheads and numbers.
 
-    Parameters
-    ----------
-    arm : SerialArm
-    poses : array_like, shape (n + 1, 4, 4)
-        Of the arm's bodies.
-    vertices, bodies : ndarray, shapes (m, 3) and (m,)
-        Of the model at these poses.
-    beyond : float
-        How far an axis extends beyond the bodies, metres.
-
-    Returns
-    -------
-    dashes : ndarray, shape (k, 3)
-        Ends of dashes, with a row of NaN after each pair.
-    heads : list of Mesh
-        At the end to which the axis points.
-    words : dict
-        Where each number stands; axes on one line share one name, such as "1, 3, 5, 7".
+    poses: (n + 1, 4, 4), of the arm's bodies. vertices, bodies: (m, 3) and (m,), of the model at these poses. beyond:
+    how far an axis extends beyond the bodies. Of what is returned, dashes (k, 3) are ends with a row of NaN after each
+    pair; heads are Meshes where the axes point; words say where each number stands, with one name, such as "1, 3, 5,
+    7", for axes on one line.
     """
     moved = poses[1:]
     p = (moved[:, :3, :3] @ joint_points(arm)[..., None])[..., 0] + moved[:, :3, 3]

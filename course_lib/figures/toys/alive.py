@@ -48,10 +48,6 @@ def alive(figure, f=None):
         From `reach`, `fly` or `table`, which say with what f is called and what it returns.
     f : callable, optional
         Your function. Its attribute ``whose``, if it has one, says whose it is.
-
-    Returns
-    -------
-    Toy
     """
     if not isinstance(figure, Figure):
         raise ValueError(f"figure must come from reach, fly or table; it is of type {type(figure).__name__}")
@@ -73,10 +69,6 @@ def reach(arm, target, *, q=None):
         It returns angles of shape (n,), several solutions (k, n), or None where it finds none.
     q : array_like, shape (n,), optional
         Joint angles at the start of the library's arm, in radians.
-
-    Returns
-    -------
-    Figure
     """
     target = np.asarray(target, float)
     if target.shape not in ((2,), (3,), (4, 4)) or not np.isfinite(target).all():
@@ -106,10 +98,6 @@ def fly(start, goal, *, quaternions=False):
         Rotation matrices.
     quaternions : bool, optional
         If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation matrices.
-
-    Returns
-    -------
-    Figure
     """
     ends = [real_array(R, name, (3, 3)) for R, name in ((start, "start"), (goal, "goal"))]
     for R, name in zip(ends, ("start", "goal"), strict=True):
@@ -142,10 +130,6 @@ def table(lengths=(1, 1), at=(0.9, 0.7)):
         Link lengths, in metres.
     at : array_like, shape (2,)
         The query at the start, in metres. f is called with such an array and returns angles (2,), or None.
-
-    Returns
-    -------
-    Figure
     """
     lengths, at = positive(lengths, "lengths"), real_array(at, "at", (2,))
     if lengths.shape != (2,):

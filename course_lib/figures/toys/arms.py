@@ -25,10 +25,6 @@ def iiwa_toy(q=_IIWA_START):
     ----------
     q : array_like, shape (7,)
         Joint angles at the start, in radians.
-
-    Returns
-    -------
-    Toy
     """
     alt = (
         "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are dashed lines; "
@@ -51,10 +47,6 @@ def panda_toy(q=_PANDA_START):
     ----------
     q : array_like, shape (7,)
         Joint angles at the start, in radians.
-
-    Returns
-    -------
-    Toy
     """
     alt = (
         "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows the frames of its "
@@ -84,15 +76,6 @@ def jog(arm, fk=None, *, q=None, base=None):
         Joint angles at the start, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
     base : array_like, shape (4, 4), optional
         Pose of the arm's base in the frame in which ``fk(q)`` answers; the identity if None.
-
-    Returns
-    -------
-    Toy
-
-    Raises
-    ------
-    ValueError
-        If fk cannot be called or an argument has the wrong shape.
     """
     if fk is not None and not callable(fk):
         raise ValueError(f"fk must be a function of joint angles; it is {fk!r:.60}")
@@ -119,10 +102,6 @@ def build_up_toy(arm, *, q=None, rows=None):
     rows : array_like, shape (n, 3), optional
         a, alpha, d of a DH table in Craig's convention: then the rows are built up, four elementary motions each. If
         None, the product of exponentials is, with the screw axes and the Jacobian.
-
-    Returns
-    -------
-    Toy
     """
     zero = np.zeros((1, arm.n)) if rows is None else ()  # where the product of exponentials begins
     model = arm_view(arm, starting(arm) if q is None else q, f"An arm with {arm.n} joints, factor by factor", zero)

@@ -12,10 +12,6 @@ def circles_toy(between=70, p1=50, p2=45):
         Angle between the axes at the start, in degrees, from 1 to 179.
     p1, p2 : float
         Angle from k1 to p1 and from k2 to p2 at the start, in degrees, from 0 to 180.
-
-    Returns
-    -------
-    Toy
     """
     for name, angle, low, high in (("between", between, 1, 179), ("p1", p1, 0, 180), ("p2", p2, 0, 180)):
         if not low <= angle <= high:

@@ -35,10 +35,6 @@ def orientation_toy(mode=None):
     ----------
     mode : {"axis", "gimbals", "order", "belt"}, optional
         Show this part alone; None for all four, with buttons to choose.
-
-    Returns
-    -------
-    Toy
     """
     if mode is not None and mode not in MODES:
         raise ValueError(f"mode must be one of {', '.join(MODES)} or None; it is {mode!r}")

@@ -19,10 +19,6 @@ def two_poses_toy(start=(-3, -1.5, 0.2), goal=(2.5, 1.5, 2.0), half=5.0):
         Poses (x, y, theta), in metres and radians.
     half : float
         From the middle of the picture to its edge, in metres.
-
-    Returns
-    -------
-    Toy
     """
     start, goal = _vector(start, "start", 3), _vector(goal, "goal", 3)
     alt = (
@@ -45,10 +41,6 @@ def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
         The step at the start, in seconds, from 0.01 to 1.
     tolerance : float
         How near to the dock is near enough, in metres.
-
-    Returns
-    -------
-    Toy
     """
     _between("dt", dt, 0.01, 1)
     start = np.zeros(3)
@@ -82,10 +74,6 @@ def planar_arm_toy(lengths=(1, 1, 1, 1), q=None, target=(-1.9, 1.1), step=0.5, d
         Share of each computed step that is taken, from 0.05 to 4.
     damping : float
         Added to the diagonal of J J^T, in square metres, from 1e-4 to 30.
-
-    Returns
-    -------
-    Toy
     """
     lengths = positive(lengths, "lengths")
     n = len(lengths)
@@ -114,10 +102,6 @@ def cells_toy(lengths=(1, 1), size=0.5, at=(0.9, 0.7)):
         Edge of the cells at the start, in metres, from 0.25 to 1.
     at : array_like, shape (2,)
         The query at the start, in metres; it can be dragged.
-
-    Returns
-    -------
-    Toy
     """
     lengths = positive(lengths, "lengths")
     if lengths.shape != (2,):
@@ -143,10 +127,6 @@ def bent_arm_toy(at=(1.5, 0.9), width=0.25):
         The position of the tip at the start, in metres, 1.2 to 2 from the base.
     width : float
         Width of the cells at the start, in metres, from 0.05 to 0.8.
-
-    Returns
-    -------
-    Toy
     """
     at = _vector(at, "at", 2)
     r = float(np.hypot(*at))
