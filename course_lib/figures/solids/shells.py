@@ -59,21 +59,14 @@ def _iiwa(arm):
     h = base[2] - p[0][2]
     foot = [(0.34, 0), (0.34, 0.15), (0.34, 0.15), (0.285, 0.2), (0.28, 0.42), (0.25, 0.62), (0.215, 0.85), (0.19, 1)]
     parts = [Part(0, STEEL, revolve(p[0], _Z, [(r * L, z * h) for r, z in foot], 20))]
-    forks = [
-        (1, 0.212, base, p[3]),
-        (3, 0.2, p[1] + 0.46 * (p[3] - p[1]), p[5]),
-        (5, 0.178, p[3] + 0.47 * (p[5] - p[3]), end),
-    ]
+    forks = [(1, 0.212, base, p[3]), (3, 0.2, p[1] + 0.46 * (p[3] - p[1]), p[5])]
+    forks.append((5, 0.178, p[3] + 0.47 * (p[5] - p[3]), end))
     for k, (link, radius, start, after) in enumerate(forks):
         c, r, side = p[link], radius * L, (-1) ** k * _Y
         out = 0.74 * r * side
         parts.append(Part(link, ORANGE, ring(start + 0.03 * L * _Z, _Z, 1.03 * r, 0.028 * L, 16)))
-        up = [
-            start + 0.05 * L * _Z,
-            start + 0.45 * (c - start) + 0.24 * out,
-            c - 0.25 * r * _Z + 1.1 * out,
-            c + 1.18 * out,
-        ]
+        up = [start + 0.05 * L * _Z, start + 0.45 * (c - start) + 0.24 * out]
+        up += [c - 0.25 * r * _Z + 1.1 * out, c + 1.18 * out]
         parts.append(Part(link, SILVER, tube(up, r * np.array([0.97, 1, 0.98, 0.9]), 5, caps=(False, True))))
         parts += _cap(link, c + out + 0.86 * r * side, side, r)
         parts.append(Part(link + 1, DARK, drum(c - 0.06 * out, w[link], 0.8 * r, 0.36 * r, 12)))
@@ -104,107 +97,54 @@ def _panda(arm):
     P = arm.home[:, :3, 3]
     A2, A4, A6, A7, end = P[1], P[3], P[5], P[6], P[7]
     L = A4[2] - A2[2]
+    X, Y, Z = L * np.eye(3)
     h = 0.42 * A2[2]
     at, parts = h * _Z, []
     foot = [(0.3, 0.15), (0.3, 0.3), (0.285, 0.45), (0.235, 0.65), (0.205, 0.8), (0.19, 1.0)]
     parts.append(Part(0, DARK, box([-0.64 * L, -0.31 * L, 0], [0.31 * L, 0.31 * L, 0.06 * L], 0.2, 3.5, 16)))
-    parts.append(
-        Part(
-            0,
-            WHITE,
-            tube(
-                [-0.44 * L * _X + 0.13 * L * _Z, -0.1 * L * _X + 0.17 * L * _Z],
-                [0.15 * L, 0.2 * L],
-                3,
-                wide=1.35,
-                side=_Y,
-            ),
-        )
-    )
+    behind = [-0.44 * X + 0.13 * Z, -0.1 * X + 0.17 * Z]
+    parts.append(Part(0, WHITE, tube(behind, [0.15 * L, 0.2 * L], 3, wide=1.35, side=_Y)))
     parts.append(Part(0, WHITE, revolve(np.zeros(3), _Z, [(r * L, z * h) for r, z in foot], 16)))
 
     def seam(link, centre, radius):
         parts.append(Part(link, BLACK, ring(centre, _Z, radius * L, 0.028 * L)))
 
-    def barrel(link, centre, radius, cap):
-        """The joint's drum, and a cap on the side where its link ends."""
-        parts.append(Part(link, BLACK, drum(centre, _Y, radius * L, 0.06 * L, 12)))
-        parts.append(Part(link, BLACK, drum(centre + cap * L * _Y, _Y, 0.105 * L, 0.035 * L, 12)))
+    def disc(link, centre, radius, half):
+        parts.append(Part(link, BLACK, drum(centre, _Y, radius * L, half * L, 12)))
 
     def link(body, points, radii, caps, steps=4):
         parts.append(Part(body, WHITE, tube(points, L * np.array(radii), steps, caps=caps)))
 
-    seam(1, at + 0.02 * L * _Z, 0.188)
-    away = A2 - at
-    link(
-        1,
-        [at + 0.05 * L * _Z, at + 0.45 * away - 0.04 * L * _Y, A2 - 0.1 * L * _Z - 0.2 * L * _Y, A2 - 0.25 * L * _Y],
-        [0.186, 0.195, 0.19, 0.18],
-        (False, True),
-    )
-    parts.append(Part(1, BLACK, drum(A2 - 0.43 * L * _Y, _Y, 0.105 * L, 0.035 * L, 12)))
-    barrel(2, A2, 0.172, 0.43)
-    z3 = A2 + 0.52 * L * _Z
-    link(
-        2,
-        [A2 + 0.25 * L * _Y, A2 + 0.1 * L * _Z + 0.2 * L * _Y, z3 - 0.22 * L * _Z + 0.04 * L * _Y, z3 - 0.01 * L * _Z],
-        [0.18, 0.19, 0.195, 0.18],
-        (True, False),
-    )
-    seam(3, z3 + 0.02 * L * _Z, 0.182)
+    seam(1, at + 0.02 * Z, 0.188)
+    path = [at + 0.05 * Z, at + 0.45 * (A2 - at) - 0.04 * Y, A2 - 0.1 * Z - 0.2 * Y, A2 - 0.25 * Y]
+    link(1, path, [0.186, 0.195, 0.19, 0.18], (False, True))
+    disc(1, A2 - 0.43 * Y, 0.105, 0.035)
+    disc(2, A2, 0.172, 0.06)
+    disc(2, A2 + 0.43 * Y, 0.105, 0.035)
+    z3 = A2 + 0.52 * Z
+    path = [A2 + 0.25 * Y, A2 + 0.1 * Z + 0.2 * Y, z3 - 0.22 * Z + 0.04 * Y, z3 - 0.01 * Z]
+    link(2, path, [0.18, 0.19, 0.195, 0.18], (True, False))
+    seam(3, z3 + 0.02 * Z, 0.182)
     a = A4[0] * _X
-    link(
-        3,
-        [
-            z3 + 0.05 * L * _Z,
-            z3 + 0.2 * L * _Z + 0.1 * a,
-            A4 - 0.12 * L * _Z - 0.35 * a + 0.12 * L * _Y,
-            A4 + 0.2 * L * _Y,
-        ],
-        [0.18, 0.186, 0.184, 0.165],
-        (False, True),
-    )
-    parts.append(Part(3, BLACK, drum(A4 + 0.37 * L * _Y, _Y, 0.1 * L, 0.035 * L, 12)))
-    barrel(4, A4, 0.16, -0.37)
+    path = [z3 + 0.05 * Z, z3 + 0.2 * Z + 0.1 * a, A4 - 0.12 * Z - 0.35 * a + 0.12 * Y, A4 + 0.2 * Y]
+    link(3, path, [0.18, 0.186, 0.184, 0.165], (False, True))
+    disc(3, A4 + 0.37 * Y, 0.1, 0.035)
+    disc(4, A4, 0.16, 0.06)
+    disc(4, A4 - 0.37 * Y, 0.105, 0.035)
     z5 = A4 - a + 0.34 * (A6[2] - A4[2]) * _Z
-    rise = z5[2] - A4[2]
-    link(
-        4,
-        [
-            A4 - 0.2 * L * _Y,
-            A4 + 0.12 * L * _Z - 0.35 * a - 0.12 * L * _Y,
-            z5 - 0.35 * rise * _Z + 0.1 * a,
-            z5 - 0.01 * L * _Z,
-        ],
-        [0.165, 0.184, 0.186, 0.176],
-        (True, False),
-    )
-    seam(5, z5 + 0.02 * L * _Z, 0.178)
+    bow = 0.35 * (z5[2] - A4[2]) * _Z
+    path = [A4 - 0.2 * Y, A4 + 0.12 * Z - 0.35 * a - 0.12 * Y, z5 - bow + 0.1 * a, z5 - 0.01 * Z]
+    link(4, path, [0.165, 0.184, 0.186, 0.176], (True, False))
+    seam(5, z5 + 0.02 * Z, 0.178)
     f = A6 - z5
-    link(
-        5,
-        [
-            z5 + 0.05 * L * _Z,
-            z5 + 0.3 * f,
-            z5 + 0.55 * f + 0.09 * L * _Y,
-            z5 + 0.78 * f + 0.2 * L * _Y,
-            A6 + 0.24 * L * _Y,
-        ],
-        [0.178, 0.182, 0.155, 0.12, 0.13],
-        (False, True),
-        5,
-    )
-    parts.append(Part(5, BLACK, drum(A6 + 0.365 * L * _Y, _Y, 0.085 * L, 0.03 * L, 12)))
-    parts.append(Part(6, BLACK, drum(A6 + 0.07 * L * _Y, _Y, 0.14 * L, 0.05 * L, 12)))
-    down = (end - A7) / np.linalg.norm(end - A7)
+    path = [z5 + 0.05 * Z, z5 + 0.3 * f, z5 + 0.55 * f + 0.09 * Y, z5 + 0.78 * f + 0.2 * Y, A6 + 0.24 * Y]
+    link(5, path, [0.178, 0.182, 0.155, 0.12, 0.13], (False, True), 5)
+    disc(5, A6 + 0.365 * Y, 0.085, 0.03)
+    disc(6, A6 + 0.07 * Y, 0.14, 0.05)
     d = np.linalg.norm(end - A7)
-    link(
-        6,
-        [A6 - 0.06 * L * _Y, A6 + 0.5 * (A7 - A6) - 0.04 * L * _Y, A7 - 0.02 * L * down - 0.02 * L * _Y],
-        [0.16, 0.164, 0.16],
-        (True, True),
-        4,
-    )
+    down = (end - A7) / d
+    path = [A6 - 0.06 * Y, A6 + 0.5 * (A7 - A6) - 0.04 * Y, A7 - 0.02 * L * down - 0.02 * Y]
+    link(6, path, [0.16, 0.164, 0.16], (True, True))
     neck = [(0.137, 0.1), (0.137, 0.42), (0.12, 0.46)]
     parts.append(Part(6, WHITE, revolve(A7, down, [(r * L, z * d) for r, z in neck])))
     parts.append(Part(7, BLACK, ring(A7 + 0.5 * d * down, down, 0.134 * L, 0.07 * d)))
@@ -217,25 +157,15 @@ def _ur5e(arm):
     p, w = joint_points(arm), arm.screw_axes[:, :3]
     shoulder, elbow, wrist1, end = p[1], p[2], p[3], arm.home[-1, :3, 3]
     wrist2, wrist3 = p[4], p[5]
-    r, thin, out = (
-        0.06,
-        0.047,
-        0.138,
-    )  # metres: the joints of the shoulder, those of the wrist, the offset of the upper arm
-    parts = [
-        Part(0, STEEL, revolve(np.zeros(3), _Z, [(0.075, 0), (0.075, 0.02), (0.075, 0.02), (r, 0.03), (r, 0.085)], 16))
-    ]
+    r, thin, out = 0.06, 0.047, 0.138  # metres: joints of the shoulder, of the wrist, the upper arm's offset
+    foot = [(0.075, 0), (0.075, 0.02), (0.075, 0.02), (r, 0.03), (r, 0.085)]
+    parts = [Part(0, STEEL, revolve(np.zeros(3), _Z, foot, 16))]
 
     def joint(body, centre, axis, radius, half, lid=0):
         parts.append(Part(body, SILVER, drum(centre, axis, radius, half)))
         if lid:
-            parts.append(
-                Part(
-                    body,
-                    LIGHT_BLUE,
-                    drum(centre + lid * (half + 0.006) * np.asarray(axis), axis, 0.93 * radius, 0.01, 14, 0.5),
-                )
-            )
+            above = centre + lid * (half + 0.006) * np.asarray(axis)
+            parts.append(Part(body, LIGHT_BLUE, drum(above, axis, 0.93 * radius, 0.01, 14, 0.5)))
 
     y = _Y * np.sign(end[1])  # to the side on which the wrist lies
     joint(1, shoulder + 0.005 * y, y, r, 0.075, -1)
@@ -250,12 +180,10 @@ def _ur5e(arm):
     joint(3, wrist1 + inner, y, thin, 0.05, -1)
     joint(4, wrist1 + 0.115 * y, y, thin, 0.05)
     joint(4, wrist2, w[4], thin, 0.052, -1)
-    joint(5, wrist3 + 0.3 * (wrist2 - wrist3) * 0, w[4], thin, 0.046, 1)
+    joint(5, wrist3, w[4], thin, 0.046, 1)
     joint(5, wrist3 + 0.02 * y, y, 0.9 * thin, 0.04)
-    parts.append(
-        Part(6, DARK, revolve(end - 0.036 * y, y, [(0.037, 0), (0.037, 0.036), (0.037, 0.036), (0.02, 0.036)], 14))
-    )
-    return parts
+    flange = [(0.037, 0), (0.037, 0.036), (0.037, 0.036), (0.02, 0.036)]
+    return [*parts, Part(6, DARK, revolve(end - 0.036 * y, y, flange, 14))]
 
 
 def _of_screws(arm):
@@ -270,24 +198,13 @@ def _of_screws(arm):
     if planar:
         axis = w[0]
         parts.append(Part(0, STEEL, drum(p[0] - 1.35 * radii[0] * axis, axis, 1.8 * radii[0], 0.3 * radii[0], 18)))
-    elif p[0] @ _Z > 0.1 * size or abs(w[0] @ _Z) < 0.9:
-        parts.append(
-            Part(0, STEEL, capsule([*p[0][:2], 0], p[0], 0.9 * radii[0]))
-            if p[0][2] > 0.02 * size
-            else Part(0, STEEL, ball(p[0], radii[0]))
-        )
-    parts.append(
-        Part(
-            0,
-            STEEL,
-            revolve(
-                [*p[0][:2], min(0, p[0][2])],
-                _Z,
-                [(2 * radii[0], 0), (2 * radii[0], 0.3 * radii[0]), (1.3 * radii[0], 0.6 * radii[0])],
-                16,
-            ),
-        )
-    ) if not planar else None
+    else:
+        if p[0] @ _Z > 0.1 * size or abs(w[0] @ _Z) < 0.9:
+            high = p[0][2] > 0.02 * size
+            column = capsule([*p[0][:2], 0], p[0], 0.9 * radii[0]) if high else ball(p[0], radii[0])
+            parts.append(Part(0, STEEL, column))
+        foot = [(2 * radii[0], 0), (2 * radii[0], 0.3 * radii[0]), (1.3 * radii[0], 0.6 * radii[0])]
+        parts.append(Part(0, STEEL, revolve([*p[0][:2], min(0, p[0][2])], _Z, foot, 16)))
     for i in range(n):
         r = radii[i]
         parts.append(Part(i + 1, ORANGE if i % 2 == 0 else BLACK, drum(p[i], w[i], 1.2 * r, 1.25 * r)))
