@@ -12,7 +12,6 @@ from some_toys import TOYS
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm
 from course_lib.figures.display import TOY
-from course_lib.figures.toys import jog
 from course_lib.figures.toys.toy import SCRIPTS, is_live, module
 from course_lib.pack.notebooks import run, tidy
 
@@ -114,9 +113,9 @@ def test_a_wrong_argument_is_named(name, arguments, named):
 
 def test_jog_refuses_arguments_that_are_not_a_function_or_a_pose():
     with pytest.raises(ValueError, match=r"^fk must be a function"):
-        jog(iiwa14(), np.eye(4))
+        figures.jog(iiwa14(), np.eye(4))
     with pytest.raises(ValueError, match=r"^base must be a pose"):
-        jog(iiwa14(), base=2 * np.eye(4))
+        figures.jog(iiwa14(), base=2 * np.eye(4))
 
 
 # ---- what jog answers ----
@@ -134,7 +133,7 @@ def reversed_order(screws, M, theta):
 
 
 def answer(arm, fk, base=None, q=Q):
-    found = jog(arm, fk, base=base).answer({"q": q.tolist()})
+    found = figures.jog(arm, fk, base=base).answer({"q": q.tolist()})
     return found | (found["value"] or {"end": None, "bodies": None})
 
 

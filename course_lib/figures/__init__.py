@@ -4,34 +4,25 @@ The toys, which are interactive figures, show themselves as the last line of a c
 imported when first used.
 """
 
+from importlib import import_module
+
 from course_lib.figures.display import show
 from course_lib.figures.plots import lines, panels
 
-_TOYS = (
-    "alive",
-    "bent_arm_toy",
-    "build_up_toy",
-    "cells_toy",
-    "circles_toy",
-    "dead_reckoning_toy",
-    "fly",
-    "iiwa_toy",
-    "jog",
-    "orientation_toy",
-    "panda_toy",
-    "planar_arm_toy",
-    "reach",
-    "table",
-    "two_poses_toy",
-)
+_TOYS = {  # by the module of course_lib.figures.toys in which they are
+    "alive": ("alive", "fly", "reach", "table"),
+    "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
+    "circles": ("circles_toy",),
+    "orientation": ("orientation_toy",),
+    "plane": ("bent_arm_toy", "cells_toy", "dead_reckoning_toy", "planar_arm_toy", "two_poses_toy"),
+}
 
 __all__ = ["lines", "panels", "show"]
-__all__ += _TOYS
+__all__ += sorted(name for names in _TOYS.values() for name in names)
 
 
 def __getattr__(name):
-    if name in _TOYS:
-        from course_lib.figures import toys
-
-        return getattr(toys, name)
+    for module, names in _TOYS.items():
+        if name in names:
+            return getattr(import_module(f"course_lib.figures.toys.{module}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
