@@ -76,8 +76,7 @@ def test_bodies_move_with_their_joints_and_the_last_with_the_end_effector(name):
     assert_allclose(poses[:, 0], np.broadcast_to(np.eye(4), (3, 4, 4)))
     assert_allclose(poses[:, -1] @ arm.home[-1], arm.fk(q), atol=1e-12)
     model = solids.arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.2))
-    placed = model.placed(poses)
-    ends = arm.fk(q)
+    placed, ends = model.placed(poses), arm.fk(q)
     for k in range(3):
         arrow = (model.bodies == arm.n) & (model.colours == X_RED + k)
         tip = np.flatnonzero(arrow)[-1]  # the point that closes it
@@ -219,8 +218,6 @@ def test_parts_of_a_body_keep_their_colour_and_order():
     assert_allclose(np.linalg.norm(model.vertices[model.colours == 5], axis=1).max(), 2)
 
 
-@pytest.mark.parametrize(
-    "path", sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb")), ids=lambda path: path.stem
-)
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_stays_below_two_megabytes(path):
     assert path.stat().st_size < 2_000_000

@@ -26,15 +26,12 @@ def toy(request):
 # ---- every toy ----
 
 
-def test_a_toy_is_data_that_its_scripts_can_read(toy):
+def test_a_toy_is_little_data_that_its_scripts_can_read_and_its_words_are_sentences(toy):
     meta = toy.stored()["layout"]["meta"]["course"]
     assert meta == json.loads(json.dumps(meta))
     assert all((SCRIPTS / f"{name}.js").is_file() for name in meta["scripts"])
     assert f'kinds["{meta["kind"]}"]' in (SCRIPTS / f"{meta['scripts'][-1]}.js").read_text(encoding="utf-8")
     assert meta["plotly"] is False
-
-
-def test_a_toys_texts_are_sentences_and_its_model_is_small(toy):
     assert 60 < len(toy.alt) < 1200
     assert toy.alt.endswith(".")
     assert len(json.dumps(toy.stored())) < 60_000

@@ -89,16 +89,11 @@ def test_inverses_adjoints_and_the_motion_between_two_poses_are_the_librarys(rng
 # ---- rotations ----
 
 
-def test_a_rotation_is_that_of_its_axis_and_angle(rng):
+def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(rng):
     axes, turns = unit_axes(rng), angles(rng)
-    found = js("rotation", list(zip(axes, turns, strict=True)))
-    assert_allclose(found, rotations.exp_so3(turns[:, None] * axes), **CLOSE)
-
-
-def test_a_quaternion_is_that_of_its_axis_and_angle_and_changes_sign_after_a_full_revolution(rng):
-    axes, turns = unit_axes(rng), angles(rng)
-    q = np.array(js("quaternion", list(zip(axes, turns, strict=True))))
-    assert_allclose(rotations.quaternion_to_matrix(q), rotations.exp_so3(turns[:, None] * axes), **CLOSE)
+    R, q = (np.array(js(name, list(zip(axes, turns, strict=True)))) for name in ("rotation", "quaternion"))
+    assert_allclose(R, rotations.exp_so3(turns[:, None] * axes), **CLOSE)
+    assert_allclose(rotations.quaternion_to_matrix(q), R, **CLOSE)
     after = np.array(js("quaternion", list(zip(axes, turns + 2 * np.pi, strict=True))))
     assert_allclose(after, -q, **CLOSE)
 
@@ -115,7 +110,6 @@ def test_euler_angles_convert_to_rotations_and_back_also_in_gimbal_lock(rng):
     R[:4] = rotations.rot_z(0.4) @ rotations.rot_y(np.array([1, -1, 1, -1]) * np.pi / 2) @ rotations.rot_x(0.3)
     found = np.array(js("toEuler", [(matrix,) for matrix in R]))
     assert_allclose(Rotation.from_euler("ZYX", found).as_matrix(), R, **CLOSE)
-    assert_allclose(js("fromEuler", [(row,) for row in found]), R, **CLOSE)
     assert_allclose(found[4:], Rotation.from_matrix(R[4:]).as_euler("ZYX"), **CLOSE)
 
 
@@ -134,12 +128,7 @@ def test_the_twist_between_two_poses_leads_from_one_to_the_other(rng):
     assert_allclose(twists, rigid.log_se2(np.linalg.inv(pose_matrix(A)) @ pose_matrix(B)), **CLOSE)
     reached = np.array(js("expPlanar", list(zip(A, twists, strict=True))))
     assert_allclose(pose_matrix(reached), pose_matrix(B), **CLOSE)
-
-
-def test_the_pose_halfway_along_the_screw_agrees_with_the_library(rng):
-    A, B = planar_poses(rng)
-    twists = np.array(js("logPlanar", list(zip(A, B, strict=True)))) / 2
-    half = np.array(js("expPlanar", list(zip(A, twists, strict=True))))
+    half = np.array(js("expPlanar", list(zip(A, twists / 2, strict=True))))
     assert_allclose(pose_matrix(half), pose_matrix(interpolate_body_screw(A, B, 3)[:, 1]), **CLOSE)
 
 
@@ -260,12 +249,6 @@ def test_a_pose_error_agrees_with_the_library(rng):
     assert_allclose(errors, ik.pose_error(T[:N], T[N:]), **CLOSE)
 
 
-def test_least_squares(rng):
-    A, y = rng.normal(size=(N, 12, 3)), rng.normal(size=(N, 12))
-    for rows, values, found in zip(A, y, js("leastSquares", list(zip(A, y, strict=True))), strict=True):
-        assert_allclose(found, np.linalg.lstsq(rows, values)[0], **CLOSE)
-
-
 def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(rng):
     arm = panda()
     q = np.array([0.2, -0.6, 0.1, -2.0, 0.3, 1.6, 0.5])
@@ -284,7 +267,10 @@ def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(rng):
 # ---- the bent arm ----
 
 
-def test_a_polynomial_is_that_of_least_squares(rng):
+def test_least_squares_and_a_polynomial_fitted_by_them(rng):
+    A, y = rng.normal(size=(N, 12, 3)), rng.normal(size=(N, 12))
+    for rows, values, found in zip(A, y, js("leastSquares", list(zip(A, y, strict=True))), strict=True):
+        assert_allclose(found, np.linalg.lstsq(rows, values)[0], **CLOSE)
     cases = [(rng.uniform(-1, 1, 30), rng.normal(size=30), int(rng.integers(1, 4))) for _ in range(N)]
     for (x, y, degree), found in zip(cases, js("fitPolynomial", cases), strict=True):
         assert_allclose(found, np.polynomial.polynomial.polyfit(x, y, degree), **CLOSE)
@@ -292,9 +278,8 @@ def test_a_polynomial_is_that_of_least_squares(rng):
 
 def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(rng):
     low = rng.uniform(0, 1.8, N)
-    cases = list(
-        zip(low, low + rng.uniform(0.1, 1, N) * (2 - low), rng.integers(1, 4, N).tolist(), [41] * N, strict=True)
-    )
+    high, degrees = low + rng.uniform(0.1, 1, N) * (2 - low), rng.integers(1, 4, N).tolist()
+    cases = [(a, b, degree, 41) for a, b, degree in zip(low, high, degrees, strict=True)]
     cases[0] = (1.75, 2.0, 1, 41)
     for (a, b, degree, n), found in zip(cases, js("bendFits", cases), strict=True):
         r, u = np.linspace(a, b, n), np.linspace(-1, 1, n)

@@ -10,7 +10,7 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import lines
-from course_lib.figures.solids import Model, Part, arm_model, draw, film, meshes, scene, shells
+from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, meshes, scene, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.space import line, points, scene_name
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
@@ -79,7 +79,7 @@ def conventions(modified, standard, base):
     modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the modified ones, those of
     `arms.panda()`, are. base: (3,), where the arm stands.
     """
-    model, poses = arm_model(panda()), _bodies(modified, np.asarray(base, float))
+    model, poses = arm_model(panda()), body_poses(panda(), modified, base)
     vertices = model.placed(poses)
     height, drawn, scenes, said = 390, [], [], []
     for i, (title, frames) in enumerate({"modified": modified, "standard": standard}.items()):
@@ -166,12 +166,11 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
     camera : ndarray, shape (4, 4), optional
         Pose of a camera in the world; it looks along its z axis.
     """
-    base = np.asarray(base, float)
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
     parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
     model = arm_model(panda(), [*parts, Part(11, MUG_RED, meshes.mug())])
     pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
-    poses = np.concatenate([_bodies(frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
+    poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
     vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
     edge = Model.of(scene.table(0, *scene.floor_size(vertices), base[2]))
     still, seen = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash")], [edge.vertices]
@@ -192,13 +191,6 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",
         "The dashed line is the path between the fingertips: straight pieces, on which the gripper keeps upright.",
     )
-
-
-def _bodies(frames, base):
-    """The poses (..., 8, 4, 4) of the Panda's bodies, from those of its seven frames and from where it stands."""
-    moved = frames @ rigid.inverse(panda().home[:-1])
-    stands = np.broadcast_to(rigid.transform(np.eye(3), base), (*moved.shape[:-3], 1, 4, 4))
-    return np.concatenate([stands, moved], -3)
 
 
 # ---- methods of inverse kinematics ----

@@ -79,8 +79,6 @@ globalThis.course.motion = (() => {
 
   const quaternion = (axis, angle) => [Math.cos(angle / 2), ...scale(axis, Math.sin(angle / 2))]; // 2 pi gives -1
   const multiply = ([a, ...u], [b, ...v]) => [a * b - dot(u, v), ...add(add(scale(v, a), scale(u, b)), cross(u, v))];
-  const fromEuler = ([yaw, pitch, roll]) =>
-    times(times(rotation([0, 0, 1], yaw), rotation([0, 1, 0], pitch)), rotation([1, 0, 0], roll));
   // (yaw, pitch, roll) of Rz(yaw) Ry(pitch) Rx(roll); where pitch is +-90 degrees, roll is 0.
   function toEuler(R) {
     const flat = Math.hypot(R[0][0], R[1][0]), pitch = Math.atan2(-R[2][0], flat);
@@ -244,8 +242,8 @@ globalThis.course.motion = (() => {
 
   return {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, wrap, pose, rotationOf, positionOf, move,
-    inverse, exp, log, rotationVector, interpolate, rotation, adjoint, poseError, quaternion, multiply, fromEuler,
-    toEuler, planar, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
+    inverse, exp, log, rotationVector, interpolate, rotation, adjoint, poseError, quaternion, multiply, toEuler,
+    planar, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
     geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, leastSquares, fitPolynomial, bendFits,
     eigen, singularValues, nullVector, reach,
   };

@@ -15,9 +15,14 @@ def link_poses(arm, q):
 
     The base does not move; each joint's body moves by the product of exponentials up to it.
     """
-    moved = arm.frames(q)[..., :-1, :, :] @ rigid.inverse(arm.home[:-1])
-    base = np.broadcast_to(np.eye(4), (*moved.shape[:-3], 1, 4, 4))
-    return np.concatenate([base, moved], -3)
+    return body_poses(arm, arm.frames(q)[..., :-1, :, :])
+
+
+def body_poses(arm, frames, base=(0, 0, 0)):
+    """Return those poses in a world in which the arm stands at a point (3,) and has its frames (..., n, 4, 4)."""
+    moved = frames @ rigid.inverse(arm.home[:-1])
+    stands = np.broadcast_to(rigid.transform(np.eye(3), base), (*moved.shape[:-3], 1, 4, 4))
+    return np.concatenate([stands, moved], -3)
 
 
 def arm_model(arm, extra=()):
