@@ -191,14 +191,3 @@ def stored(fig):
 def places(trace):
     """The points (n, 2) or (n, 3) of a stored trace; NaN where its line has a gap."""
     return np.array([trace[c] for c in "xyz" if c in trace], float).T
-
-
-def assert_in_scene(figure):
-    """Assert that every point of a stored figure in space lies in the cube that its scene shows."""
-    for trace in figure["data"]:
-        scene = figure["layout"][trace.get("scene", "scene")]
-        for c in "xyz":
-            low, high = scene[f"{c}axis"]["range"]
-            numbers = np.array(trace[c], float)
-            assert np.nanmin(numbers) >= low
-            assert np.nanmax(numbers) <= high

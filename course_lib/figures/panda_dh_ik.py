@@ -150,21 +150,11 @@ def matches(template, scene_points, T, wrong):
 def pick(frames, grippers, openings, mugs, times, base, camera=None):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
-    Parameters
-    ----------
-    frames : ndarray, shape (m, 8, 4, 4)
-        Poses of the frames of `arms.panda()` in the world.
-    grippers : ndarray, shape (m, 4, 4)
-        The pose between the fingertips: z away from the arm, the fingers move along y.
-    openings : ndarray, shape (m,)
-        Distances between the fingertips.
-    mugs : ndarray, shape (m, 4, 4)
-        Poses of the mug: the middle of its bottom, the handle along x.
-    times : array_like, shape (m,)
-    base : array_like, shape (3,)
-        Where the arm stands: on the table.
-    camera : ndarray, shape (4, 4), optional
-        Pose of a camera in the world; it looks along its z axis.
+    Of the m times: frames: (m, 8, 4, 4), poses of the frames of `arms.panda()` in the world. grippers: (m, 4, 4), the
+    pose between the fingertips: z away from the arm, the fingers move along y. openings: (m,), distances between the
+    fingertips. mugs: (m, 4, 4), poses of the mug: the middle of its bottom, the handle along x.
+
+    base: (3,), where the arm stands: on the table. camera: (4, 4), the pose of a camera, which looks along its z axis.
     """
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
     parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
@@ -261,9 +251,8 @@ def iterations(counts, most):
         ax.hist(np.minimum(taken, most), np.linspace(0, most, 26), color=colour)
         ax.set(title=title, xlabel="iterations")
     axes[0].set_ylabel("targets reached")
-    said = [
-        f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in counts.items() if len(taken)
-    ]
+    some = {name: taken for name, taken in counts.items() if len(taken)}
+    said = [f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in some.items()]
     return Picture(
         fig,
         f"Histograms: how many iterations the reached targets took. {'; '.join(said)}.",

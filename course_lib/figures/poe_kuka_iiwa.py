@@ -194,21 +194,12 @@ def manipulability(t, values):
     )
 
 
-def shares_of_the_limits(arm, angles, joints, steps=50):
-    """Return how near some joints come to their limits in each round of a motion that repeats.
+def shares_of_the_limits(arm, angles, joints):
+    """Return how near some joints, counted from 1, come to the arm's limits in each round of a motion that repeats.
 
-    Parameters
-    ----------
-    arm : SerialArm
-        Its limits count.
-    angles : ndarray, shape (m, n)
-        Joint angles from the start on, `steps` of them a round.
-    joints : sequence of int
-        The joints that are drawn, counted from 1.
-    steps : int, optional
-        Samples in a round; a round takes 2 pi seconds.
+    angles: (m, n), joint angles from the start on, 50 of them a round; a round takes 2 pi seconds.
     """
-    share = np.abs(angles) / arm.limits[:, 1]
+    share, steps = np.abs(angles) / arm.limits[:, 1], 50
     ends = np.append(np.arange(steps, len(share), steps), len(share))
     peaks = np.array([share[max(end - steps, 0) : end].max(axis=0) for end in ends])
     rows = {f"$q_{joint}$": peaks[:, joint - 1] for joint in joints}

@@ -57,9 +57,8 @@ def frames(orientations):
     caption = "The two products end in different orientations: the order counts."
     if longest > 1.01:
         caption = f"A rotation keeps all three axes at length one; here the longest grows to {longest:.2f}."
-    return Picture(
-        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=list(orientations))), alt, caption
-    )
+    layout = scene.layout(scenes, height=height, titles=list(orientations))
+    return Picture(go.Figure(drawn, layout=layout), alt, caption)
 
 
 def _drone():
@@ -106,10 +105,8 @@ def rotated_point(w, p, exp=exp_so3):
     words = {"w": 1.25 * n, "p": 1.1 * path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
     layout = scene.layout([settings], height=420, titles=[f"about the axis w by {angle:.2f} rad"])
     drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6), *scene.labels(words, settings, path)]
-    plane = (
-        "in a plane perpendicular to it" if np.ptp(path @ n) < 1e-6 else "which leaves the plane perpendicular to it"
-    )
-    alt = f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {plane}."
+    where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
+    alt = f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} perpendicular to it."
     caption = "The point keeps its height along the axis $w$ and its distance from it."
     return Picture(go.Figure(drawn, layout=layout), alt, caption)
 

@@ -55,16 +55,9 @@ def reached(results):
 def compared(errors, exists, measured=None, rough=()):
     """Print a table that compares methods; return the mean errors, {name: cm}.
 
-    Parameters
-    ----------
-    errors : dict
-        {name: errors (m, 2) in cm of the answers for both branches, nan for none}.
-    exists : dict or array (m, 2)
-        Whether there is such a solution; a dict has one array for each name.
-    measured : dict, optional
-        {name: {"bytes": memory, "seconds": for a query}}, to be shown beside the errors.
-    rough : sequence of str, optional
-        Names whose largest error is left out, because it differs between machines.
+    errors: {name: (m, 2), in cm, of the answers for both branches, nan for none}. exists: (m, 2), whether there is such
+    a solution, or a dict of one for each name. measured: {name: {"bytes": memory, "seconds": for a query}}, to be shown
+    beside the errors. rough: names whose largest error is left out, because it differs between machines.
     """
     rows, mean = {}, {}
     for name, error in errors.items():

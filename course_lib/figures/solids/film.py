@@ -15,25 +15,11 @@ _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0):
     """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in twenty frames.
 
-    Its lengths are in millimetres; scripts/film.js describes its `layout.meta.course`.
-
-    Parameters
-    ----------
-    name : str
-        Name of its file if it is written as an animation.
-    model : Model
-    poses, times : array_like, shapes (m, bodies, 4, 4) and (m,)
-        Seconds, increasing; it plays in real time.
-    still : sequence of plotly traces
-        Objects that stand still, without the floor.
-    points : array_like, shape (n, 3)
-        Further points that the view must contain, metres.
-    view : array_like, shape (3,)
-        The direction to the eye.
-    height : int
-        Pixels, without the controls.
-    ground : float
-        The height of the floor, metres.
+    Its lengths are in millimetres; scripts/film.js describes its `layout.meta.course`. name: that of its file if it is
+    written as an animation. poses: (m, bodies, 4, 4), of the bodies of a Model at times (m,), in seconds, increasing;
+    it plays in real time. still: plotly traces that stand still, without the floor. points: (n, 3), further points that
+    the view must contain. view: (3,), the direction to the eye. height: pixels, without the controls. ground: the
+    height of the floor.
     """
     kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
     poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]

@@ -44,9 +44,8 @@ def drum(centre, axis, radius, half, n=12, bevel=0.16):
 
 def ring(centre, axis, radius, half, n=12):
     """Return a band of a slightly bulging cylinder, as it marks the seam between two links."""
-    return revolve(
-        centre, axis, [(0.9 * radius, -half), (radius, -0.5 * half), (radius, 0.5 * half), (0.9 * radius, half)], n
-    )
+    profile = [(0.9 * radius, -half), (radius, -0.5 * half), (radius, 0.5 * half), (0.9 * radius, half)]
+    return revolve(centre, axis, profile, n)
 
 
 def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
@@ -101,9 +100,8 @@ def box(low, high, bevel=0.15, power=4, n=12):
 def arrow(start, direction, length, radius, n=6):
     """Return an arrow; its head is a quarter of it at most."""
     neck, head = length - min(0.26 * length, 7 * radius), 2.3 * radius
-    return revolve(
-        start, direction, [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)], n
-    )
+    profile = [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)]
+    return revolve(start, direction, profile, n)
 
 
 def ball(centre, radius):
@@ -112,13 +110,13 @@ def ball(centre, radius):
     return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], 12)
 
 
-def mug(radius=0.035, height=0.09, n=18):
+def mug():
     """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle."""
+    radius, height = 0.035, 0.09
     wall = 0.9 * radius
     profile = [(0.93 * radius, 0), (radius, 0.04 * height), (radius, height), (wall, height), (wall, height)]
-    cup = revolve(
-        np.zeros(3), [0, 0, 1], [*profile, (wall, 0.1 * height), (wall, 0.1 * height), (0.01 * wall, 0.1 * height)], n
-    )
+    profile += [(wall, 0.1 * height), (wall, 0.1 * height), (0.01 * wall, 0.1 * height)]
+    cup = revolve(np.zeros(3), [0, 0, 1], profile, 18)
     half = np.linspace(-np.pi / 2, np.pi / 2, 5)
     bow = np.stack([0.94 * radius + 0.03 * np.cos(half), 0 * half, 0.55 * height + 0.025 * np.sin(half)], -1)
     return joined([cup, tube(bow, 0.16 * radius, 7, 7, (False, False))])

@@ -36,10 +36,9 @@ def fitted_scene(points, view=VIEW, *, aspect=1.0, fill=0.94, domain=(0, 1)):
         centre = centre + distance * _FIELD_OF_VIEW * (middle * [aspect, 1]) @ axes[:2]
         distance *= 1 + 0.8 * (np.abs(ndc - middle).max() / fill - 1)
     hidden = {"visible": False, "showspikes": False}
+    ranges = {c: [round(a, 4), round(b, 4)] for c, a, b in zip("xyz", low, high, strict=True)}
     return {
-        **{
-            f"{c}axis": hidden | {"range": [round(a, 4), round(b, 4)]} for c, a, b in zip("xyz", low, high, strict=True)
-        },
+        **{f"{c}axis": hidden | {"range": both} for c, both in ranges.items()},
         "aspectmode": "manual",
         "aspectratio": _xyz((high - low) * scale),
         "camera": {"eye": _xyz(centre + distance * axes[2]), "center": _xyz(centre), "up": {"x": 0, "y": 0, "z": 1}},
@@ -156,14 +155,12 @@ def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
         low, high = (near.min(), near.max()) if len(near) else (0, 0)
         for start, sign in ((low, -1), (high, 1)):
             for share in np.arange(0.03, 0.9, 0.27):
-                dashes += [point + (start + sign * s * beyond) * axis for s in (share, share + 0.17)] + [
-                    np.full(3, np.nan)
-                ]
+                dashes += [point + (start + sign * s * beyond) * axis for s in (share, share + 0.17)]
+                dashes.append(np.full(3, np.nan))
         for sign in {float(np.sign(w[j] @ axis)) for j in group}:
             foot = point + ((high if sign > 0 else low) + sign * beyond) * axis
-            heads.append(
-                revolve(foot, sign * axis, [(0.055 * beyond, 0), (0.055 * beyond, 0), (0.001, 0.2 * beyond)], 8)
-            )
+            cone = [(0.055 * beyond, 0), (0.055 * beyond, 0), (0.001, 0.2 * beyond)]
+            heads.append(revolve(foot, sign * axis, cone, 8))
         words[", ".join(str(j + 1) for j in group)] = point + (high + 1.25 * beyond) * axis
     return np.array(dashes), heads, words
 

@@ -17,15 +17,8 @@ _SAMPLES = 41  # of a motion between two orientations
 class Figure:
     """A figure in which a function can live: see `reach`, `fly` and `table`.
 
-    Parameters
-    ----------
-    model : dict
-        What the script needs, as JSON.
-    alt, caption : str
-    ask : callable
-        ``ask(f, question)`` calls the function and returns its answer as JSON.
-    stored : callable, optional
-        ``stored(f)`` returns answers given beforehand, for pages.
+    model: what the script needs, as JSON. ``ask(f, question)`` calls the function and returns its answer as JSON;
+    ``stored(f)`` returns answers given beforehand, for pages.
     """
 
     model: dict

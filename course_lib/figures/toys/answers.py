@@ -6,19 +6,12 @@ import inspect
 class Answers:
     """The student's function as a script sees it: a callable that takes a question and returns an answer.
 
-    Parameters
-    ----------
-    f : callable
-        The student's function. Its attribute ``whose``, if it has one, says whose it is.
-    ask : callable
-        ``ask(f, question)`` calls a function for a question and returns its answer, a dict of JSON; it raises
-        ValueError if what f returned cannot be drawn.
-    library : callable, optional
-        The library's function, which answers when f does not.
+    The attribute ``whose`` of f, if it has one, says whose it is. ``ask(f, question)`` calls a function for a question
+    and returns its answer, a dict of JSON; it raises ValueError if what f returned cannot be drawn.
     """
 
-    def __init__(self, f, ask, library=None):
-        self.f, self.ask, self.library = f, ask, library
+    def __init__(self, f, ask):
+        self.f, self.ask = f, ask
         whose = str(getattr(f, "whose", "your function"))
         self.whose = {"yours": "your function", "the library's": "the library's function"}.get(whose, whose)
 
@@ -29,7 +22,7 @@ class Answers:
         except (Exception, KeyboardInterrupt) as error:  # the student's own code: what it raises is shown in one line
             said = " ".join(str(error).split())
             answer["problem"] = f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
-        return answer if self.library is None else answer | self.ask(self.library, question)
+        return answer
 
 
 def positional(function):

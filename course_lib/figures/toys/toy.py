@@ -106,10 +106,9 @@ class Toy:
 
 
 def is_live():
-    """Return whether a person looks at this kernel: it was started for a session of a Jupyter server.
+    """Return whether a person looks at this kernel: Jupyter names the session of each in an environment variable.
 
-    Jupyter names the session in an environment variable of the kernel. What runs notebooks for files (nbclient, nbval,
-    nbgrader) sets none, so that stored outputs hold plain models and no state of widgets.
+    What runs notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
