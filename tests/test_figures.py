@@ -197,9 +197,11 @@ def test_what_plotly_draws_lies_in_its_scene_and_the_last_bits_of_a_machine_do_n
 
 
 @pytest.mark.parametrize("alt", ["", "short", None, 3])
-def test_a_picture_without_words_is_refused(alt):
+def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
         show(Figure(), alt=alt)
+    with pytest.raises(ValueError, match="fig must be a matplotlib or plotly figure; it is of type list"):
+        show([1, 2], alt=ALT)
 
 
 def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words_replace_a_picture_s():
@@ -213,11 +215,6 @@ def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words
     assert display.call_args.args == ({"text/markdown": words, "text/plain": words},)
     with pytest.raises(ValueError, match="caption must be a sentence"):
         show(Figure(), alt=ALT, caption=3)
-
-
-def test_something_that_is_no_figure_is_refused():
-    with pytest.raises(ValueError, match="fig must be a matplotlib or plotly figure; it is of type list"):
-        show([1, 2], alt=ALT)
 
 
 def test_numbers_are_rounded_and_zero_has_no_sign():

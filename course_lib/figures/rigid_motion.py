@@ -8,8 +8,7 @@ from matplotlib.patches import Circle
 
 from course_lib.figures.display import Picture
 from course_lib.figures.moving import movie, path, plane_layout
-from course_lib.figures.planar_arm import draw_arms
-from course_lib.figures.plots import STYLES, in_columns, in_metres, legend_above, lines, panels, pi_ticks
+from course_lib.figures.plots import STYLES, draw_arms, in_columns, in_metres, legend_above, lines, panels, pi_ticks
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.planar import cubic_time_scaling, pose_matrix
 from course_lib.rigid import inverse, log_se2

@@ -9,8 +9,7 @@ import plotly.graph_objects as go
 from matplotlib.colors import TwoSlopeNorm
 
 from course_lib.figures.display import Picture
-from course_lib.figures.planar_arm import draw_arms
-from course_lib.figures.plots import STYLES, in_metres, legend_above, lines
+from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
 from course_lib.figures.solids import Model, Part, draw, scene
 from course_lib.figures.solids.meshes import arrow, basis
 from course_lib.figures.solids.model import AXIS, VIOLET
