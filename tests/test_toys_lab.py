@@ -207,7 +207,7 @@ def test_no_request_left_the_machine(lab):
 UNHEARD = """async (source) => {
   const { default: widget } = await import(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
   course.kinds.asking = (el, meta, kernel) => { kernel.ask({}); return () => {}; };
-  const state = { meta: { kind: "asking" }, figure: {}, alt: "", answers: true };
+  const state = { meta: { kind: "asking" }, alt: "", answers: true };
   const on = (name, hear) => { window.answer = hear; };
   widget.render({ model: { get: (name) => state[name], on, send() {} }, el: document.body });
 }"""
