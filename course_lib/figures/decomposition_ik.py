@@ -120,7 +120,7 @@ def errors_of_both(xy, error):
 
 def _errors(xy, contents, caption):
     """The error at each query in the plane, by size and colour; a panel for each of {title: errors (m,)}."""
-    fig, axes = in_columns(contents, 5.2, 3.6, xlabel="x (m)", ylabel="y (m)")
+    fig, axes = in_columns(contents, 5.2, 4.0, xlabel="x (m)", ylabel="y (m)")
     said = []
     for ax, (title, error) in zip(axes, contents.items(), strict=True):
         look = {"norm": LogNorm(1e-3, 1e1), "cmap": "viridis_r", "linewidths": 0}
