@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from grade_stand_in import hand_in
-from hostile.build import FULL, KINDS, NAME, SEED, SHORT, book, points, processes, sources
+from hostile.build import FULL, KINDS, NAME, SEED, SHORT, book, left_over, points, processes, sources
 
 from course_lib.pack.grade import confine, isolation, sandbox
 from course_lib.pack.grade.__main__ import main
@@ -50,7 +50,7 @@ def test_each_kind_of_isolation_gives_the_same_grades(few, kind):
     assert "Does a loop never end?" in next(r for r in result["exercises"] if r["exercise"] == "nearest_so")["message"]
     before = processes()
     assert points(grade(book(few[0], *few[1], *sources("daemon")), NAME, SEED, SHORT)) == FULL
-    assert processes() <= before
+    assert not left_over(before)
 
 
 SEES = """
@@ -216,7 +216,7 @@ def test_without_isolation_root_is_refused_and_others_go_on(neither, few, tmp_pa
     before = processes()
     loop = "import os\nif os.fork() == 0:\n    os.setsid()\n    while True: pass\ndef nearest_so(M):\n    while 1: pass"
     assert points(grade(book(few[0], *few[1], loop), NAME, SEED, SHORT, wanted="none")) == FULL - 3
-    assert processes() <= before
+    assert not left_over(before)
 
 
 # ---- bounds of a sandbox ----

@@ -1,7 +1,7 @@
 """Tests that students write, graded from outside: what they judge are stand-ins, whose answers come from the grader."""
 
 import pytest
-from hostile.build import SEED, SHORT, book, processes, traces
+from hostile.build import SEED, SHORT, book, left_over, processes, traces
 from toy_exercises import DOUBLE, TEST_LOG
 
 from course_lib.pack.grade import notebook_file, submission
@@ -30,7 +30,7 @@ def graded(*cells):
     """{exercise: its row} of a submission with a right `double` and these cells."""
     before = processes(), traces()
     result = submission.grade(book(IMPORTS, RIGHT_DOUBLE, *cells), "09_toys", SEED, SHORT)
-    assert (processes(), traces()) == before
+    assert (left_over(before[0]), traces()) == (set(), before[1])
     rows = {row["exercise"]: row for row in result["exercises"]}
     assert rows["double"]["points"] == 2, "another exercise suffers for it"
     return rows["test_log"]

@@ -7,6 +7,7 @@ message to its student is to say, or "earns" where the answer is right, and whic
 import json
 import os
 import tempfile
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -65,6 +66,16 @@ def processes():
             continue
         if f"grade-{os.getpid()}-".encode() in command:
             found.add(int(name))
+    return found
+
+
+def left_over(before):
+    """The processes of sandboxes beyond those before, once those that were killed have had time to end."""
+    for _ in range(100):
+        found = processes() - before
+        if not found:
+            break
+        time.sleep(0.1)
     return found
 
 
