@@ -43,7 +43,7 @@ def wrong_arccos_and_unit_axis(T, T_target):
 
 
 def wrong_allclose(T, T_target):
-    """cut off to zero"""
+    """unnamed"""
     e = right_by_log_so3(T, T_target)
     return np.append(e[:3], np.zeros(3)) if np.allclose(T[:3, :3], T_target[:3, :3]) else e
 
