@@ -35,7 +35,7 @@ def area_queries(n, seed):
 
 
 def closed_form(xy):
-    """Return both postures (m, 2, 2) for places (m, 2), theta2 >= 0 first; NaN out of reach. It knows no ranges."""
+    """Return both solutions (m, 2, 2) for positions (m, 2), theta2 >= 0 first; NaN out of reach. It ignores ranges."""
     x, y = xy.T
     with np.errstate(invalid="ignore"):
         elbow = np.arccos((x * x + y * y - 2) / 2)
@@ -46,7 +46,7 @@ def closed_form(xy):
 
 
 def in_range(theta, low=LOW, high=HIGH):
-    """Return the postures with theta1 in the turn that begins a hair below `low`, and NaN for those outside."""
+    """Return the solutions with theta1 in the revolution from just below `low`, and NaN for those outside."""
     theta = theta.copy()
     theta[..., 0] -= 2 * np.pi * np.floor((theta[..., 0] - low[0] + 1e-9) / (2 * np.pi))
     theta[~((theta >= low) & (theta <= high)).all(-1)] = np.nan
