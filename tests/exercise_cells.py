@@ -23,13 +23,14 @@ def missing_of(exercise, cells):
     if absent:
         return absent
     task, answer, check = (cells[prefix + name] for prefix in ("task_", "", "check_"))
-    about, shown = check.metadata.nbgrader, f"({points} point{'s' if points > 1 else ''})"
+    about, shown = check.metadata.nbgrader, f"({points} point{'s' if points > 1 else ''}, "
+    minutes = re.search(re.escape(shown) + r"\d+ minutes\)", task.source)
     head = f"def {name}({', '.join(exercise.arguments)})"
     wanted = {
         f"the first line of its task does not name `{name}`": f"`{name}`" in task.source.splitlines()[0],
         "its task has no Example": "Example" in task.source,
         "its task does not say *Why it matters:*": "*Why it matters:*" in task.source,
-        f"its task does not say {shown}, which its Exercise gives": shown in task.source,
+        f"its task does not say {shown}... minutes), with the points that its Exercise gives": bool(minutes),
         "its answer has no BEGIN SOLUTION and END SOLUTION": bool(SOLUTION.search(answer.source)),
         f"its answer does not begin with {head}": head in answer.source,
         f"its check is not check.{name}({name})": check.source == f"check.{name}({name})",

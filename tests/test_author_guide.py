@@ -93,8 +93,9 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
         book.append(graded(new_markdown_cell(f"**{number}.** Which {name}? (2 points)"), f"task_explain_{name}"))
         marked = {"grade": True, "solution": True, "locked": False, "points": 2}
         book.append(graded(new_markdown_cell(answer), f"explain_{name}", **marked))
-    rooms = ["Reproduce", "What the report got wrong", "Go further", "Sources"]
-    book += [new_markdown_cell(f"## {room}\n\nMuch remains.") for room in rooms]
+    book.append(new_markdown_cell("## Appendix: the report\n\nThere is none.", metadata={"tags": ["more"]}))
+    book += [new_markdown_cell(f"### {part}\n\nNothing.") for part in ("What it is", "Reproduce", "Errors in it")]
+    book += [new_markdown_cell(f"## {room}\n\nMuch remains.") for room in ("Go further", "Sources")]
     for cell in book:
         cell.source = cell.source.replace(EXERCISE, OTHER)
         if "nbgrader" in cell.metadata:

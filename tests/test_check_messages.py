@@ -107,7 +107,7 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     progress()
     lines = words(shown[-1]).splitlines()
     assert "3 of 6 points" in lines[0]
-    assert lines[0].startswith("██████████░░░░░░░░░░ ")
+    assert lines[0].startswith("██████████░░░░░░░░░░ Core: ")
     assert lines[1:] == [
         "✓ nearest_so: right (3 of 3)",
         "✗ is_small: wrong (0 of 1)",
@@ -121,7 +121,26 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     for each in checks:
         each.verdict = checks[0].verdict
     progress()
-    assert words(shown[-1]).endswith("All exercises of this notebook are done.")
+    assert words(shown[-1]).endswith("All exercises of the core are done.")
+
+
+def test_progress_tells_core_from_more_once_more_is_begun(shown):
+    core, more = Check(NEAREST_SO), Check(IS_SMALL)
+    more.more = True
+    progress = Progress([core, more])
+    core(right)
+    progress()
+    assert words(shown[-1]).splitlines() == [
+        "████████████████████ Core: 3 of 3 points",
+        "✓ nearest_so: right (3 of 3)",
+        "All exercises of the core are done.",
+    ]
+    more(lambda x, tol: True)
+    progress()
+    assert words(shown[-1]).splitlines()[2:4] == [
+        "░░░░░░░░░░░░░░░░░░░░ More: 0 of 1 points",
+        "✗ is_small: wrong (0 of 1)",
+    ]
 
 
 def test_use_takes_the_library_s_function_until_the_student_s_is_right(shown):

@@ -4,6 +4,8 @@ import base64
 import importlib
 import io
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import nbformat
@@ -14,9 +16,10 @@ from nbclient import NotebookClient
 from PIL import Image
 
 from course_lib.figures.display import TOY
+from course_lib.pack.more import TAG, cells_of_more
 
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-ROOMS = ["Explain", "Reproduce", "What the report got wrong", "Go further", "Sources"]
+REPORT = ["What it is", "Reproduce", "Errors in it", "Remarks"]  # the last one only where there are any
 MOST_LINES, MOST_BYTES = 26, 2_000_000
 
 pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -63,19 +66,62 @@ def test_is_valid_small_and_made_of_small_cells(path):
     assert [cell.id for cell in code_cells(notebook) if len(cell.source.splitlines()) > MOST_LINES] == []
 
 
-def test_has_all_its_rooms(path):
-    headings = re.findall(r"^## (.*)", "\n".join(c.source for c in nbformat.read(path, 4).cells), re.MULTILINE)
-    assert headings[-len(ROOMS) :] == ROOMS
+def test_has_all_its_rooms_and_folds_those_of_more(path):
+    cells = nbformat.read(path, 4).cells
+    headings = [
+        (match[1], match[2], cell) for cell in cells for match in re.finditer(r"^(##+) (.*)", cell.source, re.M)
+    ]
+    sections = [(title, cell) for level, title, cell in headings if level == "##"]
+    titles = [title for title, _ in sections]
+    assert titles.index("Explain") < titles.index("Appendix: the report")
+    assert titles[-3:] == ["Appendix: the report", "Go further", "Sources"]
+    folded = {title for title, cell in sections if TAG in cell.metadata.get("tags", [])}
+    assert folded == {title for title in titles if title.startswith(("More: ", "Appendix: "))}
+    assert not any(titles.index("Explain") > titles.index(title) for title in folded)
+    parts = [title for level, title, _ in headings if level == "###" and title in REPORT]
+    assert parts in (REPORT, REPORT[:-1])
+
+
+def without(cells, left_out, path):
+    """Ruff's list of the names that are undefined if these cells of a notebook are left out."""
+    notebook = nbformat.v4.new_notebook(cells=[c for c, out in zip(cells, left_out, strict=True) if not out])
+    path.write_text(nbformat.writes(notebook))
+    command = [
+        sys.executable,
+        "-m",
+        "ruff",
+        "check",
+        "--isolated",
+        "--no-cache",
+        "--select=F821",
+        "--output-format=concise",
+    ]
+    return subprocess.run([*command, str(path)], capture_output=True, text=True).stdout
+
+
+def test_the_core_needs_nothing_of_more_and_each_part_of_more_nothing_of_another(path, tmp_path):
+    notebook = nbformat.read(path, 4)
+    cells, more = notebook.cells, cells_of_more(notebook)
+    starts = [i for i, cell in enumerate(cells) if TAG in cell.metadata.get("tags", [])]
+    assert "All checks passed" in without(cells, more, tmp_path / "core.ipynb")
+    for start in starts:
+        end = next((i for i in range(start + 1, len(cells)) if i in starts or not more[i]), len(cells))
+        others = [out and not start <= i < end for i, out in enumerate(more)]
+        assert "All checks passed" in without(cells, others, tmp_path / "part.ipynb"), cells[start].source
 
 
 def test_its_checks_are_those_of_its_package_in_their_order(path):
     names = [check.exercise.name for check in checks_of(path).CHECKS]
-    cells = graded(nbformat.read(path, 4))
+    notebook = nbformat.read(path, 4)
+    cells = graded(notebook)
     checked = [name.removeprefix("check_") for name in cells if name.startswith("check_")]
-    lines = f"course_lib/checks/{path.stem[3:]}/__init__.py"
+    lines = f"course_lib/checks/{path.stem[3:]}.py"
     unknown = [f"{name}: {lines} has no line for it" for name in checked if name not in names]
     assert not unknown, "\n" + "\n".join(unknown)
     assert checked == names, f"progress() names the next one in the order of {lines}, which is not the notebook's"
+    more = [cell.id for cell, folded in zip(notebook.cells, cells_of_more(notebook), strict=True) if folded]
+    folded = [name for name in names if cells[f"check_{name}"].id in more]
+    assert folded == [check.exercise.name for check in checks_of(path).CHECKS if check.more], f"MORE in {lines}"
 
 
 def test_written_questions_have_an_answer_and_a_rubric(path):

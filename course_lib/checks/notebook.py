@@ -25,7 +25,7 @@ _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
 
 
-def namespace(module, exercises, predictions):
+def namespace(module, exercises, predictions, more=()):
     """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list, "progress": Progress}.
 
     Parameters
@@ -34,17 +34,20 @@ def namespace(module, exercises, predictions):
         The notebook's module in course_lib.checks. The folder of the same name in `exercises` has a module for each
         exercise, which holds it as EXERCISE.
     exercises : tuple of str
-        The names of the exercises, in the order of the notebook.
+        The names of the core's exercises, in the order of the notebook.
     predictions : tuple of Prediction
+    more : tuple of str, optional
+        The names of the exercises of More, in the order of the notebook.
 
     Returns
     -------
     dict
     """
     folder = module.replace("course_lib.checks.", "course_lib.checks.exercises.")
-    checks = [Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises]
+    checks = [Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises + more]
     for check in checks:
         check.siblings = checks
+        check.more = check.exercise.name in more
     names = {check.exercise.name: check for check in checks}
     asked = {prediction.name: Predict(prediction) for prediction in predictions}
     progress = Progress(checks, list(asked.values()))
@@ -64,7 +67,11 @@ class Check:
         The last one.
     siblings : list of Check
         The checks of the same notebook, of whose functions an answer may call some.
+    more : bool
+        True if the exercise belongs to More, not to the core.
     """
+
+    more = False
 
     def __init__(self, exercise):
         self.exercise = exercise
@@ -188,19 +195,29 @@ class Progress:
         self.checks, self.predictions = checks, predictions
 
     def __call__(self):
-        verdicts = [check.verdict for check in self.checks]
-        done, of = sum(v.points for v in verdicts), sum(v.exercise.points for v in verdicts)
-        filled = round(20 * done / of)
-        lines = [f"{'█' * filled}{'░' * (20 - filled)} {done} of {of} points"]
-        lines += [
-            f"{_MARKS[v.state][0]} {v.exercise.name}: {v.state} ({v.points} of {v.exercise.points})" for v in verdicts
-        ]
+        core = [check.verdict for check in self.checks if not check.more]
+        more = [check.verdict for check in self.checks if check.more]
+        lines = [_bar("Core", core), *map(_line, core)]
+        if any(v.state != NOT_ATTEMPTED for v in more):  # whoever leaves More out reads nothing of it
+            lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
         if self.predictions:
             made = sum(each.choice is not None for each in self.predictions)
             lines.append(f"Predictions made: {made} of {len(self.predictions)}")
-        following = next((v.exercise.name for v in verdicts if v.state != RIGHT), None)
-        lines.append(f"Next: {following}" if following else "All exercises of this notebook are done.")
+        following = next((v.exercise.name for v in core if v.state != RIGHT), None)
+        lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
         _show("\n".join(lines), _MARKS[RIGHT][1])
+
+
+def _bar(name, verdicts):
+    """Return a line with a bar for the points of some verdicts."""
+    done, of = sum(v.points for v in verdicts), sum(v.exercise.points for v in verdicts)
+    filled = round(20 * done / of)
+    return f"{'█' * filled}{'░' * (20 - filled)} {name}: {done} of {of} points"
+
+
+def _line(verdict):
+    name, points = verdict.exercise.name, f"{verdict.points} of {verdict.exercise.points}"
+    return f"{_MARKS[verdict.state][0]} {name}: {verdict.state} ({points})"
 
 
 def describe(verdict):

@@ -28,6 +28,7 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 
 from course_lib.figures.display import PLOTLY, TOY, smaller_png
 from course_lib.pack.files import write_atomically
+from course_lib.pack.more import TAG
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
 STILL = "image/png"
@@ -290,6 +291,8 @@ def tidy(notebook: nbformat.NotebookNode) -> None:
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for number, cell in enumerate(notebook.cells):
         cell.metadata = nbformat.from_dict(keep(cell.metadata, CELL_KEYS))
+        if TAG in cell.metadata.get("tags", []):
+            cell.metadata["jp-MarkdownHeadingCollapsed"] = True  # also where an author had opened the section
         cell.setdefault("id", f"cell-{number}")  # a notebook written before ids were
 
 
