@@ -54,13 +54,13 @@ pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no f
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") \
 		--pdf build/course$(if $(filter no,$(SOLUTIONS)),-students).pdf
 
-student: environment ## write the release to students, without solutions, build/student.zip
-	@$(PY) -m course_lib.pack.release
+student: environment ## write the release to students, without solutions, build/student.zip; MORE=no without More
+	@$(PY) -m course_lib.pack.release $(if $(MORE),--more "$(MORE)")
 
-grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n; DEADLINE=2026-11-30 LATE="10% a day"; LMS=canvas ROSTER=file; ISOLATION=none), build/grades/
+grade: environment ## grade what students handed in, SUBMISSIONS=folder (JOBS=n, SCHEDULER=tcp://..., SEED=n; DEADLINE=2026-11-30 LATE="10% a day"; MORE=0.5; LMS=canvas ROSTER=file; ISOLATION=none), build/grades/
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") \
 		$(if $(SEED),--seed "$(SEED)") $(if $(DEADLINE),--deadline "$(DEADLINE)") $(if $(LATE),--late "$(LATE)") \
-		$(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") \
+		$(if $(MORE),--more "$(MORE)") $(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") \
 		$(if $(ISOLATION),--isolation "$(ISOLATION)") -- "$(SUBMISSIONS)"
 
 notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one

@@ -1,7 +1,8 @@
 """What stands for the grading of one submission where tests are about what happens around it.
 
 A submission is JSON that says what to do: {"points": [1, 0], "log": folder that gets a file for each call,
-"seconds": to take, "do": "raise", "end" (the process), "end the worker" or nothing, "texts": written answers}.
+"seconds": to take, "do": "raise", "end" (the process), "end the worker" or nothing, "texts": written answers, "more":
+names of exercises and questions in More}.
 """
 
 import json
@@ -37,10 +38,10 @@ def grade(content, notebook, seed):
         os._exit(1)
     if told.get("do") == "end the worker":
         os.kill(os.getppid(), signal.SIGKILL)
-    return result(told.get("points", ()), told.get("texts", ()), notebook)
+    return result(told.get("points", ()), told.get("texts", ()), notebook, told.get("more", ()))
 
 
-def result(points=(), texts=(), notebook="01_rotations", **changed):
+def result(points=(), texts=(), notebook="01_rotations", more=(), **changed):
     """A result as grade gives it: an exercise of 2 points for each of `points`, a question for each of `texts`."""
     exercises = [
         {"exercise": f"exercise_{i}", "points": p, "of": 2, "state": "right" if p else "wrong"}
@@ -48,6 +49,9 @@ def result(points=(), texts=(), notebook="01_rotations", **changed):
         for i, p in enumerate(points)
     ]
     questions = [{"question": f"explain_{i}", "of": 2, "text": text} for i, text in enumerate(texts)]
+    exercises, questions = (
+        [e | {"more": set(e.values()) & set(more) != set()} for e in x] for x in (exercises, questions)
+    )
     plain = {"notebook": notebook, "release": "0.1.0-abc", "problems": []}
     return plain | {"exercises": exercises, "questions": questions} | changed
 

@@ -3,15 +3,18 @@
 The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_toys_lab.py make lab.
 """
 
+import csv
 import json
 import os
 import re
 import shutil
+import zipfile
 from pathlib import Path
 
+import nbformat
 import numpy as np
 import pytest
-from course_copy import ROOT, copied, made, run
+from course_copy import ROOT, copied, fold_a_section, made, run
 from helpers import FIGURE, stored
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
@@ -38,6 +41,31 @@ def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(cours
     done = run(course, "make", "test", "ONLY=exp_so33")
     assert "All checks passed" in done.stdout
     assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
+
+
+def test_more_is_left_out_of_the_release_and_weighed_in_the_grades(course):
+    path = course / "notebooks/01_rotations.ipynb"
+    before, solved = path.read_bytes(), nbformat.read(path, 4).cells
+    names = fold_a_section(path)
+    write(course / "handed_in", "doe_01_rotations.ipynb", *(each for each in solved if each.cell_type == "code"))
+    assert "1 notebooks" in made(course, "student", "MORE=no")
+    with zipfile.ZipFile(course / "build/student.zip") as archive:
+        (name,) = (name for name in archive.namelist() if name.endswith(".ipynb"))
+        assert not any(f"check_{each}".encode() in archive.read(name) for each in names)
+    assert "neither yes nor no" in run(course, "make", "student", "MORE=0.5").stderr
+    found = {}
+    for typed in ("yes", "0.5", "no"):
+        made(course, "grade", "SUBMISSIONS=handed_in", f"MORE={typed}", "JOBS=1")
+        with (course / "build/grades/totals.csv").open(encoding="utf-8-sig") as file:
+            (found[typed],) = csv.DictReader(file)
+    whole, half, core = ([float(found[typed][name]) for name in ("core", "more", "of")] for typed in found)
+    assert whole[0] == half[0] == core[0] > 0
+    assert whole[1] == 2 * half[1] > core[1] == 0
+    assert whole[2] - core[2] == 2 * (half[2] - core[2]) > 0
+    assert len(list((course / "build/grades/results").iterdir())) == 1
+    assert "neither a number" in run(course, "make", "grade", "SUBMISSIONS=handed_in", "MORE=2").stderr
+    shutil.rmtree(course / "handed_in")
+    path.write_bytes(before)
 
 
 def test_make_data_gives_what_is_stored(course):

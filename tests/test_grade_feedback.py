@@ -84,6 +84,24 @@ def test_feedback_shows_points_messages_and_comments():
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
+def test_feedback_has_a_group_for_the_core_and_one_for_more_with_subtotals_and_the_weight():
+    its = of("zoe", [2, 2, 0], ["because"], more=["exercise_1", "exercise_2"])
+    for weight, words in [
+        (1, ("4 of 8 points", "Core: 2 of 4 points", "More: 2 of 4 points")),
+        (0.25, ("2.5 of 5 points", "Core: 2 of 4 points", "More: 2 of 4 points, which count 0.25 times: 0.5 of 1")),
+        (0, ("2 of 4 points", "Core: 2 of 4 points", "More: 2 of 4 points, which count 0 times: 0 of 0")),
+    ]:
+        (each,) = graded_files([its], {}, weight=weight)
+        page = feedback_page(each)
+        found = re.findall(r"<strong>(.*?)</strong>|<h2>(.*?)</h2>", page)
+        assert tuple(total or title for total, title in found) == words
+        core, more = page.split("<h2>More")
+        assert "exercise_0" in core
+        assert "exercise_0" not in more
+        assert ("points of More count" in class_page([each])) == (weight < 1)
+        assert "01_rotations: exercise_2 (More)" in class_page([each])
+
+
 def test_feedback_escapes_all_text_from_a_submission():
     assert_inert(feedback_page(one(*evil_one())))
 

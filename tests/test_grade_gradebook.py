@@ -207,6 +207,16 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     assert "Handed in 2 days late. 20 % of its points are taken off." in page
 
 
+def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
+    told = {"points": [2, 2], "more": ["exercise_1"], "log": str(tmp_path / "log")}
+    (tmp_path / "log").mkdir()
+    hand_in(tmp_path / "in", "jane_01_rotations.ipynb", **told)
+    for typed, points in {"1": "4", "0.5": "3", "no": "2", "yes": "4"}.items():
+        text = (written(tmp_path, "--lms", "canvas", "--more", typed) / "canvas.csv").read_text()
+        assert [line.split(",")[-1] for line in text.splitlines()[1:]] == [points, points]
+    assert len(list((tmp_path / "log").iterdir())) == 1
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -216,6 +226,9 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
         (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
         (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
+        (("--more", "2"), "MORE=2 is neither a number from 0 to 1, nor yes or no."),
+        (("--more", "half"), "MORE=half is neither a number from 0 to 1, nor yes or no."),
+        (("--more", "nan"), "MORE=nan is neither a number from 0 to 1, nor yes or no."),
         (("--deadline", "soon"), "DEADLINE=soon is not a date: write 2026-11-30 or '2026-11-30 18:00'."),
     ],
 )

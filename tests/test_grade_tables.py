@@ -42,9 +42,9 @@ def read_table(text):
 class Class:
     """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps it."""
 
-    def __init__(self, path, *outcomes):
+    def __init__(self, path, *outcomes, weight=1.0):
         self.path, self.rows = path, read_marks(path)
-        self.everything = graded_files(outcomes, self.rows)
+        self.everything = graded_files(outcomes, self.rows, weight=weight)
 
     def questions(self):
         listed = [(each.student, each.notebook, answer) for each in self.everything for answer in each.answers]
@@ -95,10 +95,11 @@ def test_totals_have_a_line_for_each_student_and_empty_cells_for_missing_noteboo
         outcome("anna", [2, 2]),
     ).totals()
     assert [list(row.values()) for row in rows] == [
-        ["anna", "4", "", "4", "10", "0"],
-        ["zoe", "2", "2", "4", "10", "1"],
+        ["anna", "4", "", "4", "0", "4", "10", "0"],
+        ["zoe", "2", "2", "4", "0", "4", "10", "1"],
     ]
-    assert list(rows[0]) == ["student", "01_rotations", "02_rigid_motion", "total", "of", "to be read"]
+    columns = ["student", "01_rotations", "02_rigid_motion", "core", "more", "total", "of", "to be read"]
+    assert list(rows[0]) == columns
 
 
 def test_of_two_files_for_one_notebook_the_better_counts_once(path):
@@ -127,6 +128,42 @@ def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
     assert ("", "0", "refused", "roster.csv: It is not a notebook.") in states
     assert ("zoe", "", "note", "Code cell 3 was left out.") in states
     assert [(row["student"], row["total"]) for row in both.totals()] == [("anna", "0"), ("zoe", "2")]
+
+
+# ---- more ----
+
+
+@pytest.mark.parametrize(("weight", "sums"), [(1, ["4", "3", "7", "10"]), (0.25, ["4", "0.75", "4.75", "7"])])
+def test_core_and_more_are_told_apart_and_more_is_weighted_in_the_totals(path, weight, sums):
+    more = outcome("zoe", [2, 2, 2], ["because", "so"], more=["exercise_2", "explain_1"])
+    Class(path, more, weight=weight).questions()
+    rows = read_table(path.read_text())
+    path.write_text(marks_text([], {row["key"]: row | {"mark": "01"[row["question"] == "explain_1"]} for row in rows}))
+    whole = Class(path, more, weight=weight)
+    (total,) = whole.totals()
+    assert [total[name] for name in ("core", "more", "total", "of")] == sums
+    lines = [(row["part"], row["exercise"], row["points"], row["of"]) for row in whole.grades()]
+    assert lines == [
+        *(("core", "exercise_0", "2", "2"), ("core", "exercise_1", "2", "2"), ("more", "exercise_2", "2", "2")),
+        *(("core", "explain_0", "0", "2"), ("more", "explain_1", "1", "2")),
+    ]
+
+
+def test_more_that_counts_nothing_is_not_to_be_read_and_its_marks_are_kept(path):
+    more = outcome("zoe", [2, 2], ["because"], more=["exercise_1", "explain_0"])
+    Class(path, more).questions()
+    type_in(path, mark="2")
+    (row,) = Class(path, more, weight=0).questions()
+    assert (row["mark"], row["state"]) == ("2", OLDER)
+    assert list(Class(path, more, weight=0).totals()[0].values()) == ["zoe", "2", "2", "0", "2", "2", "0"]
+    assert list(Class(path, more).totals()[0].values()) == ["zoe", "6", "2", "4", "6", "6", "0"]
+
+
+def test_the_better_of_two_files_is_the_one_with_more_weighted_points(path):
+    many = outcome("zoe", [0, 2, 2], more=["exercise_1", "exercise_2"], place="a")
+    few = outcome("zoe", [2, 0, 0], more=["exercise_1", "exercise_2"], place="b")
+    totals = [Class(path, many, few, weight=weight).totals()[0]["total"] for weight in (1, 0.25, 0)]
+    assert totals == ["4", "2", "2"]
 
 
 # ---- cells ----

@@ -5,26 +5,30 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tomllib
 import zipfile
 from pathlib import Path
 
 import nbformat
 import pytest
+from course_copy import fold_a_section
 from flit_core import buildapi
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from course_lib.pack.more import cells_of_more
 from course_lib.pack.release.__main__ import main
 from course_lib.pack.release.bundle import release_date, write_zip
+from course_lib.pack.release.stubs import students_copy
 
 ROOT = Path(__file__).parents[1]
 PARTS = ["course_lib", "notebooks", "environment.txt", "pyproject.toml"]
 
 
-def released(root, output):
+def released(root, output, *options):
     """Write the zip and return {path below the one folder at its top: content}, and that folder's name."""
-    assert main(["--root", str(root), "--output", str(output)]) == 0
+    assert main(["--root", str(root), "--output", str(output), *options]) == 0
     with zipfile.ZipFile(output) as archive:
         files = {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
         (top,) = {name.split("/")[0] for name in archive.namelist()}
@@ -153,6 +157,75 @@ def test_the_files_carry_the_date_of_the_last_commit(tmp_path, monkeypatch):
     assert release_date(tmp_path) == (2026, 11, 20, 8, 0, 0)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     assert release_date(tmp_path) == (1980, 1, 1, 0, 0, 0)
+
+
+# ---- without More ----
+
+
+@pytest.fixture
+def folded(tree):
+    """The path of a notebook in the copy, with a section in More."""
+    path = tree / "notebooks/01_rotations.ipynb"
+    assert fold_a_section(path)
+    book = nbformat.read(path, 4)
+    text = "# 1 · T\n\nIt takes about three hours, and [More](#More:-rest) 2.5 hours. See [this](#More:-rest)."
+    book.cells[0].source = text
+    book.cells.append(nbformat.v4.new_markdown_cell("## More: rest", metadata={"tags": ["more"]}))
+    book.cells.append(nbformat.v4.new_markdown_cell("## Go further\n\nFrom [there](02_x.ipynb#More:-rest)."))
+    nbformat.write(book, path)
+    return path
+
+
+def test_without_more_its_cells_and_what_names_them_are_left_out(folded, tmp_path):
+    with_more, _ = released(folded.parents[1], tmp_path / "with.zip")
+    files, top = released(folded.parents[1], tmp_path / "without.zip", "--more", "no")
+    ours, theirs = nbformat.read(folded, 4), nbformat.reads(files["notebooks/01_rotations.ipynb"].decode(), 4)
+    kept = [cell.id for cell, out in zip(ours.cells, cells_of_more(ours), strict=True) if not out]
+    assert [cell.id for cell in theirs.cells] == kept
+    assert theirs.cells[0].source == "# 1 · T\n\nIt takes about three hours. See this."
+    assert theirs.cells[-1].source == "## Go further\n\nFrom there."
+    assert set(with_more) - set(files) == {"notebooks/reports.md"}
+    assert released(folded.parents[1], tmp_path / "again.zip", "--more", "no")[1] == top
+    assert (tmp_path / "again.zip").read_bytes() == (tmp_path / "without.zip").read_bytes()
+    with zipfile.ZipFile(tmp_path / "without.zip") as archive:
+        archive.extractall(tmp_path)
+    code = "from course_lib.checks import rotations as check; check.progress()"
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / top)}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+    assert "Core: 0 of" in done.stdout, done.stderr
+    assert "More" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    "clause",
+    [
+        ", and More, folded below, another 2.5 hours",
+        "; More takes 2.5 hours",
+        " (More: another\n2.5 hours)",
+        ". The sections of More\ntake 2.5 hours",
+        ". *More* takes 2.5 hours",
+    ],
+)
+def test_without_more_no_clause_says_how_long_it_takes(clause):
+    cells = [f"# 1 · A, b\n\nIt takes about three hours{clause}. Then.\n\nLast.", "## More: c", "## Go further"]
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(text) for text in cells])
+    book.cells[1].metadata.tags = ["more"]
+    copy = nbformat.reads(students_copy(nbformat.writes(book), "x", "", more=False), 4)
+    assert copy.cells[0].source == "# 1 · A, b\n\nIt takes about three hours. Then.\n\nLast."
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")))
+def test_no_cell_of_the_core_asks_for_what_is_left_out_with_more(name):
+    text = (ROOT / "notebooks" / name).read_text(encoding="utf-8")
+    whole, core = (nbformat.reads(students_copy(text, name, "", more), 4).cells for more in (True, False))
+    ids = [{cell.metadata.get("nbgrader", {}).get("grade_id", "-") for cell in cells} for cells in (whole, core)]
+    asked = [(cell.id, each) for cell in core for each in ids[0] - ids[1] if f"check.{each}" in cell.source]
+    assert asked == []
+
+
+def test_more_is_yes_or_no(tmp_path, capsys):
+    assert main(["--root", str(ROOT), "--output", str(tmp_path / "student.zip"), "--more", "0.5"]) == 1
+    assert one_sentence(capsys) == "No release was written. MORE=0.5 is neither yes nor no.\n"
 
 
 # ---- what it takes to install ----

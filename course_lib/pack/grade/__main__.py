@@ -58,6 +58,7 @@ def _parser():
     parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
     parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
     parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
+    parser.add_argument("--more", default="1", help="what the points of More count: from 0 (or no) to 1")
     parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
     parser.add_argument("--seed", help="of the cases that are asked; drawn once and kept if not given")
     return parser
@@ -66,7 +67,7 @@ def _parser():
 def _grade(chosen, grade):
     output, submissions = chosen.output, _submissions(chosen)
     jobs, given = _whole_number("JOBS", chosen.jobs), _whole_number("SEED", chosen.seed)
-    deadline, roster = read_deadline(chosen.deadline, chosen.late), _roster(chosen)
+    deadline, roster, weight = read_deadline(chosen.deadline, chosen.late), _roster(chosen), _weight(chosen.more)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
@@ -79,7 +80,7 @@ def _grade(chosen, grade):
             how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
             print(f"Each submission runs {how}.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
-        _write(output, outcomes, deadline, chosen.lms.replace("none", ""), roster)
+        _write(output, outcomes, deadline, weight, chosen.lms.replace("none", ""), roster)
 
 
 def _submissions(chosen):
@@ -121,6 +122,17 @@ def _whole_number(name, typed):
         raise GradingStopped(f"{name}={typed} is not a whole number.") from None
 
 
+def _weight(typed):
+    """Return the weight of More that was typed."""
+    try:
+        weight = float({"no": "0", "yes": "1"}.get(typed, typed))
+    except ValueError:
+        weight = -1
+    if not 0 <= weight <= 1:
+        raise GradingStopped(f"MORE={typed} is neither a number from 0 to 1, nor yes or no.")
+    return weight
+
+
 @contextlib.contextmanager
 def _alone(path):
     """Keep a second run from writing to the same folder. The lock is released when this process ends."""
@@ -153,9 +165,9 @@ def _seed(path, given):
 # ---- the output files ----
 
 
-def _write(output, outcomes, deadline, platform, roster):
+def _write(output, outcomes, deadline, weight, platform, roster):
     rows = read_marks(output / "questions.csv")  # read again, because marks may have been typed during the run
-    everything = graded_files(outcomes, rows, deadline)
+    everything = graded_files(outcomes, rows, deadline, weight)
     listed = [(each.student, each.notebook, answer) for each in everything for answer in each.answers]
     write_atomically(output / "questions.csv", marks_text(listed, rows))
     write_atomically(output / "grades.csv", grades_text(everything))

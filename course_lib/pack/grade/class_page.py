@@ -24,6 +24,8 @@ def class_page(everything):
     said = f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
     if missed := len(counting) - len(graded):
         said += f", {missed} more handed in but refused or unreadable (not in the means below)"
+    if counting and counting[0].weight < 1:
+        said += f", points of More count {counting[0].weight:g} times"
     left = sum(found.waiting.values())
     said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
     parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(found.of, counting, graded, found.students)]
@@ -60,9 +62,9 @@ def _hardest(graded):
     for each in graded:
         for exercise in each.result["exercises"]:
             if exercise["state"] in STATES:  # skips files that could not be read
-                name = _short(f"{each.notebook}: {exercise['exercise']}")
+                name = _short(f"{each.notebook}: {exercise['exercise']}") + " (More)" * exercise["more"]
                 states.setdefault(name, Counter())[exercise["state"]] += 1
-    order = sorted(states, key=lambda name: (states[name][RIGHT] / states[name].total(), name))
+    order = sorted(states, key=lambda name: (" (More)" in name, states[name][RIGHT] / states[name].total(), name))
     rows = []
     for name in (name for name in order if states[name][RIGHT] < states[name].total()):
         counts = [states[name][state] for state in STATES]

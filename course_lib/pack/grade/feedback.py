@@ -71,10 +71,10 @@ def feedback_page(each):
     body = [f"<h1>{escaped(each.notebook or each.submission.place)}</h1>", f"<p>{escaped(each.student)}</p>"]
     if each.graded:
         later = f", {count_noun(each.unread, 'written answer')} still to be read" if each.unread else ""
-        body.append(f"<p><strong>{each.total:.4g} of {each.of} points</strong>{later}</p>")
+        body.append(f"<p><strong>{each.total:.4g} of {each.of:g} points</strong>{later}</p>")
         body.append(f'<p class="problem">{escaped(lateness(each))}</p>' if lateness(each) else "")
     body += [f'<p class="problem">{escaped(problem)}</p>' for problem in each.result["problems"]]
-    body.append(_overview(each.result["exercises"], each.answers))
+    body += [_overview(each, more) for more in (False, True)]
     body += [_exercise(exercise) for exercise in each.result["exercises"] if exercise["message"]]
     body += [_answer(answer) for answer in each.answers]
     release = f", release {escaped(each.result['release'])}" if each.result["release"] else ""
@@ -82,10 +82,16 @@ def feedback_page(each):
     return page(f"{each.notebook}, {each.student}", "\n".join(body))
 
 
-def _overview(exercises, answers):
-    """Return a table with a row for each exercise, linked to its details if there are any."""
+def _overview(each, more):
+    """Return a table of the core or of More: a row for each exercise, linked to its details if there are any."""
+    exercises = [exercise for exercise in each.result["exercises"] if exercise["more"] == more]
+    answers = [answer for answer in each.answers if answer.more == more]
     if not exercises and not answers:
         return ""
+    points, of = each.part(more)
+    said = f"{'More' if more else 'Core'}: {points:g} of {of:g} points"
+    if more and each.weight < 1:
+        said += f", which count {each.weight:g} times: {points * each.weight:.4g} of {of * each.weight:.4g}"
     lines = [(e["exercise"], e["state"], e["points"], e["of"], e["message"]) for e in exercises]
     lines = [(name, final_state(state), *rest) for name, state, *rest in lines]
     lines += [
@@ -98,7 +104,7 @@ def _overview(exercises, answers):
         numbers = f'<td class="number">{points}</td><td class="number">{of}</td>'
         rows.append(f'<tr><td>{name}</td><td class="{colour}">{mark} {escaped(state)}</td>{numbers}</tr>')
     head = '<tr><th>exercise</th><th>state</th><th class="number">points</th><th class="number">of</th></tr>'
-    return wide_table(head, rows)
+    return f"<h2>{said}</h2>\n{wide_table(head, rows)}"
 
 
 def _title(answer):

@@ -33,7 +33,7 @@ def course_hash():
     package = [path for path in (ROOT / "course_lib").rglob("*.py") if "pack" not in path.relative_to(ROOT).parts]
     grading = [path for path in (ROOT / "course_lib/pack/grade").glob("*.py") if path.stem not in ABOUT_RESULTS]
     notebooks = [*ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"), *ROOT.glob("notebooks/data/*.*")]
-    files = sorted([*package, *grading, *notebooks, ROOT / "environment.txt"])
+    files = sorted([*package, *grading, *notebooks, ROOT / "course_lib/pack/more.py", ROOT / "environment.txt"])
     digest = hashlib.sha256()
     for path in files:
         content = path.read_bytes()

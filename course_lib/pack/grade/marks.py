@@ -19,7 +19,7 @@ class MarkedAnswer:
     """A written answer (its question, task, text, and the points there are) and its mark.
 
     points: None until the answer is marked. comment: the reader's. wrong: why a typed mark is invalid; only the reader
-    sees this.
+    sees this. more: whether the question is in More.
     """
 
     question: str
@@ -31,6 +31,7 @@ class MarkedAnswer:
     comment: str = ""
     wrong: str = ""
     task: str = ""
+    more: bool = False
 
     @property
     def reported_state(self):
@@ -61,7 +62,8 @@ def mark_answer(question, student, notebook, rows):
     """Return the MarkedAnswer for one of a result's questions, a dict with "question", "text" and "of" at least."""
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
-    empty = MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, task=str(question.get("task", "")))
+    about = {"task": str(question.get("task", "")), "more": question["more"]}
+    empty = MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, **about)
     if text.strip() in ("", PROMPT):
         return replace(empty, state=question.get("state", NOT_ATTEMPTED), points=0)
     row = rows.get(its_key, {})

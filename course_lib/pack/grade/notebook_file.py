@@ -9,9 +9,11 @@ import itertools
 import json
 import re
 from dataclasses import dataclass
-from pathlib import Path
+
+import nbformat
 
 from course_lib.pack.grade.student_view import PACKAGE
+from course_lib.pack.more import cells_of_more
 from course_lib.pack.release import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
@@ -48,12 +50,16 @@ class Question:
 
 @dataclass(frozen=True)
 class Course:
-    """One notebook of the course, with the name of its package of checks, its Exercises and its Questions."""
+    """One notebook of the course, with the name of its package of checks, its Exercises and its Questions.
+
+    more: the names of the exercises and questions whose cells are in More.
+    """
 
     name: str
     package: str
     exercises: tuple
     questions: tuple
+    more: frozenset
 
 
 # ---- reading a submission ----
@@ -162,17 +168,20 @@ def courses():
         package = path.stem.partition("_")[2]
         checks = importlib.import_module(f"course_lib.checks.{package}").CHECKS
         exercises = tuple(check.exercise for check in checks)
-        found[path.stem] = Course(path.stem, package, exercises, tuple(_questions(path)))
+        book = nbformat.v4.reads_json(path.read_text(encoding="utf-8"))
+        named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]
+        more = frozenset(itertools.compress(named, cells_of_more(book)))
+        found[path.stem] = Course(path.stem, package, exercises, tuple(_questions(book.cells)), more)
     return found
 
 
-def _questions(path):
+def _questions(cells):
     before = ""
-    for cell in json.loads(Path(path).read_text(encoding="utf-8"))["cells"]:
-        about, source = cell["metadata"].get("nbgrader", {}), "".join(cell["source"])
+    for cell in cells:
+        about = cell.metadata.get("nbgrader", {})
         if about.get("solution") and about.get("grade"):
-            yield Question(about["grade_id"], int(about["points"]), cell["id"], before)
-        before = source
+            yield Question(about["grade_id"], int(about["points"]), cell.id, before)
+        before = cell.source
 
 
 def answer(question, cells):

@@ -361,13 +361,13 @@ def _how_it_ended(message, limits):
 def _result(notebook, release, course, problems, outcomes, cells):
     """Return the result as plain data. cells: None if the file could not be read."""
     found = {"notebook": course.name if course else notebook, "release": _shown(release), "problems": problems}
-    exercises = course.exercises if course else ()
-    found["exercises"] = [_row(exercise, outcomes.get(exercise.name)) for exercise in exercises]
+    exercises, questions, more = (course.exercises, course.questions, course.more) if course else ((), (), ())
+    found["exercises"] = [_row(e, outcomes.get(e.name)) | {"more": e.name in more} for e in exercises]
     unread = {"state": UNREADABLE} if cells is None else {}
     found["questions"] = [
         {"question": q.name, "of": q.points, "task": q.after, "text": notebook_file.answer(q, cells or [])[:100_000]}
-        | unread
-        for q in (course.questions if course else ())
+        | {"more": q.name in more, **unread}
+        for q in questions
     ]
     return json.loads(json.dumps(found))
 

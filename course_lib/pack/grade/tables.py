@@ -8,7 +8,8 @@ from course_lib.pack.grade.csv_text import cell, count_noun, table_text
 from course_lib.pack.grade.marks import mark_answer
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
-GRADES = ("student", "notebook", "exercise", "points", "of", "state", "message", "release")
+GRADES = ("student", "notebook", "part", "exercise", "points", "of", "state", "message", "release")
+PART = {False: "core", True: "more"}
 
 
 @dataclass(frozen=True)
@@ -16,6 +17,7 @@ class GradedFile:
     """A submission with its result, as `submission.grade` returns it, and its MarkedAnswers.
 
     superseded_by: the place of the file that counts instead of it, or "". share: of its points that a late file keeps.
+    weight: of the points of More.
     """
 
     submission: Submission
@@ -24,6 +26,7 @@ class GradedFile:
     superseded_by: str = ""
     days_late: int = 0
     share: float = 1.0
+    weight: float = 1.0
 
     @property
     def student(self):
@@ -48,12 +51,27 @@ class GradedFile:
     @property
     def points(self):
         """The points of the exercises, before a deduction for lateness and without written answers."""
-        return sum(exercise["points"] for exercise in self.result["exercises"])
+        return sum(each["points"] * (self.weight if each["more"] else 1) for each in self.result["exercises"])
+
+    def part(self, more):
+        """Return the points of exercises and written answers in the core or in More, and the points there are.
+
+        Neither is weighted, and nothing is deducted for lateness.
+        """
+        exercises = [each for each in self.result["exercises"] if each["more"] == more]
+        answers = [each for each in self.answers if each.more == more]
+        points = sum(each["points"] for each in exercises) + sum(each.points or 0 for each in answers)
+        return points, sum(each["of"] for each in exercises) + sum(each.of for each in answers)
+
+    @property
+    def of_more(self):
+        """The points of More, weighted and after a deduction for lateness."""
+        return self.part(True)[0] * self.weight * self.share
 
     @property
     def total(self):
-        """The points of exercises and written answers, after a deduction for lateness."""
-        return (self.points + sum(answer.points or 0 for answer in self.answers)) * self.share
+        """The points of exercises and written answers, weighted and after a deduction for lateness."""
+        return self.part(False)[0] * self.share + self.of_more
 
     @property
     def unread(self):
@@ -62,8 +80,8 @@ class GradedFile:
 
     @property
     def of(self):
-        """The points that the notebook offers, written answers included."""
-        return sum(each["of"] for each in [*self.result["exercises"], *self.result["questions"]])
+        """The points that the notebook offers, weighted, written answers included."""
+        return self.part(False)[1] + self.part(True)[1] * self.weight
 
 
 def final_state(state):
@@ -71,12 +89,13 @@ def final_state(state):
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
-def graded_files(outcomes, rows, deadline=None):
+def graded_files(outcomes, rows, deadline=None, weight=1.0):
     """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
 
-    outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if nothing is late.
+    outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if nothing is late. weight:
+    of the points of More; with 0, the written answers in it are not to be read.
     """
-    everything = [_graded_file(*outcome, rows, deadline) for outcome in outcomes]
+    everything = [_graded_file(*outcome, rows, deadline, weight) for outcome in outcomes]
     everything.sort(key=lambda each: (each.student, each.notebook, each.submission.place))
     best = {}
     for each in everything:
@@ -90,11 +109,12 @@ def graded_files(outcomes, rows, deadline=None):
     ]  # fmt: skip
 
 
-def _graded_file(submission, result, rows, deadline):
+def _graded_file(submission, result, rows, deadline, weight):
     days = deadline.days_late(submission.modified) if deadline else 0
-    each = GradedFile(submission, result, days_late=days, share=deadline.share_left(days) if deadline else 1.0)
-    marked = (mark_answer(question, each.student, each.notebook, rows) for question in result["questions"])
-    return replace(each, answers=tuple(marked))
+    share = deadline.share_left(days) if deadline else 1.0
+    each = GradedFile(submission, result, days_late=days, share=share, weight=weight)
+    read = (question for question in result["questions"] if weight or not question["more"])
+    return replace(each, answers=tuple(mark_answer(question, each.student, each.notebook, rows) for question in read))
 
 
 def sharing(everything):
@@ -131,36 +151,37 @@ def grades_text(everything):
 
 
 def _lines(each):
-    """Yield (exercise, points, of, state, message) for each entry of one file."""
+    """Yield (part, exercise, points, of, state, message) for each entry of one file."""
     if each.superseded_by:
-        yield "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
+        yield "", "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
         return
     if each.graded and (late := lateness(each)):
-        yield "", "", "", "late", late
+        yield "", "", "", "", "late", late
     for problem in each.result["problems"]:
         if each.graded:
-            yield "", "", "", "note", problem
+            yield "", "", "", "", "note", problem
         else:
-            yield "", 0, "", each.result["state"], f"{each.submission.place}: {problem}"
+            yield "", "", 0, "", each.result["state"], f"{each.submission.place}: {problem}"
     for exercise in each.result["exercises"]:
         name, points, of = (exercise[key] for key in ("exercise", "points", "of"))
-        yield name, points, of, final_state(exercise["state"]), exercise["message"]
+        yield PART[exercise["more"]], name, points, of, final_state(exercise["state"]), exercise["message"]
     for answer in each.answers:
         points = "" if answer.points is None else answer.points
-        yield answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
+        yield PART[answer.more], answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
 
 
 @dataclass(frozen=True)
 class Totals:
     """The points of a class.
 
-    of: {notebook: points there are}. students: {student: {notebook: points}}. waiting: {student: number of answers
-    still to be read}. late: {(student, notebook): days}. user_ids: {student: the number by which the platform's
-    gradebook knows them}.
+    of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those of More}. waiting:
+    {student: number of answers still to be read}. late: {(student, notebook): days}. user_ids: {student: the number by
+    which the platform's gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
     students: dict = field(default_factory=dict)
+    more: dict = field(default_factory=dict)
     waiting: dict = field(default_factory=dict)
     late: dict = field(default_factory=dict)
     user_ids: dict = field(default_factory=dict)
@@ -174,7 +195,8 @@ def totals(everything):
             continue
         line = found.students.setdefault(each.student, {})
         line[each.notebook] = line.get(each.notebook, 0) + _rounded(each.total)
-        of[each.notebook] = max(of.get(each.notebook, 0), each.of)
+        found.more[each.student] = found.more.get(each.student, 0) + _rounded(each.of_more)
+        of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
         found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
         found.late[each.student, each.notebook] = each.days_late
         if each.submission.user_id:
@@ -192,6 +214,7 @@ def totals_text(found):
     rows = []
     for student, points in found.students.items():
         each = [points.get(notebook, "") for notebook in found.of]
-        rows.append([student, *each, sum(points.values()), sum(found.of.values()), found.waiting[student]])
-    columns = ["student", *found.of, "total", "of", "to be read"]
+        total, more = sum(points.values()), found.more[student]
+        rows.append([student, *each, total - more, more, total, sum(found.of.values()), found.waiting[student]])
+    columns = ["student", *found.of, "core", "more", "total", "of", "to be read"]
     return table_text([cell(name) for name in columns], [[cell(value) for value in row] for row in rows])

@@ -13,9 +13,12 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.release", description=__doc__)
     parser.add_argument("--root", type=Path, default=Path("."), help="folder of the project")
     parser.add_argument("--output", type=Path, default=Path("build/student.zip"), help="file to write")
+    parser.add_argument("--more", default="yes", help="no: leave out the sections of More")
     chosen = parser.parse_args(arguments)
     try:
-        release, files = named(collect(chosen.root))
+        if chosen.more not in ("yes", "no"):
+            raise ReleaseError(f"MORE={chosen.more} is neither yes nor no.")
+        release, files = named(collect(chosen.root, chosen.more == "yes"))
         write_zip(chosen.output, files, release_date(chosen.root))
     except (ReleaseError, OSError) as error:
         print(f"No release was written. {error}", file=sys.stderr)

@@ -30,14 +30,15 @@ LOCK_SAYS = "# The versions of all packages that this release was made with.\n"
 # ---- the files ----
 
 
-def collect(root):
-    """Return {path in the zip: bytes} of everything that students get, from the project at `root`."""
+def collect(root, more=True):
+    """Return {path in the zip: bytes} of all that students get, from the project at `root`. more: whether with More."""
     notebooks = sorted(root.glob("notebooks/[0-9][0-9]_*.ipynb"))
     if not notebooks:
         raise ReleaseError(f"There are no notebooks in {root / 'notebooks'}.")
     project = (root / "pyproject.toml").read_text(encoding="utf-8")
-    files = {f"notebooks/{path.name}": _notebook(path) for path in notebooks}
-    files |= _as_they_are(root, _read_by(files, root) + _package(root) + [root / SET_UP])
+    files = {f"notebooks/{path.name}": _notebook(path, more) for path in notebooks}
+    # The first page is about the appendices, which are in More.
+    files |= _as_they_are(root, _read_by(files, root, PAGES if more else PAGES[1:]) + _package(root) + [root / SET_UP])
     files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
     files["pyproject.toml"] = reduced_project(project).encode()
     lock = (root / "environment.txt").read_text(encoding="utf-8")
@@ -45,23 +46,23 @@ def collect(root):
     return files
 
 
-def _notebook(path):
+def _notebook(path, more):
     try:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
         raise ReleaseError(f"{path.name} is not a notebook: it is not UTF-8.") from error
-    return students_copy(text, path.name, RELEASE).encode()
+    return students_copy(text, path.name, RELEASE, more).encode()
 
 
-def _read_by(notebooks, root):
+def _read_by(notebooks, root, pages):
     """Return the paths of the text pages and data that the notebooks name; other files there may be the author's own.
 
-    notebooks: {path: bytes}.
+    notebooks: {path: bytes}. pages: the names of text pages that go out in any case.
     """
     text = b"".join(notebooks.values())
     beside = [*root.glob("notebooks/*.md"), *root.glob("notebooks/data/*.csv"), *root.glob("notebooks/data/*.json")]
     asked = [path.relative_to(root / "notebooks").as_posix() for path in beside]
-    return [path for path, name in zip(beside, asked, strict=True) if name in PAGES or name.encode() in text]
+    return [path for path, name in zip(beside, asked, strict=True) if name in pages or name.encode() in text]
 
 
 def _package(root):

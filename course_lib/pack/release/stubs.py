@@ -1,10 +1,12 @@
 """A student's copy of a notebook: stubs for solutions, prompts for written answers, nothing in the outputs."""
 
 import ast
+import re
 
 import nbformat
 
 from course_lib.checks.errors import UNWRITTEN
+from course_lib.pack.more import cells_of_more, heading_level
 from course_lib.pack.notebooks import tidy
 from course_lib.pack.release import PROMPT, ReleaseError
 
@@ -12,8 +14,8 @@ BEGIN, END = "BEGIN SOLUTION", "END SOLUTION"  # anywhere in a line, as nbgrader
 FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 
 
-def students_copy(text, name, release):
-    """Return the text of a notebook without solutions and outputs.
+def students_copy(text, name, release, more=True):
+    """Return the text of a notebook without solutions and outputs, and without the cells of More unless `more`.
 
     `name` is the notebook's, for messages; `release` goes into its metadata. Raises ReleaseError, which names notebook
     and cell, if markers are not paired, a stub would not be a function, or another cell contains words for graders.
@@ -22,6 +24,8 @@ def students_copy(text, name, release):
     for number, cell in enumerate(notebook.cells, 1):
         grade_id = cell.metadata.get("nbgrader", {}).get("grade_id")
         _empty(cell, f"{name}, cell {number}" + (f" ({grade_id})" if grade_id else ""))
+    if not more:
+        _leave_out_more(notebook)
     notebook.metadata["course"] = {**notebook.metadata.get("course", {}), "release": release}
     tidy(notebook)
     return nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
@@ -35,6 +39,22 @@ def _read(text, name):
         # Most often a half-resolved merge; the other exceptions come from JSON that is not a notebook.
         raise ReleaseError(f"{name} is not a notebook: {str(error).splitlines()[0]:.100}") from error
     return notebook
+
+
+def _leave_out_more(notebook):
+    """Remove the cells of More, and of the rest the links to them and the clause on More at the beginning."""
+    folded = cells_of_more(notebook)
+    cells = list(zip(notebook.cells, folded, strict=True))
+    titles = (cell.source.splitlines()[0].lstrip("# ") for cell, out in cells if out and heading_level(cell))
+    links = "|".join(re.escape(title.replace(" ", "-")) for title in titles)
+    notebook.cells = [cell for cell, out in cells if not out]
+    for cell in notebook.cells:
+        if links and cell.cell_type == "markdown":
+            cell.source = re.sub(rf"\[([^]]*)\]\((?:\w+\.ipynb)?#(?:{links})\)", r"\1", cell.source)
+    if links:
+        first, last = notebook.cells[0], r"(?:[^.\n]|\.(?=\d)|\n(?!\n))*"  # up to the end of a sentence, not of 2.5
+        first.source = re.sub(rf"\s*[;,:(][^.;,:(\n]*\n?[^.;,:(\n]*\bMore\b{last}", "", first.source)
+        first.source = re.sub(rf"(?<=\.)\s[^.\n]*\n?[^.\n]*\bMore\b{last}\.", "", first.source)
 
 
 def _empty(cell, place):
