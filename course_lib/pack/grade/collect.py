@@ -170,39 +170,31 @@ def _in_zip(whole, notebooks):
 
 
 def _walk(top):
-    """Search a student's folder without recursion and within bounds.
+    """Search a student's folder within bounds.
 
     Returns the notebooks, zips and links, sorted, as [(path, whether it is a link)], the names of the other files, and
     sentences on what could not be searched.
     """
-    files, others, problems = [], [], []
-    left, seen = [(top, 1)], 0
-    while left:
-        place, depth = left.pop()
-        try:
-            with os.scandir(place) as entries:
-                for entry in entries:
-                    seen += 1
-                    if seen > MAX_ENTRIES:
-                        problems.append(f"It holds more than {MAX_ENTRIES} files: the others were not looked at.")
-                        return sorted(files), others, problems
-                    if _is_clutter(entry.name):
-                        continue
-                    path, wanted = Path(entry.path), entry.name.lower().endswith(READ)
-                    if entry.is_symlink():
-                        if wanted or entry.is_dir():
-                            files.append((path, True))
-                    elif entry.is_dir(follow_symlinks=False):
-                        left.append((path, depth + 1))
-                    elif wanted:
-                        files.append((path, False))
-                    else:
-                        others.append(printable(entry.name))
-        except (OSError, ValueError) as problem:
-            reason = getattr(problem, "strerror", None) or str(problem)
-            problems.append(f"A folder in it cannot be read: {reason}.")
-        if depth >= MAX_DEPTH and any(level > MAX_DEPTH for _, level in left):
-            left = [(path, level) for path, level in left if level <= MAX_DEPTH]
+    files, others, problems, seen = [], [], [], 0
+
+    def unread(error):
+        problems.append(f"A folder in it cannot be read: {error.strerror or error}.")
+
+    for place, folders, names in os.walk(top, onerror=unread):
+        seen += len(folders) + len(names)
+        inner = [Path(place, name) for name in folders if not _is_clutter(name)]
+        folders[:] = [path.name for path in inner if not path.is_symlink()]
+        files += [(path, True) for path in inner if path.is_symlink()]
+        for path in (Path(place, name) for name in names if not _is_clutter(name)):
+            if path.name.lower().endswith(READ):
+                files.append((path, path.is_symlink()))
+            elif not path.is_symlink():
+                others.append(printable(path.name))
+        if seen > MAX_ENTRIES:
+            problems.append(f"It holds more than {MAX_ENTRIES} files: the others were not looked at.")
+            break
+        if folders and len(Path(place).relative_to(top).parts) + 1 >= MAX_DEPTH:
+            folders.clear()
             sentence = f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
             problems += [] if sentence in problems else [sentence]
     return sorted(files), others, problems[:5]

@@ -28,22 +28,21 @@ def read_table(path, known):
     The file is UTF-8, UTF-16, or the single bytes of Windows. Of commas, semicolons and tabs, the separator is the one
     that finds most of the `known` names of columns.
     """
+
+    def lines(separator):
+        return csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+
+    def names_by(separator):
+        return [name.strip().strip('"') for name in next(lines(separator), [])]
+
     try:
-        text, readings, problem = _decoded(path.read_bytes()), [], None
+        text, found = _decoded(path.read_bytes()), []
+        separator = max(",;\t", key=lambda each: (len(known & {*names_by(each)}), len(names_by(each))))
+        names, rows = names_by(separator), list(lines(separator))[1:]
     except OSError as error:
         raise GradingStopped(f"{path} cannot be read: {error.strerror}.") from error
-    for separator in ",;\t":
-        try:
-            rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
-        except csv.Error as error:
-            problem = error
-            continue
-        names = [name.strip().strip('"') for name in rows[0]] if rows else []
-        readings.append((len(known & set(names)), len(names), names, rows[1:]))
-    if not readings:
+    except csv.Error as problem:
         raise GradingStopped(f"{path} is not a table: {problem}.") from problem
-    _, _, names, rows = max(readings, key=lambda reading: reading[:2])
-    found = []
     for row in filter(any, rows):
         line = dict.fromkeys(names, "")
         for name, value in zip(names, row, strict=False):

@@ -62,7 +62,7 @@ def mark_answer(question, student, notebook, rows):
     """Return the MarkedAnswer for one of a result's questions, a dict with "question", "text" and "of" at least."""
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
-    about = {"task": str(question.get("task", "")), "more": question["more"]}
+    about = {"task": str(question.get("task", "")), "more": question.get("more", False)}
     empty = MarkedAnswer(question["question"], of, text, its_key, TO_BE_READ, **about)
     if text.strip() in ("", PROMPT):
         return replace(empty, state=question.get("state", NOT_ATTEMPTED), points=0)

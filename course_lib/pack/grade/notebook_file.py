@@ -59,7 +59,7 @@ class Course:
     package: str
     exercises: tuple
     questions: tuple
-    more: frozenset
+    more: frozenset = frozenset()
 
 
 # ---- reading a submission ----

@@ -5,7 +5,6 @@ import dataclasses
 import json
 import math
 import os
-import resource
 import select
 import signal
 import subprocess
@@ -15,6 +14,8 @@ import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
+
+import psutil
 
 from course_lib.pack.grade import isolation
 
@@ -93,11 +94,11 @@ class Sandbox:
     def __exit__(self, *raised):
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
-        left = list(below(self._process.pid)) if self._kind == isolation.NONE else []
+        left = self._processes() if self._kind == isolation.NONE else []
         self._kill()
-        for pid in left:
-            with contextlib.suppress(OSError):
-                os.kill(pid, signal.SIGKILL)
+        for process in left:
+            with contextlib.suppress(psutil.Error):
+                process.kill()
         with contextlib.suppress(OSError):
             self._process.stdin.close()
         self._process.wait()
@@ -135,18 +136,32 @@ class Sandbox:
         """Return the processor time of everything in the sandbox, in seconds; None if the system does not report it."""
         if sys.platform != "linux":
             return None
-        first = 0 if self._kind == isolation.NONE else WATCHERS
-        usages = below(self._process.pid).values()
-        ticks = sum(usage.ticks_of_ended + (usage.ticks if usage.depth >= first else 0) for usage in usages)
-        return ticks / os.sysconf("SC_CLK_TCK")
+        seconds, first = 0, 0 if self._kind == isolation.NONE else WATCHERS
+        for number, process in enumerate(self._processes()):
+            with contextlib.suppress(psutil.Error):
+                times = process.cpu_times()
+                seconds += times.children_user + times.children_system
+                seconds += times.user + times.system if number >= first else 0
+        return seconds
+
+    def _processes(self):
+        """Return the process that begins the sandbox and all below it, parents before their children."""
+        try:
+            first = psutil.Process(self._process.pid)
+            return [first, *first.children(recursive=True)]
+        except psutil.Error:
+            return []
 
     def _watch_memory(self):
         """End the sandbox if its processes together exceed a bound; in a thread, also while answers are judged."""
         while not self._ended.wait(0.3):
-            running, limits = below(self._process.pid), self._limits
+            running, limits, memory = self._processes(), self._limits, 0
+            for process in running:
+                with contextlib.suppress(psutil.Error):
+                    memory += process.memory_info().rss
             if len(running) > limits.processes + 5:
                 self._excess = f"more than {limits.processes} processes"
-            elif sum(usage.pages for usage in running.values()) * resource.getpagesize() > limits.everything:
+            elif memory > limits.everything:
                 self._excess = f"memory ran out; it may use {limits.everything // 10**9} GB"
             if self._excess:
                 return self._kill()
@@ -226,32 +241,6 @@ class Watch:
             self._since, self._at = now, computed
 
 
-@dataclass
-class Usage:
-    """Pages of memory and ticks of processor time of a process, and the ticks of its children that have ended."""
-
-    depth: int
-    pages: int
-    ticks: int
-    ticks_of_ended: int
-
-
-def below(root):
-    """Return {pid: Usage} of the process `root` and all its descendants; depth: 0 for root, 1 for a child."""
-    parents, found = {}, {}
-    with contextlib.suppress(OSError):
-        for name in filter(str.isdigit, os.listdir("/proc")):
-            with contextlib.suppress(OSError, IndexError, ValueError), open(f"/proc/{name}/stat") as file:
-                fields = file.read().rpartition(")")[2].split()
-                parents.setdefault(int(fields[1]), []).append(int(name))
-                found[int(name)] = (int(fields[21]), sum(map(int, fields[11:13])), sum(map(int, fields[13:15])))
-    usages, level, depth = {}, [root], 0
-    while level:
-        usages |= {pid: Usage(depth, *found[pid]) for pid in level if pid in found}
-        level, depth = [child for pid in level for child in parents.get(pid, [])], depth + 1
-    return usages
-
-
 def _wait_for(pipe, event, seconds):
     """Return whether the event, or the end of the pipe, comes within so many seconds."""
     waiting = select.poll()
@@ -268,9 +257,5 @@ def remove_old_folders():
     """Remove the folders of sandboxes whose grader was killed."""
     for folder in Path(tempfile.gettempdir()).glob("grade-*-*"):
         number = folder.name.split("-")[1]
-        with contextlib.suppress(PermissionError):  # a process of another user
-            try:
-                if number.isdigit():
-                    os.kill(int(number), 0)
-            except ProcessLookupError:
-                remove_tree(folder)
+        if number.isdigit() and not psutil.pid_exists(int(number)):
+            remove_tree(folder)

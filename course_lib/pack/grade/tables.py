@@ -113,7 +113,7 @@ def _graded_file(submission, result, rows, deadline, weight):
     days = deadline.days_late(submission.modified) if deadline else 0
     share = deadline.share_left(days) if deadline else 1.0
     each = GradedFile(submission, result, days_late=days, share=share, weight=weight)
-    read = (question for question in result["questions"] if weight or not question["more"])
+    read = (question for question in result["questions"] if weight or not question.get("more"))
     return replace(each, answers=tuple(mark_answer(question, each.student, each.notebook, rows) for question in read))
 
 
