@@ -6,9 +6,11 @@ Each is a table with a bar in every row, so that the numbers and the picture are
 import statistics
 from collections import Counter
 
+from markupsafe import Markup
+
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.grade.csv_text import clean, count_noun
-from course_lib.pack.grade.feedback import escaped, page, wide_table
+from course_lib.pack.grade.feedback import rendered
 from course_lib.pack.grade.tables import totals
 
 STATES = {RIGHT: ("right", "#3a9d6a"), WRONG: ("wrong", "#d9792f"), ERROR: ("error", "#b8475c")}
@@ -28,9 +30,9 @@ def class_page(everything):
         said += f", points of More count {counting[0].weight:g} times"
     left = sum(found.waiting.values())
     said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
-    parts = ["<h1>The class</h1>", f"<p>{said}</p>", _notebooks(found.of, counting, graded, found.students)]
-    parts += [_distribution(found.of, graded, found.students), _hardest(graded), _mistakes(graded)]
-    return page("The class", "\n".join(part for part in parts if part))
+    sections = [_notebooks(found.of, counting, graded, found.students)]
+    sections += [_distribution(found.of, graded, found.students), _hardest(graded), _mistakes(graded)]
+    return rendered("class.html", title="The class", said=said, sections=sections)
 
 
 def _notebooks(of, counting, graded, students):
@@ -41,7 +43,7 @@ def _notebooks(of, counting, graded, students):
         points = [students[student][notebook] for student in {e.student for e in graded if e.notebook == notebook}]
         mean, median = (f"{statistics.mean(points):.1f}", f"{statistics.median(points):g}") if points else ("", "")
         rows.append((notebook, handed_in, len(points), mean, median, most))
-    return _table(("notebook", "handed in", "graded", "mean", "median", "of"), rows)
+    return "", "", ("notebook", "handed in", "graded", "mean", "median", "of"), rows
 
 
 def _distribution(of, graded, students):
@@ -54,7 +56,7 @@ def _distribution(of, graded, students):
             counts[min(int(share * 10 + 1e-9), 9)] += 1
     rows = [(f"{10 * i} to {10 * i + 10} %", n, _bar([(n, BLUE)], max(counts))) for i, n in enumerate(counts)]
     caption = "Each student's points, as a share of those of the notebooks that they handed in."
-    return _section("Distribution of the points", caption, ("points", "students", ""), rows) if any(counts) else ""
+    return "Distribution of the points", caption, ("points", "students", ""), rows if any(counts) else []
 
 
 def _hardest(graded):
@@ -72,7 +74,7 @@ def _hardest(graded):
         rows.append((name, *counts, bar))
     columns = ("exercise", *(words for words, _ in STATES.values()), "")
     caption = "The exercises by the share of students who solved them, of the notebooks that could be read."
-    return _section("Hardest exercises", caption, columns, rows) if rows else ""
+    return "Hardest exercises", caption, columns, rows
 
 
 def _mistakes(graded):
@@ -81,7 +83,7 @@ def _mistakes(graded):
     order = sorted(counts, key=lambda name: (-counts[name], name))
     rows = [(name, counts[name], _bar([(counts[name], BLUE)], counts[order[0]])) for name in order]
     caption = "The mistakes that the checks recognized, and how many students made them."
-    return _section("Most frequent mistakes", caption, ("mistake", "students", ""), rows) if rows else ""
+    return "Most frequent mistakes", caption, ("mistake", "students", ""), rows
 
 
 def _short(text):
@@ -89,21 +91,7 @@ def _short(text):
     return text if len(text) <= 120 else text[:120] + " ..."
 
 
-class _Html(str):
-    """Text that is HTML already."""
-
-
 def _bar(parts, most):
     """Return a bar whose parts have these (lengths, colours); `most` fills the width."""
     pieces = (f'<i style="width:{8 * n / (most or 1):.2f}rem;background:{colour}"></i>' for n, colour in parts if n)
-    return _Html(f'<span class="bar" aria-hidden="true">{"".join(pieces)}</span>')
-
-
-def _section(title, caption, columns, rows):
-    return f"<h2>{escaped(title)}</h2>\n<p>{escaped(caption)}</p>\n{_table(columns, rows)}"
-
-
-def _table(columns, rows):
-    head = "".join(f"<th>{escaped(name)}</th>" if name else "<td></td>" for name in columns)
-    cells = (("".join(f"<td>{v if isinstance(v, _Html) else escaped(v)}</td>" for v in row)) for row in rows)
-    return wide_table(f"<tr>{head}</tr>", [f"<tr>{row}</tr>" for row in cells])
+    return Markup(f'<span class="bar" aria-hidden="true">{"".join(pieces)}</span>')
