@@ -106,7 +106,7 @@ def test_a_job_that_ends_its_workers_affects_no_other_job(tmp_path, cluster):
         hand_in(tmp_path / "in", f"s{i}_01_rotations.ipynb", points=[2], do="end" if i == 1 else "", seconds=0.2)
     assert run(tmp_path, "out", "--scheduler", cluster.address) == 0
     grades = (tmp_path / "out/grades.csv").read_text()
-    reason = "s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: It could not be graded:"
+    reason = "s1,01_rotations,,,0,,not graded,s1_01_rotations.ipynb: It could not be graded:"
     assert reason in grades, grades
     assert "the process that graded it ended (exit status 1)" in grades
     assert grades.count("exercise_0,2,2,right") == 4

@@ -105,7 +105,7 @@ def test_the_same_tables_on_one_processor_and_on_several(place):
     assert run(place, "--jobs", "3", "--seed", "1", output="more") == 0
     assert calls(place) == 12
     assert tables(place) == tables(place, "more")
-    assert b"s5,01_rotations,exercise_1,2,2,right" in tables(place)[0]
+    assert b"s5,01_rotations,core,exercise_1,2,2,right" in tables(place)[0]
 
 
 def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
@@ -154,7 +154,7 @@ def test_what_fails_affects_one_submission_only_which_is_tried_again(place, do):
     assert run(place, "--jobs", "2", "--seed", "1") == 0
     grades = (place / "out/grades.csv").read_text()
     said = "The grader failed: ValueError: a grader has" if do == "raise" else "It could not be graded"
-    assert f"s1,01_rotations,,0,,not graded,s1_01_rotations.ipynb: {said}" in grades
+    assert f"s1,01_rotations,,,0,,not graded,s1_01_rotations.ipynb: {said}" in grades
     assert grades.count("exercise_0,2,2,right") == 5
     assert len(list(place.glob("out/results/*"))) == 5
 
@@ -183,7 +183,7 @@ def test_marks_typed_during_a_run_are_kept(place):
         return grade(content, notebook, seed)
 
     run(place, "--jobs", "1", "--seed", "5", grade=meanwhile)
-    assert "s0,01_rotations,explain_0,2,2,read," in (place / "out/grades.csv").read_text()
+    assert "s0,01_rotations,core,explain_0,2,2,read," in (place / "out/grades.csv").read_text()
 
 
 SENTENCES = {
@@ -285,9 +285,9 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
     assert done.returncode == 0, done.stderr
     assert "grading: 100%" in done.stderr
     grades = (place / "out/grades.csv").read_text()
-    assert "anna,01_rotations,is_valid,0,3,not attempted," in grades
-    assert "bob,01_rotations,is_valid,0,3," in grades
-    assert 'carl,01_rotations,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
+    assert ",is_valid,0,3,not attempted," in grades
+    assert "bob,01_rotations,core,is_valid,0,3," in grades
+    assert 'carl,01_rotations,,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
     assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
         [*TABLES, "class.html", "feedback", "results", "seed"]
     )

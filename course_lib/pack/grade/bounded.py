@@ -6,13 +6,12 @@ process of its own, and within it a deadline ends an exercise that takes too lon
 
 import contextlib
 import json
+import multiprocessing
 import os
 import resource
-import select
 import signal
 import sys
 import threading
-import time
 import warnings
 
 from course_lib.pack.grade.confine import die_with_parent
@@ -59,19 +58,23 @@ def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, c
     memory: bytes of address space, in addition to that at the start. Raises OutOfBounds if the function exceeded a
     bound or ended its process, and RuntimeError with the type and message of an exception that it raised.
     """
-    there, here = os.pipe()
+    there, here = multiprocessing.Pipe(duplex=False)
     with warnings.catch_warnings():
         # Python 3.12 warns of forks in a process with threads. The child only computes, and needs none of their locks.
         warnings.simplefilter("ignore", DeprecationWarning)
         child = os.fork()
     if child == 0:
-        os.close(there)
+        there.close()
         _in_child(here, function, arguments, cpu_seconds, memory)
-    os.close(here)
+    here.close()
+    text, late = b"", False
     try:
-        text, late = _read_all(there, clock_seconds)
+        late = not there.poll(clock_seconds)
+        text = b"" if late else there.recv_bytes(LARGEST_RESULT)
+    except (EOFError, OSError):  # it ended, or wrote too much
+        pass
     finally:
-        os.close(there)
+        there.close()
         with contextlib.suppress(ProcessLookupError):
             os.kill(child, signal.SIGKILL)  # also if the run is being stopped: the child must not outlive it
         _, status, usage = os.wait4(child, 0)
@@ -98,8 +101,7 @@ def _in_child(pipe, function, arguments, cpu_seconds, memory):
             data = json.dumps({"value": function(*arguments)}).encode()
         except Exception as error:
             data = json.dumps({"raised": f"{type(error).__name__}: {error}"[:500]}).encode()
-        while data:
-            data = data[os.write(pipe, data) :]
+        pipe.send_bytes(data)
     finally:
         os._exit(0)
 
@@ -109,21 +111,6 @@ def _limit(kind, most):
     _, hard = resource.getrlimit(kind)
     with contextlib.suppress(ValueError, OSError):
         resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
-
-
-def _read_all(pipe, seconds):
-    """Return the content of a pipe up to its end, and whether the time ran out."""
-    parts, length, deadline = [], 0, time.monotonic() + seconds
-    while length <= LARGEST_RESULT:
-        ready, _, _ = select.select([pipe], [], [], max(deadline - time.monotonic(), 0))
-        if not ready:
-            return b"", True
-        data = os.read(pipe, 1 << 20)
-        if not data:
-            break
-        parts.append(data)
-        length += len(data)
-    return b"".join(parts), False
 
 
 def _why_it_ended(status, used, late, cpu_seconds, clock_seconds):

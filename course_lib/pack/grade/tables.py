@@ -214,7 +214,8 @@ def totals_text(found):
     rows = []
     for student, points in found.students.items():
         each = [points.get(notebook, "") for notebook in found.of]
-        total, more = sum(points.values()), found.more[student]
-        rows.append([student, *each, total - more, more, total, sum(found.of.values()), found.waiting[student]])
+        total, more, of = sum(points.values()), found.more[student], sum(found.of.values())
+        core = abs(round(total - more, 2))  # abs, because rounding may leave -0
+        rows.append([student, *each, core, more, total, of, found.waiting[student]])
     columns = ["student", *found.of, "core", "more", "total", "of", "to be read"]
     return table_text([cell(name) for name in columns], [[cell(value) for value in row] for row in rows])
