@@ -79,8 +79,8 @@ def spread(found, most):
         kinds.setdefault(mutant.kind, []).append(mutant)
     shares = dict.fromkeys(kinds, 0)
     for _ in range(min(most, len(found))):
-        hungriest = max(kinds, key=lambda kind: (shares[kind] < len(kinds[kind]), -shares[kind]))
-        shares[hungriest] += 1
+        least_served = max(kinds, key=lambda kind: (shares[kind] < len(kinds[kind]), -shares[kind]))
+        shares[least_served] += 1
     return [
         each[k * len(each) // share] for kind, each in kinds.items() for share in [shares[kind]] for k in range(share)
     ]

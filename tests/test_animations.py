@@ -52,10 +52,10 @@ def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, t
     assert np.ptp(red, axis=0).max() > 100
 
 
-@pytest.mark.parametrize(("content", "told"), [("<<<<<<< half a merge", "cannot be read"), (None, "No animation")])
-def test_trouble_is_told_in_a_sentence(content, told, tmp_path, capsys):
+@pytest.mark.parametrize(("content", "message"), [("<<<<<<< half a merge", "cannot be read"), (None, "No animation")])
+def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
     write(tmp_path, "01.ipynb", cell(output({FIGURE: MOVING})))
     if content:
         (tmp_path / "01.ipynb").write_text(content)
     assert animations.main([tmp_path / "01.ipynb"]) == 1
-    assert told in capsys.readouterr().err
+    assert message in capsys.readouterr().err

@@ -58,7 +58,7 @@ def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with
     assert "-m pip" not in called
 
 
-@pytest.mark.parametrize(("at", "says", "told"), [
+@pytest.mark.parametrize(("at", "says", "message"), [
     ("version_info", "", "Python 3.11 or newer is needed"),
     ("-m venv", "ensurepip is not available", "install its venv module"),
     ("-r env", "Failed to resolve 'pypi.org' ([Errno -2] Name or service not known)", "check the network connection"),
@@ -66,10 +66,10 @@ def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with
     ("-r env", "ERROR: No matching distribution found for numpy==2.4.6", "name another Python"),
     ("-e .", "OSError: [Errno 28] No space left on device\n", "failed: OSError: [Errno 28] No space left on device"),
 ])  # fmt: skip
-def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at, says, told):
+def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at, says, message):
     done, _ = make("environment", AT=at, SAYS=says)
     (line,) = [line for line in done.stderr.splitlines() if not line.startswith("make: ***")]
-    assert told in line
+    assert message in line
     assert "-m venv .venv" in make("environment")[1]
 
 

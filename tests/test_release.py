@@ -302,11 +302,11 @@ WRONG = [
 ]
 
 
-@pytest.mark.parametrize(("source", "told"), WRONG, ids=range(len(WRONG)))
-def test_an_answer_that_makes_no_stub_is_named(tree, tmp_path, capsys, source, told):
+@pytest.mark.parametrize(("source", "message"), WRONG, ids=range(len(WRONG)))
+def test_an_answer_that_makes_no_stub_is_named(tree, tmp_path, capsys, source, message):
     sentence = refused(tree, tmp_path, capsys, "wrap-angle-answer", source)
     assert re.match(r"No release was written\. 02_rigid_motion\.ipynb, cell \d+ \(wrap_angle\): ", sentence)
-    assert told in sentence
+    assert message in sentence
 
 
 @pytest.mark.parametrize("words", ["### BEGIN SOLUTION", "**Model answer.** It is", "*Rubric (2): 1 for*"])

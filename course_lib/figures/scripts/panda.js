@@ -42,7 +42,7 @@
       const [x, y, z] = gripper().map((value) => P.number(value));
       words.textContent = `Drag the gripper, or rotate the view. The gripper is at x = ${x}, y = ${y}, z = ${z} m.`;
     }
-    // A sign of life; it ends where it began.
+    // A slow motion that shows that the robot can be moved; it ends where it began.
     function sway() {
       const begun = performance.now();
       const step = (now) => {

@@ -1,4 +1,4 @@
-"""number_distance: find the bug. The cases of a distance are told apart by signs, and 0 has none."""
+"""number_distance: find the bug. The cases of a distance are distinguished by signs, and 0 has none."""
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
