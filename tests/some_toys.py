@@ -5,6 +5,7 @@ import numpy as np
 from course_lib import figures, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
 from course_lib.figures.toys.arms import PANDA_ROWS
+from course_lib.figures.toys.plane import _ROUND
 
 Q6 = [0.3, -1.2, 1.5, -1.8, -1.5, 0.2]
 NAMES = ["iiwa_toy", "panda_toy", "two_poses_toy", "dead_reckoning_toy", "circles_toy", "planar_arm_toy", "cells_toy"]
@@ -17,4 +18,5 @@ TOYS |= {
     "reach": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=Q6)),
     "fly": lambda: figures.alive(figures.fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
     "table": lambda: figures.alive(figures.table(), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]),
+    "drive": lambda: figures.alive(figures.drive(_ROUND)),
 }

@@ -14,6 +14,7 @@ from course_lib.arms import iiwa14, panda, planar_arm
 from course_lib.figures.display import TOY
 from course_lib.figures.toys.toy import SCRIPTS, is_live, module
 from course_lib.pack.notebooks import run, tidy
+from course_lib.planar import propagate_body
 
 Q = np.array([0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1])
 
@@ -101,6 +102,8 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("reach", {"arm": iiwa14(), "target": [1]}, "target"),
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"lengths": [1, 1, 1]}, "lengths"),
+        ("drive", {"dt": 0}, "dt"),
+        ("drive", {"plan": [((1, 2), 3)]}, "plan"),
         ("alive", {"figure": "reach"}, "figure"),
         ("alive", {"figure": figures.table(), "f": 3}, "f"),
     ],
@@ -243,3 +246,15 @@ def test_an_interrupted_function_is_answered_too():
         raise KeyboardInterrupt
 
     assert "KeyboardInterrupt" in asked(figures.table(), lambda p: stopped(p) if p[0] == 1 else p, at=[1, 1])["problem"]
+
+
+def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
+    figure, log = figures.drive([((0.5, 0, 0), 1.0)]), [[[0.5, 0.0, 0.9], 0.7]]
+    assert_allclose(
+        asked(figure, propagate_body, plan=log, dt=0.5)["value"], propagate_body([0] * 3, log, 0.5), atol=1e-5
+    )
+    seen = []
+    asked(figure, lambda *case: seen.append(case), plan=log, dt=0.5)
+    assert_allclose(seen[0][0], np.zeros(3))
+    assert seen[0][1:] == ([((0.5, 0.0, 0.9), 0.7)], 0.5)
+    assert "of shape (n, 3); its shape is (3,)" in asked(figure, lambda *case: [0, 0, 0], plan=log, dt=0.5)["problem"]

@@ -396,6 +396,36 @@ def test_smaller_steps_dock_and_larger_ones_miss(visit):
         expect(box.locator("p[role=status]")).to_contain_text(said)
 
 
+def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
+    box = figure_of(visit, "drive")
+    status, number = box.locator("p[role=status]"), re.compile(r"is (\S+) cm and (\S+)° off")
+    box.get_by_role("button", name="Start again").click()
+    expect(status).to_contain_text("0.0 cm and 0° off")
+    left, ahead = (box.get_by_role("button", name=name, exact=True) for name in ("Left", "Ahead"))
+    ahead.press("Enter")  # half a second: on a straight line Euler's method is right, and on the spot
+    left.press("Enter")
+    expect(status).to_contain_text("0.0 cm and 0° off")
+    x, y = centre(ahead)
+    visit.page.mouse.move(x, y)
+    visit.page.mouse.down()
+    visit.page.wait_for_timeout(200)
+    visit.page.mouse.up()
+    before = picture(box)
+    visit.page.wait_for_timeout(200)
+    assert picture(box) == before, "it stops when the button is let go"
+    box.locator("canvas").focus()
+    for key in ("ArrowUp", "ArrowRight"):
+        visit.page.keyboard.down(key)
+    visit.page.wait_for_timeout(1500)
+    for key in ("ArrowUp", "ArrowRight"):
+        visit.page.keyboard.up(key)
+    expect(status).not_to_contain_text("is 0.")
+    assert float(number.search(status.inner_text())[1]) > 1
+    box.get_by_label("Hide the robot").check()
+    expect(status).to_contain_text("Drive the red robot to the dock")
+    box.get_by_label("Hide the robot").uncheck()
+
+
 @computes
 def test_circles_meet_touch_and_miss(visit):
     box = figure_of(visit, "circles_toy")

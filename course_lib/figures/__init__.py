@@ -10,7 +10,7 @@ from course_lib.figures.display import show
 from course_lib.figures.plots import lines, panels
 
 _TOYS = {  # by the module of course_lib.figures.toys in which they are
-    "alive": ("alive", "fly", "reach", "table"),
+    "alive": ("alive", "drive", "fly", "reach", "table"),
     "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
     "circles": ("circles_toy",),
     "orientation": ("orientation_toy",),

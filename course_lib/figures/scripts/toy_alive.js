@@ -1,7 +1,7 @@
 // Figures in which the student's own function lives. What is dragged is a question; in a live notebook the function
 // answers it, one question at a time, the newest first; where it raises or there is no kernel, the library's does.
-// meta.figure says which: "reach" (a target, joint angles), "fly" (two orientations, the motion between them) or
-// "table" (a position, joint angles of a planar arm with two links, beside the true ones).
+// meta.figure says which: "reach" (a target, joint angles), "fly" (two orientations, the motion between them), "table"
+// (a position, joint angles of a planar arm with two links, beside the true ones) or "drive" (velocities, poses).
 (() => {
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
@@ -168,7 +168,98 @@
     return { paint, draw, stop: () => plane.stop() };
   }
 
-  const FIGURES = { reach, fly, table };
+  // ---- a robot to drive, and where its own log says that it is ----
+
+  function drive(card, meta, ask, state) {
+    const { half, centre, plan, exact, dock } = meta, RADIUS = 0.17, LONGEST = 90, draw = P.once(() => paint());
+    const now = state.now || (state.now = { log: plan, dt: meta.dt, hidden: false });
+    const held = new Set(); // of the directions below
+    const plane = P.map(card.views, {
+      half, centre, label: `${meta.title}. Arrow keys drive the robot`, proportion: 0.72, redraw: draw,
+    });
+    const DIRECTIONS = { ArrowUp: ["Ahead", 0.5, 0], ArrowDown: ["Back", -0.5, 0] };
+    Object.assign(DIRECTIONS, { ArrowLeft: ["Left", 0, 0.9], ArrowRight: ["Right", 0, -0.9] });
+    const inside = (at) => [half, 0.72 * half].every((room, k) => Math.abs(at[k] - centre[k]) < room - RADIUS);
+    const poses = (dt) => M.propagate([0, 0, 0], now.log, dt), last = (rows) => rows[rows.length - 1];
+    const asked = () => ask({ plan: now.log, dt: now.dt });
+    // Append some seconds to the log; the wall stops the robot, and its wheels.
+    const advance = (seconds) => {
+      const [v, omega] = [1, 2].map((k) => [...held].reduce((sum, key) => sum + DIRECTIONS[key][k], 0));
+      const before = last(now.log), used = now.log.reduce((sum, pair) => sum + pair[1], 0);
+      if ((!v && !omega) || used > LONGEST) return;
+      if (v && !inside(M.expPlanar(last(poses(1).exact), [omega * seconds, v * seconds, 0]))) return;
+      const same = before && before[0][0] === v && before[0][2] === omega;
+      now.log = same ? [...now.log.slice(0, -1), [before[0], before[1] + seconds]]
+        : [...now.log, [[v, 0, omega], seconds]];
+      asked();
+    };
+    let frame = null;
+    const run = (then) => {
+      frame = requestAnimationFrame((time) => {
+        advance(Math.min(0.05, Math.max(0, (time - then) / 1000)));
+        draw();
+        if (held.size) run(time);
+        else frame = null;
+      });
+    };
+    const press = (key) => { held.add(key); if (frame === null) run(performance.now()); };
+    const release = () => { held.clear(); asked(); draw(); };
+    const { canvas } = plane;
+    Object.assign(canvas.style, { cursor: "pointer" });
+    canvas.tabIndex = 0;
+    canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
+    canvas.addEventListener("blur", release);
+    canvas.addEventListener("keyup", (event) => { held.delete(event.key); if (!held.size) release(); });
+    canvas.addEventListener("keydown", (event) => {
+      if (!DIRECTIONS[event.key]) return;
+      press(event.key);
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    // A button drives as long as it is held; pressed by a key, for half a second.
+    Object.entries(DIRECTIONS).forEach(([key, [name]]) => {
+      const made = card.button(name, () => {});
+      made.style.cssText = "min-height:44px;touch-action:none;user-select:none;-webkit-user-select:none";
+      made.addEventListener("pointerdown", (event) => { made.setPointerCapture(event.pointerId); press(key); });
+      ["pointerup", "pointercancel"].forEach((kind) => made.addEventListener(kind, release));
+      made.addEventListener("contextmenu", (event) => event.preventDefault());
+      made.addEventListener("click", (event) => {
+        if (event.detail) return;
+        held.add(key);
+        for (let k = 0; k < 10; k++) advance(0.05);
+        release();
+      });
+    });
+    card.button("Start again", () => { now.log = []; state.answer = null; asked(); draw(); });
+    card.tick("Hide the robot", now.hidden, (on) => { now.hidden = on; draw(); });
+    card.range("Step dt", { min: 0.1, max: 1, step: 0.1, value: now.dt }, (x) => `${x.toFixed(1)} s`,
+      (x) => { now.dt = x; asked(); draw(); });
+    const words = card.words();
+    function paint() {
+      const { answer } = state, truth = poses(0.05).exact, theirs = answer && answer.value;
+      const ghost = theirs || poses(now.dt)[exact ? "exact" : "euler"], [[x, y, theta], own] = [truth, ghost].map(last);
+      const sketch = (path, [u, v, angle], colour, dash) => {
+        plane.line(path, colour, 2, { dash });
+        plane.line(P.circle(RADIUS, [u, v]), colour, 1.5, { closed: true, fill: 0.25 });
+        plane.line([[u, v], [u + RADIUS * Math.cos(angle), v + RADIUS * Math.sin(angle)]], colour, 2);
+      };
+      plane.begin();
+      plane.line(P.circle(1.2 * RADIUS, dock), COLOURS.green, 4, { dash: [4, 6] });
+      plane.text([dock[0], dock[1] - 0.4], "dock", COLOURS.green);
+      if (!now.hidden) sketch(truth, [x, y, theta], COLOURS.blue, []);
+      sketch(ghost, own, COLOURS.crimson, [7, 5]);
+      if (ghost.length < 200) ghost.forEach((p) => plane.dot(p, COLOURS.crimson, 2.5));
+      plane.end();
+      const off = 100 * M.norm([own[0] - x, own[1] - y]), rotated = Math.abs(M.wrap(own[2] - theta));
+      const far = `Red, where it believes it is, is ${P.number(off, off < 10 ? 1 : 0)} cm and ${P.degrees(rotated)} off.`;
+      const here = now.hidden ? "Drive the red robot to the dock, then show the blue one." : far;
+      words.textContent = said(answer, here, here);
+    }
+    asked();
+    return { paint, draw, stop: () => { held.clear(); cancelAnimationFrame(frame); plane.stop(); } };
+  }
+
+  const FIGURES = { reach, fly, table, drive };
   globalThis.course.kinds["toy:alive"] = (host, meta, kernel) => {
     const state = meta.state || (meta.state = { answer: null }), card = P.card(host, meta.title);
     let figure = null;

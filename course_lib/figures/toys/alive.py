@@ -8,6 +8,7 @@ from course_lib.arguments import positive, real_array
 from course_lib.figures.toys.answers import Answers
 from course_lib.figures.toys.arms import arm_view, starting
 from course_lib.figures.toys.toy import Toy, is_live
+from course_lib.planar import propagate_body_exact
 from course_lib.rotations import is_so, matrix_to_quaternion, quaternion_to_matrix
 
 _SAMPLES = 41  # of a motion between two orientations
@@ -15,7 +16,7 @@ _SAMPLES = 41  # of a motion between two orientations
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure in which a function can live: see `reach`, `fly` and `table`.
+    """A figure in which a function can live: see `reach`, `fly`, `table` and `drive`.
 
     model: what the script needs, as JSON. ``ask(f, question)`` calls the function and returns its answer as JSON;
     ``stored(f)`` returns answers given beforehand, for pages.
@@ -38,12 +39,12 @@ def alive(figure, f=None):
     Parameters
     ----------
     figure : Figure
-        From `reach`, `fly` or `table`, which say with what f is called and what it returns.
+        From `reach`, `fly`, `table` or `drive`, which say with what f is called and what it returns.
     f : callable, optional
         Your function. Its attribute ``whose``, if it has one, says whose it is.
     """
     if not isinstance(figure, Figure):
-        raise ValueError(f"figure must come from reach, fly or table; it is of type {type(figure).__name__}")
+        raise ValueError(f"figure must come from reach, fly, table or drive; it is of type {type(figure).__name__}")
     if f is not None and not callable(f):
         raise ValueError(f"f must be a function; it is {f!r:.60}")
     stored = None if f is None or is_live() else figure.stored(f)
@@ -149,3 +150,40 @@ def table(lengths=(1, 1), at=(0.9, 0.7)):
     alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
     alt += "beside it, blue, the arm that reaches the position exactly."
     return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
+
+
+def drive(plan=(), dt=0.5, *, exact=False):
+    """Return a figure for `alive`: a robot to drive, f(start, plan, dt) follows its log to where it believes it is.
+
+    The true robot is drawn beside it.
+
+    Parameters
+    ----------
+    plan : sequence of ((vx, vy, omega), duration), optional
+        What the robot has driven already, from (0, 0, 0) to its dock, in m/s, rad/s and seconds. f is called with the
+        whole log in this form, and returns poses (n, 3).
+    dt : float
+        The step at the start, in seconds, from 0.1 to 1.
+    exact : bool, optional
+        Whether the library, where it answers, follows the log exactly and not by Euler's method.
+    """
+    driven = propagate_body_exact(np.zeros(3), plan, dt)  # raises for what is no plan
+    if not 0.1 <= dt <= 1:
+        raise ValueError(f"dt must lie between 0.1 and 1; it is {dt!r}")
+
+    def ask(f, question):
+        log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
+        poses = np.asarray(f(np.zeros(3), log, question["dt"]), float)
+        if poses.ndim != 2 or poses.shape[1] != 3 or not len(poses) or not np.isfinite(poses).all():
+            raise ValueError(f"the answer should be finite poses of shape (n, 3); its shape is {poses.shape}")
+        return {"value": poses.round(5).tolist()}
+
+    model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}
+    model["dock"] = driven[-1, :2].round(3).tolist() if len(plan) else [1.6, 1.2]
+    model |= {"plan": [[list(map(float, v)), float(t)] for v, t in plan], "dt": float(dt), "exact": bool(exact)}
+    alt = (
+        "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
+    )
+    alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
+    caption = "Drive: click the picture, then use the arrow keys, or hold the buttons. Where do the two robots part?"
+    return Figure(model, alt, caption, ask)
