@@ -18,10 +18,17 @@ RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
 _INSIDE = {BLUE: "#cfe0ec", CRIMSON: "#f0b7bd"}  # the colour of a body inside its outline
+_SIDE, _UP = np.deg2rad([-35, 30])  # from where arms in space are seen
+_VIEW = np.array([
+    [-np.sin(_SIDE), -np.sin(_UP) * np.cos(_SIDE)],
+    [np.cos(_SIDE), -np.sin(_UP) * np.sin(_SIDE)],
+    [0, np.cos(_UP)],
+])  # fmt: skip
 _CAPTIONS = {  # of films
     "body-interpolated": "The body is slow at both ends, and rotates in proportion to the distance that it has moved.",
     "body-propagated": "While the body rotates its path bends; in the third part it moves sideways, without rotating.",
     "arm-interpolated": "Both joints move in proportion, and the tip draws a curve.",
+    "arm-linear": "Both joints move at constant velocity: they start and stop with a jerk.",
     "arm-propagated": "First joint, second joint, both: one second each.",
 }
 
@@ -232,7 +239,7 @@ def time_scalings(u, curves):
     return Picture(
         panels(u, contents, xlabel="time t / T"),
         f"Time scalings from 0 to 1. {' '.join(said)}",
-        "Look at the two ends: what jumps there with the linear one, with the cubic, with the quintic?",
+        f"Look at the two ends: what jumps there with the {' one, with the '.join(curves)} one?",
     )
 
 
@@ -274,18 +281,25 @@ def arm_paths(contents, every=10):
     Parameters
     ----------
     contents : dict
-        Title to points, shape (n, links + 1, 2), in metres.
+        Title to points, shape (n, links + 1, 2 or 3), in metres; in space they are seen from above and from a side.
     every : int, optional
         How many instants there are from one drawn arm to the next.
     """
-    said, titled = [], {}
+    said, titled, window = [], {}, None
     for title, points in contents.items():
         length = np.linalg.norm(np.diff(points[:, -1], axis=0), axis=1).sum()
-        titled[f"{title}: {length:.2f} m"] = points
-        ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
-        said.append(f"{title.capitalize()}: the tip goes {length:.2f} m, {ends}.")
-    caption = "Left, both joints move in proportion and the tip draws a curve; right, the tip draws a straight line."
-    return Picture(draw_arms(titled, every), " ".join(said), caption)
+        titled[f"{title}: {length:.2f} m"] = points @ _VIEW if points.shape[-1] == 3 else points
+        ends = " to ".join(f"({', '.join(f'{x:.3g}' for x in p)})" for p in points[[0, -1], -1])
+        said.append(f"{title.capitalize()}: the end goes {length:.2f} m, {ends}.")
+    if points.shape[-1] == 3:
+        every_point = np.concatenate([shown.reshape(-1, 2) for shown in titled.values()])
+        window = every_point.min(0) - 0.1, every_point.max(0) + 0.1
+    caption = "Left, the joints move in proportion and the end draws a curve; right, it draws a straight line."
+    fig = draw_arms(titled, every, window)
+    if window:
+        for ax in fig.axes:
+            ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
+    return Picture(fig, " ".join(said), caption)
 
 
 def joint_tracks(paths):

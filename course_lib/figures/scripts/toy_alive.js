@@ -202,7 +202,13 @@
         else frame = null;
       });
     };
-    const press = (key) => { held.add(key); if (frame === null) run(performance.now()); };
+    const press = (key) => {
+      if (held.has(key)) return;
+      held.add(key);
+      advance(0.05); // however short the press
+      draw();
+      if (frame === null) run(performance.now());
+    };
     const release = () => { held.clear(); asked(); draw(); };
     const { canvas } = plane;
     Object.assign(canvas.style, { cursor: "pointer" });
