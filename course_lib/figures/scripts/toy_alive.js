@@ -243,7 +243,7 @@
     const words = card.words();
     function paint() {
       const { answer } = state, truth = poses(0.05).exact, theirs = answer && answer.value;
-      const ghost = theirs || poses(now.dt)[exact ? "exact" : "euler"], [[x, y, theta], own] = [truth, ghost].map(last);
+      const ghost = theirs || poses(now.dt)[exact ? "exact" : "euler"], own = last(ghost);
       const sketch = (path, [u, v, angle], colour, dash) => {
         plane.line(path, colour, 2, { dash });
         plane.line(P.circle(RADIUS, [u, v]), colour, 1.5, { closed: true, fill: 0.25 });
@@ -252,11 +252,12 @@
       plane.begin();
       plane.line(P.circle(1.2 * RADIUS, dock), COLOURS.green, 4, { dash: [4, 6] });
       plane.text([dock[0], dock[1] - 0.4], "dock", COLOURS.green);
-      if (!now.hidden) sketch(truth, [x, y, theta], COLOURS.blue, []);
+      if (!now.hidden) sketch(truth, last(truth), COLOURS.blue, []);
       sketch(ghost, own, COLOURS.crimson, [7, 5]);
       if (ghost.length < 200) ghost.forEach((p) => plane.dot(p, COLOURS.crimson, 2.5));
       plane.end();
-      const off = 100 * M.norm([own[0] - x, own[1] - y]), rotated = Math.abs(M.wrap(own[2] - theta));
+      const then = theirs ? last(M.propagate([0, 0, 0], answer.plan, 1).exact) : last(truth); // when it was asked
+      const off = 100 * M.norm([own[0] - then[0], own[1] - then[1]]), rotated = Math.abs(M.wrap(own[2] - then[2]));
       const far = `Red, where it believes it is, is ${P.number(off, off < 10 ? 1 : 0)} cm and ${P.degrees(rotated)} off.`;
       const here = now.hidden ? "Drive the red robot to the dock, then show the blue one." : far;
       words.textContent = said(answer, here, here);

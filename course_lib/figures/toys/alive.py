@@ -176,7 +176,7 @@ def drive(plan=(), dt=0.5, *, exact=False):
         poses = np.asarray(f(np.zeros(3), log, question["dt"]), float)
         if poses.ndim != 2 or poses.shape[1] != 3 or not len(poses) or not np.isfinite(poses).all():
             raise ValueError(f"the answer should be finite poses of shape (n, 3); its shape is {poses.shape}")
-        return {"value": poses.round(5).tolist()}
+        return {"value": poses.round(5).tolist(), "plan": question["plan"]}
 
     model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}
     model["dock"] = driven[-1, :2].round(3).tolist() if len(plan) else [1.6, 1.2]

@@ -109,4 +109,4 @@ def elapsed_twice(start, plan, dt):
     return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
 
 
-add_step_mistakes(EXERCISE, propagate_arm, _step, ARM)
+add_step_mistakes(EXERCISE, propagate_arm, _step)

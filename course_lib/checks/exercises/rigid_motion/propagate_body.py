@@ -129,20 +129,6 @@ def move_by(direction, theta_after=lambda theta, omega, h: theta + omega * h):
 euler = move_by(lambda theta, omega, h: theta)
 
 
-def assigned(move, time_of="elapsed"):
-    """Return the answer of the printed rule: theta is omega times a time (in the pair, or all of it), and not added."""
-
-    def answer(start, plan, dt):
-        poses = [np.array(start, float)]
-        for velocity, duration in plan:
-            for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
-                pose = move(poses[-1], np.array(velocity, float), h)
-                poses.append(np.array([*pose[:2], velocity[2] * (elapsed if time_of == "elapsed" else duration)]))
-        return np.array(poses)
-
-    return answer
-
-
 def _theta_kept(start, plan, dt, from_start=False):
     """The angle at the beginning of each pair, or of the plan, for all its steps."""
     poses = [np.array(start, float)]
@@ -227,4 +213,4 @@ def sideways_ignored(start, plan, dt):
     return _moved((start, plan, dt), lambda v: v * [1, 0, 1])
 
 
-add_step_mistakes(EXERCISE, propagate_body, euler, BODY)
+add_step_mistakes(EXERCISE, propagate_body, euler)

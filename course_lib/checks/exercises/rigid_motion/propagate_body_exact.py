@@ -162,4 +162,4 @@ def not_times_h(start, plan, dt, theta):
     return follow(move)(start, plan, dt)
 
 
-add_step_mistakes(EXERCISE, propagate_body_exact, exact, BODY)
+add_step_mistakes(EXERCISE, propagate_body_exact, exact)

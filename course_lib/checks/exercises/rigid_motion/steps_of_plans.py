@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercises.rigid_motion.shared import FINE, follow, lengths, near, size_of
+from course_lib.checks.exercises.rigid_motion.shared import follow
 
 
 def _full(count):
@@ -10,15 +10,11 @@ def _full(count):
     return lambda duration, dt: np.full(int(count(duration / dt)), dt)
 
 
-def add_step_mistakes(exercise, right, move, angles):
+def add_step_mistakes(exercise, right, move):
     """Add them to an exercise.
 
-    right(start, plan, dt): the answer; move(row, velocity, h): a step of it; angles: for each column, if it is one.
+    right(start, plan, dt): the answer; move(row, velocity, h): a step of it.
     """
-
-    def empty_steps(rows, *case):
-        moved = np.append(True, size_of(np.diff(rows, axis=0), angles).max(axis=1) > FINE)
-        return not moved.all() and near(rows[moved], right(*case), angles)
 
     @exercise.mistake
     def start_missing(start, plan, dt):
@@ -44,16 +40,6 @@ def add_step_mistakes(exercise, right, move, angles):
         """only one step is taken for each pair. dt says how long a step is: how many does a pair of 0.25 s have?"""
         return follow(move, lambda duration, dt: [duration])(start, plan, dt)
 
-    @exercise.mistake(count=(lambda ratio: np.ceil(ratio - 1e-6), np.round))
-    def equal_steps(start, plan, dt, count):
-        """all steps of a pair are of equal length. All but the last are dt long: 0.25 s is 0.1, 0.1 and 0.05 s."""
-
-        def equal(duration, dt):
-            n = max(1, int(count(duration / dt)))
-            return np.full(n, duration / n)
-
-        return follow(move, equal)(start, plan, dt)
-
     @exercise.mistake
     def start_again(start, plan, dt):
         """each pair begins at start again. Where did the pair before end?"""
@@ -73,9 +59,3 @@ def add_step_mistakes(exercise, right, move, angles):
         """all rows are one and the same array. An array that changes in place changes in every row: append a copy."""
         rows = right(start, plan, dt)
         return rows[[-1] * len(rows)]
-
-    @exercise.mistake(seen=empty_steps)
-    def empty_step(start, plan, dt):
-        """a step of no length is taken. For a computer 2.1 / 0.3 is a little above 7, and 0.1 added up ten times a
-        little below 1: when is the rest nothing but rounding?"""
-        return follow(move, lambda duration, dt: np.append(lengths(duration, dt), 0.0))(start, plan, dt)
