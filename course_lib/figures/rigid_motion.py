@@ -28,7 +28,7 @@ _CAPTIONS = {  # of films
     "body-interpolated": "The body is slow at both ends, and rotates in proportion to the distance that it has moved.",
     "body-propagated": "While the body rotates its path bends; in the third part it moves sideways, without rotating.",
     "arm-interpolated": "Both joints move in proportion, and the tip draws a curve.",
-    "arm-linear": "Both joints move at constant velocity: they start and stop with a jerk.",
+    "arm-linear": "Both joints move at constant velocity: they start and stop abruptly.",
     "arm-propagated": "First joint, second joint, both: one second each.",
 }
 
@@ -297,8 +297,9 @@ def arm_paths(contents, every=10):
     caption = "Left, the joints move in proportion and the end draws a curve; right, it draws a straight line."
     fig = draw_arms(titled, every, window)
     if window:
+        fig.axes[0].set_ylabel("upwards in the view (m)")
         for ax in fig.axes:
-            ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
+            ax.set_xlabel("across the view (m)")
     return Picture(fig, " ".join(said), caption)
 
 
