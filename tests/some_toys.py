@@ -16,6 +16,7 @@ TOYS |= {
     "rows": lambda: figures.build_up_toy(panda(), q=np.mean(panda().limits, axis=1), rows=PANDA_ROWS),
     "plane": lambda: figures.alive(figures.reach(planar_arm([1, 1]), [1.2, 0.8])),
     "reach": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=Q6)),
+    "eight": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=[Q6, -Q6])),
     "fly": lambda: figures.alive(figures.fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
     "table": lambda: figures.alive(figures.table(), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]),
     "drive": lambda: figures.alive(figures.drive(_ROUND)),

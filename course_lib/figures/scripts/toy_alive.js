@@ -13,10 +13,10 @@
   // ---- a target, and an arm that reaches for it ----
 
   function reach(card, meta, ask, state) {
-    const { arm, limits, size, goal } = meta, n = arm.screws.length, solid = S.unpack(meta.solid);
+    const { arm, limits, size, goal, starts } = meta, n = arm.screws.length, solid = S.unpack(meta.solid);
     const draw = P.once(() => paint()), isPose = goal.length === 4, flat = goal.length === 2;
     const now = state.now || (state.now = {
-      q: meta.q, at: isPose ? M.positionOf(goal) : [...goal, 0].slice(0, 3), rotated: [0, 0, 0],
+      q: meta.q, all: starts, at: isPose ? M.positionOf(goal) : [...goal, 0].slice(0, 3), rotated: [0, 0, 0],
     });
     const view = P.space(card.views, {
       radius: 0.1 * size, centre: meta.centre, azimuth: -1, elevation: flat ? 1.1 : meta.elevation, label: meta.title,
@@ -26,9 +26,24 @@
       const turns = [[0, 0, 1], [0, 1, 0], [1, 0, 0]].map((axis, i) => M.rotation(axis, now.rotated[i] * rad));
       return isPose ? M.pose(M.times(turns.reduce(M.times), M.rotationOf(goal)), now.at) : now.at.slice(0, goal.length);
     };
+    // Several solutions of the library: each is followed on its own, and shown where it gets to the target.
+    const off = (q, T) => (isPose ? M.norm(M.poseError(M.frames(arm, q)[n], T)) : miss(q, T));
+    const solved = (q, T) => M.reach(arm, q, flat ? [...T, 0] : T, {
+      limits: limits.map(() => [-Infinity, Infinity]), steps: 60,
+    });
+    const differ = (q, p) => q.some((x, i) => Math.abs(M.wrap(x - p[i])) > 0.01);
+    const library = (T) => {
+      if (!starts) return [now.q];
+      const found = now.all.filter((q, i) => off(q, T) < 1e-3 && now.all.slice(0, i).every((p) => differ(q, p)));
+      return found.length ? found : [now.all[0]];
+    };
     const moved = () => {
       const T = target();
-      now.q = M.reach(arm, now.q, flat ? [...T, 0] : T, { limits, steps: 60 });
+      if (starts) now.all = starts.map((start, i) => {
+        const q = solved(now.all[i], T);
+        return off(q, T) < 1e-3 ? q : solved(start, T);
+      });
+      else now.q = M.reach(arm, now.q, flat ? [...T, 0] : T, { limits, steps: 60 });
       ask({ target: T });
       draw();
     };
@@ -46,8 +61,8 @@
       return M.norm(M.add(M.positionOf(end), isPose ? M.positionOf(T) : now.at, -1));
     };
     function paint() {
-      const { answer } = state, theirs = (answer && answer.value) || [], shown = theirs.length ? theirs : [now.q];
-      const T = target();
+      const { answer } = state, theirs = (answer && answer.value) || [], T = target();
+      const shown = theirs.length ? theirs : library(T), many = `${shown.length} solutions, the first one solid.`;
       view.begin();
       shown.forEach((q) => view.onStage(solid, M.bodies(arm, q), meta));
       view.contain([now.at]);
@@ -57,10 +72,11 @@
       view.end();
       numbers(...shown.slice(0, 8).map((q, i) => `q${shown.length > 1 ? ` (${i + 1})` : ""} = (${q.map((x) =>
         P.degrees(x)).join(", ")}), ${mm(miss(q, T))} from the target`));
-      const count = theirs.length > 1 ? `${theirs.length} solutions, the first one solid.` : "";
+      const count = theirs.length > 1 ? many : "";
       const none = answer && answer.value && !theirs.length;
       const own = none ? "It finds no solution here; the library comes this near." : count;
-      words.textContent = said(answer, own, "Drag the target: the arm follows.");
+      const lost = starts && off(shown[0], T) > 1e-3 ? "No solution here; the arm comes as near as it can." : many;
+      words.textContent = said(answer, own, starts ? lost : "Drag the target: the arm follows.");
     }
     moved();
     return { paint, draw, stop: () => view.stop() };

@@ -61,8 +61,9 @@ def reach(arm, target, *, q=None):
     target : array_like, shape (2,), (3,) or (4, 4)
         A position in the plane, a position, or a pose; f is called with such an array.
         It returns angles of shape (n,), several solutions (k, n), or None where it finds none.
-    q : array_like, shape (n,), optional
-        Joint angles at the start of the library's arm, in radians.
+    q : array_like, shape (n,) or (k, n), optional
+        Joint angles at the start of the library's arm, in radians; several rows are several solutions, all of which
+        the library follows while the target moves.
     """
     target = np.asarray(target, float)
     if target.shape not in ((2,), (3,), (4, 4)) or not np.isfinite(target).all():
@@ -77,10 +78,15 @@ def reach(arm, target, *, q=None):
 
     title = f"An arm with {arm.n} joints and a target"
     alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "
-
     alt += "angles that a function answers; if there are several solutions, the others are translucent."
-    model = arm_view(arm, starting(arm) if q is None else q, title)
-    return Figure(model | {"figure": "reach", "goal": target.tolist()}, alt, "Drag the target.", ask)
+    model = {"figure": "reach", "goal": target.tolist()}
+    if np.ndim(q) == 2:
+        q, *others = np.round(real_array(q, "q", (arm.n,)), 6)
+        model["starts"] = [angles.tolist() for angles in (q, *others)]
+        view = arm_view(arm, q, title, others)
+    else:
+        view = arm_view(arm, starting(arm) if q is None else q, title)
+    return Figure(view | model, alt, "Drag the target.", ask)
 
 
 def fly(start, goal, *, quaternions=False):

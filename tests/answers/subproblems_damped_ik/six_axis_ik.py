@@ -3,7 +3,13 @@
 import numpy as np
 
 from course_lib import subproblems
-from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import HOME, SWAP, WRIST, arm_solutions
+from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
+    HOME,
+    SWAP,
+    WRIST,
+    arm_solutions,
+    wrist_angles,
+)
 from course_lib.rigid import inverse
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -12,7 +18,7 @@ def right_by_the_motion_from_home(T):
     motion, found = T @ inverse(HOME), []
     for a, b, c in arm_solutions((motion @ [*WRIST, 1])[:3]):
         W = (rot_z(a) @ rot_y(b + c)).T @ motion[:3, :3]
-        found += [(a, b, c, *wrist) for wrist in subproblems.euler_yxy(SWAP @ W @ SWAP.T).theta]
+        found += [(a, b, c, *wrist) for wrist in wrist_angles(W)]
     return np.reshape(found, (-1, 6))
 
 

@@ -37,6 +37,11 @@ def arm_solutions(center):
     return found
 
 
+def wrist_angles(W):
+    """Return both (q4, q5, q6) with W = Rx(q4) Ry(q5) Rx(q6)."""
+    return euler_yxy(SWAP @ W @ SWAP.T).theta
+
+
 @remembered
 def all_solutions(T):
     """Return all joint angles that bring the flange to T: eight, or none."""
@@ -44,7 +49,7 @@ def all_solutions(T):
     found = []
     for q in arm_solutions(moved[:3, :3] @ WRIST + moved[:3, 3]):
         rest = (rot_z(q[0]) @ rot_y(q[1] + q[2])).T @ moved[:3, :3]
-        found += [(*q, *b) for b in euler_yxy(SWAP @ rest @ SWAP.T).theta]
+        found += [(*q, *b) for b in wrist_angles(rest)]
     return found
 
 

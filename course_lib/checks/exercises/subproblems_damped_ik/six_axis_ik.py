@@ -8,16 +8,15 @@ from course_lib.checks.exercises.subproblems_damped_ik.shared import same_list, 
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     ARM,
     HOME,
-    SWAP,
     WRIST,
     add_nothing_found,
     all_solutions,
     arm_solutions,
     every_solution,
+    wrist_angles,
 )
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_y, rot_z
-from course_lib.subproblems import euler_yxy
 
 
 def _cases(rng):
@@ -52,7 +51,7 @@ EXERCISE = Exercise(
         "Where is the wrist center? The motion T HOME^-1 has taken it from WRIST to where it is.",
         "For each triple of arm_angles: which rotation do joints 4, 5 and 6 have to add? T HOME^-1 has the rotation "
         "R(z, q1) R(y, q2 + q3) W.",
-        "euler_yxy(SWAP @ W @ SWAP.T) gives both (q4, q5, q6): four triples, two each, make eight.",
+        "wrist_angles(W) gives both (q4, q5, q6): four triples, two each, make eight.",
     ),
 )
 
@@ -71,11 +70,11 @@ def _undone(q, R):
     return _first(q).T @ R
 
 
-def _with(T, center, rest=_undone, exchange=SWAP):
+def _with(T, center, rest=_undone):
     """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the wrist."""
     R, found = (T @ inverse(HOME))[:3, :3], []
     for q in arm_solutions(center):
-        found += [(*q, *b) for b in euler_yxy(exchange @ rest(q, R) @ exchange.T).theta]
+        found += [(*q, *b) for b in wrist_angles(rest(q, R))]
     return found if all_solutions(T) else None
 
 
@@ -104,13 +103,6 @@ def first_joints_not_undone(T, rest):
     """the rotation of the first three joints is not undone, not all of it, or in the wrong order. Which of
     R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other side?"""
     return _with(T, _center(T), rest)
-
-
-@EXERCISE.mistake
-def not_exchanged(T):
-    """x and y are not exchanged. About which axes does this wrist rotate, and about which are the angles of
-    euler_yxy?"""
-    return _with(T, _center(T), exchange=np.eye(3))
 
 
 @EXERCISE.mistake
