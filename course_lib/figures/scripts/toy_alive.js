@@ -16,7 +16,7 @@
     const { arm, limits, size, goal, starts } = meta, n = arm.screws.length, solid = S.unpack(meta.solid);
     const draw = P.once(() => paint()), isPose = goal.length === 4, flat = goal.length === 2;
     const now = state.now || (state.now = {
-      q: meta.q, all: starts, at: isPose ? M.positionOf(goal) : [...goal, 0].slice(0, 3), rotated: [0, 0, 0],
+      q: meta.q, all: starts, turn: 1, at: isPose ? M.positionOf(goal) : [...goal, 0].slice(0, 3), rotated: [0, 0, 0],
     });
     const view = P.space(card.views, {
       radius: 0.1 * size, centre: meta.centre, azimuth: -1, elevation: flat ? 1.1 : meta.elevation, label: meta.title,
@@ -55,6 +55,11 @@
       const options = { min: -180, max: 180, step: 1, value: now.rotated[i] };
       card.range(`Rotate about ${axis}`, options, (x) => `${x}°`, (x) => { now.rotated[i] = x; moved(); });
     });
+    if (starts) {
+      const turn = card.range("Solution", { min: 1, max: starts.length, step: 0.01, value: now.turn }, (x) =>
+        [...new Set([Math.floor(x), Math.ceil(x)])].join(" to "), (x) => { now.turn = x; draw(); });
+      card.player("From one to the next", turn, 0.0025);
+    }
     const numbers = card.numbers(), words = card.words();
     const miss = (q, T) => {
       const end = M.frames(arm, q)[n];
@@ -62,13 +67,16 @@
     };
     function paint() {
       const { answer } = state, theirs = (answer && answer.value) || [], T = target();
-      const shown = theirs.length ? theirs : library(T), many = `${shown.length} solutions, the first one solid.`;
+      const shown = theirs.length ? theirs : library(T), many = `${shown.length} solutions, one of them solid.`;
+      const turn = Math.min(now.turn, shown.length) - 1, i = Math.floor(turn), s = (turn - i) ** 2 * (3 - 2 * (turn - i));
+      const first = s ? shown[i].map((x, k) => x + s * M.wrap(shown[i + 1][k] - x)) : shown[i];
+      const drawn = [first, ...shown.filter((_, k) => s || k !== i)];
       view.begin();
-      shown.forEach((q) => view.onStage(solid, M.bodies(arm, q), meta));
+      drawn.forEach((q) => view.onStage(solid, M.bodies(arm, q), meta));
       view.contain([now.at]);
-      shown.forEach((q, i) => view.mesh(solid, M.bodies(arm, q), solid.palette, { opacity: i ? 0.3 : 1, shadow: !i }));
+      drawn.forEach((q, k) => view.mesh(solid, M.bodies(arm, q), solid.palette, { opacity: k ? 0.3 : 1, shadow: !k }));
       if (isPose) view.frame(T, 0.14 * size, { thick: 0.005 * size });
-      view.frame(M.frames(arm, shown[0])[n], 0.09 * size, { thick: 0.006 * size });
+      view.frame(M.frames(arm, first)[n], 0.09 * size, { thick: 0.006 * size });
       view.end();
       numbers(...shown.slice(0, 8).map((q, i) => `q${shown.length > 1 ? ` (${i + 1})` : ""} = (${q.map((x) =>
         P.degrees(x)).join(", ")}), ${mm(miss(q, T))} from the target`));
