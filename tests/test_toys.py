@@ -100,6 +100,7 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("jog", {"arm": iiwa14(), "fk": np.eye(4)}, "fk"),
         ("jog", {"arm": iiwa14(), "base": 2 * np.eye(4)}, "base"),
         ("reach", {"arm": iiwa14(), "target": [1]}, "target"),
+        ("reach", {"arm": iiwa14(), "target": np.eye(4), "q": np.zeros((2, 3))}, "q"),
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"lengths": [1, 1, 1]}, "lengths"),
         ("drive", {"dt": 0}, "dt"),
