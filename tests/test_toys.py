@@ -210,6 +210,7 @@ def test_one_solution_and_several_and_none_reach_the_figure():
     both = np.array([[0.1, 0.2], [np.nan, np.nan], [0.3, -0.2]])
     assert asked(figure, lambda p: both, target=[1, 1])["value"] == [[0.1, 0.2], [0.3, -0.2]]
     assert asked(figure, lambda p: None, target=[1, 1])["value"] == []
+    assert asked(figure, lambda p: [], target=[1, 1])["value"] == []
     wrong = asked(figure, lambda p: [1, 2, 3], target=[1, 1])
     assert wrong["value"] is None
     assert "should have shape (2,) or (k, 2); it is (3,)" in wrong["problem"]
