@@ -71,9 +71,8 @@ def reach(arm, target, *, q=None):
 
     def ask(f, question):
         found = f(np.array(question["target"], float))
-        angles = np.atleast_2d(np.asarray([] if found is None else found, float))
-        if not angles.size:
-            return {"value": []}
+        none = found is None or np.size(found) == 0
+        angles = np.empty((0, arm.n)) if none else np.atleast_2d(np.asarray(found, float))
         if angles.ndim != 2 or angles.shape[1] != arm.n:
             raise ValueError(f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is {np.shape(found)}")
         return {"value": angles[np.isfinite(angles).all(-1)].tolist()}
