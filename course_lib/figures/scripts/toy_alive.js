@@ -67,7 +67,8 @@
     };
     function paint() {
       const { answer } = state, theirs = (answer && answer.value) || [], T = target();
-      const shown = theirs.length ? theirs : library(T), many = `${shown.length} solutions, one of them solid.`;
+      const shown = theirs.length ? theirs : library(T);
+      const many = shown.length === 1 ? "One solution." : `${shown.length} solutions, one of them solid.`;
       const turn = Math.min(now.turn, shown.length) - 1, i = Math.floor(turn), s = (turn - i) ** 2 * (3 - 2 * (turn - i));
       const first = s ? shown[i].map((x, k) => x + s * M.wrap(shown[i + 1][k] - x)) : shown[i];
       const drawn = [first, ...shown.filter((_, k) => s || k !== i)];
