@@ -41,8 +41,12 @@ def _read(text, name):
     return notebook
 
 
+# What mentions *More*: words in brackets, the rest of a sentence behind a comma or semicolon, or a sentence.
+_ON_MORE = re.compile(r"\s*\([^()]*\*More\*[^()]*\)|[;,][^.;,()]*\*More\*[^.]*(?=\.)|(?<=[.?!])\s+[^.;]*\*More\*[^.]*\.")
+
+
 def _leave_out_more(notebook):
-    """Remove the cells of More, and of the rest the links to them and the clause on More at the beginning."""
+    """Remove the cells of More, and of the rest the links to them and the clauses that mention *More*."""
     folded = cells_of_more(notebook)
     cells = list(zip(notebook.cells, folded, strict=True))
     titles = (cell.source.splitlines()[0].lstrip("# ") for cell, out in cells if out and heading_level(cell))
@@ -51,10 +55,7 @@ def _leave_out_more(notebook):
     for cell in notebook.cells:
         if links and cell.cell_type == "markdown":
             cell.source = re.sub(rf"\[([^]]*)\]\((?:\w+\.ipynb)?#(?:{links})\)", r"\1", cell.source)
-    if links:
-        first, last = notebook.cells[0], r"(?:[^.\n]|\.(?=\d)|\n(?!\n))*"  # up to the end of a sentence, not of 2.5
-        first.source = re.sub(rf"\s*[;,:(][^.;,:(\n]*\n?[^.;,:(\n]*\bMore\b{last}", "", first.source)
-        first.source = re.sub(rf"(?<=\.)\s[^.\n]*\n?[^.\n]*\bMore\b{last}\.", "", first.source)
+            cell.source = _ON_MORE.sub("", cell.source)
 
 
 def _empty(cell, place):
