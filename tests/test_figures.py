@@ -132,11 +132,11 @@ PICTURES = [
     (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "same 3 positions"),
     (nb6.clusters, ({"one": (ELBOWS, np.array([0, 1]))},), "one: q2 from 90 to 90 and -90 to -90 degrees in the"),
     (nb6.percentiles, ({"all": np.array([[1.0, 3.0], [2.0, np.nan]])},), "all: half below 2, all below 3."),
-    (nb6.errors_in_the_report, (XY[:2], np.array([0.5, 2])), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
-    (nb6.errors_of_both, (XY, ERRORS), "2 queries in the plane, by size and colour. the better answer: half below"),
+    (nb6.errors, ({"a": (XY[:2], np.array([0.5, 2]))}, "Words."), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
+    (nb6.over_width, (T[1:], {"a": T[1:]}), "a: least 1 cm, at 1.0 cm."),
     (nb6.convergence, (T[1:], {"affine": T[1:] ** 2}, {"affine": 2.0}), "affine falls with slope 2.0 to 4e+02."),
     (nb6.by_bend, (np.array([0, 2, 10, 90]), np.array([0.1, 0.3, 0.02])), "largest, 0.30 cm, between 2 and 10"),
-    (nb6.costs, ({"a table": COST},), "a table: 240,000 bytes, 2e-03 m, 0.16 µs a query."),
+    (nb6.costs, ({"a table": COST},), "a table: 240,000 bytes, 2.0e-03 m, 0.16 µs a query."),
 ]  # fmt: skip  # one picture a line, but for long words
 
 

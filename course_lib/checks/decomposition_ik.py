@@ -4,7 +4,6 @@ from course_lib.checks.notebook import namespace
 from course_lib.checks.prediction import Prediction
 
 EXERCISES = (
-    "dh_symbolic",
     "fk_2r",
     "ik_2r",
     "test_ik_2r",
@@ -12,15 +11,12 @@ EXERCISES = (
     "split_branches",
     "fit_cells",
     "predict",
-    "number_distance",
     "approximation_error",
-    "convergence_slope",
     "branch_by_sign",
-    "fit_square",
-    "predict_square",
-    "quadratic_terms",
-    "newton_step",
+    "fit_sag",
 )
+
+MORE = ("dh_symbolic", "fit_square", "predict_square", "newton_step")
 
 PREDICTIONS = (
     Prediction(
@@ -30,6 +26,16 @@ PREDICTIONS = (
             "a": "K-means never leaves a cluster empty: it was asked for two, and it returns two.",
             "b": "Two clusters were asked for, and it finds two. It does not report how many clouds there are.",
             "c": "K-means raises an error only if there are fewer samples than clusters.",
+        },
+    ),
+    Prediction(
+        "finer_cells",
+        "b",
+        {
+            "a": "The curvature that a model leaves out falls like that. Which error was not there on the rigid arm?",
+            "b": "A cell has fewer samples, so that less of their noise is averaged. What the noise adds grows as "
+            "the cells shrink, and here it is the larger part.",
+            "c": "The noise of a sample stays at 1 mm. What a model makes of it depends on how many samples it has.",
         },
     ),
     Prediction(
@@ -66,4 +72,4 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))

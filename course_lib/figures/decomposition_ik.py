@@ -4,11 +4,12 @@ Each function returns a Picture, for `show`. Positions are in metres, errors in 
 """
 
 import numpy as np
-from matplotlib.colors import LogNorm
+import plotly.graph_objects as go
+from plotly.subplots import make_subplots
 
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, in_metres, lines
-from course_lib.figures.style import BLACK, BLUE, COLOURS, GREY, RED, plane_figure
+from course_lib.figures.plots import in_metres, lines
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, PLOTLY_LAYOUT, RED, plane_figure
 
 _EDGE = "#555555"
 
@@ -102,41 +103,49 @@ def percentiles(contents):
     )
 
 
-def errors_in_the_report(xy, error):
-    """Return the error, shape (m,), of the report's better answer at each of its queries, shape (m, 2)."""
-    caption = "The largest errors lie at the inner edge and at both ends of the band."
-    return _errors(xy, {"the better, in the report": error}, caption)
+def errors(contents, caption):
+    """Return errors at positions in the plane, by size and colour; the values are under the pointer.
 
-
-def errors_of_both(xy, error):
-    """Return the errors of the better and of the worse answer at the queries that have both.
-
-    xy: (m, 2), the queries. error: (m, 2), of both answers; NaN where there is none.
+    contents: {title: (xy (m, 2), error (m,) in cm, NaN where there is no answer)}, a panel for each.
     """
-    known = ~np.isnan(error).any(axis=1)
-    contents = {"the better answer": error[known].min(axis=1), "the worse": error[known].max(axis=1)}
-    return _errors(xy[known], contents, "The worse answer fails in two stretches, where one elbow's range ends.")
-
-
-def _errors(xy, contents, caption):
-    """The error at each query in the plane, by size and colour; a panel for each of {title: errors (m,)}."""
-    fig, axes = in_columns(contents, 5.2, 4.0, xlabel="x (m)", ylabel="y (m)")
-    said = []
-    for ax, (title, error) in zip(axes, contents.items(), strict=True):
-        look = {"norm": LogNorm(1e-3, 1e1), "cmap": "viridis_r", "linewidths": 0}
-        size = 6 + 60 * np.sqrt(np.clip(error, 0, 10) / 10)
-        dots = ax.scatter(*xy.T, s=size, c=np.clip(error, 1e-3, 10), **look)
-        ax.set_aspect("equal")
+    fig = make_subplots(1, len(contents), subplot_titles=[*contents], horizontal_spacing=0.09)
+    said, ticks = [], [1e-3, 1e-2, 1e-1, 1, 10]
+    bar = {"title": "cm", "tickvals": np.log10(ticks), "ticktext": [f"{tick:g}" for tick in ticks]}
+    for i, (title, (xy, error)) in enumerate(contents.items(), 1):
+        xy, error = xy[~np.isnan(error)], error[~np.isnan(error)]
+        shown = np.clip(error, 1e-3, 10)
+        look = {"cmin": -3, "cmax": 1, "colorscale": "Viridis", "reversescale": True, "colorbar": bar}
+        look |= {"size": 3 + 12 * np.sqrt(shown / 10), "color": np.log10(shown), "showscale": i == 1}
+        told = "x %{x:.2f} m, y %{y:.2f} m<br>error %{customdata:.3g} cm<extra></extra>"
+        x, y = np.round(xy.T, 3)
+        dots = go.Scatter(x=x, y=y, mode="markers", marker=look, customdata=error, hovertemplate=told)
+        fig.add_trace(dots, 1, i)
+        (left, low), (right, high) = xy.min(0).round(1) - 0.2, xy.max(0).round(1) + 0.2
+        fig.update_xaxes(title="x (m)", range=[left, right], constrain="domain", row=1, col=i)
+        anchor = f"x{i if i > 1 else ''}"
+        fig.update_yaxes(title="y (m)", range=[low, high], scaleanchor=anchor, constrain="domain", row=1, col=i)
         k = int(np.argmax(error))
         worst = f"{error[k]:.1f} at ({xy[k, 0]:.1f}, {xy[k, 1]:.1f}) m"
         said.append(f"{title}: half below {np.median(error):.2g}, the largest {worst}")
-    ticks = {"ticks": [1e-3, 1e-2, 1e-1, 1, 10], "format": "%g"}
-    bar = fig.colorbar(dots, ax=axes, extend="both", shrink=0.75, aspect=14, **ticks)
-    bar.minorticks_off()
-    bar.ax.tick_params(labelsize=13)
-    bar.set_label("error (cm)", size=13)
-    alt = f"Errors in cm of {len(xy)} queries in the plane, by size and colour. {'; '.join(said)}."
+    fig.update_layout(**PLOTLY_LAYOUT | {"margin": {"l": 60, "r": 10, "t": 40, "b": 55}}, height=340, showlegend=False)
+    fig.update_xaxes(gridcolor="#dddddd", zeroline=False)
+    fig.update_yaxes(gridcolor="#dddddd", zeroline=False)
+    alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(said)}."
     return Picture(fig, alt, caption)
+
+
+def over_width(width, curves):
+    """Return mean errors over the width of the cells, both logarithmic.
+
+    width: (n,), in cm. curves: {name: mean errors (n,), in cm}.
+    """
+    least = {name: (error.min(), width[int(np.argmin(error))]) for name, error in curves.items()}
+    said = "; ".join(f"{name}: least {e:.1g} cm, at {w:.1f} cm" for name, (e, w) in least.items())
+    return Picture(
+        lines(width, curves, xlabel="width of the cells (cm)", ylabel="mean error (cm)", log="xy"),
+        f"Mean error over the width of the cells, both logarithmic. {said}.",
+        "Without noise smaller cells are better; with noise each model has a best width.",
+    )
 
 
 def convergence(sizes, curves, slopes):
@@ -176,21 +185,22 @@ def costs(measured):
     """
     fig, (ax,) = plane_figure(7.2, 4.6)
     named, said = {}, []
-    for (name, cost), marker, colour in zip(measured.items(), "osD^vP*X", (*COLOURS, GREY), strict=False):
+    for (name, cost), marker, colour in zip(measured.items(), "osD^vP*Xp", (*COLOURS, GREY, CRIMSON), strict=False):
         at = cost["bytes"], cost["mean_error"]
         ax.plot(*at, marker, color=colour, markersize=9)
         near = [each for each in named if np.allclose(each, at, rtol=0.3, atol=0)]  # too near for a name of its own
         named.setdefault(near[0] if near else at, []).append(name)
-        said.append(f"{name}: {at[0]:,} bytes, {at[1]:.0e} m, {1e6 * cost['seconds']:.2g} µs a query")
+        said.append(f"{name}: {at[0]:,} bytes, {at[1]:.1e} m, {1e6 * cost['seconds']:.2g} µs a query")
     for at, names in named.items():
         left = at[0] > 1e4
-        look = {"xytext": (-10 if left else 10, 0), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
+        beside = [e for m, e in named if (m, e) != at and 0.1 < m / at[0] < 10 and 0.5 < e / at[1] < 2]
+        up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours part
+        look = {"xytext": (-10 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
         ax.annotate(" and ".join(names), at, textcoords="offset points", **look)
     ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (m)")
     ax.margins(0.15, 0.12)
     return Picture(
         fig,
         f"Mean error of both branches over memory, both logarithmic. {'; '.join(said)}.",
-        "After the square of q2, each cure divides the error by 80 or more. "
-        "Memory changes by less than a factor of three.",
+        "Two fitted numbers gain more than a factor of ten, and a table of the samples ten more.",
     )

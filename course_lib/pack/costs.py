@@ -1,7 +1,7 @@
-"""Measure what notebook 6 draws: memory, error and time of tables of local models, and of the closed form.
+"""Measure what notebook 6 compares on the arm that sags: memory, error and time of formulas and of tables.
 
-The times are processor time of this machine. Everything is for 50,000 samples, 50 x 50 cells and queries uniform in
-the joint ranges.
+The times are processor time of this machine. Everything is for 50,000 noisy samples, 50 x 50 cells unless the name says
+otherwise, and queries uniform in the joint ranges.
 """
 
 import json
@@ -13,7 +13,7 @@ from sklearn.neural_network import MLPRegressor
 
 from course_lib import cells
 from course_lib.checks import decomposition_ik as check
-from course_lib.grid_ik import GridIK, planar_forward
+from course_lib.grid_ik import GridIK
 
 FILE = Path("notebooks/data/decomposition_costs.json")
 LOWEST, HIGHEST = np.deg2rad([0, -90]), np.deg2rad([170, 90])
@@ -23,13 +23,17 @@ CELLS, QUERIES = 50, 5_000
 def methods(rng):
     """Return {name: function that fits, returning its bytes and a function of queries}, and queries (m, 2)."""
     q = rng.uniform(LOWEST, HIGHEST, (50_000, 2))
-    xy = check.fk_2r.library(q)
-    queries = check.fk_2r.library(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2)))
+    xy = cells.measured(q, rng)
+    queries = check.fk_2r.library(cells.sagged(rng.uniform(LOWEST, HIGHEST, (QUERIES, 2))))
     box = xy.min(0), xy.max(0)
     queries = queries[((queries >= box[0]) & (queries <= box[1])).all(-1)]
 
-    def cell_number(xy):
-        return cells.numbered(check.cell_index.library(xy, *box, CELLS), CELLS)
+    def cell_number(xy, n=CELLS):
+        return cells.numbered(check.cell_index.library(xy, *box, n), n)
+
+    def fitted_sag():
+        shoulder = check.fit_sag.library(q, xy)
+        return 4 * 8, lambda xy: cells.sent(check.ik_2r.library(xy), shoulder, 0)
 
     def affine(**options):
         models = check.fit_cells.library(xy, q, cell_number(xy), CELLS**2, **options)
@@ -40,10 +44,6 @@ def methods(rng):
         table = cells.BranchTable(terms, fit, predict, check.branch_by_sign.library).fit(xy, q, cell_number(xy))
         return 8 * table.size, lambda xy: table.predict(xy, cell_number(xy))
 
-    def stepped():
-        size, answer = square(check.quadratic_terms.library)
-        return size, lambda xy: cells.after_step(check.newton_step.library, answer(xy), xy)
-
     def network():
         net = MLPRegressor(hidden_layer_sizes=(50, 50), random_state=0, tol=1e-3, n_iter_no_change=5).fit(
             xy[:5000], q[:5000]
@@ -51,31 +51,37 @@ def methods(rng):
         size = 8 * sum(w.size for w in net.coefs_ + net.intercepts_)
         return size, lambda xy: np.stack([net.predict(xy)] * 2, axis=1)
 
-    def grid():
-        fitted = GridIK((CELLS, CELLS), planar_forward).fit(xy, q)
+    def grid(n):
+        fitted = GridIK((n, n)).fit(xy, q)
         return fitted.nbytes, fitted.predict
 
+    def newton():
+        joint = cells.JointCells(LOWEST, HIGHEST, 12).fit(xy, q)
+        fitted = GridIK((15, 15), joint.forward, tol=3e-4).fit(xy, q)
+        return fitted.nbytes + joint.models.nbytes, fitted.predict
+
     return {
+        "rigid formula": lambda: (2 * 8, check.ik_2r.library),  # two lengths
+        "formula, sag fitted": fitted_sag,
         "small neural network": network,
         "k-means, affine": affine,
         "sign of q2": lambda: affine(split=check.branch_by_sign.library),
-        "square of q2": lambda: square(lambda xy: check.quadratic_terms.library(xy)[:, :3]),
-        "quadratic terms": lambda: square(check.quadratic_terms.library),
-        "one Newton step": stepped,
-        "GridIK": grid,
-        "closed form": lambda: (2 * 8, check.ik_2r.library),  # two lengths
+        "square of q2": lambda: square(cells.linear_terms),
+        "quadratic terms": lambda: square(cells.quadratic_terms),
+        "GridIK, 15 x 15 cells": lambda: grid(15),
+        "GridIK and Newton": newton,
     }, queries
 
 
 def measured(rng):
     """Return {name: {"bytes", "mean_error" in metres, "seconds" a query, "fit_seconds"}}."""
     fits, queries = methods(rng)
-    exists = ~cells.missing(cells.in_ranges(check.ik_2r.library(queries), LOWEST, HIGHEST))
+    exists = ~cells.missing(cells.in_ranges(cells.sent(check.ik_2r.library(queries)), LOWEST, HIGHEST))
     found = {}
     for name, fit in fits.items():
         fitting, (size, answer) = _timed(fit)
         asking, angles = min((_timed(answer, queries) for _ in range(3)), key=lambda timed: timed[0])
-        error = np.nanmean(check.approximation_error.library(queries, angles)[exists])
+        error = np.nanmean(check.approximation_error.library(queries, cells.sagged(angles))[exists])
         figures = {"mean_error": error, "seconds": asking / len(queries), "fit_seconds": fitting}
         found[name] = {"bytes": size} | {key: float(f"{value:.2g}") for key, value in figures.items()}
     return found

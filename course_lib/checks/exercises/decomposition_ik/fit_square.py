@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from course_lib.cells import quadratic_terms
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.decomposition_ik.quadratic_terms import quadratic_terms
 from course_lib.checks.exercises.decomposition_ik.shared import solutions, with_one
 
 _ONE_COLUMN_LESS = Mistake("the factor of q2 has no column", "How many numbers has each row, and what is the last one?")

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from course_lib.cells import quadratic_terms
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.decomposition_ik.fit_square import fit_square
-from course_lib.checks.exercises.decomposition_ik.quadratic_terms import quadratic_terms
 from course_lib.checks.exercises.decomposition_ik.shared import solutions, with_one
 from course_lib.checks.vocabulary import near
 

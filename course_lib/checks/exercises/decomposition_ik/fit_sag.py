@@ -1,0 +1,123 @@
+"""fit_sag: by how much the shoulder of the sagging arm yields, from angles sent and positions measured."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercises.decomposition_ik.shared import position
+
+
+def _wrapped(angle):
+    return np.angle(np.exp(1j * angle))
+
+
+def _gap(q, xy):
+    return q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
+
+
+def _cosines(q):
+    return np.column_stack([np.cos(q[:, 0]), np.cos(q[:, 0] + q[:, 1])])
+
+
+def fit_sag(q, xy, gap=_gap, wrap=_wrapped, columns=_cosines):
+    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in the angle by which the shoulder yields."""
+    q, xy = np.asarray(q, float), np.asarray(xy, float)
+    return np.linalg.lstsq(columns(q), wrap(gap(q, xy)), rcond=None)[0]
+
+
+def _samples(rng, m, sag, noise, low=0.2, high=1.6):
+    """Angles sent (m, 2), and positions of an arm whose shoulder yields by sag; q1 from low to high."""
+    q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
+    taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
+    return q, position(taken) + noise * rng.normal(size=(m, 2))
+
+
+def _cases(rng):
+    drawn = rng.uniform(0.03, 0.12, (3, 2))
+    return [
+        _samples(rng, 3, [0.1, 0.05], 0),
+        _samples(rng, 20, [0.08, 0.0], 0),
+        _samples(rng, 20, drawn[0], 0, 0, 2.9),  # some tips are beyond 180 degrees
+        _samples(rng, 40, drawn[1], 0.001),
+        _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
+    ]
+
+
+def _beyond(q, xy):
+    return np.abs(_gap(q, xy)).max() > np.pi
+
+
+def _close(answer, q, xy):
+    return np.abs(answer - fit_sag(q, xy)).max() < 1e-7
+
+
+EXERCISE = Exercise(
+    name="fit_sag",
+    points=2,
+    arguments=("q", "xy"),
+    cases=_cases,
+    returns=numbers(lambda q, xy: (2,)),
+    library=fit_sag,
+    properties=(
+        Property(
+            "the two coefficients fit the yielding with the least squares, where all tips are above the base",
+            _close,
+            where=lambda q, xy: not _beyond(q, xy),
+        ),
+        Property("they also do if the direction to a tip is beyond 180 degrees", _close, where=_beyond),
+    ),
+    hints=(
+        "Which direction has the tip if nothing yields? np.arctan2 gives the direction that was measured.",
+        "A direction just beyond 180 degrees is given as -180. What does that do to the difference, and how did "
+        "notebook 2 wrap an angle?",
+        "The unknowns are factors of two known columns: np.linalg.lstsq(A, b)[0] with A of shape (m, 2).",
+        "A = np.column_stack([np.cos(q1), np.cos(q1 + q2)]), and b = wrapped(q1 + q2 / 2 - direction).",
+    ),
+)
+
+
+@EXERCISE.mistake
+def not_wrapped(q, xy):
+    """an angle is off by a full revolution. What does arctan2 return for a tip just beyond 180 degrees?"""
+    return fit_sag(q, xy, wrap=lambda gap: gap)
+
+
+@EXERCISE.mistake
+def sign(q, xy):
+    """the sign is changed. Is the yielding what was sent minus what is measured, or the reverse?"""
+    return -fit_sag(q, xy)
+
+
+@EXERCISE.mistake(
+    gap=(
+        lambda q, xy: q[:, 0] - np.arctan2(xy[:, 1], xy[:, 0]),
+        lambda q, xy: q[:, 0] + q[:, 1] - np.arctan2(xy[:, 1], xy[:, 0]),
+    )
+)
+def another_direction(q, xy, gap):
+    """the rigid arm's tip is expected in another direction. Which angle halves that between the two links?"""
+    return fit_sag(q, xy, gap)
+
+
+@EXERCISE.mistake(
+    columns=(
+        lambda q: np.cos(q),
+        lambda q: _cosines(q)[:, ::-1],
+        lambda q: np.column_stack([np.sin(q[:, 0]), np.sin(q.sum(axis=1))]),
+    )
+)
+def another_column(q, xy, columns):
+    """a column is not the one asked for. To which cosine does each coefficient belong, the first and the second?"""
+    return fit_sag(q, xy, columns=columns)
+
+
+@EXERCISE.mistake
+def with_a_constant(q, xy):
+    """there is a constant beside the two. How far does the shoulder yield if both links stand upright?"""
+    return fit_sag(q, xy, columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))[:2]
+
+
+@EXERCISE.mistake
+def degrees(q, xy):
+    """the coefficients are in degrees. In which unit are the angles sent?"""
+    return np.rad2deg(fit_sag(q, xy))

@@ -1,0 +1,35 @@
+"""What students write for fit_sag(q, xy)."""
+
+import numpy as np
+from sklearn.linear_model import LinearRegression
+
+
+def right_lstsq(q, xy):
+    q1, both = q[:, 0], q.sum(axis=1)
+    gap = (q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0]) + np.pi) % (2 * np.pi) - np.pi
+    return np.linalg.lstsq(np.column_stack([np.cos(q1), np.cos(both)]), gap)[0]
+
+
+def right_by_rotating_back(q, xy):
+    middle = q[:, 0] + q[:, 1] / 2
+    c, s = np.cos(middle), np.sin(middle)
+    gap = -np.arctan2(c * xy[:, 1] - s * xy[:, 0], c * xy[:, 0] + s * xy[:, 1])
+    line = LinearRegression(fit_intercept=False).fit(np.cos(np.c_[q[:, 0], q[:, 0] + q[:, 1]]), gap)
+    return line.coef_
+
+
+def right_normal_equations_as_a_list(q, xy):
+    A = np.cos(q @ np.array([[1, 1], [0, 1]]))
+    gap = np.angle(np.exp(1j * (q @ [1, 0.5])) / (xy[:, 0] + 1j * xy[:, 1]))
+    return np.linalg.solve(A.T @ A, A.T @ gap).tolist()
+
+
+def wrong_three_coefficients(q, xy):
+    """another form"""
+    return np.append(right_lstsq(q, xy), 0)
+
+
+def wrong_the_mean(q, xy):
+    """unnamed"""
+    gap = q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
+    return np.array([gap.mean(), gap.mean()])
