@@ -42,7 +42,11 @@ def _read(text, name):
 
 
 # What mentions *More*: words in brackets, the rest of a sentence behind a comma or semicolon, or a sentence.
-_ON_MORE = re.compile(r"\s*\([^()]*\*More\*[^()]*\)|[;,][^.;,()]*\*More\*[^.]*(?=\.)|(?<=[.?!])\s+[^.;]*\*More\*[^.]*\.")
+_ON_MORE = re.compile(
+    r"\s*\([^()]*\*More\*[^()]*\)"
+    r"|[;,][^.;,()]*\*More\*[^.]*(?=\.)"
+    r"|(?<=[.?!])\s+[^.;]*\*More\*[^.]*\."
+)
 
 
 def _leave_out_more(notebook):
