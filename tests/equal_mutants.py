@@ -75,7 +75,7 @@ FORMS = {
     "panda_ik": lambda q, *case: panda().fk(q),
     **dict.fromkeys(("two_link_angles", "subproblem2", "subproblem3", "subproblem4"), _set),
     **dict.fromkeys(("arm_angles", "six_axis_ik"), _set),
-    **dict.fromkeys(("random_rotations", "random_rotations_euler", "random_quaternions"), _moments),
+    **dict.fromkeys(("random_rotations", "random_quaternions"), _moments),
 }
 
 

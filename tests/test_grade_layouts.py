@@ -69,7 +69,7 @@ import json
 from course_lib.checks.exercise import Here, judge
 from course_lib.checks.rotations import CHECKS
 found = {c.exercise.name: judge(c.exercise, Here(globals().get(c.exercise.name))).state for c in CHECKS}
-print(json.dumps({name: found[name] for name in ("is_valid", "nearest_quaternion", "nearest_se", "nearest_so")}))
+print(json.dumps({name: found[name] for name in ("is_valid", "matrix_to_quaternion", "nearest_se", "nearest_so")}))
 """
 
 

@@ -13,7 +13,9 @@ from some_toys import TOYS as SOME
 from course_lib import figures
 from course_lib.figures.display import TOY
 
-TOYS = SOME | {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in ("gimbals", "order", "belt")}
+TOYS = SOME | {
+    mode: lambda mode=mode: figures.orientation_toy(mode) for mode in ("gimbals", "order", "velocity", "belt")
+}
 MINUS = "\N{MINUS SIGN}"
 ALL = 26000  # pixels: a window in which all toys are near, so that none is let go and made anew for every test
 

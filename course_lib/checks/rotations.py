@@ -6,19 +6,21 @@ from course_lib.checks.prediction import Prediction
 EXERCISES = (
     "rotate_point",
     "compose",
+    "mug_orientation",
     "exp_so3",
+    "gyroscope",
     "test_log_so3",
     "log_so3",
-    "euler_angles",
-    "quaternion_product",
     "quaternion_to_matrix",
-    "matrix_to_quaternion",
     "slerp",
     "nearest_so",
-    "nearest_quaternion",
-    "nearest_se",
+)
+
+MORE = (
+    "euler_angles",
+    "matrix_to_quaternion",
     "is_valid",
-    "random_rotations_euler",
+    "nearest_se",
     "random_rotations",
     "random_quaternions",
 )
@@ -42,6 +44,17 @@ PREDICTIONS = (
             "leaves x alone. Rz then takes x to y.",
             "b": "That is the other product, Rx Rz: there z acts first and takes x to y, and x takes that y to z.",
             "c": "Rx leaves its own axis where it is, but then Rz moves it.",
+        },
+    ),
+    Prediction(
+        "gyro",
+        "b",
+        {
+            "a": "These are its coordinates in the room, omega_s. The gyroscope is carried along: which of its axes "
+            "points up?",
+            "b": "Banked by 90 degrees, the drone's own y axis points up, and does so all the way round. So omega_b = "
+            "R^T omega_s is (0, 1, 0) at every time.",
+            "c": "The drone's x and z axes do change their directions. But which axis points up all the time?",
         },
     ),
     Prediction(
@@ -74,4 +87,4 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))

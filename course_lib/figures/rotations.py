@@ -3,14 +3,26 @@
 import numpy as np
 import plotly.graph_objects as go
 
+from course_lib.arms import SerialArm
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, lines, pi_ticks
+from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, ball, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
 from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
-from course_lib.rotations import exp_so3
+from course_lib.rigid import transform
+from course_lib.rotations import exp_so3, random_rotations, rot_y
+
+
+def arm_toy():
+    """Return a toy, not a Picture: the six-axis arm of notebooks 1 to 4, with a slider for each joint."""
+    from course_lib.figures.toys.arms import jog
+
+    x, y, z = np.eye(3)
+    origins = [[0, 0, 0], [0, 0, 0.29], [0, 0, 0.56], *3 * [[0.302, 0, 0.63]]]
+    home = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
+    return jog(SerialArm.from_screws([z, y, y, x, y, x], origins, home), q=[0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 
 
 def body_frame(R):
@@ -160,18 +172,68 @@ def double_cover(angle, w, entry):
     )
 
 
-def interpolation(t, angles):
-    """Return the angle from the start, {label: (n,)} in radians, against t (n,)."""
-    said = []
-    for label, angle in angles.items():
-        bend = np.abs(angle - angle[-1] * t).max()
-        shape = f"differs from a straight line by up to {bend:.2g} rad" if bend > 1e-6 else "is a straight line"
-        said.append(f"{label} {shape}")
-    return Picture(
-        lines(t, angles, xlabel="t", ylabel="angle from the start (rad)"),
-        f"The angle from the start against t, by two methods: {'; '.join(said)}.",
-        "Slerp rotates at constant speed; the straight line, normalised, is slow at its ends and fast in the middle.",
+def projections(M, rotations):
+    """Return what each rotation makes of tr(R^T M) = s1 z11 + s2 z22, for a matrix M (2, 2); {title: R (2, 2)}.
+
+    A rotation takes v1 and v2 to two arrows of length one; z11 and z22 are their projections on the axes u1 and u2 of
+    the ellipse that M makes of the unit circle.
+    """
+    fig, axes = in_columns(rotations, 4.2, 4.3, xlabel="x", ylabel="y")
+    U, s, Vt = np.linalg.svd(M)
+    t = np.linspace(0, 2 * np.pi, 181)
+    circle, said = np.array([np.cos(t), np.sin(t)]), []
+    for ax, (title, R) in zip(axes, rotations.items(), strict=True):
+        ax.plot(*circle, color=GREY, linewidth=1)
+        ax.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
+        sizes = np.diag(U.T @ R @ Vt.T)
+        for i, colour in enumerate((BLUE, RED)):
+            u, tip, size = U[:, i], R @ Vt[i], sizes[i]
+            ax.plot(*np.outer(u, [-s[i], s[i]]), color=BLACK, linewidth=1)
+            ax.plot(*np.outer(u, [0, size]), color=colour, linewidth=7, alpha=0.35, solid_capstyle="butt")
+            ax.plot(*np.transpose([tip, size * u]), color=colour, linewidth=1, linestyle=":")
+            look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
+            ax.annotate("", tip, (0, 0), arrowprops=look)
+            aside = 0.15 * np.array([-u[1], u[0]])
+            ax.annotate(f"$R v_{i + 1}$", 1.05 * tip + aside, color=colour, ha="center", va="center")
+            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - aside, ha="center", va="center")
+        each = " + ".join(rf"{size:.2f} \cdot {z:.2f}" for size, z in zip(s, sizes, strict=True))
+        ax.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5), aspect="equal")
+        ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")
+        said.append(f"{title}: {_numbers(sizes)}, and a trace of {s @ sizes:.2f}")
+    alt = "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 under a rotation, "
+    alt += f"with their projections on these axes. {'; '.join(said)}."
+    caption = "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is longer than one."
+    return Picture(fig, alt, caption)
+
+
+def both_determinants(s, draws=800):
+    """Return how large s . diag(Z) becomes for orthogonal Z with det Z = 1 and -1: in the plane, and in space.
+
+    s: (3,), singular values; the plane's are the first and the last. draws: how many Z of each kind are drawn in space.
+    """
+    fig, (plane, space) = plane_figure(9.0, 3.9, 2)
+    x, y = np.meshgrid(*2 * [np.linspace(-1.25, 1.25, 61)])
+    levels = plane.contour(x, y, s[0] * x + s[2] * y, 11, colors=GREY, linewidths=0.8)
+    plane.clabel(levels, fontsize=8)
+    diagonals = np.diagonal(random_rotations(draws, np.random.default_rng(0)), axis1=1, axis2=2)
+    for sign, colour, marker, style in ((1, BLUE, "o", "-"), (-1, RED, "s", "--")):
+        plane.plot([-1, 1], [-sign, sign], color=colour, linestyle=style, linewidth=2.5, label=f"det Z = {sign}")
+        plane.plot(1, sign, marker, color=colour, markersize=9)
+        drawn = sign * diagonals
+        space.plot(drawn.sum(1), drawn @ s, marker, color=colour, markersize=2, label=f"det Z = {sign}")
+        space.plot(2 + sign, [1, 1, sign] @ s, marker, color=colour, markersize=9)
+    plane.set(
+        aspect="equal", xlabel="$z_{11}$", ylabel="$z_{22}$", title="plane: lines of equal $s_1 z_{11} + s_2 z_{22}$"
     )
+    space.set(
+        xlabel="$z_{11} + z_{22} + z_{33}$", ylabel="$s_1 z_{11} + s_2 z_{22} + s_3 z_{33}$", title="space: random Z"
+    )
+    legend_above(fig, 2, plane)
+    best = [s @ [1, 1, sign] for sign in (1, -1)]
+    alt = "Left, two diagonals of a square, with best ends (1, 1) for det Z = 1 and (1, -1) for -1. Right, dots of "
+    alt += f"random Z: for det Z = 1 up to {best[0]:.2f} at a trace of 3, for -1 up to {best[1]:.2f} at a trace of 1."
+    caption = "With $\\det Z = -1$ the trace ends at $n - 2$, and the best end gives the minus to the *smallest* $s_i$."
+    return Picture(fig, alt, caption)
 
 
 def nearest_on_circle(M, candidates):

@@ -85,8 +85,8 @@ def traces():
 
 
 NAME = "01_rotations"
-OTHERS = ("is_valid", "nearest_quaternion", "nearest_se")  # answered right beside the hostile one
-FULL = 3 + 1 + 2 + 3  # what these and nearest_so earn
+OTHERS = ("is_valid", "matrix_to_quaternion", "nearest_se")  # answered right beside the hostile one
+FULL = 3 + 3 + 2 + 3  # what these and nearest_so earn
 NEAREST_SE = """
 def nearest_se(T):
     corrected = np.eye(len(T))

@@ -1,4 +1,5 @@
-// Orientation: axis and angle with R, q and Euler angles; three gimbal rings; two rotations in either order; a belt.
+// Orientation: axis and angle with R, q and Euler angles; three gimbal rings; two rotations in either order;
+// an angular velocity in the room and in the body; a belt.
 (() => {
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
@@ -23,6 +24,11 @@
       `R = Rz(yaw) Ry(pitch) Rx(roll): yaw ${yaw}, pitch ${pitch}, roll ${roll}${lock}`];
   }
   const lockOf = (R) => ({ sign: Math.hypot(R[0][0], R[1][0]) < 1e-6 ? -Math.sign(R[2][0]) : 0 });
+  const pair = (card, state, draw, labels) => labels.map((label) => { // two views side by side
+    const box = P.element("div", {}, card.views);
+    P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, box, label);
+    return P.space(box, { radius: 1.25, label, meta: state, proportion: 0.85, redraw: draw });
+  });
   const angles = (card, state, draw) => (label, key, min, max) =>
     card.range(label, { min, max, step: 1, value: state[key] }, (x) => `${x}°`, (x) => { state[key] = x; draw(); });
 
@@ -130,12 +136,8 @@
 
   function order(card, meta) {
     const state = meta.order || (meta.order = { time: 2, angle: 90 }), draw = P.once(() => paint());
-    const labels = ["Rz Rx: first about x, then about the fixed z", "Rx Rz: first about z, then about the fixed x"];
-    const views = labels.map((label) => {
-      const box = P.element("div", {}, card.views);
-      P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, box, label);
-      return P.space(box, { radius: 1.25, label, meta: state, proportion: 0.85, redraw: draw });
-    });
+    const views = pair(card, state, draw, ["Rz Rx: first about x, then about the fixed z",
+      "Rx Rz: first about z, then about the fixed x"]);
     const write = (x) => (x <= 1 ? `first, ${Math.round(100 * x)} %` : `second, ${Math.round(100 * (x - 1))} %`);
     const options = { min: 0, max: 2, step: 0.02, value: state.time };
     const time = card.range("Step", options, write, (x) => { state.time = x; draw(); });
@@ -157,6 +159,48 @@
       const apart = M.norm(M.rotationVector(M.times(M.transpose(both[0]), both[1])));
       numbers(["Rz Rx now:", P.matrix(both[0])], ["Rx Rz now:", P.matrix(both[1])],
         `angle between the two orientations: ${P.degrees(apart, 1)}`);
+    }
+    paint();
+    return () => views.forEach((view) => view.stop());
+  }
+
+  // ---- an angular velocity, in the room and in the body ----
+
+  function velocity(card, meta) {
+    const state = meta.velocity || (meta.velocity = { time: 0.12, tilt: -40, spin: 2 }), draw = P.once(() => paint());
+    const labels = ["In the room: ω in fixed axes", "As its gyroscope sees it: ω in the body's axes"];
+    const views = pair(card, state, draw, labels), seconds = (x) => `${P.number(2 * Math.PI * x, 1)} s`;
+    const options = { min: 0, max: 1, step: 0.005, value: state.time };
+    const time = card.range("Time", options, seconds, (x) => { state.time = x; draw(); });
+    angles(card, state, draw)("Tilt", "tilt", -90, 90);
+    card.range("Rotation about its own x axis", { min: -3, max: 3, step: 1, value: state.spin }, (x) => `${x} rad/s`,
+      (x) => { state.spin = x; draw(); });
+    card.player("Play", time, 0.003);
+    const numbers = card.numbers(), words = card.words();
+    // About the fixed z axis at 1 rad/s, tilted, and about its own x axis.
+    function motion(share) {
+      const t = 2 * Math.PI * share, tilted = M.times(about(Z, t), about(Y, state.tilt * rad));
+      const R = M.times(tilted, about(X, state.spin * t)), inRoom = M.add(Z, M.apply(tilted, X), state.spin);
+      return { R, omegas: [inRoom, M.apply(M.transpose(R), inRoom)] };
+    }
+    function paint() {
+      const { R, omegas } = motion(state.time), length = 1.3 / (1 + Math.abs(state.spin));
+      const trail = Array.from({ length: 121 }, (_, i) => motion(i / 120).omegas);
+      views.forEach((view, i) => {
+        view.begin();
+        if (i === 0) fixedAxes(view, 1.15);
+        view.mesh(AIRCRAFT, [sized(0.8, i ? I : R)], PALETTE);
+        view.frame(at(i ? I : R), 1.0, { above: false });
+        view.line(trail.map((both) => M.scale(both[i], length)), COLOURS.crimson, 2, { dash: [4, 4] });
+        view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
+        view.end();
+      });
+      const vector = (w) => `(${w.map((x) => P.number(x)).join(", ")})`;
+      numbers(["R =", P.matrix(R)], `ω in the room, R ω_b: ${vector(omegas[0])}\n`
+        + `ω in the body, R^T ω_s: ${vector(omegas[1])}\nlength, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
+      words.textContent = state.spin === 0 || Math.abs(state.tilt) === 90
+        ? "Both observers see ω at rest: the body rotates steadily about one axis, which they name differently."
+        : "The dashed circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
     }
     paint();
     return () => views.forEach((view) => view.stop());
@@ -231,7 +275,7 @@
 
   const MODES = {
     axis: ["Axis and angle", axisAngle], gimbals: ["Gimbal rings", gimbals], order: ["Rz Rx and Rx Rz", order],
-    belt: ["A belt: twice around", belt],
+    velocity: ["Angular velocity", velocity], belt: ["A belt: twice around", belt],
   };
   globalThis.course.kinds["toy:orientation"] = (host, meta) => {
     let stop = null, card = null;

@@ -1,4 +1,4 @@
-"""The toy of notebook 1: an orientation by axis and angle, by gimbal rings, by two rotations, and on a belt."""
+"""The toy of notebook 1: axis and angle, gimbal rings, two rotations, an angular velocity, a belt."""
 
 from course_lib.figures.toys.toy import Toy
 
@@ -20,6 +20,11 @@ MODES = {
         "different orientations.",
         "The same two rotations, in both orders.",
     ),
+    "velocity": (
+        "A tilted aircraft that is carried round the vertical and rotates about its own axis, twice: in the room, and "
+        "at rest, as its gyroscope sees it. Both show the same angular velocity and the circle of its tip.",
+        "One angular velocity, two lists of three numbers: in the room's axes and in the body's.",
+    ),
     "belt": (
         "A belt between a wall and a box. After two full rotations of the box the belt can be flattened by moving the "
         "box without rotating it; after one it cannot.",
@@ -29,12 +34,12 @@ MODES = {
 
 
 def orientation_toy(mode=None):
-    """Return a toy with an orientation to move: axis and angle, gimbal rings, two rotations, a belt.
+    """Return a toy with an orientation to move: axis and angle, gimbal rings, two rotations, angular velocity, a belt.
 
     Parameters
     ----------
-    mode : {"axis", "gimbals", "order", "belt"}, optional
-        Show this part alone; None for all four, with buttons to choose.
+    mode : {"axis", "gimbals", "order", "velocity", "belt"}, optional
+        Show this part alone; None for all five, with buttons to choose.
     """
     if mode is not None and mode not in MODES:
         raise ValueError(f"mode must be one of {', '.join(MODES)} or None; it is {mode!r}")

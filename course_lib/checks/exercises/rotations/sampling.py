@@ -68,20 +68,11 @@ ROTATIONS = Property(
 )
 
 
-def _against_uniform(values, low, high):
-    from scipy.stats import kstest
-
-    return kstest(values, "uniform", args=(low, high - low), method="asymp")
-
-
 def uniform(values, low, high):
     """Return whether the values are uniformly distributed from low to high."""
-    return _against_uniform(values, low, high).pvalue > LEVEL
+    from scipy.stats import kstest
 
-
-def nearly_uniform(values, low, high):
-    """Return whether they are but for a few percent, as an angle over many revolutions."""
-    return _against_uniform(values, low, high).statistic < 0.05
+    return kstest(values, "uniform", args=(low, high - low), method="asymp").pvalue > LEVEL
 
 
 def _counts(columns, ranges, bins):

@@ -1,0 +1,72 @@
+"""mug_orientation: a chain of frames of which one link is known in the other direction."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import any_rotation, near
+from course_lib.rotations import rot_x, rot_z
+
+
+def _right(R_bg, R_cg, R_cm):
+    return R_bg @ R_cg.T @ R_cm
+
+
+def _cases(rng):
+    quarter = np.pi / 2
+    named = [(rot_z(quarter), rot_x(quarter), np.eye(3)), (np.eye(3), np.eye(3), rot_z(quarter))]
+    return named + [tuple(any_rotation(rng) for _ in range(3)) for _ in range(4)]
+
+
+EXERCISE = Exercise(
+    name="mug_orientation",
+    points=2,
+    arguments=("R_bg", "R_cg", "R_cm"),
+    cases=_cases,
+    returns=numbers(lambda R_bg, R_cg, R_cm: (3, 3)),
+    library=_right,
+    properties=(
+        Property(
+            "the columns are the mug's axes in the coordinates of the base",
+            lambda R, *chain: near(R, _right(*chain)),
+        ),
+    ),
+    hints=(
+        "Write down the letters of what you look for and of what you have. Which frames lie between the base and the "
+        "mug?",
+        "Neighbouring letters must match: b to g, g to c, c to m. One of the three is known the other way round.",
+        "The inverse of a rotation is its transpose: R_gc is R_cg.T. Then R_bm = R_bg R_gc R_cm.",
+    ),
+)
+
+
+@EXERCISE.mistake
+def link_as_it_is(R_bg, R_cg, R_cm):
+    """R_cg is used as it is. Which letters must stand between g and m?"""
+    return R_bg @ R_cg @ R_cm
+
+
+@EXERCISE.mistake(links=((1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1)))
+def other_link_reversed(R_bg, R_cg, R_cm, links):
+    """a link is reversed that is known in the right direction. Read the letters of your factors from left to right."""
+    first, second, third = (R if way > 0 else R.T for R, way in zip((R_bg, R_cg, R_cm), links, strict=True))
+    return first @ second @ third
+
+
+@EXERCISE.mistake(order=((2, 1, 0), (1, 2, 0), (1, 0, 2), (0, 2, 1), (2, 0, 1)))
+def other_order(R_bg, R_cg, R_cm, order):
+    """the factors stand in another order. Neighbouring letters must match."""
+    links = R_bg, R_cg.T, R_cm
+    return links[order[0]] @ links[order[1]] @ links[order[2]]
+
+
+@EXERCISE.mistake(ends=("gm", "bc", "cm", "bg"))
+def chain_too_short(R_bg, R_cg, R_cm, ends):
+    """the chain ends too early: it has to lead from the base to the mug. Which link is missing?"""
+    return {"gm": R_cg.T @ R_cm, "bc": R_bg @ R_cg.T, "cm": R_cm, "bg": R_bg}[ends]
+
+
+@EXERCISE.mistake
+def entry_by_entry(R_bg, R_cg, R_cm):
+    """* works entry by entry. In numpy the product of matrices is @."""
+    return R_bg * R_cg.T * R_cm

@@ -1,0 +1,22 @@
+"""What students write for mug_orientation(R_bg, R_cg, R_cm)."""
+
+import numpy as np
+
+
+def right_by_letters(R_bg, R_cg, R_cm):
+    R_gc = R_cg.T
+    return R_bg @ R_gc @ R_cm
+
+
+def right_by_the_camera_in_the_base(R_bg, R_cg, R_cm):
+    R_bc = np.linalg.solve(np.array(R_cg).T, np.array(R_bg).T).T
+    return np.dot(R_bc, R_cm).tolist()
+
+
+def right_axis_by_axis(R_bg, R_cg, R_cm):
+    return np.column_stack([R_bg @ np.linalg.inv(R_cg) @ R_cm[:, k] for k in range(3)])
+
+
+def wrong_sum(R_bg, R_cg, R_cm):
+    """unnamed"""
+    return R_bg + R_cg.T + R_cm
