@@ -45,10 +45,10 @@ def body_frame(R):
     )
 
 
-def frames(orientations):
+def frames(orientations, caption="The two products end in different orientations: the order counts."):
     """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
 
-    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone.
+    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if all are.
     """
     model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
@@ -66,7 +66,6 @@ def frames(orientations):
         stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
         said.append(f"{title}: {axes}{stretched}")
     alt = f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
-    caption = "The two products end in different orientations: the order counts."
     if longest > 1.01:
         caption = f"A rotation keeps all three axes at length one; here the longest grows to {longest:.2f}."
     layout = scene.layout(scenes, height=height, titles=list(orientations))
@@ -194,8 +193,8 @@ def projections(M, rotations):
             look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
             ax.annotate("", tip, (0, 0), arrowprops=look)
             aside = 0.15 * np.array([-u[1], u[0]])
-            ax.annotate(f"$R v_{i + 1}$", 1.05 * tip + aside, color=colour, ha="center", va="center")
-            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - aside, ha="center", va="center")
+            ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, ha="center", va="center")
+            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, ha="center", va="center")
         each = " + ".join(rf"{size:.2f} \cdot {z:.2f}" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5), aspect="equal")
         ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")
