@@ -193,8 +193,9 @@ def projections(M, rotations):
             look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
             ax.annotate("", tip, (0, 0), arrowprops=look)
             aside = 0.15 * np.array([-u[1], u[0]])
-            ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, ha="center", va="center")
-            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, ha="center", va="center")
+            words = {"ha": "center", "va": "center", "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8}}
+            ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **words)
+            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, **words)
         each = " + ".join(rf"{size:.2f} \cdot {z:.2f}" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5), aspect="equal")
         ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")

@@ -168,7 +168,7 @@
 
   function velocity(card, meta) {
     const state = meta.velocity || (meta.velocity = { time: 0.12, tilt: -40, spin: 2 }), draw = P.once(() => paint());
-    const labels = ["In the room: ω in fixed axes", "As its gyroscope sees it: ω in the body's axes"];
+    const labels = ["In the room: ω in fixed axes", "In the body: ω in its own axes"], still = about(X, 0);
     const views = pair(card, state, draw, labels), seconds = (x) => `${P.number(2 * Math.PI * x, 1)} s`;
     const options = { min: 0, max: 1, step: 0.005, value: state.time };
     const time = card.range("Time", options, seconds, (x) => { state.time = x; draw(); });
@@ -189,8 +189,8 @@
       views.forEach((view, i) => {
         view.begin();
         if (i === 0) fixedAxes(view, 1.15);
-        view.mesh(AIRCRAFT, [sized(0.8, i ? I : R)], PALETTE);
-        view.frame(at(i ? I : R), 1.0, { above: false });
+        view.mesh(AIRCRAFT, [sized(0.8, i ? still : R)], PALETTE);
+        view.frame(at(i ? still : R), 1.0, { above: false });
         view.line(trail.map((both) => M.scale(both[i], length)), COLOURS.crimson, 2, { dash: [4, 4] });
         view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
         view.end();
