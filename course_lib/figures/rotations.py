@@ -5,7 +5,7 @@ import plotly.graph_objects as go
 
 from course_lib.arms import SerialArm
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks
+from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks, plain
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, ball, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
@@ -199,7 +199,7 @@ def projections(M, rotations):
         each = " + ".join(rf"{size:.2f} \cdot {z:.2f}" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5), aspect="equal")
         ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")
-        said.append(f"{title}: {_numbers(sizes)}, and a trace of {s @ sizes:.2f}")
+        said.append(f"{plain(title)}: {_numbers(sizes)}, and a trace of {s @ sizes:.2f}")
     alt = "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 under a rotation, "
     alt += f"with their projections on these axes. {'; '.join(said)}."
     caption = "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is longer than one."
