@@ -169,7 +169,7 @@
   function velocity(card, meta) {
     const state = meta.velocity || (meta.velocity = { time: 0.12, tilt: -40, spin: 2 }), draw = P.once(() => paint());
     const labels = ["In the room: ω in fixed axes", "In the body: ω in its own axes"], still = about(X, 0);
-    const views = pair(card, state, draw, labels), seconds = (x) => `${P.number(2 * Math.PI * x, 1)} s`;
+    const views = pair(card, state, draw, labels), seconds = (x) => `${P.number(2 * Math.PI * x, 2)} s`;
     const options = { min: 0, max: 1, step: 0.005, value: state.time };
     const time = card.range("Time", options, seconds, (x) => { state.time = x; draw(); });
     angles(card, state, draw)("Tilt", "tilt", -90, 90);
