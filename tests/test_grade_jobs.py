@@ -292,4 +292,4 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
         [*TABLES, "class.html", "feedback", "results", "seed"]
     )
     kept = [json.loads(path.read_text()) for path in (place / "out/results").iterdir()]
-    assert sorted(len(result["exercises"]) for result in kept) == [17, 17]
+    assert sorted(len(result["exercises"]) for result in kept) == [16, 16]
