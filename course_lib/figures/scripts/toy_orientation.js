@@ -191,7 +191,7 @@
         if (i === 0) fixedAxes(view, 1.15);
         view.mesh(AIRCRAFT, [sized(0.8, i ? still : R)], PALETTE);
         view.frame(at(i ? still : R), 1.0, { above: false });
-        view.line(trail.map((both) => M.scale(both[i], length)), COLOURS.crimson, 2, { dash: [4, 4] });
+        view.line(trail.map((both) => M.scale(both[i], length)), COLOURS.crimson, 2);
         view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
         view.end();
       });
@@ -200,7 +200,7 @@
         + `ω in the body, R^T ω_s: ${vector(omegas[1])}\nlength, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
       words.textContent = state.spin === 0 || Math.abs(state.tilt) === 90
         ? "Both observers see ω at rest: the body rotates steadily about one axis, which they name differently."
-        : "The dashed circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
+        : "The red circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
     }
     paint();
     return () => views.forEach((view) => view.stop());
