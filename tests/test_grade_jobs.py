@@ -286,7 +286,7 @@ def test_a_notebook_is_graded_by_make_grades_command(place):
     assert "grading: 100%" in done.stderr
     grades = (place / "out/grades.csv").read_text()
     assert ",is_valid,0,3,not attempted," in grades
-    assert "bob,01_rotations,core,is_valid,0,3," in grades
+    assert "bob,01_rotations,more,is_valid,0,3," in grades
     assert 'carl,01_rotations,,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
     assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
         [*TABLES, "class.html", "feedback", "results", "seed"]
