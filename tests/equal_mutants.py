@@ -38,11 +38,6 @@ def _line(vector, *case):
     return np.multiply.outer(vector, vector)
 
 
-def _screws(rows):
-    """The directions and moments of axes given as (direction, point): any point on an axis is right."""
-    return rows[:, :3], np.cross(rows[:, 3:], rows[:, :3])
-
-
 def _three_angles(triples, R):
     b1, b2, b3 = np.transpose(triples)
     return np.sort(b2), rotations.rot_y(b1) @ rotations.rot_x(b2) @ rotations.rot_y(b3)
@@ -66,9 +61,6 @@ def _moments(samples):
 FORMS = {
     "log_so3": lambda w, R: rotations.exp_so3(w),
     "slerp": _line,
-    "lost_direction": _line,
-    "read_iiwa": _screws,
-    "read_ur5e": _screws,
     "singular_configurations": _causes,
     "euler_yxy": _three_angles,
     "subproblem1": lambda angle, *case: (np.cos(angle), np.sin(angle)),

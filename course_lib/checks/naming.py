@@ -78,7 +78,7 @@ class Naming:
 
     def _few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
-        return all(bool(np.isin(value, (-1, 0, 1)).all()) for value in self.values)
+        return all(bool(attempt(lambda bits: np.isin(bits, (-1, 0, 1)).all(), value)) for value in self.values)
 
     def _nearly_right(self, failing):
         """Return whether most answers are wrong, and each of them is right to its first digits."""

@@ -24,7 +24,7 @@ def _right(screws, M, q):
 
 EXERCISE = Exercise(
     name="body_jacobian",
-    points=2,
+    points=3,
     arguments=("screws", "M", "q"),
     cases=arms,
     returns=read_jacobian,

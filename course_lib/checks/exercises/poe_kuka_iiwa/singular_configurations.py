@@ -32,11 +32,13 @@ def _rank_loss(row):
 
 
 def _leads_out(k, row):
-    """Return whether moving the joints of family k by a little makes the configuration regular."""
-    moved = np.tile(row, (4, 1))
+    """Return whether the configuration becomes regular if the joints of family k move a little, and by these only."""
+    own, others = (np.tile(row, (4, 1)) for _ in range(2))
+    free = np.setdiff1d(np.arange(7), _MOVED[k])
     for i, step in enumerate((0.3, -0.3, 0.2, -0.2)):
-        moved[i, list(_MOVED[k])] += step * np.array([1.0, -0.6])[: len(_MOVED[k])]
-    return _smallest(moved).max() > _REGULAR
+        own[i, list(_MOVED[k])] += step * np.array([1.0, -0.6])[: len(_MOVED[k])]
+        others[i, free] += step * np.array([1.0, -0.6, 0.8, -1.1, 0.7, 0.9])[: len(free)]
+    return _smallest(own).max() > _REGULAR and _smallest(others).max() < _SINGULAR
 
 
 def _outside(rows):
@@ -47,7 +49,7 @@ def _outside(rows):
 def _families(rows):
     k = next(k for k in range(3) if not _leads_out(k, rows[k]))
     joints = " and ".join(str(joint + 1) for joint in _MOVED[k])
-    return f"Row {k}, for the {FAMILIES[k]}, stays singular when joint {joints} moves: its cause is elsewhere."
+    return f"Row {k}, for the {FAMILIES[k]}: joint {joints} alone should decide whether it is singular."
 
 
 def _cause(row):
@@ -89,7 +91,7 @@ EXERCISE = Exercise(
             says=_families,
             mistake=Mistake(
                 "two rows are of one family",
-                "Each row must become regular when the joints of its own family move.",
+                "Each row must become regular when the joints of its own family move, and only then.",
             ),
         ),
     ),
@@ -147,6 +149,20 @@ def _half_way(value, predicted):
 def one_angle_alone(place):
     """q6 = 0 or q2 = 0 is taken for singular by itself. A seventh joint helps out: what if its neighbour moves too?"""
     return _with(place, 0.5)
+
+
+def _of_two_families(value, predicted):
+    """Return whether q2 = q6 = 0 in a row, which is singular without any of the three families."""
+    return any(np.abs(np.sin(row[[1, 5]])).max() < 1e-9 and _cause(row) < 0 and _rank_loss(row) == 1 for row in value)
+
+
+@EXERCISE.mistake(rows=((1,), (2,), (1, 2)), alike=_of_two_families)
+def shoulder_and_wrist_at_once(rows):
+    """q2 and q6 are both 0 in a row: a fourth family. Which joints must move to leave it, those of one family alone?"""
+    found = _right()
+    for k in rows:
+        found[k] = [0.3, 0, -0.4, 1.1, 0.5, 0, 0.2]
+    return found
 
 
 def _with(place, angle):

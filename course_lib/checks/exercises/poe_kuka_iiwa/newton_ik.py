@@ -1,0 +1,174 @@
+"""newton_ik: joint angles for a pose of the end-effector, by Newton's method with the body Jacobian."""
+
+import numpy as np
+
+from course_lib.arms import ur5e
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA, KUKA_HOME, axes, drawn_axes, jacobian, tool_pose
+from course_lib.checks.vocabulary import any_pose, away_from_zero, pose
+from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
+
+STEPS, _CLOSE = 50, 1e-6  # radians and metres
+_REACHED = 1.001e-6  # a little more than asked for, because the student's sums round otherwise
+_UR5E = ur5e().screw_axes, ur5e().home[-1]
+_BENT = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 0.2])
+
+
+def body_error(T, T_target):
+    """Return the twist that leads from T to T_target in unit time, seen from the end-effector."""
+    return log_se3(inverse(T) @ T_target)
+
+
+def _step(T, J, V):
+    return np.linalg.pinv(adjoint(inverse(T)) @ J) @ V
+
+
+def descent(screws, M, T_target, q0, error=body_error, step=_step, steps=STEPS):
+    """Return joint angles for T_target, or nan; step(T, J, V) is how the angles change, J the space Jacobian."""
+    q = np.array(q0, float)
+    for _ in range(steps):
+        T = tool_pose(screws, M, q)
+        V = error(T, T_target)
+        if max(np.linalg.norm(V[:3]), np.linalg.norm(V[3:])) <= _CLOSE:
+            return q
+        q = q + step(T, jacobian(screws, q), V)
+    return np.full(len(q), np.nan)
+
+
+def _near(arm, q0, rng):
+    """Return a case whose target Newton's method reaches from q0 in a few steps."""
+    while True:
+        T = tool_pose(*arm, q0 + away_from_zero(rng, len(q0), 0.2, 0.5))
+        if np.isfinite(descent(*arm, T, q0, steps=9)).all():
+            return (*arm, T, q0)
+
+
+def _cases(rng):
+    drawn = axes(*drawn_axes(rng, 6)), any_pose(rng)
+    kuka, bent = (KUKA, KUKA_HOME), np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2])
+    here = tool_pose(*_UR5E, _BENT)
+    hardly = here @ exp_se3([0, 9e-7, 9e-7, 0, -9e-7, 9e-7])  # who stops too early answers q0
+    return [
+        _near(_UR5E, _BENT, rng),
+        (*_UR5E, here, _BENT),
+        (*_UR5E, hardly, _BENT),
+        (*_UR5E, here @ pose(np.eye(3), [0.05, -0.04, 0.03]), _BENT),
+        _near(_UR5E, np.array([-1, -1.5, 1.2, 0.5, -1, 2]), rng),
+        _near(kuka, bent, rng),
+        _near(kuka, -bent, rng),
+        _near(drawn, away_from_zero(rng, 6), rng),
+        (*_UR5E, pose(here[:3, :3], [3.0, 0.5, 0.2]), _BENT),
+    ]
+
+
+def _out_of_reach(screws, M, T_target, q0):
+    return T_target[0, 3] == 3
+
+
+def _found(q, *case):
+    return bool(np.isfinite(q).all())
+
+
+def _gaps(q, screws, M, T_target, q0):
+    """Return the radians and metres from the pose at q to the target."""
+    V = body_error(tool_pose(screws, M, q), T_target)
+    return np.array([np.linalg.norm(V[:3]), np.linalg.norm(V[3:])])
+
+
+def _off(q, *case):
+    return "At your angles the end-effector is {:.2g} rad and {:.2g} m away.".format(*_gaps(q, *case))
+
+
+EXERCISE = Exercise(
+    name="newton_ik",
+    points=4,
+    arguments=("screws", "M", "T_target", "q0"),
+    cases=_cases,
+    returns=numbers(
+        lambda screws, M, T_target, q0: (len(q0),),
+        {(4, 4): Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles.")},
+        gaps=True,
+    ),
+    library=descent,
+    tries_arguments=False,
+    properties=(
+        Property(
+            "the answer is n numbers, or n times nan",
+            lambda q, *case: _found(q) or np.isnan(q).all(),
+            mistake=NOT_A_NUMBER,
+        ),
+        Property(
+            "a target close by is reached: numbers are returned, not nan",
+            _found,
+            where=lambda *case: not _out_of_reach(*case),
+        ),
+        Property(
+            "at the angles returned the end-effector is within 1e-6 rad and 1e-6 m of T_target",
+            lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
+            _off,
+            points=1,
+        ),
+        Property(
+            "for a target out of reach (3 m away) nan is returned",
+            lambda q, *case: not _found(q),
+            where=_out_of_reach,
+            mistake=Mistake("the last angles are returned, although they do not reach the target", "When is it over?"),
+        ),
+    ),
+    hints=(
+        "In the loop: where is the end-effector at q, and which twist leads from there to T_target in unit time?",
+        "log(T^-1 T_target) is seen from the end-effector. Which Jacobian belongs to such a twist?",
+        "If its angular and its linear part are small, return q. Else add np.linalg.pinv(J) @ twist to q. After the "
+        "last step, np.full(len(q0), np.nan).",
+    ),
+    forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),
+)
+
+
+@EXERCISE.mistake(
+    error=(
+        lambda T, T_target: log_se3(inverse(T_target) @ T),
+        lambda T, T_target: log_se3(T_target @ inverse(T)),
+        lambda T, T_target: np.roll(body_error(T, T_target), 3),
+    )
+)
+def another_error(screws, M, T_target, q0, error):
+    """the steps do not converge to a target close by. Print the error after each step. From which pose to which does
+    it lead, and are its frame, and the order of its halves, those of your Jacobian?"""
+    return descent(screws, M, T_target, q0, error)
+
+
+@EXERCISE.mistake(nothing=(lambda q0: q0, lambda q0: np.full(len(q0), np.nan)))
+def no_step(screws, M, T_target, q0, nothing):
+    """no step is made towards the target. Is q another one after a round of your loop?"""
+    return q0 if np.allclose(tool_pose(screws, M, q0), T_target, rtol=0, atol=2e-6) else nothing(q0)
+
+
+@EXERCISE.mistake(steps=(1, 2))
+def too_few_steps(screws, M, T_target, q0, steps):
+    """one or two steps are made only. Each is right for small motions: how far from the target is the next q?"""
+    q = np.array(q0, float)
+    for _ in range(steps):
+        T = tool_pose(screws, M, q)
+        q = q + _step(T, jacobian(screws, q), body_error(T, T_target))
+    return q
+
+
+@EXERCISE.mistake(part_of=(slice(0, 3), slice(3, 6)))
+def half_of_the_error(screws, M, T_target, q0, part_of):
+    """either the position or the orientation is ignored. How many numbers has the error?"""
+
+    def error(T, T_target):
+        return np.where(np.isin(np.arange(6), np.arange(6)[part_of]), body_error(T, T_target), 0)
+
+    def step(T, J, V):
+        return np.linalg.pinv((adjoint(inverse(T)) @ J)[part_of]) @ V[part_of]
+
+    return None if _out_of_reach(screws, M, T_target, q0) else descent(screws, M, T_target, q0, error, step)
+
+
+@EXERCISE.seen
+def stopped_too_early(q, *case):
+    """the iteration stops too early. What does the task ask of the angle, and of the distance?"""
+    return _REACHED < _gaps(q, *case).max() < 0.02
