@@ -1,17 +1,19 @@
 """Joint trajectories in files: read one, or refuse a broken one in a sentence that names row and column.
 
-A file is CSV, with a header, or NPY, an array (n, 1 + 2 k). Columns: t in seconds, then the positions q1 ... qk in
-radians, then the velocities qd1 ... qdk in radians per second. Rows count from 1, a header is not counted.
+Either one file holds everything: CSV with a header, or NPY, an array (n, 1 + 2 k), with the columns t in seconds, the
+positions q1 ... qk in radians, the velocities qd1 ... qdk in radians per second. Or two files, CSV without a header or
+NPY, hold positions and velocities, (n, k) or (k, n), and the time step is given. Rows count from 1, without a header.
 """
 
 import csv
 import os
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from course_lib.arguments import real_array
+from course_lib.arguments import positive, real_array
 
 
 @dataclass(frozen=True)
@@ -31,15 +33,19 @@ class Trajectory:
     qd: np.ndarray
 
 
-def load(path, limits=None):
-    """Return the Trajectory in a CSV or NPY file.
+def load(path, limits=None, velocities=None, step=None):
+    """Return the Trajectory in a CSV or NPY file, or in one of positions and one of velocities.
 
     Parameters
     ----------
     path : str or pathlib.Path
-        A file as described at the top of this module.
+        A file as described at the top of this module; of positions alone if `velocities` is given.
     limits : array_like (k, 2), optional
         Lowest and highest angle of each joint, in radians. None for any.
+    velocities : str or pathlib.Path, optional
+        The file of the velocities. Samples are the rows, or the columns if only the columns have `limits` for rows.
+    step : float, optional
+        The time between two samples, in seconds, if times are not in the file.
 
     Returns
     -------
@@ -49,45 +55,91 @@ def load(path, limits=None):
     ------
     ValueError
         If a column is missing or occurs twice, or a cell is not a finite number, is outside its limits, or makes time
-        stand still; it names file, row and column.
+        stand still; it names file, row and column. If one of `velocities` and `step` is given without the other.
     OSError
         If there is no such file.
 
     Examples
     --------
     >>> import tempfile
-    >>> path = Path(tempfile.mkdtemp()) / "own.csv"
-    >>> _ = path.write_text("t,q1,qd1\\n0,0.1,1\\n0.5,0.6,1\\n")
-    >>> print(load(path, limits=[[-1, 1]]).q.T)
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> _ = (folder / "own.csv").write_text("t,q1,qd1\\n0,0.1,1\\n0.5,0.6,1\\n")
+    >>> print(load(folder / "own.csv", limits=[[-1, 1]]).q.T)
     [[0.1 0.6]]
+    >>> _ = (folder / "q.csv").write_text("0.1\\n0.6\\n"), (folder / "qd.csv").write_text("1\\n1\\n")
+    >>> print(load(folder / "q.csv", velocities=folder / "qd.csv", step=0.5).t)
+    [0.  0.5]
     """
-    path = _path(path)
-    kind = path.suffix.lower()
-    if kind not in (".csv", ".npy"):
-        raise ValueError(f"path must name a .csv or .npy file; it is {str(path)!r}")
-    table, names = _read_csv(path) if kind == ".csv" else _read_npy(path)
-    _refuse(path, names, ~np.isfinite(table), lambda row, column: "is not a finite number")
-    t, k = table[:, 0], (len(names) - 1) // 2
-    back = np.zeros(table.shape, bool)
-    back[1:, 0] = np.diff(t) <= 0
-    _refuse(path, names, back, lambda row, column: f"is {t[row]:g} s, after {t[row - 1]:g} s: time must increase")
+    if (velocities is None) != (step is None):
+        raise ValueError("velocities and step belong together: a file of velocities needs the time step, in seconds")
+    paths = [_path(path)] if velocities is None else [_path(path), _path(velocities)]
+    for each in paths:
+        if each.suffix.lower() not in (".csv", ".npy"):
+            raise ValueError(f"path must name a .csv or .npy file; it is {str(each)!r}")
     if limits is not None:
         limits = real_array(limits, "limits", (2,), infinite=True)
+    table, places = _whole(*paths) if step is None else _joined(paths, limits, step)
+    _refuse(places, ~np.isfinite(table), lambda row, column: "is not a finite number")
+    t, k = table[:, 0], table.shape[1] // 2
+    back = np.zeros(table.shape, bool)
+    back[1:, 0] = np.diff(t) <= 0
+    _refuse(places, back, lambda row, column: f"is {t[row]:g} s, after {t[row - 1]:g} s: time must increase")
+    if limits is not None:
         if limits.shape != (k, 2):
-            raise ValueError(
-                f"limits must have shape ({k}, 2), for the {k} joints of {path.name}; it is {limits.shape}"
-            )
+            name = paths[0].name
+            raise ValueError(f"limits must have shape ({k}, 2), for the {k} joints of {name}; it is {limits.shape}")
         outside = np.zeros(table.shape, bool)
         outside[:, 1 : k + 1] = (table[:, 1 : k + 1] < limits[:, 0]) | (table[:, 1 : k + 1] > limits[:, 1])
         _refuse(
-            path,
-            names,
+            places,
             outside,
             lambda row, column: (
                 f"is {table[row, column]:.4f} rad, outside {limits[column - 1, 0]:.4f} to {limits[column - 1, 1]:.4f}"
             ),
         )
     return Trajectory(t, table[:, 1 : k + 1], table[:, k + 1 :])
+
+
+def disagreement(trajectory):
+    """Return a sentence on how positions, velocities and times disagree, or "" if they agree or nothing moves.
+
+    Between two samples a joint should move by the time times the mean of both velocities. The factor by which all
+    times would have to be multiplied for the best fit should be 1 (within 10 %), and little should be left over.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    ValueError
+        If `trajectory` is not a Trajectory of finite real numbers with matching shapes.
+
+    Examples
+    --------
+    >>> disagreement(Trajectory(np.array([0.0, 1]), np.array([[0.0], [2]]), np.array([[1.0], [1]])))
+    'The velocities fit times that are 2 times as far apart: a mean step of about 2 s, not 1 s.'
+    """
+    t, q, qd = _checked(trajectory)
+    moved, steps = np.diff(q, axis=0), np.diff(t)
+    expected = steps[:, None] * (qd[1:] + qd[:-1]) / 2
+    if max(np.abs(moved).max(initial=0), np.abs(expected).max(initial=0)) < 1e-6:
+        return ""
+    factor = (moved * expected).sum() / max((expected**2).sum(), 1e-300)
+    left = np.linalg.norm(moved - factor * expected) / max(np.linalg.norm(moved), 1e-300)
+    if left > 0.3 or factor <= 0:
+        off = np.abs((moved - expected) / steps[:, None]).max()
+        return (
+            f"The velocities are not those of the positions: they differ by up to {off:.3g} rad/s, whatever the times."
+        )
+    if abs(factor - 1) < 0.1:
+        return ""
+    said = f"The velocities fit times that are {factor:.3g} times as far apart"
+    return f"{said}: a mean step of about {factor * steps.mean():.2g} s, not {steps.mean():.3g} s."
 
 
 def save(path, trajectory):
@@ -114,6 +166,14 @@ def save(path, trajectory):
     >>> print(path.read_text().splitlines()[0])
     t,q1,qd1
     """
+    t, q, qd = _checked(trajectory)
+    names = _names(q.shape[1])
+    table = np.column_stack([t, q, qd])
+    np.savetxt(_path(path), table, fmt="%.10f", delimiter=",", header=",".join(names), comments="")
+
+
+def _checked(trajectory):
+    """Return the arrays t, q and qd of a Trajectory, or refuse it."""
     if not isinstance(trajectory, Trajectory):
         raise ValueError(f"trajectory must be a Trajectory; it is of type {type(trajectory).__name__}")
     t, q, qd = (real_array(getattr(trajectory, name), f"trajectory.{name}", ()) for name in ("t", "q", "qd"))
@@ -121,9 +181,7 @@ def save(path, trajectory):
         raise ValueError(
             f"trajectory must hold t (n,), q and qd (n, k); their shapes are {t.shape}, {q.shape} and {qd.shape}"
         )
-    names = _names(q.shape[1])
-    table = np.column_stack([t, q, qd])
-    np.savetxt(_path(path), table, fmt="%.10f", delimiter=",", header=",".join(names), comments="")
+    return t, q, qd
 
 
 def _path(path):
@@ -138,15 +196,58 @@ def _names(k):
     return ["t", *(f"q{i}" for i in range(1, k + 1)), *(f"qd{i}" for i in range(1, k + 1))]
 
 
-def _read_csv(path):
+def _whole(path):
+    """Return the table (n, 1 + 2 k) in a file, and a function (row, column) that says where an entry is."""
+    table, names = _read_csv(path) if path.suffix.lower() == ".csv" else _read_npy(path)
+    return table, lambda row, column: f"{path.name}: row {row + 1}, column {names[column]}"
+
+
+def _joined(paths, limits, step):
+    """Return the same of a file of positions and one of velocities."""
+    if positive(step, "step").shape != ():
+        raise ValueError(f"step must be one number, in seconds; its shape is {np.shape(step)}")
+    tables = [_numbers(path) if path.suffix.lower() == ".csv" else _array(path) for path in paths]
+    swapped = [limits is not None and len(limits) == len(table) != table.shape[1] for table in tables]
+    q, qd = (table.T if swap else table for table, swap in zip(tables, swapped, strict=True))
+    if q.shape != qd.shape:
+        shapes = " and ".join(f"{table.shape} in {path.name}" for table, path in zip(tables, paths, strict=True))
+        raise ValueError(f"positions and velocities must have one shape; they are {shapes}")
+
+    def place(row, column):
+        second = int(column > q.shape[1])
+        at = [row + 1, column - second * q.shape[1]]
+        return "{}: row {}, column {}".format(paths[second].name, *(at[::-1] if swapped[second] else at))
+
+    return np.column_stack([step * np.arange(len(q)), q, qd]), place
+
+
+def _lines(path):
+    """Return the rows of a CSV file, as lists of texts, without empty ones."""
     with path.open(newline="", encoding="utf-8-sig") as file:
         try:
-            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
+            return [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
         except (csv.Error, UnicodeDecodeError) as unreadable:
             raise ValueError(f"{path.name} cannot be read as CSV: {unreadable}") from unreadable
+
+
+def _is_number(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _read_csv(path):
+    rows = _lines(path)
     if len(rows) < 2:
         raise ValueError(f"{path.name} must hold a header and at least one row; it holds {len(rows)} lines")
     header = [cell.strip() for cell in rows[0]]
+    if all(map(_is_number, header)):
+        raise ValueError(
+            f"{path.name} must begin with a header t,q1,...,qd1,...: column t is missing, its first line holds numbers. "
+            "For positions alone, name the file of the velocities and the time step"
+        )
     positions = sum(name.startswith("q") and not name.startswith("qd") for name in header)
     velocities = sum(name.startswith("qd") for name in header)
     names = _names(max(1, positions, velocities))
@@ -155,33 +256,58 @@ def _read_csv(path):
             how = "is missing" if name not in header else "occurs twice"
             raise ValueError(f"{path.name}: column {name} {how}; its header is {','.join(header):.80}")
     order = [header.index(name) for name in names]
-    table = np.empty((len(rows) - 1, len(names)))
     for number, row in enumerate(rows[1:]):
         if len(row) != len(header):
             raise ValueError(f"{path.name}: row {number + 1} has {len(row)} columns, the header {len(header)}")
-        for column, position in enumerate(order):
-            try:
-                table[number, column] = float(row[position])
-            except ValueError:
+    return _floats(path, [[row[i] for i in order] for row in rows[1:]], names), names
+
+
+def _numbers(path):
+    """Return the table in a CSV file without a header, or with one that is ignored; spaces may separate, too."""
+    rows = [re.split(r"[\s,;]+", " ".join(row).strip(" ;")) for row in _lines(path)]
+    if rows and not any(map(_is_number, rows[0])):
+        rows = rows[1:]
+    if not rows:
+        raise ValueError(f"{path.name} must hold numbers; it holds none")
+    for number, row in enumerate(rows):
+        if len(row) != len(rows[0]):
+            raise ValueError(f"{path.name}: row {number + 1} has {len(row)} columns, the first one {len(rows[0])}")
+    return _floats(path, rows, range(1, len(rows[0]) + 1))
+
+
+def _floats(path, rows, names):
+    table = np.empty((len(rows), len(names)))
+    for number, row in enumerate(rows):
+        for column, cell in enumerate(row):
+            if not _is_number(cell):
                 where = f"{path.name}: row {number + 1}, column {names[column]}"
-                raise ValueError(f"{where} is {row[position]!r:.40}, which is not a number") from None
-    return table, names
+                raise ValueError(f"{where} is {cell!r:.40}, which is not a number")
+            table[number, column] = float(cell)
+    return table
 
 
-def _read_npy(path):
+def _array(path):
+    """Return the table of real numbers in an NPY file."""
     try:
         table = np.load(path, allow_pickle=False)
     except (ValueError, EOFError) as unreadable:
         raise ValueError(f"{path.name} cannot be read as NPY: {unreadable}") from unreadable
-    if table.ndim != 2 or table.shape[1] < 3 or table.shape[1] % 2 == 0 or len(table) == 0:
-        raise ValueError(f"{path.name} must hold an array of shape (n, 1 + 2 k): t, q1.., qd1..; it is {table.shape}")
     if table.dtype.kind not in "iuf":
         raise ValueError(f"{path.name} must hold real numbers; it holds {table.dtype}")
-    return table.astype(float), _names(table.shape[1] // 2)
+    if table.ndim != 2 or table.size == 0:
+        raise ValueError(f"{path.name} must hold a table with a row for each sample; its shape is {table.shape}")
+    return table.astype(float)
 
 
-def _refuse(path, names, bad, reason):
-    """Raise ValueError for the first True in bad, (rows, columns)."""
+def _read_npy(path):
+    table = _array(path)
+    if table.shape[1] < 3 or table.shape[1] % 2 == 0:
+        raise ValueError(f"{path.name} must hold an array of shape (n, 1 + 2 k): t, q1.., qd1..; it is {table.shape}")
+    return table, _names(table.shape[1] // 2)
+
+
+def _refuse(place, bad, reason):
+    """Raise ValueError for the first True in bad, (rows, columns); place(row, column) says where it is."""
     if bad.any():
         row, column = np.argwhere(bad)[0]
-        raise ValueError(f"{path.name}: row {row + 1}, column {names[column]} {reason(row, column)}")
+        raise ValueError(f"{place(row, column)} {reason(row, column)}")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course_lib.arms import planar_arm
-from course_lib.trajectory import Trajectory, load, save
+from course_lib.trajectory import Trajectory, disagreement, load, save
 
 HEADER = "t,q1,q2,qd1,qd2"
 ROWS = ["0,0.1,0.2,1,2", "0.5,0.3,-0.4,3,4", "1,0.5,0.6,5,6"]
@@ -128,6 +128,87 @@ def test_bad_arguments(file, tmp_path):
         save(tmp_path / "a.csv", Trajectory(np.zeros(2), np.zeros((3, 1)), np.zeros((3, 1))))
     with pytest.raises(ValueError, match=r"^trajectory\.qd must be"):
         save(tmp_path / "a.csv", Trajectory(np.zeros(1), np.zeros((1, 1)), None))
+
+
+def two_files(folder, q, qd, kind="csv", **how):
+    """Write positions and velocities as tables of their own, and return both paths."""
+    paths = [folder / f"{name}.{kind}" for name in ("positions", "velocities")]
+    for path, table in zip(paths, (q, qd), strict=True):
+        np.save(path, table) if kind == "npy" else np.savetxt(path, table, **how)
+    return paths
+
+
+ANGLES = np.random.default_rng(2).uniform(-0.4, 0.4, (7, 200))
+SEVEN = np.tile([-0.5, 0.5], (7, 1))
+STEP = 4 * np.pi / 200
+
+
+@pytest.mark.parametrize("how", [{"delimiter": ","}, {}, {"delimiter": ";"}, {"delimiter": ",", "header": "joints"}])
+@pytest.mark.parametrize("upright", [False, True])
+def test_positions_and_velocities_in_two_files_with_joints_as_rows_or_columns(tmp_path, how, upright):
+    tables = [table.T if upright else table for table in (ANGLES, 2 * ANGLES)]
+    for paths in (two_files(tmp_path, *tables, **how), two_files(tmp_path, *tables, kind="npy")):
+        read = load(paths[0], SEVEN, velocities=paths[1], step=STEP)
+        np.testing.assert_allclose(read.q, ANGLES.T)
+        np.testing.assert_allclose(read.qd, 2 * ANGLES.T)
+        np.testing.assert_allclose(read.t, STEP * np.arange(200))
+
+
+def test_a_bad_cell_of_two_files_is_named_where_it_stands(tmp_path):
+    q, qd = ANGLES.copy(), ANGLES.copy()
+    qd[2, 39] = np.nan
+    paths = two_files(tmp_path, q, qd, delimiter=",")
+    with pytest.raises(ValueError, match=r"velocities\.csv: row 3, column 40 is not a finite number"):
+        load(paths[0], SEVEN, paths[1], STEP)
+    q[6, 0] = 0.7
+    paths = two_files(tmp_path, q.T, ANGLES.T)
+    with pytest.raises(ValueError, match=r"positions\.csv: row 1, column 7 is 0\.7000 rad, outside"):
+        load(paths[0], SEVEN, paths[1], STEP)
+
+
+def test_two_files_that_do_not_belong_together(tmp_path):
+    paths = two_files(tmp_path, ANGLES, ANGLES[:, 1:], delimiter=",")
+    with pytest.raises(ValueError, match=r"positions and velocities must have one shape; they are \(7, 200\) in"):
+        load(paths[0], SEVEN, paths[1], STEP)
+    for half in ({"velocities": paths[1]}, {"step": STEP}):
+        with pytest.raises(ValueError, match="velocities and step belong together"):
+            load(paths[0], SEVEN, **half)
+    for step in (0, -1, np.nan, [0.1, 0.2], "x"):
+        with pytest.raises(ValueError, match="^step must"):
+            load(paths[0], SEVEN, paths[1], step)
+    assert "name the file of the velocities and the time step" in refusal(paths[0], SEVEN)
+    (tmp_path / "words.csv").write_text("a,b\n")
+    with pytest.raises(ValueError, match=r"words\.csv must hold numbers"):
+        load(paths[0], SEVEN, tmp_path / "words.csv", STEP)
+    (tmp_path / "ragged.csv").write_text("1,2\n3\n")
+    with pytest.raises(ValueError, match=r"ragged\.csv: row 2 has 1 columns, the first one 2"):
+        load(paths[0], SEVEN, tmp_path / "ragged.csv", STEP)
+    (tmp_path / "spoilt.csv").write_text("1,2\n3,x\n")
+    with pytest.raises(ValueError, match=r"spoilt\.csv: row 2, column 2 is 'x', which is not a number"):
+        load(tmp_path / "spoilt.csv", None, tmp_path / "spoilt.csv", STEP)
+
+
+def swinging(step, factor=1.0, n=200):
+    t = STEP * np.arange(n)
+    speed = np.linspace(0.5, 2, 7)
+    return Trajectory(step * np.arange(n), np.sin(np.outer(t, speed)), factor * speed * np.cos(np.outer(t, speed)))
+
+
+def test_times_that_disagree_with_the_velocities_are_said():
+    assert disagreement(swinging(STEP)) == ""
+    said = "The velocities fit times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s."
+    assert disagreement(swinging(0.05)) == said
+    assert "0.0175 times as far apart" in disagreement(swinging(STEP, np.rad2deg(1)))
+    assert "not those of the positions" in disagreement(swinging(STEP, -1))
+    assert "not those of the positions" in disagreement(swinging(STEP, 0))
+    mixed = swinging(STEP)
+    assert "not those of the positions" in disagreement(Trajectory(mixed.t, mixed.q, mixed.qd[:, ::-1]))
+
+
+def test_few_samples_and_a_still_arm_disagree_with_nothing():
+    for n in (1, 2, 3, 6):
+        assert disagreement(swinging(STEP, n=n)) == ""
+    assert disagreement(Trajectory(np.arange(9.0), np.full((9, 7), 0.3), np.zeros((9, 7)))) == ""
 
 
 def test_limits_may_be_infinite(file):
