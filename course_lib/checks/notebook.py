@@ -146,7 +146,12 @@ def _giving_arrays(function):
     @functools.wraps(function)
     def giving_arrays(*arguments):
         answer = function(*arguments)
-        return np.array(answer) if isinstance(answer, list | tuple) else answer
+        if not isinstance(answer, list | tuple):
+            return answer
+        try:
+            return np.array(answer)
+        except ValueError:  # parts of different shapes, such as screw axes and a pose
+            return tuple(np.array(part) for part in answer)
 
     return giving_arrays
 
