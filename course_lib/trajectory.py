@@ -245,8 +245,8 @@ def _read_csv(path):
     header = [cell.strip() for cell in rows[0]]
     if all(map(_is_number, header)):
         raise ValueError(
-            f"{path.name} must begin with a header t,q1,...,qd1,...: column t is missing, its first line holds numbers. "
-            "For positions alone, name the file of the velocities and the time step"
+            f"{path.name} must begin with a header t,q1,...,qd1,...: column t is missing, its first line holds "
+            "numbers. For positions alone, name the file of the velocities and the time step"
         )
     positions = sum(name.startswith("q") and not name.startswith("qd") for name in header)
     velocities = sum(name.startswith("qd") for name in header)

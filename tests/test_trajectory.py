@@ -174,7 +174,7 @@ def test_two_files_that_do_not_belong_together(tmp_path):
         with pytest.raises(ValueError, match="velocities and step belong together"):
             load(paths[0], SEVEN, **half)
     for step in (0, -1, np.nan, [0.1, 0.2], "x"):
-        with pytest.raises(ValueError, match="^step must"):
+        with pytest.raises(ValueError, match=r"^step must"):
             load(paths[0], SEVEN, paths[1], step)
     assert "name the file of the velocities and the time step" in refusal(paths[0], SEVEN)
     (tmp_path / "words.csv").write_text("a,b\n")

@@ -46,8 +46,8 @@ PREDICTIONS = (
             "a": "Column i depends on the joints after joint i only: they are between its axis and the end-effector. "
             "No column comes before the first one.",
             "b": "Column 1 is the axis of joint 1, seen from the end-effector, and a joint does not move its own axis.",
-            "c": "Joint 1 carries the whole arm round, the end-effector and all axes alike. An observer who rides along "
-            "sees them where they were.",
+            "c": "Joint 1 carries the whole arm round, the end-effector and all axes alike. An observer who rides "
+            "along sees them where they were.",
         },
     ),
     Prediction(

@@ -54,7 +54,7 @@ def add_controls(fig, times, *, redraw):
     """
     seconds = float(times[-1] - times[0])
     at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}
-    pace = {"frame": {"duration": 1000 * seconds / (len(times) - 1), "redraw": redraw}, "fromcurrent": True}
+    pace = {"frame": {"duration": 1000 * seconds / max(len(times) - 1, 1), "redraw": redraw}, "fromcurrent": True}
     pace["transition"] = {"duration": 0}
     fig.update_layout(
         height=fig.layout.height + _CONTROLS,

@@ -108,7 +108,7 @@ def arm_movie(arm, motion):
     return Picture(
         film("iiwa", model, link_poses(arm, motion.q), motion.t, still=still, view=(0.1, 1.0, 0.5)),
         f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its end-effector has {size}.",
-        "The end-effector follows the dashed path; the joints choose the smallest velocity that does it.",
+        "The end-effector follows the dashed path.",
     )
 
 
@@ -123,9 +123,9 @@ def plane_projections(path):
         ax.margins(0.15)
         crossings.append(f"{'xyz'[i]}-{'xyz'[j]} {_crossings(_first_round(path)[:, [i, j]])} times")
     legend_above(fig, 1, axes[0])
-    alt = "The path of the end-effector in the three coordinate planes. In the first round it crosses itself: "
-    caption = "One path in space, three projections: one may cross itself where another does not."
-    return Picture(fig, f"{alt}{', '.join(crossings)}.", caption)
+    said = f"In the first round it crosses itself: {', '.join(crossings)}."
+    alt = f"The path of the end-effector in the three coordinate planes. {said}"
+    return Picture(fig, alt, f"One path in space, three projections. {said}")
 
 
 def _first_round(path):
@@ -151,12 +151,17 @@ def _side(a, b, c):
     return np.sign(dx * ey - dy * ex)
 
 
+def _mark(samples):
+    """Return the marker with which so few samples are seen."""
+    return "o" if len(samples) < 6 else ""
+
+
 def velocities_over_time(t, v):
     """Return the components of linear velocities over times (n,), one panel for each of {frame: velocities (n, 3)}."""
     fig, axes = plane_figure(7.2, 6.6, rows=len(v), sharex=True, sharey=True)
     for ax, (frame, part) in zip(axes, v.items(), strict=True):
         for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
-            ax.plot(t, values, label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
+            ax.plot(t, values, _mark(t), label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
         ax.set_ylabel(f"{frame}: v (m/s)")
     axes[-1].set_xlabel("time (s)")
     legend_above(fig, 3, axes[0])
@@ -173,22 +178,24 @@ def velocities_against_each_other(v):
     fig, axes = plane_figure(7.2, 7.2, 3, rows=len(v))
     for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
         for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
-            ax.plot(part[:, i], part[:, j], color=colour, linewidth=1.8)
+            ax.plot(part[:, i], part[:, j], _mark(part) + "-", color=colour, linewidth=1.8)
             ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
             ax.set_aspect("equal", adjustable="datalim")
         row[1].set_title(title, fontweight="bold", pad=10)
     return Picture(
         fig,
         f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}.",
-        "Look for curves that you can name: only one row has them.",
+        "A row for each frame: in which one can you name the curves?",
     )
 
 
 def manipulability(t, values):
     """Return the manipulability, shape (n,), along a trajectory, over the times t, shape (n,)."""
     ends = f"between {np.min(values):.3f} and {np.max(values):.3f}"
+    fig = lines(t, {"manipulability": values}, xlabel="time (s)", ylabel="manipulability")
+    fig.axes[0].lines[0].set_marker(_mark(t))
     return Picture(
-        lines(t, {"manipulability": values}, xlabel="time (s)", ylabel="manipulability"),
+        fig,
         f"The manipulability over time, {ends}.",
         f"It stays {ends}: the nearer to zero, the nearer to a singular configuration.",
     )
