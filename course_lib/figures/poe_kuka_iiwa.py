@@ -161,7 +161,7 @@ def velocities_over_time(t, v):
     fig, axes = plane_figure(7.2, 6.6, rows=len(v), sharex=True, sharey=True)
     for ax, (frame, part) in zip(axes, v.items(), strict=True):
         for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
-            ax.plot(t, values, _mark(t), label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
+            ax.plot(t, values, marker=_mark(t), label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
         ax.set_ylabel(f"{frame}: v (m/s)")
     axes[-1].set_xlabel("time (s)")
     legend_above(fig, 3, axes[0])
@@ -178,7 +178,7 @@ def velocities_against_each_other(v):
     fig, axes = plane_figure(7.2, 7.2, 3, rows=len(v))
     for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
         for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
-            ax.plot(part[:, i], part[:, j], _mark(part) + "-", color=colour, linewidth=1.8)
+            ax.plot(part[:, i], part[:, j], marker=_mark(part), color=colour, linewidth=1.8)
             ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
             ax.set_aspect("equal", adjustable="datalim")
         row[1].set_title(title, fontweight="bold", pad=10)

@@ -54,6 +54,7 @@ def _cases(rng):
         (*_UR5E, here, _BENT),
         (*_UR5E, hardly, _BENT),
         (*_UR5E, here @ pose(np.eye(3), [0.05, -0.04, 0.03]), _BENT),
+        (*_UR5E, here @ exp_se3([0.2, -0.1, 0.3, 0, 0, 0]), _BENT),
         _near(_UR5E, np.array([-1, -1.5, 1.2, 0.5, -1, 2]), rng),
         _near(kuka, bent, rng),
         _near(kuka, -bent, rng),
@@ -108,6 +109,11 @@ EXERCISE = Exercise(
             lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
             _off,
             points=1,
+        ),
+        Property(
+            "the steps begin at q0: if q0 reaches T_target already, the answer is q0",
+            lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 0.1,
+            where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-5,
         ),
         Property(
             "for a target out of reach (3 m away) nan is returned",
