@@ -38,7 +38,7 @@ def _leads_out(k, row):
     for i, step in enumerate((0.3, -0.3, 0.2, -0.2)):
         own[i, list(_MOVED[k])] += step * np.array([1.0, -0.6])[: len(_MOVED[k])]
         others[i, free] += step * np.array([1.0, -0.6, 0.8, -1.1, 0.7, 0.9])[: len(free)]
-    return _smallest(own).max() > _REGULAR and _smallest(others).max() < _SINGULAR
+    return _smallest(own).max() > _REGULAR and _smallest(others).max() < 10 * _SINGULAR
 
 
 def _outside(rows):
