@@ -17,7 +17,7 @@ QUESTIONS = {
     "01_rotations": "How do you compute with orientations, and keep them valid?",
     "02_rigid_motion": "Why does a robot that counts the revolutions of its wheels miss its dock?",
     "03_subproblems_damped_ik": "What can be solved exactly, and what do you do when nothing can?",
-    "04_poe_kuka_iiwa": "Where is the end-effector of a seven-joint arm, how fast does it move, and what can it hold?",
+    "04_poe_kuka_iiwa": "From the drawing of an arm, how do you find joint angles for a pose?",
     "05_panda_dh_ik": "How does a robot find a mug, grasp it and put it somewhere else?",
     "06_decomposition_ik": "Can samples replace a formula for inverse kinematics, and with what error?",
 }
