@@ -48,6 +48,7 @@ def fold_what_serves(cell) -> None:
         return
     if isinstance(statements[0], ast.Import | ast.ImportFrom) and not cell.outputs:
         hide(cell, "hide-input", "Imports and settings")
+        cell.metadata["tags"].append("imports")  # which paper leaves out
     elif cell.outputs and all(_is_figure(output) for output in cell.outputs) and all(map(_only_draws, statements)):
         hide(cell, "hide-input", "The lines that draw it")
 

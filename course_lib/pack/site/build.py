@@ -91,8 +91,8 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(sources, pages)
-    for heading, page in ((sections.ERRATA, pages / "errata.ipynb"), (sections.SOURCES, pages / "sources.ipynb")):
-        if sections.write(heading, books, page):
+    for page in (pages / f"{name}.ipynb" for name in sections.PAGES):
+        if sections.write(books, page):
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(gather.home(notebooks, others, living_panda(), offered(release)), encoding="utf-8")

@@ -74,6 +74,19 @@ def leave_unnumbered(app, document):
             node["ids"].clear()
 
 
+def fold_more(app, document, docname):
+    """Fold each section of More: its title and first paragraph, a promise, are the line that opens it."""
+    for section in document.findall(lambda node: isinstance(node, nodes.section) and "more" in node["classes"]):
+        title, *rest = section.children
+        promise = [rest.pop(0)] if rest and isinstance(rest[0], nodes.paragraph) else []
+        if promise:  # a summary may hold a heading and words, and no paragraph
+            promise = [nodes.inline("", "", *promise[0].children, classes=["promise"])]
+        begin, end, close = ("<details><summary>", "</summary>", "</details>")
+        html = [nodes.raw("", text, format="html") for text in (begin, end, close)]
+        section.children = []
+        section.extend([html[0], title, *promise, html[1], *rest, html[2]])
+
+
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     """Add the scripts of the figures, after the text, to the pages that hold a figure.
 
@@ -145,6 +158,7 @@ def setup(app):
     app.connect("html-collect-pages", search_page)
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
+    app.connect("doctree-resolved", fold_more)
     app.add_html_math_renderer("built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None))
     app.connect("html-page-context", set_formulas_in_outputs)
     app.connect("build-finished", lambda app, error: formulas.close())

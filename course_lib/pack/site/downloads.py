@@ -13,15 +13,11 @@ from course_lib.pack.site import SiteError
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
-RUN = """
-
-**Run it.** {link}, unpack it and type `make lab` in its folder; without make, follow its README. Then open
+RUN = """**Run it.** {link}, unpack it and type `make lab` in its folder; without make, follow its README. Then open
 `notebooks/{name}`."""
 # The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"
-WORDS = """
-
-<a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside the others in
+WORDS = """<a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside the others in
 the course's folder, where it finds the helper package and the data."""
 
 
@@ -42,15 +38,16 @@ def offered(release: Path | None) -> str:
 
 
 def offer(source: Path, folder: Path, release: Path | None = None) -> None:
-    """Put a link to the zip, or to a notebook without solutions, after the first text of its copy in `folder`.
+    """Put a link to the zip, or to a notebook without solutions, after the first figure of its copy in `folder`.
+
+    After its first cell if no figure is among the first four.
 
     Raises SiteError if a solution cannot be separated from the rest.
     """
     book = nbformat.read(folder / source.name, as_version=4)
-    first = next((cell for cell in book.cells if cell.cell_type == "markdown"), None)
     words = RUN.format(link=offered(release), name=source.name) if release else _alone(source)
-    if first:
-        first.source += words
+    place = next((number for number, cell in enumerate(book.cells[:4], 1) if cell.get("outputs")), 1)
+    book.cells.insert(place, nbformat.v4.new_markdown_cell(words, id="run-it"))
     nbformat.write(book, folder / source.name)
 
 

@@ -23,6 +23,8 @@ QUESTIONS = {
 }
 NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
+CORE = "The core of all takes about {} hours; folded sections, called More, are on request."
+
 HOME = """# Robot kinematics
 
 Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
@@ -104,7 +106,7 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     students' zip, each as HTML; the link may be "".
     """
     hours = [notebook.hours for notebook in notebooks]
-    time = f" All together they take about {sum(hours)} hours." if all(hours) else ""
+    time = f" {CORE.format(sum(hours))}" if all(hours) else ""
     more = [f"- [{_heading(page)}]({page.name})" for page in others]
     steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
     pages = {page.name for page in others}

@@ -13,9 +13,11 @@ import nbformat
 from PIL import Image
 
 from course_lib.figures.display import PLOTLY, TOY
+from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
 
+MORE = "```{rst-class} more\n```\n\n"  # MyST keeps no tags of text; conf.py folds the sections of this class
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 
@@ -49,6 +51,8 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
             raise SiteError(f"{place} was changed, and not run since. Run the notebook and save it.")
         fold(cell) if solutions else leave_out(cell, place)
+        if TAG in cell.metadata.get("tags", []) and heading_level(cell):
+            cell.source = MORE + cell.source
         if cell.cell_type == "code":
             fold_what_serves(cell)
         if cell.get("outputs"):

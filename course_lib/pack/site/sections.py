@@ -1,4 +1,4 @@
-"""Pages that put one section of every notebook together: what the report got wrong, and the sources."""
+"""Pages that put one section of every notebook together: the reports' errors with remarks on them, and the sources."""
 
 import re
 from copy import deepcopy
@@ -10,17 +10,30 @@ from nbformat.v4 import new_markdown_cell, new_notebook
 
 from course_lib.pack.site.answers import hide
 
-ERRATA, SOURCES = "What the report got wrong", "Sources"
 LINES = "The lines that compute it"
 
-BEGIN = {
-    ERRATA: """# Errata
+# Each page: its beginning, and for each of its parts the heading in the notebooks and what begins the part.
+PAGES = {
+    "errata": (
+        """# Errata
 
-Errors in the published report: what it prints, the computed evidence against it, and what is right. Each part is
-the end of a notebook, to which its title links; the functions and exercises that it names are in that notebook.""",
-    SOURCES: """# Sources
+Errors in the published reports, and remarks on them. A notebook's title links to the notebook, which has the functions
+and exercises that are named here.""",
+        {
+            "### Errors in it": """## Errors
+
+What a report prints, the computed evidence against it, and what is right.""",
+            "### Remarks": """## Remarks
+
+Choices that we would make differently. They are not errors.""",
+        },
+    ),
+    "sources": (
+        """# Sources
 
 The books, articles and reports that each notebook uses.""",
+        {"## Sources": ""},
+    ),
 }
 
 # Phrases that make sense only inside a notebook, and what the page of errata says instead.
@@ -57,17 +70,19 @@ LINKS = {
 }
 
 
-def write(heading: str, books: dict[str, NotebookNode], path: Path) -> bool:
-    """Write to `path` a notebook of the sections with that heading, from {file name: notebook}; return if any exist."""
-    cells = [cell for name, book in books.items() for cell in _titled(heading, name, book)]
-    if not cells:
+def write(books: dict[str, NotebookNode], path: Path) -> bool:
+    """Write the page that `path` names, a notebook, from {file name: notebook}; return whether it has any contents."""
+    begin, parts = PAGES[path.stem]
+    cells = [new_markdown_cell(begin)]
+    for heading, words in parts.items():
+        found = [cell for name, book in books.items() for cell in _titled(heading, name, book)]
+        cells += [new_markdown_cell(words)] * bool(found and words) + found
+    if len(cells) == 1:
         return False
-    if heading == SOURCES:
-        for cell in cells:
-            cell.source = _linked(cell.source)
-    cells.insert(0, new_markdown_cell(BEGIN[heading]))
     for number, cell in enumerate(cells):
         cell.id = f"{path.stem}-{number}"  # else random, and no two builds the same
+        if path.stem == "sources":
+            cell.source = _linked(cell.source)
     metadata = next(iter(books.values())).metadata
     nbformat.write(new_notebook(cells=cells, metadata=metadata), path)
     return True
@@ -87,15 +102,14 @@ def _linked(text: str) -> str:
 def _titled(heading: str, name: str, book: NotebookNode) -> list:
     """Return the cells of a notebook's section, whose heading becomes the notebook's title with a link to it."""
     text = "\n".join(cell.source for cell in book.cells if cell.cell_type == "markdown")
-    title = re.search(r"^# (.+)", text, re.MULTILINE)
+    title = re.search(r"^# (.+)|$", text, re.MULTILINE)[1] or Path(name).stem
     cells = section(book, heading)
-    if cells:
-        cells[0].source = cells[0].source.replace(
-            f"## {heading}", f"## [{title[1] if title else Path(name).stem}]({name})", 1
-        )
     for cell in cells:
         if cell.cell_type == "markdown":
             cell.source = _from_elsewhere(cell.source, name)
+    if cells:
+        level = heading.partition(" ")[0]
+        cells[0].source = cells[0].source.replace(heading, f"{level} [{title}]({name})", 1)
     return cells
 
 
@@ -103,17 +117,18 @@ def _from_elsewhere(text: str, link: str) -> str:
     """Return a notebook's text for another page: references to itself and to its exercises are reworded."""
     for words, instead in THERE.items():
         text = re.sub(words, instead.format(link=link), text)
-    return text
+    return text.replace("](#", f"]({link}#")
 
 
 def section(book, heading: str) -> list:
-    """Return copies of the cells between a heading of the second level and the next one; code is folded."""
+    """Return copies of the cells from a heading to the next one of its or a higher level; code is folded."""
     found, inside = [], False
+    begins = re.compile(rf"^(?=#{{1,{heading.index(' ')}}} )", re.MULTILINE)
     for cell in book.cells:
         if cell.cell_type == "markdown":
-            for part in re.split(r"^(?=## )", cell.source, flags=re.MULTILINE):
-                if part.startswith("## "):
-                    inside = part.splitlines()[0].strip() == f"## {heading}"
+            for part in begins.split(cell.source):
+                if begins.match(part):
+                    inside = part.splitlines()[0].strip() == heading
                 if inside and part.strip():
                     found.append(new_markdown_cell(part))
         elif inside and cell.cell_type == "code":

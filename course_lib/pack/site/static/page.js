@@ -15,6 +15,29 @@
   });
 })();
 
+// Open what a link or a search leads into, sections and answers alike; not every browser does that by itself.
+(() => {
+  "use strict";
+  const unfold = (part) => {
+    for (let e = part && part.closest("details"); e; e = e.parentElement.closest("details")) e.open = true;
+  };
+  const arrive = () => {
+    const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (!part) return;
+    unfold(part.querySelector(":scope > details") || part);
+    part.scrollIntoView();
+  };
+  window.course = window.course || { kinds: {} };
+  window.course.unfold = unfold;
+  window.addEventListener("hashchange", arrive);
+  window.addEventListener("DOMContentLoaded", arrive);
+  // A link to the place where one is already changes no hash.
+  document.addEventListener("click", ({ target }) => {
+    const link = target.closest('a[href^="#"]');
+    if (link && link.hash === location.hash && link.hash) arrive();
+  });
+})();
+
 // What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code, a row of panels.
 (() => {
   "use strict";
@@ -38,7 +61,7 @@
   window.addEventListener("DOMContentLoaded", () => {
     const section = document.getElementById(decodeURIComponent(location.hash.slice(1))) || document.querySelector("article");
     const walk = document.createTreeWalker(section, NodeFilter.SHOW_TEXT, (node) =>
-      pattern.test(node.data) && !node.parentElement.closest("script, style, svg, summary, .math, .plotly-figure")
+      pattern.test(node.data) && !node.parentElement.closest("script, style, svg, .above-input > summary, .math, .plotly-figure")
         ? NodeFilter.FILTER_ACCEPT
         : NodeFilter.FILTER_REJECT);
     const found = [];
@@ -46,8 +69,7 @@
     found.forEach((node) => {
       const parts = node.data.split(pattern).map((part, i) =>
         i % 2 ? Object.assign(document.createElement("mark"), { textContent: part }) : part);
-      const folded = node.parentElement.closest("details");
-      if (folded) folded.open = true;
+      window.course.unfold(node.parentElement);
       node.replaceWith(...parts);
     });
     const first = section.querySelector("mark");
