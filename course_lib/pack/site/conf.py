@@ -81,10 +81,10 @@ def fold_more(app, document, docname):
         promise = [rest.pop(0)] if rest and isinstance(rest[0], nodes.paragraph) else []
         if promise:  # a summary may hold a heading and words, and no paragraph
             promise = [nodes.inline("", "", *promise[0].children, classes=["promise"])]
-        begin, end, close = ("<details><summary>", "</summary>", "</details>")
-        html = [nodes.raw("", text, format="html") for text in (begin, end, close)]
+        texts = ('<details><summary class="more">', "</summary>", "</details>")
+        begin, end, close = (nodes.raw("", text, format="html") for text in texts)
         section.children = []
-        section.extend([html[0], title, *promise, html[1], *rest, html[2]])
+        section.extend([begin, title, *promise, end, *rest, close])
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):

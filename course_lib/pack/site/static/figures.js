@@ -313,11 +313,13 @@
   // When the page is loaded and the browser is idle: one figure after the other.
   const idle = window.requestIdleCallback || ((work) => setTimeout(work, 50));
   async function reserveNext() {
-    const box = boxes.shift();
-    if (!box) return;
+    const next = boxes.findIndex((each) => each.checkVisibility()); // what is folded has no size yet
+    if (next < 0) return;
+    const [box] = boxes.splice(next, 1);
     if (!figures.has(box)) figures.set(box, setUp(box));
     await figures.get(box).reserve();
     idle(reserveNext);
   }
   window.addEventListener("load", () => idle(reserveNext));
+  document.addEventListener("toggle", () => idle(reserveNext), true);
 })();

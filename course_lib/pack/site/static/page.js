@@ -61,7 +61,7 @@
   window.addEventListener("DOMContentLoaded", () => {
     const section = document.getElementById(decodeURIComponent(location.hash.slice(1))) || document.querySelector("article");
     const walk = document.createTreeWalker(section, NodeFilter.SHOW_TEXT, (node) =>
-      pattern.test(node.data) && !node.parentElement.closest("script, style, svg, .above-input > summary, .math, .plotly-figure")
+      pattern.test(node.data) && !node.parentElement.closest("script, style, svg, summary:not(.more), .math, .plotly-figure")
         ? NodeFilter.FILTER_ACCEPT
         : NodeFilter.FILTER_REJECT);
     const found = [];

@@ -1,0 +1,141 @@
+"""Folded sections of More on a page, and the errors and remarks of the appendix on a page of their own."""
+
+import nbformat
+import pytest
+from bs4 import BeautifulSoup
+from loaded_sphinx import build
+from nbformat.v4 import new_markdown_cell, new_output
+from playwright.sync_api import expect
+from site_notebooks import MOVING, NBGRADER, PLOTLY, SOLUTION, cell, output, png, write
+from site_visits import Visit, assert_readable
+
+TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
+LOOKS = {"390-dark": (390, "dark"), "1280-light": (1280, "light")}  # width in pixels, theme
+
+
+def more(text):
+    return new_markdown_cell(text, metadata={"tags": ["more"]})
+
+
+@pytest.fixture(scope="module")
+def notebooks(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("more") / "notebooks"
+    write(
+        folder,
+        "01_rotations.ipynb",
+        new_markdown_cell("# Rotations\n\nA drone grows. It takes about three hours."),
+        cell(source="import numpy as np"),
+        cell(output({"image/png": png()}, "A rising line"), source="draw()"),
+        new_markdown_cell("Words of the core. See [the numbers](#Reproduce)."),
+        more(f"## {TITLE}\n\n{PROMISE}"),
+        new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        cell(output({PLOTLY: MOVING, "image/png": png()}, "A point that moves to the right")),
+        more("## Appendix: the report\n\nWhat it did."),
+        new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
+        new_markdown_cell("### Errors in it\n\n#### 1 · A factor\n\n**Printed:** two. See [there](#Three-angles)."),
+        cell(new_output("stream", text="three\n"), source="print('three')"),
+        new_markdown_cell("**Right:** three, as above."),
+        new_markdown_cell("### Remarks\n\n#### A name\n\nIt is long.\n\n## Sources\n\n- A book."),
+    )
+    plain = "# Rigid motion\n\nIt takes about 2 hours. [There](01_rotations.ipynb#Reproduce)."
+    write(folder, "02_rigid_motion.ipynb", new_markdown_cell(plain))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def site(notebooks):
+    build(notebooks, notebooks.parent / "html")
+    return notebooks.parent / "html"
+
+
+@pytest.fixture(params=LOOKS.values(), ids=LOOKS)
+def visit(site, browser, request):
+    width, theme = request.param
+    with Visit(browser, site / "01_rotations.html", width=width, theme=theme) as visit:
+        yield visit
+
+
+def test_a_section_is_a_line_with_its_heading_and_its_promise_that_the_keyboard_opens(visit, notebooks):
+    page = visit.page
+    line, inside = page.locator("summary.more").first, page.get_by_text("Haar")
+    expect(line.locator("h2")).to_contain_text(TITLE)
+    expect(line.locator(".promise")).to_contain_text("40 minutes")
+    expect(line.locator(".promise .math")).to_be_visible()
+    expect(inside).not_to_be_visible()
+    assert page.locator("summary.more").count() == 2
+    assert page.locator("details details summary", has_text="Solution").count() == 1
+    line.focus()
+    page.keyboard.press("Enter")
+    expect(inside).to_be_visible()
+    expect(page.get_by_text("All digits agree")).not_to_be_visible()
+    assert_readable(visit, notebooks / "01_rotations.ipynb", page.viewport_size["width"])
+
+
+def test_a_link_into_a_section_opens_it_at_once_and_a_second_time(visit, site):
+    page, there = visit.page, visit.page.get_by_text("All digits agree")
+    for _ in range(2):
+        page.get_by_role("link", name="the numbers").click()
+        expect(there).to_be_in_viewport()
+        page.locator("summary.more").nth(1).press("Enter")
+        expect(there).not_to_be_visible()
+    page.goto((site / "02_rigid_motion.html").as_uri())
+    page.get_by_role("link", name="There").click()
+    expect(there).to_be_in_viewport()
+
+
+def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, browser):
+    with Visit(browser, site / "search.html", query="?q=gooseberry") as visit:
+        visit.page.locator("#search-results a").first.click()
+        expect(visit.page.locator("details details mark")).to_be_in_viewport()
+        visit.page.goto((site / "search.html").as_uri() + "?q=uniformly")
+        expect(visit.page.locator("#search-results a")).to_contain_text([TITLE])
+
+
+def test_a_figure_in_a_section_has_its_place_once_it_is_open(visit):
+    box = visit.page.locator(".plotly-figure")
+    visit.page.wait_for_load_state()
+    assert box.get_attribute("style") is None
+    visit.page.locator("summary.more").first.click()
+    visit.page.wait_for_function("box => box.style.minHeight || box.matches('.drawn')", arg=box.element_handle())
+    box.scroll_into_view_if_needed()
+    expect(box.locator(".main-svg").first).to_be_visible()
+
+
+def test_paper_shows_what_is_folded_but_imports(visit):
+    page = visit.page
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    for words in ("Haar", "All digits agree"):
+        expect(page.get_by_text(words)).to_be_visible()
+    expect(page.get_by_text("gooseberry")).to_be_visible()
+    expect(page.locator(".tag_imports")).not_to_be_visible()
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="null")
+    expect(page.get_by_text("Haar")).not_to_be_visible()
+
+
+def test_the_first_screen_shows_the_figure_before_the_words(visit):
+    tops = [visit.page.locator(part).first.bounding_box()["y"] for part in ("h1", "article img", "p:has-text('core')")]
+    assert tops == sorted(tops)
+    assert tops[1] < 600
+    assert visit.page.locator("a[download]").bounding_box()["y"] > tops[1]
+
+
+def test_errors_and_remarks_stand_apart_and_their_links_lead_to_the_notebook(site):
+    article = BeautifulSoup((site / "errata.html").read_text("utf-8"), "html.parser").find("article")
+    said = [heading.get_text().rstrip("#¶") for heading in article.select("h1, h2, h3, h4")]
+    assert said == ["Errata", "Errors", "Rotations", "1 · A factor", "Remarks", "Rotations", "A name"]
+    links = [link["href"] for link in article.select("p a:not(.headerlink), h3 a:not(.headerlink)")]
+    assert links == ["01_rotations.html", "01_rotations.html#three-angles", "01_rotations.html", "01_rotations.html"]
+    assert article.select_one(".output.stream").get_text().strip() == "three"
+    assert article.select_one("details") is not None
+
+
+def test_the_home_page_says_how_long_the_core_takes(site):
+    article = BeautifulSoup((site / "index.html").read_text("utf-8"), "html.parser").find("article")
+    assert "The core of all takes about 5 hours" in " ".join(article.get_text().split())
+
+
+def test_the_notebooks_stay_as_they_were(notebooks, site):
+    assert nbformat.read(notebooks / "01_rotations.ipynb", 4).cells[4].source.startswith("## More")
