@@ -113,7 +113,7 @@ class Visit:
         if self.drawn is not None and examine is None:
             return self.drawn
         self.drawn = traces = []
-        self.page.evaluate(OPEN)  # what is folded is not near
+        self.page.evaluate(OPEN.replace('"details"', '"section.more > details"'))  # what is folded is not near
         for number, box in enumerate(self.page.locator(".plotly-figure").all()):
             box.scroll_into_view_if_needed()
             if box.get_attribute("data-without-plotly") is not None:  # a toy draws itself

@@ -13,12 +13,12 @@ from course_lib.pack.site import SiteError
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
-RUN = """**Run it.** {link}, unpack it and type `make lab` in its folder; without make, follow its README. Then open
-`notebooks/{name}`."""
+RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make, follow
+its README. Then open <code>notebooks/{name}</code>.</p>"""
 # The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"
-WORDS = """<a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside the others in
-the course's folder, where it finds the helper package and the data."""
+WORDS = """<p><a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside
+the others in the course's folder, where it finds the helper package and the data.</p>"""
 
 
 def students_zip(root: Path, path: Path) -> Path | None:
@@ -38,16 +38,19 @@ def offered(release: Path | None) -> str:
 
 
 def offer(source: Path, folder: Path, release: Path | None = None) -> None:
-    """Put a link to the zip, or to a notebook without solutions, after the first figure of its copy in `folder`.
+    """Put a link to the zip, or to a notebook without solutions, below the first figure of its copy in `folder`.
 
-    After its first cell if no figure is among the first four.
+    Below the first text if nothing is shown in the first four cells.
 
     Raises SiteError if a solution cannot be separated from the rest.
     """
     book = nbformat.read(folder / source.name, as_version=4)
     words = RUN.format(link=offered(release), name=source.name) if release else _alone(source)
-    place = next((number for number, cell in enumerate(book.cells[:4], 1) if cell.get("outputs")), 1)
-    book.cells.insert(place, nbformat.v4.new_markdown_cell(words, id="run-it"))
+    shown = next((cell for cell in book.cells[:4] if cell.get("outputs")), None)
+    if shown:  # no cell is added, for Sphinx's messages name cells by their numbers
+        shown.outputs.append(nbformat.v4.new_output("display_data", data={"text/html": words}))
+    elif book.cells[0].cell_type == "markdown":
+        book.cells[0].source += f"\n\n{words}"
     nbformat.write(book, folder / source.name)
 
 

@@ -18,7 +18,7 @@ CODE = re.compile(r"<pre.*?</pre>", re.DOTALL)
 HEADING = re.compile(r"<h([1-6])>(.*?)</h\1>", re.DOTALL)
 # Not in the index: formulas (pictures and MathML), the data of figures, and the link beside each heading.
 SILENT = re.compile(
-    r"<(script|style|svg)\b.*?</\1>|<summary>.*?</summary>|<a class=\"headerlink\".*?</a>|<section class=\"no-search\".*?</section>",
+    r"<(script|style|svg)\b.*?</\1>|<summary>.*?</summary>|<a class=\"headerlink\".*?</a>",
     re.DOTALL,
 )
 
