@@ -5,14 +5,14 @@ import json
 import nbformat
 import numpy as np
 import pytest
-from nbformat.v4 import new_code_cell, new_notebook
+from nbformat.v4 import new_code_cell, new_notebook, new_output
 from numpy.testing import assert_allclose
 from some_toys import TOYS
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm
 from course_lib.figures.display import TOY
-from course_lib.figures.toys.toy import SCRIPTS, is_live, module
+from course_lib.figures.toys.toy import ELSEWHERE, SCRIPTS, _stills, is_live, module
 from course_lib.pack.notebooks import run, tidy
 from course_lib.planar import propagate_body
 
@@ -48,9 +48,28 @@ def test_a_stored_notebook_gets_the_model_and_a_live_one_the_widget(toy, monkeyp
     toy._ipython_display_()
     stored, live = (data for data in outputs if "text/markdown" not in data)  # the captions apart
     assert set(stored) == {TOY, "text/plain"}
-    assert set(live) == {"application/vnd.jupyter.widget-view+json", "text/plain"}
-    assert stored["text/plain"] == live["text/plain"] == toy.alt
+    assert set(live) == {"application/vnd.jupyter.widget-view+json", TOY, "text/html", "text/plain"}
+    assert stored["text/plain"] == toy.alt
+    assert live["text/plain"] == f"{toy.alt} {ELSEWHERE}"
     assert stored[TOY]["layout"]["meta"]["course"]["kind"] == toy.meta["kind"]
+
+
+def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_path, monkeypatch):
+    toy, outputs = TOYS["plane"](), []
+    stored = new_output("display_data", data={TOY: toy.stored(), "image/png": "iVBORw0KGgo="})
+    nbformat.write(new_notebook(cells=[new_code_cell("toy", outputs=[stored])]), tmp_path / "01.ipynb")
+    (tmp_path / "02.ipynb").write_text(f"<<<<<<< {TOY}")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("IPython.display.display", lambda data, raw, metadata: outputs.append((data, metadata)))
+    monkeypatch.setenv("JPY_SESSION_NAME", "01.ipynb")
+    _stills.cache_clear()
+    toy._ipython_display_()
+    _stills.cache_clear()
+    data, metadata = outputs[0]
+    assert data["image/png"] == "iVBORw0KGgo="
+    assert metadata["image/png"]["alt"] == toy.alt
+    assert 'src="data:image/png;base64,iVBORw0KGgo="' in data["text/html"]
+    assert ELSEWHERE in data["text/html"]
 
 
 def test_a_widgets_module_contains_the_scripts_of_the_page_and_loads_nothing_else(toy):

@@ -2,10 +2,14 @@
 
 What a toy computes and draws is the JavaScript of course_lib/figures/scripts. Its model (link lengths, screw axes, a
 start) is JSON. An exported page loads the scripts and draws the toy; in JupyterLab a widget with the same scripts does.
-A stored notebook holds the model and, for places that run no script, a picture of the toy at its start.
+A stored notebook holds the model and, for places that run no script, a picture of the toy at its start, which is also
+what a live notebook shows where widgets do not run.
 """
 
 import base64
+import contextlib
+import html
+import json
 import os
 from functools import cache
 from pathlib import Path
@@ -17,6 +21,7 @@ from course_lib.figures.solids.model import PALETTE, coordinates
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
+ELSEWHERE = "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` writes."
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """
 export default { render({ model, el }) {
@@ -85,12 +90,21 @@ class Toy:
     def _ipython_display_(self):
         from IPython.display import display
 
-        data, metadata = {TOY: self.stored()}, {"image/png": {"alt": self.alt}}
+        data = {TOY: self.stored(), "text/plain": self.alt}
+        if still := _stills().get(_key(data[TOY])):
+            data["image/png"] = still
         if is_live():
             bundle = self.widget()._repr_mimebundle_()
-            data, metadata = bundle if isinstance(bundle, tuple) else (bundle, {})
-        display({**data, "text/plain": self.alt}, raw=True, metadata=metadata)
+            data |= bundle[0] if isinstance(bundle, tuple) else bundle
+            data |= {"text/plain": f"{self.alt} {ELSEWHERE}", "text/html": self._still_page(still)}
+        display(data, raw=True, metadata={"image/png": {"alt": self.alt}})
         show_caption(self.caption)
+
+    def _still_page(self, still):
+        """Return the HTML that is shown where widgets are not: the still, or the words, and where the toy moves."""
+        alt = html.escape(self.alt)
+        shown = f'<img src="data:image/png;base64,{still}" alt="{alt}">' if still else f"<p>{alt}</p>"
+        return f"{shown}<p>{ELSEWHERE}</p>"
 
     def stored(self):
         """Return what a stored notebook holds: a figure without traces, whose script draws it."""
@@ -103,6 +117,23 @@ class Toy:
             widget.answers = True
             widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
         return widget
+
+
+def _key(figure):
+    return json.dumps(figure, sort_keys=True)
+
+
+@cache
+def _stills():
+    """Return {a stored toy as JSON: its PNG in base64}, from the notebooks of the folder in which the kernel runs."""
+    texts = (path.read_text(encoding="utf-8", errors="replace") for path in sorted(Path.cwd().glob("*.ipynb")))
+    found = {}
+    for text in texts:
+        with contextlib.suppress(ValueError, LookupError, AttributeError, TypeError):  # not a notebook
+            for cell in json.loads(text)["cells"] if TOY in text else ():
+                datas = [output.get("data", {}) for output in cell.get("outputs", [])]
+                found |= {_key(data[TOY]): data["image/png"] for data in datas if {TOY, "image/png"} <= set(data)}
+    return found
 
 
 def is_live():
