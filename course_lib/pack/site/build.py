@@ -91,6 +91,8 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(sources, pages)
+    for page in (page for page in others if page.name == PAGES[0]):
+        page.write_text(gather.with_pictures(page.read_text(encoding="utf-8"), notebooks), encoding="utf-8")
     for page in (pages / f"{name}.ipynb" for name in sections.PAGES):
         if sections.write(books, page):
             prepare(page, pages, solutions)

@@ -13,8 +13,8 @@ from course_lib.pack.site import SiteError
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
-RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make, follow
-its README. Then open <code>notebooks/{name}</code>.</p>"""
+RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make,
+follow its README. Then open <code>notebooks/{name}</code>.</p>"""
 # The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"
 WORDS = """<p><a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside

@@ -24,7 +24,7 @@ SILENT = re.compile(
 
 
 def write(site: Path) -> None:
-    """Write the index of all pages of a site: page, its title, section, its heading, its words."""
+    """Write the index of all pages of a site: page, its title, section, its heading, its words, whether on an error."""
     entries = []
     for page in sorted(site.glob("*.html")):
         if page.name != "search.html":
@@ -34,17 +34,19 @@ def write(site: Path) -> None:
 
 
 def _sections(page: Path) -> list[list[str]]:
-    """Return [page, title, section's id, heading, words] for each section of a page."""
+    """Return [page, title, section's id, heading, words, whether it is on an error] for each section of a page."""
     article = re.search(r"<article.*?>(.*)</article>", page.read_text(encoding="utf-8"), re.DOTALL)
     if not article:
         return []
     parts = SECTION.split(article[1])
-    found, title = [], ""
+    found, title, on_errors = [], "", False
     for name, body in zip(parts[1::2], parts[2::2], strict=True):
         heading = HEADING.search(body)
         words = _words(heading[2]) if heading else ""
         title = title or words
-        found.append([page.name, title, name, words, _words(HEADING.sub("", body, count=1))])
+        if heading and heading[1] in "12":
+            on_errors = page.stem == "errata" or words.startswith("Appendix")
+        found.append([page.name, title, name, words, _words(HEADING.sub("", body, count=1)), on_errors])
     return found
 
 

@@ -1,5 +1,5 @@
 // Find the sections that contain all words, and show the sentence around the first one. The link opens the page at
-// the section and marks the words. The sections are in sections.js, as [page, title, id, heading, text].
+// the section and marks the words. The sections are in sections.js, as [page, title, id, heading, text, whether on an error].
 (() => {
   "use strict";
   const field = document.getElementById("search-words");
@@ -12,11 +12,11 @@
 
   function find(words) {
     return window.courseSections
-      .map(([page, title, id, heading, text]) => {
+      .map(([page, title, id, heading, text, onErrors]) => {
         const [head, body] = [plain(heading), plain(text)];
         if (!words.every((word) => head.includes(word) || body.includes(word))) return null;
         const points = words.reduce((sum, word) => sum + 20 * times(head, word) + Math.min(10, times(body, word)), 0)
-          - (page === "errata.html" ? 15 : 0); // what teaches a thing comes before an error about it
+          - (onErrors ? 15 : 0); // what teaches a thing comes before an error about it
         return { page, title, id, heading, text, body, points };
       })
       .filter(Boolean)
@@ -26,12 +26,14 @@
   // The sentence around a word, or as much of it as can be read at a glance.
   function sentence(text, body, words) {
     const first = words.map((word) => body.indexOf(word)).find((place) => place >= 0);
-    if (first === undefined || body.length !== text.length) return text.slice(0, 160);
+    if (first === undefined || body.length !== text.length) return text.slice(0, 160).replace(/\s\S*$/, "");
     const before = Math.max(text.lastIndexOf(". ", first) + 1, first - 120, 0);
     const end = text.indexOf(". ", first);
-    const after = Math.min(end < 0 ? text.length : end + 1, first + 140);
+    const whole = end < 0 ? text.length : end + 1, most = first + 140;
+    const after = whole <= most ? whole : text.lastIndexOf(" ", most); // no word is cut
     const from = before && text[before - 1] !== "." ? text.indexOf(" ", before) + 1 : before;
-    return (from && text[from - 1] !== "." && text[from - 2] !== "." ? "… " : "") + text.slice(from, after).trim();
+    return (from && text[from - 1] !== "." && text[from - 2] !== "." ? "… " : "") + text.slice(from, after).trim()
+      + (after < whole ? " …" : "");
   }
 
   function mark(parent, text, words) {
