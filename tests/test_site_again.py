@@ -10,7 +10,6 @@ from site_notebooks import HELIX, MOVING, NBGRADER, PLOTLY, SOLUTION, TEXT, cell
 from site_visits import Visit, assert_readable
 
 from course_lib.pack.site import SiteError
-from course_lib.pack.site import build as builder
 
 
 @pytest.fixture(scope="module")
@@ -27,8 +26,7 @@ def made(tmp_path_factory):
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nSee [numpy](https://numpy.org)."))
     write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
     (folder / "Answers.md").write_text("# For graders")
-    said, _ = built(folder)
-    return folder, said
+    return folder, built(folder)
 
 
 @pytest.fixture
@@ -39,16 +37,11 @@ def notebooks(made, tmp_path):
     return tmp_path / "notebooks"
 
 
-def written(notebooks):
-    """Return the time at which each page was written."""
-    return {page.name: page.stat().st_mtime_ns for page in (notebooks.parent / "html").glob("*.html")}
-
-
 def built(notebooks, **settings):
-    """Build; return the lines printed, and the time at which each page was written."""
+    """Build; return the lines printed."""
     said = []
     build(notebooks, notebooks.parent / "html", said.append, **settings)
-    return said, written(notebooks)
+    return said
 
 
 def test_progress_names_each_notebook(made):
@@ -66,67 +59,13 @@ def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages(made):
     }
 
 
-def test_an_unchanged_site_is_not_built_again(notebooks):
-    first = written(notebooks)
-    said, second = built(notebooks)
-    assert said == [f"Nothing has changed since {notebooks.parent / 'html' / 'index.html'} was written."]
-    assert second == first
-
-
-class Begun(Exception):
-    """The notebooks were about to be read for new pages."""
-
-
-@pytest.fixture
-def begins(monkeypatch):
-    """A function that builds until the notebooks are read: it returns whether the build would have made pages."""
-
-    def stop(*arguments):
-        raise Begun
-
-    def begins(notebooks, **settings):
-        with monkeypatch.context() as patch:
-            patch.setattr(builder, "_gather", stop)
-            try:
-                built(notebooks, **settings)
-            except Begun:
-                return True
-        return False
-
-    return begins
-
-
-def rewrite(notebooks):
-    write(notebooks, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion\n\nOther words."))
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        rewrite,
-        lambda notebooks: (notebooks / "data.csv").write_text("1, 2"),
-        lambda notebooks: (notebooks.parent / "html/01_rotations.html").write_text("scribbled over"),
-        lambda notebooks: (notebooks.parent / "html/_static/plotly.packed.js").unlink(),
-    ],
-    ids=["a notebook", "a file beside it", "a page", "a library"],
-)
-def test_every_kind_of_change_is_noticed(notebooks, begins, change):
-    assert not begins(notebooks)
-    change(notebooks)
-    assert begins(notebooks)
-
-
-def test_other_settings_are_noticed(notebooks, begins):
+def test_a_second_build_replaces_the_first(notebooks):
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")
     assert (page.parent / "_static").exists()
-    assert begins(notebooks, solutions=False)
     built(notebooks, solutions=False, single=True)
     assert "BEGIN SOLUTION" not in page.read_text("utf-8")
     assert not (page.parent / "_static").exists()
-    assert begins(notebooks, solutions=False)
-    assert begins(notebooks, single=True)
-    assert begins(notebooks)
 
 
 def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):

@@ -20,7 +20,6 @@ from course_lib.pack.site.finish import finish
 from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.prepare import prepare
 from course_lib.pack.site.single import make_single
-from course_lib.pack.site.unchanged import is_unchanged, made_from, sign
 
 HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
@@ -30,7 +29,7 @@ PLOTLY = "plotly.packed.js"
 def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
-    No cell is executed and no notebook is changed. If nothing has changed since the last build, nothing is done.
+    No cell is executed and no notebook is changed.
 
     `output` is empty, absent, or holds a site; `say` is called with a line of text for each notebook and stage. With
     `solutions` the answers are folded, else left out; with `single` each page is one file that needs no other. Raises
@@ -44,10 +43,6 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     # Sphinx leaves .buildinfo in every site, so a folder without it was not written by us.
     if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
         raise SiteError(f"{output} holds other files than a site. Name an empty folder.")
-    source = made_from(notebooks, solutions, single)
-    if is_unchanged(output, source):
-        say(f"Nothing has changed since {output / 'index.html'} was written.")
-        return
 
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
@@ -65,7 +60,6 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
             release.rename(site / ZIP)
         if single:
             make_single(site)
-        sign(site, source)
 
         if output.exists():
             shutil.rmtree(output)

@@ -39,6 +39,9 @@ html_show_copyright = False
 html_context = {"default_mode": "auto"}
 html_theme_options = {
     "use_download_button": False,
+    "toc_title": "On this page",
+    # It would hold a place for advertisements.
+    "primary_sidebar_end": [],
     "home_page_in_toc": True,
     # The side bar already has the search.
     "navbar_persistent": [],

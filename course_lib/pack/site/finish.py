@@ -14,8 +14,7 @@ NOT_NEEDED = re.compile(
 )
 EMPTY = re.compile(
     r'<footer class="bd-footer(?:-content)?">[^\w]*(?:<div class="bd-footer-content__inner container">\s*</div>\s*)?'
-    r"</footer>|"
-    r'<div class="sidebar-primary-item">\s*<div id="ethical-ad-placement".*?</div></div>',
+    r"</footer>",
     re.DOTALL,
 )
 ICON = (
@@ -37,9 +36,8 @@ NAMES = {
     'aria-label="Main"': 'aria-label="Pages of the course"',
     'title="Toggle primary sidebar"': 'title="Pages of the course" aria-label="Pages of the course"',
     'title="Toggle secondary sidebar"': 'title="On this page" aria-label="On this page"',
-    "> Contents\n": "> On this page\n",
     # Above the printed page; the page's own title is its one heading of the first level.
-    "<h2> Contents </h2>": '<p class="print-contents">Contents</p>',
+    "<h2> On this page </h2>": '<p class="print-contents">Contents</p>',
 }
 
 
@@ -51,37 +49,12 @@ def finish(site: Path) -> None:
     shutil.rmtree(static / "vendor", ignore_errors=True)
     for name in ("scripts/fontawesome.js", "searchtools.js", "language_data.js", "english-stemmer.js"):
         (static / name).unlink(missing_ok=True)
-    used = _words([*site.glob("*.html"), *static.rglob("*.js")])
-    for style in static.rglob("*.css"):
-        style.write_text(_pruned(style.read_text(encoding="utf-8"), used), encoding="utf-8")
+    for style in static.rglob("*.css"):  # the font is that of the icons
+        style.write_text(re.sub(r"@font-face\s*\{[^}]*\}", "", style.read_text(encoding="utf-8")), encoding="utf-8")
     # Source maps are for the theme's authors, and its translations for pages in other languages.
     for source_map in site.rglob("*.map"):
         source_map.unlink()
     shutil.rmtree(static / "locales", ignore_errors=True)
-
-
-def _words(files) -> set[str]:
-    """Return the names that may be those of classes: all words of pages and scripts."""
-    texts = (file.read_text(encoding="utf-8") for file in files if file.name != "plotly.packed.js")
-    return {word for text in texts for word in re.findall(r"[A-Za-z_][\w-]*", text)}
-
-
-def _pruned(style: str, used: set[str]) -> str:
-    """Return a style sheet without fonts, and without rules for classes that no page has and no script names.
-
-    A browser reads the style sheets before it shows anything; nine tenths of the theme's are for other sites.
-    """
-    style = re.sub(r"/\*.*?\*/|@font-face\s*\{[^}]*\}", "", style, flags=re.DOTALL)
-
-    def kept(rule: re.Match) -> str:
-        if set(rule[1]) & set("@;(\\"):  # not a plain list of selectors
-            return rule[0]
-        names = {one: re.findall(r"\.([A-Za-z_][\w-]*)", one) for one in rule[1].split(",")}
-        # Bootstrap's script composes names such as bs-tooltip-auto.
-        selectors = [one for one, all_of in names.items() if all(n in used or n.startswith("bs-") for n in all_of)]
-        return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
-
-    return re.sub(r"([^{}]+)\{([^{}]*)\}", kept, style)
 
 
 PRINTED_TITLE = re.compile(r'(<div id="jb-print-docs-body"[^>]*>\s*)<h1>(.*?)</h1>', re.DOTALL)
@@ -98,20 +71,15 @@ def _finished(page: str) -> str:
     page = re.sub(r"<title>.*?</title>", lambda _: f"<title>{title}</title>", page, count=1, flags=re.DOTALL)
     head = [
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f'<meta property="og:title" content="{title}">',
-        '<meta property="og:type" content="article">',
         f'<link rel="icon" href="data:image/svg+xml,{ICON}">'.replace("<svg", "%3Csvg", 1),
     ]
     if words := _first_words(page):
-        head[1:1] = [f'<meta {key}="{name}" content="{words}">' for key, name in DESCRIPTIONS]
+        head.insert(1, f'<meta name="description" content="{words}">')
     return page.replace('<meta charset="utf-8" />', '<meta charset="utf-8">' + "\n    ".join(["", *head]), 1)
 
 
-DESCRIPTIONS = (("name", "description"), ("property", "og:description"))
-
-
 def _first_words(page: str) -> str:
-    """Return the first paragraph of a page's text, for search engines and for links that are shared."""
+    """Return the first paragraph of a page's text, for search engines."""
     article = page.partition("<article")[2]
     for paragraph in re.findall(r"<p>(.*?)</p>", article, re.DOTALL):
         words = " ".join(re.sub(r"<svg.*?</svg>|<[^>]*>", "", paragraph, flags=re.DOTALL).split())
