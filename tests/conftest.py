@@ -101,7 +101,8 @@ def built_once(tmp_path_factory, solutions):
     base = tmp_path_factory.getbasetemp()
     folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"course-{solutions}"
     with locked(folder.with_suffix(".lock")):
-        build(NOTEBOOKS, folder, solutions=solutions)  # which does nothing where all is as it was
+        if not folder.exists():
+            build(NOTEBOOKS, folder, solutions=solutions)
     return folder
 
 
