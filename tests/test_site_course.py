@@ -93,7 +93,7 @@ def test_the_keyboard_alone_reaches_everything(on_a_desktop):
 
 def test_the_site_is_small_and_contains_each_library_once(course):
     files = [file for file in course.rglob("*") if file.is_file()]
-    assert sum(file.stat().st_size for file in files) < 12e6
+    assert sum(file.stat().st_size for file in files) < 14e6
     assert len(list(course.rglob("plotly*.js"))) == 1
     assert not list(course.rglob("mathjax*.js")) + list(course.rglob("*.woff2"))
     assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]

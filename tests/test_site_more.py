@@ -25,7 +25,7 @@ def notebooks(tmp_path_factory):
         "01_rotations.ipynb",
         new_markdown_cell("# Rotations\n\nA drone grows. It takes about three hours."),
         cell(source="import numpy as np"),
-        cell(output({"image/png": png()}, "A rising line"), source="draw()"),
+        cell(output({"image/png": png()}, "A rising line"), source="x = 2\nprint(x)\ndraw(x)", tags=["cover"]),
         new_markdown_cell("Words of the core. See [the numbers](#Reproduce)."),
         more(f"## {TITLE}\n\n{PROMISE}"),
         new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
@@ -119,6 +119,8 @@ def test_the_first_screen_shows_the_figure_before_the_words(visit):
     tops = [visit.page.locator(part).first.bounding_box()["y"] for part in ("h1", "article img", "p:has-text('core')")]
     assert tops == sorted(tops)
     assert tops[1] < 600
+    folded = [line.strip() for line in visit.page.locator("details.hide > summary").all_inner_texts()]
+    assert folded[:2] == ["Imports and settings", "The lines that draw it"]
     assert visit.page.locator("a[download]").bounding_box()["y"] > tops[1]
 
 

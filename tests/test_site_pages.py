@@ -131,6 +131,14 @@ def test_every_source_of_a_known_work_has_its_link(course):
     assert sum(bool(line.select("a[href^=https]")) for line in lines) > 0.6 * len(lines)
 
 
+def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(course):
+    article = BeautifulSoup((course / "reports.html").read_text("utf-8"), "html.parser").find("article")
+    parts = article.select("section section")
+    assert [len(part.select("img")) for part in parts] == [1] * len(NOTEBOOKS)
+    links = [part.select_one("a[href*=html]")["href"] for part in parts]
+    assert links == [f"{notebook.stem}.html#reproduce" for notebook in NOTEBOOKS]
+
+
 def test_the_page_of_sources_lists_those_of_each_notebook(on_a_phone):
     article = on_a_phone("sources").page.locator("article")
     listed = [words(text) for text in article.locator("li").all_inner_texts()]

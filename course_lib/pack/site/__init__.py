@@ -1,5 +1,6 @@
 """The executed notebooks as a static site that opens from a folder with the network off."""
 
+COVER = "cover"  # the tag of the cell whose picture is on the notebook's card
 LIVING = ("motion", "scene", "toys", "panda")  # the home page's scripts, of course_lib/figures/scripts, in order
 
 

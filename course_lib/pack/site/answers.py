@@ -5,7 +5,7 @@ import re
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
-from course_lib.pack.site import SiteError
+from course_lib.pack.site import COVER, SiteError
 
 # A printed line that addresses the person who wrote the answers.
 OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)
@@ -36,9 +36,12 @@ def hide(cell, tag: str, name: str) -> None:
     cell.metadata["mystnb"] = {"code_prompt_show": name, "code_prompt_hide": name}
 
 
-def fold_what_serves(cell) -> None:
-    """Let the page show a code cell that only imports, or only draws a figure, as one line that opens."""
-    if "nbgrader" in cell.metadata or cell.metadata.get("tags"):
+def fold_what_serves(cell, is_opening: bool = False) -> None:
+    """Let the page show a code cell that only imports, or only draws a figure, as one line that opens.
+
+    The figure that opens a notebook stands on the first screen: its lines are folded whatever else they do.
+    """
+    if "nbgrader" in cell.metadata or set(cell.metadata.get("tags", [])) - {COVER}:
         return
     try:
         statements = ast.parse(cell.source).body
@@ -49,7 +52,9 @@ def fold_what_serves(cell) -> None:
     if isinstance(statements[0], ast.Import | ast.ImportFrom) and not cell.outputs:
         hide(cell, "hide-input", "Imports and settings")
         cell.metadata["tags"].append("imports")  # which paper leaves out
-    elif cell.outputs and all(_is_figure(output) for output in cell.outputs) and all(map(_only_draws, statements)):
+        return
+    shows = [_is_figure(output) for output in cell.outputs]
+    if any(shows) and (is_opening or (all(shows) and all(map(_only_draws, statements)))):
         hide(cell, "hide-input", "The lines that draw it")
 
 

@@ -10,6 +10,7 @@ from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 from course_lib.pack.release.stubs import students_copy
 from course_lib.pack.site import SiteError
+from course_lib.pack.site.prepare import OPENING
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
@@ -40,13 +41,13 @@ def offered(release: Path | None) -> str:
 def offer(source: Path, folder: Path, release: Path | None = None) -> None:
     """Put a link to the zip, or to a notebook without solutions, below the first figure of its copy in `folder`.
 
-    Below the first text if nothing is shown in the first four cells.
+    Below the first text if nothing is shown in the opening cells.
 
     Raises SiteError if a solution cannot be separated from the rest.
     """
     book = nbformat.read(folder / source.name, as_version=4)
     words = RUN.format(link=offered(release), name=source.name) if release else _alone(source)
-    shown = next((cell for cell in book.cells[:4] if cell.get("outputs")), None)
+    shown = next((cell for cell in book.cells[:OPENING] if cell.get("outputs")), None)
     if shown:  # no cell is added, for Sphinx's messages name cells by their numbers
         shown.outputs.append(nbformat.v4.new_output("display_data", data={"text/html": words}))
     elif book.cells[0].cell_type == "markdown":

@@ -9,9 +9,9 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
+from course_lib.pack.site import COVER
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
-COVER = "cover"  # the tag of the cell whose picture is on the notebook's card
 # The question that each notebook answers; a notebook's metadata may state another one, as "question".
 QUESTIONS = {
     "01_rotations": "How do you compute with orientations, and keep them valid?",

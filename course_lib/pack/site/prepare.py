@@ -17,6 +17,7 @@ from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
 
+OPENING = 4  # cells, with the first figure among them
 MORE = "```{rst-class} more\n```\n\n"  # MyST keeps no tags of text; conf.py folds the sections of this class
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
@@ -54,7 +55,7 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
         if TAG in cell.metadata.get("tags", []) and heading_level(cell):
             cell.source = MORE + cell.source
         if cell.cell_type == "code":
-            fold_what_serves(cell)
+            fold_what_serves(cell, is_opening=number <= OPENING)
         if cell.get("outputs"):
             _move_captions(cell)
         for output in cell.get("outputs", []):
