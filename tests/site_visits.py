@@ -105,8 +105,10 @@ class Visit:
         """The window is so many pixels wide for a while."""
         before = self.page.viewport_size
         self.page.set_viewport_size({**before, "width": width})
-        yield
-        self.page.set_viewport_size(before)
+        try:
+            yield
+        finally:
+            self.page.set_viewport_size(before)
 
     def draw_figures(self, examine=None):
         """Scroll to each figure, once; return how many traces each shows. examine(number, box) sees each when drawn."""

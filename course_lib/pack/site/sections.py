@@ -54,19 +54,18 @@ LINKS = {
     "*Robotics*": f"{DOI}10.1007/978-1-84628-642-1",
     "*Stable Mappings and Their Singularities*": f"{DOI}10.1007/978-1-4615-7904-5",
     "A generalized solution of the orthogonal Procrustes problem": f"{DOI}10.1007/BF02289451",
-    "Least-squares estimation of transformation parameters between two point patterns": f"{DOI}10.1109/34.88573",
+    "*IEEE PAMI* 13": f"{DOI}10.1109/34.88573",
     "Quaternion from rotation matrix": f"{DOI}10.2514/3.55767b",
     "Animating rotation with quaternion curves": f"{DOI}10.1145/325334.325242",
     "Effective sampling and distance metrics for 3D rigid body path planning": f"{DOI}10.1109/ROBOT.2004.1308895",
     "IK-Geo: unified robot inverse kinematics using subproblem decomposition": "https://arxiv.org/abs/2211.05737",
     "Inverse kinematic solutions with singularity robustness for robot manipulator control": f"{DOI}10.1115/1.3143764",
-    "A kinematic notation for lower-pair mechanisms based on matrices": f"{DOI}10.1115/1.4011045",
-    "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method": f"{DOI}10.1109/TRO.2011.2148230",
-    "A solution for the best rotation to relate two sets of vectors": f"{DOI}10.1107/S0567739476001873",
+    "*Journal of Applied Mechanics* 22": f"{DOI}10.1115/1.4011045",
+    "*IEEE Transactions on Robotics* 27": f"{DOI}10.1109/TRO.2011.2148230",
+    "*Acta Crystallographica* A32": f"{DOI}10.1107/S0567739476001873",
     "Least squares quantization in PCM": f"{DOI}10.1109/TIT.1982.1056489",
     "Locally weighted learning for control": f"{DOI}10.1023/A:1006511328852",
     "Learning inverse kinematics": f"{DOI}10.1109/IROS.2001.973374",
-    "Scikit-learn: machine learning in Python": "https://jmlr.org/papers/v12/pedregosa11a.html",
 }
 
 
