@@ -199,7 +199,8 @@ def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader
     page.evaluate(OPEN)
     read = """() => {
       const text = document.querySelector("article").cloneNode(true);
-      text.querySelectorAll(":is(.math, .plotly-figure, .headerlink, button)").forEach((part) => part.remove());
+      text.querySelectorAll(".math, .plotly-figure, .headerlink, button, .tag_not-on-paper details")
+        .forEach((part) => part.remove());
       return document.body.appendChild(text).innerText;
     }"""
     words = {*re.findall(r"[A-Za-z]{4,}", page.evaluate(read))}

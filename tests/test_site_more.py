@@ -109,7 +109,7 @@ def test_paper_shows_what_is_folded_but_imports(visit):
     for words in ("Haar", "All digits agree"):
         expect(page.get_by_text(words)).to_be_visible()
     expect(page.get_by_text("gooseberry")).to_be_visible()
-    expect(page.locator(".tag_imports")).not_to_be_visible()
+    expect(page.locator(".tag_not-on-paper summary").first).not_to_be_visible()
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="null")
     expect(page.get_by_text("Haar")).not_to_be_visible()

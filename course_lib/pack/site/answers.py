@@ -30,9 +30,9 @@ def fold(cell) -> None:
         hide(cell, "hide-cell", "Solution")
 
 
-def hide(cell, tag: str, name: str) -> None:
-    """Let MyST-NB fold a code cell, or a part of it, under a line with this name."""
-    cell.metadata["tags"] = [*cell.metadata.get("tags", []), tag]
+def hide(cell, tag: str, name: str, *more_tags: str) -> None:
+    """Let MyST-NB fold a code cell, or a part of it, under a line with this name; the style sheet knows more tags."""
+    cell.metadata["tags"] = [*cell.metadata.get("tags", []), tag, *more_tags]
     cell.metadata["mystnb"] = {"code_prompt_show": name, "code_prompt_hide": name}
 
 
@@ -50,12 +50,11 @@ def fold_what_serves(cell, is_opening: bool = False) -> None:
     if not statements:
         return
     if isinstance(statements[0], ast.Import | ast.ImportFrom) and not cell.outputs:
-        hide(cell, "hide-input", "Imports and settings")
-        cell.metadata["tags"].append("imports")  # which paper leaves out
+        hide(cell, "hide-input", "Imports and settings", "not-on-paper")
         return
     shows = [_is_figure(output) for output in cell.outputs]
     if any(shows) and (is_opening or (all(shows) and all(map(_only_draws, statements)))):
-        hide(cell, "hide-input", "The lines that draw it")
+        hide(cell, "hide-input", "The lines that draw it", *["not-on-paper"] * is_opening)
 
 
 def _is_figure(output) -> bool:
