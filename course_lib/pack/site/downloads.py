@@ -7,7 +7,7 @@ from pathlib import Path
 import nbformat
 
 from course_lib.pack.release import ReleaseError
-from course_lib.pack.release.bundle import collect, named, release_date, write_zip
+from course_lib.pack.release.bundle import PAGES, collect, named, release_date, write_zip
 from course_lib.pack.release.stubs import students_copy
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.prepare import OPENING
@@ -16,6 +16,7 @@ ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
 RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make,
 follow its README. Then open <code>notebooks/{name}</code>.</p>"""
+REPORTS = '\n<p><a href="reports.html">What the reports print, beside our numbers</a>.</p>'
 # The link on a page that is one file contains the notebook.
 KIND = "data:application/x-ipynb+json;base64,"
 WORDS = """<p><a download="{name}" href="{kind}{content}">Download this notebook, without solutions</a>. It runs beside
@@ -47,6 +48,8 @@ def offer(source: Path, folder: Path, release: Path | None = None) -> None:
     """
     book = nbformat.read(folder / source.name, as_version=4)
     words = RUN.format(link=offered(release), name=source.name) if release else _alone(source)
+    if (folder / PAGES[0]).exists():
+        words += REPORTS
     shown = next((cell for cell in book.cells[:OPENING] if cell.get("outputs")), None)
     if shown:  # no cell is added, for Sphinx's messages name cells by their numbers
         shown.outputs.append(nbformat.v4.new_output("display_data", data={"text/html": words}))
