@@ -43,8 +43,8 @@ def descend(arm, targets, q0, rules, steps, near):
     arm : SerialArm
     targets : array_like (m, 4, 4)
         Poses of the end-effector in the base frame; metres.
-    q0 : array_like (n,)
-        The start for each target, in radians.
+    q0 : array_like (n,) or (m, n)
+        The start for all targets, or one for each, in radians.
     rules : (error_of, move, inside)
         error_of(T, target) is the error of poses (k, 4, 4), shape (k, 6); move(J, e, distance) are the steps (k, n) for
         Jacobians (k, 6, n), errors and distances (k,); inside(q) are the joint angles (k, n) within the limits. Errors
@@ -71,13 +71,16 @@ def descend(arm, targets, q0, rules, steps, near):
     """
     checked_arm(arm, "arm")
     targets, q0 = checked_pose(targets, "targets", (4, 4)), real_array(q0, "q0", (arm.n,))
-    for name, array, axes in (("targets", targets, 3), ("q0", q0, 1)):
-        if array.ndim != axes:
-            raise ValueError(f"{name} must have {axes} axes; its shape is {array.shape}")
+    if targets.ndim != 3:
+        raise ValueError(f"targets must have 3 axes; its shape is {targets.shape}")
+    if q0.shape not in ((arm.n,), (len(targets), arm.n)):
+        raise ValueError(
+            f"q0 must be one start, or one for each of the {len(targets)} targets; its shape is {q0.shape}"
+        )
     steps, near = count(steps, "steps"), positive(near, "near")
     if not (isinstance(rules, tuple | list) and len(rules) == 3 and all(map(callable, rules))):
         raise ValueError(f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}")
-    q = np.tile(q0, (len(targets), 1))
+    q = np.broadcast_to(q0, (len(targets), arm.n)).copy()
     error_of, move, inside = rules
     taken, busy = np.full(len(q), steps + 1), np.arange(len(q))
     for k in range(steps + 1):

@@ -7,7 +7,7 @@ Golub and Van Loan, Matrix Computations, section 8.5, for rotations plane by pla
 
 import numpy as np
 
-from course_lib.arguments import broadcast, finite_result, real_array, refuse_first
+from course_lib.arguments import broadcast, finite_result, positive, real_array, refuse_first
 from course_lib.rigid import transform
 from course_lib.rotations import nearest_so
 
@@ -23,7 +23,8 @@ def register_points(src, dst, weights=None):
     """Return the pose T that minimises the weighted sum of |T src_i - dst_i|^2. It is never a reflection.
 
     The points may be nearly on one line, and of any scale. The answer is as exact as rounding allows; the points are
-    refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad.
+    refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad. Noise does far more than
+    rounding: `uncertainty` says how much.
 
     Source: Umeyama (1991), without the scale.
 
@@ -75,6 +76,51 @@ def register_points(src, dst, weights=None):
         mean_src, mean_dst = np.ldexp(mean_a, exponent_a), np.ldexp(mean_b, exponent_b)
         p = mean_dst - (R @ mean_src[..., None])[..., 0]
     return np.broadcast_to(transform(R, finite_result(p, "dst", None)), (*batch, 4, 4))
+
+
+def uncertainty(points, noise, weights=None):
+    """Return by what angle a registration of noisy points is uncertain about each of their principal axes.
+
+    For small noise the error of the rotation is a random rotation vector. Its standard deviation about an axis is the
+    noise, divided by the root of the sum of the squared distances from the axis through the centroid: about a line on
+    which all points lie almost, it is large.
+
+    Parameters
+    ----------
+    points : array_like (n, 3)
+        The points that are registered, in metres; n at least 3, not all on one line.
+    noise : float
+        Standard deviation of each coordinate of a point of weight 1, in metres.
+    weights : array_like (n,), optional
+        As for `register_points`; a point of weight 4 has half the noise. None for equal weights.
+
+    Returns
+    -------
+    angles : array (3,)
+        Standard deviations in radians, the largest first. From about 0.3 on they say no more than "uncertain".
+    axes : array (3, 3)
+        Each row is the unit vector about which the angle is.
+
+    Raises
+    ------
+    ValueError
+        If `register_points` refuses the points, or the noise is not above zero.
+
+    Examples
+    --------
+    >>> angles, axes = uncertainty([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [0.1, 0.01, 0]], 0.001)
+    >>> print(np.rad2deg(angles).round(1), abs(axes[0]).round(2))
+    [6.6 0.4 0.4] [1. 0. 0.]
+    """
+    points, noise = real_array(points, "points", (3,)), positive(noise, "noise")
+    if points.ndim != 2:
+        raise ValueError(f"points must have shape (n, 3); its shape is {points.shape}")
+    register_points(points, points, weights)  # refuses what cannot be registered
+    w = np.ones(len(points)) if weights is None else np.asarray(weights, float)
+    centred = np.where(w[:, None] > 0, points - w @ points / w.sum(), 0.0)
+    moments, axes = np.linalg.eigh((w[:, None] * centred).T @ centred)
+    angles = noise / np.sqrt(moments.sum() - moments)
+    return angles[::-1], axes.T[::-1]
 
 
 def _points(value, name):

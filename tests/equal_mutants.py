@@ -65,6 +65,7 @@ FORMS = {
     "euler_yxy": _three_angles,
     "subproblem1": lambda angle, *case: (np.cos(angle), np.sin(angle)),
     "panda_ik": lambda q, *case: panda().fk(q),
+    "plan_pick": lambda rows, *case: panda().fk(rows[-1, 1:]),
     **dict.fromkeys(("two_link_angles", "subproblem2", "subproblem3", "subproblem4"), _set),
     **dict.fromkeys(("arm_angles", "six_axis_ik"), _set),
     **dict.fromkeys(("random_rotations", "random_quaternions"), _moments),

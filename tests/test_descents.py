@@ -64,7 +64,7 @@ def test_the_rule_for_the_limits_is_applied_after_each_step():
         ("arm", None),
         ("targets", np.eye(4)),
         ("targets", np.zeros((2, 4, 4))),
-        ("q0", np.zeros((2, 7))),
+        ("q0", np.zeros((3, 7))),
         ("q0", np.zeros(6)),
         ("rules", damped),
         ("rules", (ik.pose_error, damped)),
@@ -76,3 +76,11 @@ def test_invalid_arguments_are_named(argument, value):
     valid = {"arm": PANDA, "targets": TARGETS[:2], "q0": READY, "rules": (ik.pose_error, damped, as_it_is)}
     with pytest.raises(ValueError, match=f"^{argument}"):
         descents.descend(**(valid | {"steps": 3, "near": 0.02} | {argument: value}))
+
+
+def test_each_target_may_have_a_start_of_its_own():
+    rules = ik.pose_error, damped, as_it_is
+    starts = np.array([READY, READY + 0.1])
+    together = descents.descend(PANDA, TARGETS[:2], starts, rules, 20, 1e-3)[1]
+    alone = [descents.descend(PANDA, TARGETS[[k]], starts[k], rules, 20, 1e-3)[1][0] for k in range(2)]
+    assert together.tolist() == alone

@@ -6,8 +6,8 @@ import pytest
 from helpers import close, pose_samples
 from scipy.spatial.transform import Rotation
 
-from course_lib import rigid
-from course_lib.registration import register_points
+from course_lib import rigid, rotations
+from course_lib.registration import register_points, uncertainty
 
 
 def moved(T, points):
@@ -147,3 +147,25 @@ def test_a_translation_beyond_the_largest_number_is_refused():
     src = 1.7e308 * np.array([[1, 1, 1], [1, 1, 0.9], [1, 0.9, 1], [0.9, 1, 1]])
     with pytest.raises(ValueError, match=r"^dst is too large"):
         register_points(src, -src[[1, 0, 2, 3]])
+
+
+def test_the_uncertainty_is_the_spread_of_registrations_about_each_axis():
+    random = np.random.default_rng(3)
+    points = np.array([[0, 0, 0], [0.1, 0.01, 0], [0.2, 0, 0.005], [0.15, -0.008, 0.01], [0.05, 0, 0]])
+    weights = np.array([1, 2, 1, 0.5, 0])
+    noise = 2e-4 * random.normal(size=(4000, 5, 3)) / np.sqrt(np.maximum(weights, 0.1))[:, None]
+    T = register_points(points, points + noise, weights)
+    angles, axes = uncertainty(points, 2e-4, weights)
+    spread = (rotations.log_so3(T[:, :3, :3]) @ axes.T).std(0)
+    np.testing.assert_allclose(angles, spread, rtol=0.05)
+    assert angles[0] > 5 * angles[1]
+
+
+def test_nearly_collinear_points_are_uncertain_and_collinear_ones_refused():
+    random, line = np.random.default_rng(0), np.outer(np.linspace(0, 0.1, 5), [1, 0, 0])
+    thin = line + random.uniform(-1e-3, 1e-3, (5, 3))
+    assert np.rad2deg(uncertainty(thin, 1e-3)[0][0]) > 15
+    with pytest.raises(ValueError, match="one line"):
+        uncertainty(line, 1e-3)
+    with pytest.raises(ValueError, match="shape"):
+        uncertainty([thin, thin], 1e-3)

@@ -5,26 +5,26 @@ from course_lib.checks.prediction import Prediction
 
 EXERCISES = (
     "dh_modified",
-    "dh_standard",
-    "standard_table",
-    "find_signs",
     "panda_fk",
     "geometric_jacobian",
     "pose_error",
     "test_pose_error",
-    "descent_step",
     "ik_step_dls",
-    "weighted_step",
     "panda_ik",
+    "pixel_to_point",
+    "register_points",
+    "plan_pick",
+)
+
+MORE = (
+    "standard_table",
+    "find_signs",
+    "descent_step",
     "reached_targets",
     "null_space_step",
     "bounded_step",
     "follow_velocity",
-    "fit_rotation",
-    "register_points",
     "good_matches",
-    "grasp_pose",
-    "straight_path",
 )
 
 PREDICTIONS = (
@@ -35,6 +35,24 @@ PREDICTIONS = (
             "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
             "c": "Yes: all beyond joint 1 is rotated by 180 degrees about a horizontal line, so above becomes below.",
+        },
+    ),
+    Prediction(
+        "depth",
+        "b",
+        {
+            "a": "In the middle of the picture the ray lies along the optical axis. What is the difference there?",
+            "b": "Yes: they differ by the cosine of the angle between the ray and the optical axis, 1 in the middle.",
+            "c": "Measure both for a point in a corner of the picture, on paper. Are they the same there?",
+        },
+    ),
+    Prediction(
+        "half_time",
+        "b",
+        {
+            "a": "A speed is a length over a time. Over which power of the time is an acceleration?",
+            "b": "Yes: the square of the time is in the denominator. That is why stretching helps so much.",
+            "c": "The path stays the same. What does a passenger feel if the driver takes it at twice the speed?",
         },
     ),
     Prediction(
@@ -78,4 +96,4 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))

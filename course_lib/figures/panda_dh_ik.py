@@ -5,6 +5,7 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 
 import numpy as np
 import plotly.graph_objects as go
+from matplotlib.collections import PolyCollection
 
 from course_lib import rigid
 from course_lib.arms import panda
@@ -13,7 +14,9 @@ from course_lib.figures.plots import lines
 from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, meshes, scene, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.space import line, points, scene_name
+from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
 
@@ -110,7 +113,143 @@ def _numbers(frames):
     return {", ".join(numbers): point for point, numbers in names.items()}
 
 
+# ---- errors of a pose ----
+
+
+def pose_errors(T, T_target):
+    """Return the linear velocity of three pose errors from T to T_target (4, 4), in the plane, one panel each.
+
+    Both poses lie in the plane z = 0 and are rotated about z.
+    """
+    space = rigid.log_se3(T_target @ rigid.inverse(T))
+    body = rigid.log_se3(rigid.inverse(T) @ T_target)
+    straight, R = (T_target - T)[:2, 3], T[:2, :2]
+    angle, zero = np.rad2deg(space[2]), np.zeros(2)
+    contents = {  # the title, where the arrow starts, the arrow, along whose axes
+        "space: the point at the base's origin": (zero, space[3:5], np.eye(2)),
+        "body: along its own axes": (T[:2, 3], R @ body[3:5], R),
+        "geometric: along the base's axes": (T[:2, 3], straight, np.eye(2)),
+    }
+    fig, axes = plane_figure(10.5, 3.7, 3, sharey=True)
+    for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
+        for pose, colour in ((T, BLUE), (T_target, GREEN)):
+            for k, width in ((0, 3), (1, 1.5)):
+                ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.22 * pose[:2, k]]), color=colour, linewidth=width)
+        ax.plot(0, 0, "o", color=INK, markersize=7)
+        for part in along.T:
+            ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=GREY, linewidth=2)
+        ax.annotate("", start + arrow, start, arrowprops={"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5})
+        ax.set(title=title, xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal", xlabel="x (m)")
+        ax.text(0.98, 0.04, f"{np.linalg.norm(arrow):.2f} m", transform=ax.transAxes, ha="right", color=CRIMSON)
+    axes[0].set_ylabel("y (m)")
+    lengths = ", ".join(f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items())
+    return Picture(
+        fig,
+        f"A current pose, blue, and a target, green, rotated by {angle:.0f} degrees against it. Three panels show the "
+        f"linear part of one error each as a red arrow: {lengths}.",
+        "The same motion by three arrows. Only the last one ends where the target is; the first belongs to a point of "
+        "the body that is, at this moment, at the base.",
+    )
+
+
 # ---- the pick of a mug ----
+
+
+def pinhole(K, T_cm, key_points, size=(640, 480)):
+    """Return a pinhole camera from the side, with one ray, and the picture it takes of a mug.
+
+    K: (3, 3). T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the mug's frame. size: pixels.
+    """
+
+    def project(points):
+        seen = points @ T_cm[:3, :3].T + T_cm[:3, 3]
+        return seen, (seen @ K.T)[:, :2] / seen[:, 2:]
+
+    seen, pixels = project(key_points)
+    k = np.abs(seen[:, 0]).argmax()
+    (x, _, z), u = seen[k], pixels[k, 0]
+    mug = meshes.mug()
+    depth, outline = project(mug.vertices)
+    far_first = np.argsort(-depth[mug.faces, 2].mean(1))
+    fig, (side, image) = plane_figure(10.5, 3.9, 2, width_ratios=[1.15, 1])
+    f = 0.3 * z  # where the picture is drawn: the distance does not matter, its pixels are counted
+    side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
+    side.plot([f, f], [-0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
+    side.plot([0, z], [0, x], color=CRIMSON, linewidth=2)
+    side.plot([z, z], [0, x], color=GREEN, linewidth=2)
+    side.plot(z, x, "o", color=CRIMSON, markersize=9)
+    side.plot(0, 0, "o", color=INK, markersize=8)
+    side.plot(f, f * x / z, "o", color=BLUE, markersize=7)
+    for words, at, colour in (
+        ("camera", (-0.01, -0.12 * x), INK),
+        ("$u - c_x$", (f * 1.06, f * x / z / 2), BLUE),
+        ("$x$", (1.02 * z, x / 2), GREEN),
+        ("depth $z$", (0.62 * z, -0.12 * x), GREY),
+    ):
+        side.text(*at, words, color=colour, fontsize=12, va="center")
+    side.set(xlabel="z, the optical axis (m)", ylabel="x (m)", title="from the side")
+    faces = PolyCollection(outline[mug.faces[far_first]], facecolor="#e6e2de", edgecolor="#c9c4bf", linewidth=0.3)
+    image.add_collection(faces)
+    image.plot(*pixels.T, "o", color=CRIMSON, markersize=6)
+    for k, (a, b) in enumerate(pixels):
+        image.annotate(str(k), (a, b), (6, 4), textcoords="offset points", fontsize=12)
+    image.plot(*K[:2, 2], "+", color=GREY, markersize=14)
+    image.set(xlim=(0, size[0]), ylim=(size[1], 0), aspect="equal", xlabel="u (pixels)", ylabel="v (pixels)")
+    image.set_title("the picture: v grows downwards")
+    return Picture(
+        fig,
+        f"Left, a camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a depth of "
+        f"{z:.2f} m, is seen {abs(u - K[0, 2]):.0f} pixels beside the principal point. Right, the picture of the mug "
+        f"with {len(seen)} numbered key points.",
+        "Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to $z$.",
+    )
+
+
+def motion(times, clearances, trajectory_times, speeds, accelerations):
+    """Return how near a motion comes to its surroundings, and what share of their bounds the motors use.
+
+    times (m,) and clearances {what: (m,)} in metres; trajectory_times, speeds, accelerations (n,), 1 is a bound.
+    """
+    fig, (near, hard) = plane_figure(10.5, 3.5, 2)
+    for what, gap in clearances.items():
+        near.plot(times, 100 * gap, label=what, linewidth=2)
+    worst = {what: gap.min() for what, gap in clearances.items()}
+    near.axhspan(min(-2, 100 * min(worst.values()) - 1), 0, color=CRIMSON, alpha=0.15)
+    near.set(xlabel="time (s)", ylabel="clearance (cm)", ylim=(min(-2, 100 * min(worst.values()) - 1), 25))
+    for share, name in ((speeds, "speed"), (accelerations, "acceleration")):
+        hard.plot(trajectory_times, np.maximum(share, 1e-3), label=name, linewidth=2, drawstyle="steps-post")
+    hard.axhline(1, color=CRIMSON, linewidth=1.5)
+    hard.set(
+        xlabel="time (s)", ylabel="share of the bound", yscale="log", ylim=(0.01, max(2, 1.5 * accelerations.max()))
+    )
+    for ax in (near, hard):
+        ax.legend(frameon=False)
+    said = ", ".join(f"{what} {100 * gap:.1f} cm" for what, gap in worst.items())
+    return Picture(
+        fig,
+        f"Left, the clearance over time; its least value: {said}. Right, the largest share of a joint's bound: speed "
+        f"{speeds.max():.3g}, acceleration {accelerations.max():.3g}.",
+        "Left, the red band is contact. Right, nothing may be above the red line.",
+    )
+
+
+def at_the_mug(q, T_mug, base):
+    """Return the Panda with its open gripper at joint angles q (7,), and a mug at T_mug (4, 4), both on a table.
+
+    base: (3,), where the arm stands in the world.
+    """
+    arm = panda()
+    tip = arm.home[-1] @ IN_FLANGE
+    fingers = []
+    for side in (1, -1):
+        at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
+        fingers += [part.moved(at) for part in shells.finger(7, side)]
+    cup = Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))
+    extra = [*shells.gripper(7, tip), *fingers, cup, *scene.table(0, np.zeros(2), 0.75)]
+    return Picture(
+        draw(arm, q, extra=extra, view=[1.0, -1.4, 0.5], base_frame=False, end_frame=False),
+        "The Panda with its gripper at a mug on the table, in the configuration that is nearest to it.",
+    )
 
 
 def matches(template, scene_points, T, wrong):

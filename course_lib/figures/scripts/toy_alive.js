@@ -85,7 +85,8 @@
       const none = answer && answer.value && !theirs.length;
       const own = none ? "It finds no solution here; the library comes this near." : count;
       const lost = starts && off(shown[0], T) > 1e-3 ? "No solution here; the arm comes as near as it can." : many;
-      words.textContent = said(answer, own, starts ? lost : "Drag the target: the arm follows.");
+      const more = (answer && answer.said) || "", both = [own, more].filter(Boolean).join(" ");
+      words.textContent = said(answer, both, starts ? lost : "Drag the target: the arm follows.");
     }
     moved();
     return { paint, draw, stop: () => view.stop() };

@@ -52,7 +52,7 @@ def alive(figure, f=None):
     return Toy("alive", figure.model | {"stored": stored}, figure.alt, answer, figure.caption)
 
 
-def reach(arm, target, *, q=None):
+def reach(arm, target, *, q=None, says=None):
     """Return a figure for `alive`: an arm and a target to drag, f(target) answers with joint angles.
 
     Parameters
@@ -64,6 +64,8 @@ def reach(arm, target, *, q=None):
     q : array_like, shape (n,) or (k, n), optional
         Joint angles at the start of the library's arm, in radians; several rows are several solutions, all of which
         the library follows while the target moves.
+    says : callable, optional
+        says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is shown with it.
     """
     target = np.asarray(target, float)
     if target.shape not in ((2,), (3,), (4, 4)) or not np.isfinite(target).all():
@@ -75,7 +77,9 @@ def reach(arm, target, *, q=None):
         angles = np.empty((0, arm.n)) if none else np.atleast_2d(np.asarray(found, float))
         if angles.ndim != 2 or angles.shape[1] != arm.n:
             raise ValueError(f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is {np.shape(found)}")
-        return {"value": angles[np.isfinite(angles).all(-1)].tolist()}
+        angles = angles[np.isfinite(angles).all(-1)]
+        said = says(np.array(question["target"], float), angles) if says else ""
+        return {"value": angles.tolist(), "said": str(said)}
 
     title = f"An arm with {arm.n} joints and a target"
     alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "

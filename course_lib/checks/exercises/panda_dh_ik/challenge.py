@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib.arms import panda
-from course_lib.checks.exercises.panda_dh_ik.shared import T_W0
+from course_lib.checks.exercises.panda_dh_ik.shared import READY, T_W0
+from course_lib.pick import IN_FLANGE, between, clearances, shares
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_z
 
@@ -38,57 +39,60 @@ def mug_scene(rng):
     return T, points
 
 
-def picked(T_mug, joints, T_fg):
-    """Return whether joint angles, from 15 cm above the mug down to the grasp, pick it.
+def picked(T_mug, trajectory):
+    """Return whether a trajectory picks a mug.
 
     Parameters
     ----------
     T_mug : array_like, shape (4, 4)
         The mug's true pose in the world.
-    joints : array_like, shape (n, 7)
-        The configurations of the approach in radians.
-    T_fg : array_like, shape (4, 4)
-        The gripper's pose in the flange's frame.
+    trajectory : array_like, shape (n, 8)
+        In each row the time in seconds and the joint angles in radians.
 
     Returns
     -------
     bool
-        At the end the gripper is within 5 mm of the mug's axis, within 10 degrees of the vertical and 3 to 8 cm above
-        the table; at the beginning it is 15 cm above that; all angles are within the limits, and no joint moves by more
-        than 0.4 rad in a step.
+        It begins in the ready configuration. Nothing touches anything, all angles are within the limits, speeds and
+        accelerations within their bounds. At the end the gripper is within 5 mm of the mug's axis, within 10 degrees
+        of the vertical and 3 to 8 cm above the table.
     """
-    joints, arm = np.asarray(joints, float), panda()
-    low, high = arm.limits.T
-    if not np.isfinite(joints).all() or (joints < low - 1e-9).any() or (joints > high + 1e-9).any():
+    trajectory, low_high = np.asarray(trajectory, float), panda().limits.T
+    rows = trajectory.ndim == 2 and trajectory.shape[1:] == (8,) and len(trajectory) > 1
+    if not rows or not np.isfinite(trajectory).all() or np.diff(trajectory[:, 0]).min() <= 0:
         return False
-    T = inverse(T_mug) @ T_W0 @ arm.fk(joints) @ T_fg
-    straight_down = T[-1, 2, 2] < -np.cos(np.deg2rad(10))
-    centred = np.linalg.norm(T[-1, :2, 3]) < 0.005 and 0.03 < T[-1, 2, 3] < 0.08
-    above = np.abs(T[0, :3, 3] - T[-1, :3, 3] - [0, 0, 0.15]).max() < 0.01
-    smooth = len(joints) > 1 and np.abs(np.diff(joints, axis=0)).max() < 0.4
-    return bool(straight_down and centred and above and smooth)
+    joints = trajectory[:, 1:]
+    begins = np.abs(joints[0] - READY).max() < 1e-6
+    inside = np.abs(joints - np.clip(joints, *low_high)).max() < 1e-9
+    bounded = max(share.max() for share in shares(trajectory)) < 1.01
+    clear = min(gap.min() for gap in clearances(between(trajectory)[1], T_mug).values()) > 0
+    T = inverse(T_mug) @ T_W0 @ panda().fk(joints[-1]) @ IN_FLANGE
+    straight_down = T[2, 2] < -np.cos(np.deg2rad(10))
+    centred = np.linalg.norm(T[:2, 3]) < 0.005 and 0.03 < T[2, 3] < 0.08
+    return bool(begins and inside and bounded and clear and straight_down and centred)
 
 
-def score(plan, T_fg):
-    """Return how many of thirty mugs a plan picks.
+def score(plan):
+    """Return how many of thirty mugs a plan picks, and how long a pick takes on average.
 
     Parameters
     ----------
     plan : callable
-        plan(points) are joint angles (n, 7) for the key points (7, 3) of one mug, as seen.
-    T_fg : array_like, shape (4, 4)
-        The gripper's pose in the flange's frame.
+        plan(points) is a trajectory (n, 8) for the key points (7, 3) of one mug, as seen.
 
     Returns
     -------
-    int
+    picks : int
         From 0 to 30; the mugs are the same each time.
+    seconds : float
+        The mean duration of those that pick; nan if there is none.
 
     Examples
     --------
-    >>> score(lambda points: [[np.nan] * 7], np.eye(4))
-    0
+    >>> score(lambda points: np.zeros((2, 8)))
+    (0, nan)
     """
     random = np.random.default_rng(11)
     scenes = [mug_scene(random) for _ in range(30)]
-    return sum(picked(T, plan(points), T_fg) for T, points in scenes)
+    plans = [(T, np.asarray(plan(points), float)) for T, points in scenes]
+    durations = [trajectory[-1, 0] - trajectory[0, 0] for T, trajectory in plans if picked(T, trajectory)]
+    return len(durations), float(np.mean(durations)) if durations else float("nan")

@@ -1,4 +1,4 @@
-"""register_points: the pose that lays points on their partners, each with a weight."""
+"""register_points: find the bug, and let the weights count. A reflection is corrected in the finished product."""
 
 import numpy as np
 
@@ -87,6 +87,15 @@ def _exact(src, dst, weights):
     return weights.all() and off.max() < 1e-10 * size(src, dst)
 
 
+def _broken(src, dst, weights):
+    c_src, c_dst = src.mean(0), dst.mean(0)
+    U, _, Vt = np.linalg.svd((dst - c_dst).T @ (src - c_src))
+    R = U @ Vt
+    if np.linalg.det(R) < 0:
+        R[:, 2] *= -1
+    return pose(R, c_dst - R @ c_src)
+
+
 EXERCISE = Exercise(
     name="register_points",
     points=2,
@@ -109,13 +118,14 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Subtract the centroids first: a_i = src_i - c_src and b_i = dst_i - c_dst. Then only R is left to find.",
-        "The sum is least if trace(R^T B) is largest, with B = sum of w_i b_i a_i^T: R is the rotation nearest to B. "
-        "The position follows from T c_src = c_dst.",
+        "A point of weight 3 counts as three points. In which two places of the code do points count?",
+        "Run the broken code on four points with noise of their own size until its determinant test applies. Does a "
+        "column of the product U V^T belong to one of the singular values?",
         "B = (weights[:, None] * b).T @ a, and U, S, Vt = np.linalg.svd(B). R = U @ np.diag([1, 1, d]) @ Vt with "
         "d = det(U @ Vt), so that R is never a reflection; p = c_dst - R @ c_src.",
     ),
     library=registered,
+    broken=_broken,
     forbidden=("course_lib.registration.register_points",),
     errors=(
         (

@@ -1,0 +1,136 @@
+"""pixel_to_point: pixels with their depths, as points in the world, by the pinhole model and the camera's pose."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import any_pose, near
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import rot_x
+
+_COLUMNS = Mistake("points are columns here", "One row for each pixel: shape (n, 3).")
+_ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
+
+
+def _rays(pixels, K):
+    """Return the points at depth 1, (n, 3)."""
+    ones = np.ones((len(pixels), 1))
+    return np.hstack([pixels, ones]) @ np.linalg.inv(K).T
+
+
+def _moved(T, points):
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def right(pixels, depths, K, T_wc):
+    """Return the right answer."""
+    return _moved(T_wc, depths[:, None] * _rays(pixels, K))
+
+
+def _cases(rng):
+    simple, other = ([[f, 0, 320], [0, g, 240], [0, 0, 1.0]] for f, g in ((600.0, 600), (580, 610)))
+    hangs = transform(rot_x(np.pi), [0.3, 0.1, 1.4])
+    three = np.array([[320.0, 240], [380, 240], [320, 180]])
+    cases = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
+    cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
+    for n in (1, 3, 4, 7):
+        pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)))
+        cases.append((pixels, np.round(rng.uniform(0.3, 1.5, n), 3), np.array(other), any_pose(rng)))
+    return cases
+
+
+def _in_camera(points, T_wc):
+    return _moved(inverse(T_wc), points)
+
+
+def _projected(points, pixels, depths, K, T_wc):
+    """Return the pixels at which the camera sees the points."""
+    seen = _in_camera(points, T_wc) @ K.T
+    return seen[:, :2] / seen[:, 2:]
+
+
+def _off(points, *case):
+    k = int(np.argmax(np.abs(points - right(*case)).max(1)))
+    return f"Point {k} should be {format_tuple(right(*case)[k])}; yours is {format_tuple(points[k])}."
+
+
+EXERCISE = Exercise(
+    name="pixel_to_point",
+    points=2,
+    arguments=("pixels", "depths", "K", "T_wc"),
+    cases=_cases,
+    returns=numbers(
+        lambda pixels, *rest: (len(pixels), 3),
+        lambda array, pixels, *rest: {(3, len(pixels)): _COLUMNS, (len(pixels), 4): _ONES}.get(array.shape),
+    ),
+    properties=(
+        Property(
+            "a camera in the world's frame (T_wc = I) sees each point at its pixel",
+            lambda points, *case: near(_projected(points, *case), case[0]),
+            _off,
+            where=lambda pixels, depths, K, T_wc: np.array_equal(T_wc, np.eye(4)),
+        ),
+        Property(
+            "the depth of each point is its z in the camera's frame",
+            lambda points, pixels, depths, K, T_wc: near(_in_camera(points, T_wc)[:, 2], depths),
+            _off,
+        ),
+        Property(
+            "the camera at T_wc sees each point at its pixel", lambda points, *case: near(points, right(*case)), _off
+        ),
+    ),
+    hints=(
+        "In two steps: the point in the camera's frame first, then the same point in the world's.",
+        "In the camera's frame z is the depth. Solve u = f_x x / z + c_x for x, and the same for y.",
+        "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
+    ),
+    library=right,
+)
+
+
+@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: _moved(inverse(T), p), lambda T, p: p + T[:3, 3]))
+def other_pose(pixels, depths, K, T_wc, of):
+    """the points are right in the camera's frame, but not in the world's. T_wc is the camera's pose in the world: which
+    coordinates does it take to which?
+    """
+    return of(T_wc, right(pixels, depths, K, np.eye(4)))
+
+
+@EXERCISE.mistake
+def along_the_ray(pixels, depths, K, T_wc):
+    """the depth is taken as the distance along the ray. Along which axis is it measured?"""
+    rays = _rays(pixels, K)
+    return _moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
+
+
+@EXERCISE.mistake
+def without_depth(pixels, depths, K, T_wc):
+    """all points are at depth 1. Where does the depth come in?"""
+    return _moved(T_wc, _rays(pixels, K))
+
+
+@EXERCISE.mistake
+def depth_for_z_only(pixels, depths, K, T_wc):
+    """only z is the depth, and x and y are those at depth 1. By how much do they grow with the depth?"""
+    return _moved(T_wc, np.column_stack([_rays(pixels, K)[:, :2], depths]))
+
+
+@EXERCISE.mistake(of=(lambda x: x[:, [1, 0, 2]], lambda x: x * [1, -1, 1], lambda x: x * [-1, -1, 1]))
+def other_axes(pixels, depths, K, T_wc, of):
+    """x and y of the camera are swapped, or one points the other way. A pixel (u, v): which of them counts columns, and
+    does v grow downwards?
+    """
+    return _moved(T_wc, of(right(pixels, depths, K, np.eye(4))))
+
+
+@EXERCISE.mistake
+def principal_point_forgotten(pixels, depths, K, T_wc):
+    """the principal point is not subtracted. Which pixel sees along the optical axis?"""
+    return right(pixels + K[:2, 2], depths, K, T_wc)
+
+
+@EXERCISE.mistake(k=(0, 1))
+def one_focal_length(pixels, depths, K, T_wc, k):
+    """one focal length serves for both directions. Which entries of K are f_x and f_y?"""
+    return right(pixels, depths, np.diag([K[k, k], K[k, k], 1]) + np.triu(K, 1), T_wc)

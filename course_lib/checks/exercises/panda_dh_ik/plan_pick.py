@@ -1,0 +1,203 @@
+"""plan_pick: a motion to the grasp of a mug that touches nothing and asks no more of the motors than they can give."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.panda_dh_ik.panda_ik import solved
+from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY, T_W0
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.pick import IN_FLANGE, IN_MUG, between, clearances, shares
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import length, log_so3, rot_z
+
+_MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
+_BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
+_ANGLES_ONLY = Mistake("the times are missing", "In each row the time stands before the seven angles.")
+_SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
+
+
+def _eased(n):
+    s = np.linspace(0, 1, n)[:, None]
+    return 3 * s**2 - 2 * s**3
+
+
+def legs(q0, T_grasp, high=0.15, n=41, s=_eased):
+    """Return the configurations (n, 7) of the two legs, over to a point above the grasp and straight down."""
+    down, q = [], q0
+    for rest in 1 - s(n)[:, 0]:
+        T = transform(T_grasp[:3, :3], T_grasp[:3, 3] + [0, 0, high * rest]) @ inverse(IN_FLANGE)
+        q = solved(T, q) if np.isfinite(q).all() else q
+        down.append(q)
+    return q0 + s(n) * (down[0] - q0), np.array(down)
+
+
+def timed(joints, bound=lambda speed, acceleration: max(speed, np.sqrt(acceleration))):
+    """Return the trajectory (n, 8) that takes evenly spaced times, as fast as the bounds allow."""
+    leg = np.column_stack([np.linspace(0, 1, len(joints)), joints])
+    leg[:, 0] *= bound(*(share.max() for share in shares(leg)))
+    return leg
+
+
+def joined(first, second):
+    """Return one trajectory after the other."""
+    later = second[1:].copy()
+    later[:, 0] += first[-1, 0]
+    return np.concatenate([first, later])
+
+
+def right(q0, T_grasp):
+    """Return a right answer; NaN where the mug is out of reach."""
+    over, down = legs(q0, T_grasp)
+    return joined(timed(over), timed(down)) if np.isfinite(down).all() else np.full((2, 8), np.nan)
+
+
+def _cases(rng):
+    cases = []
+    for side in rng.permutation([-1, 1, 1]):
+        bearing, aside = rng.uniform(-0.4, 0.4), side * rng.uniform(0.6, 0.8)
+        grasp, start = (_at(rng.uniform(0.42, 0.52), angle) @ IN_MUG for angle in (bearing, bearing + aside))
+        start[2, 3] += rng.uniform(0.03, 0.05)
+        twist = transform(rot_z(rng.uniform(-0.3, 0.3)), np.zeros(3))
+        cases.append((solved(start @ inverse(IN_FLANGE), READY), grasp @ twist))
+    return cases
+
+
+def _at(radius, bearing):
+    """Return the pose of a mug on the table, so far from the axis of joint 1."""
+    return T_W0 @ transform(rot_z(bearing), [radius * np.cos(bearing), radius * np.sin(bearing), 0])
+
+
+def _other_form(array, *case):
+    if array.ndim == 2 and array.shape[1] == 7:
+        return _ANGLES_ONLY
+    return _SWAPPED if array.ndim == 2 and array.shape[0] == 8 else None
+
+
+def _ordered(x):
+    return np.diff(x[:, 0]).min() > 0
+
+
+def _inside(x):
+    return bool(((x[:, 1:] >= LOW - 1e-9) & (x[:, 1:] <= HIGH + 1e-9)).all())
+
+
+def _gripper(x):
+    return T_W0 @ PANDA.fk(x[-1, 1:]) @ IN_FLANGE
+
+
+def _ends(x, q0, T):
+    end = _gripper(x)
+    return length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
+
+
+def _gaps(x, T):
+    times, joints = between(x)
+    return times, clearances(joints, T @ inverse(IN_MUG))
+
+
+def _touches(x, q0, T):
+    times, gaps = _gaps(x, T)
+    what = min(gaps, key=lambda what: gaps[what].min())
+    k = gaps[what].argmin()
+    with_what = "itself" if what == "itself" else f"the {what}"
+    return f"After {times[k]:.2f} s its distance from {with_what} is {1000 * gaps[what][k]:.1f} mm."
+
+
+def _clear(x, q0, T):
+    return min(gap.min() for gap in _gaps(x, T)[1].values()) >= _CLEAR
+
+
+def _too_much(which, unit):
+    def says(x, *case):
+        share = shares(x)[which]
+        return f"At {x[share.argmax(), 0]:.2f} s a joint has {share.max():.3g} times its largest {unit}."
+
+    return says
+
+
+EXERCISE = Exercise(
+    name="plan_pick",
+    points=4,
+    arguments=("q0", "T_grasp"),
+    cases=_cases,
+    returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS, _other_form),
+    properties=(
+        Property("the times increase from row to row", lambda x, *case: _ordered(x)),
+        Property(
+            "the first row is the time 0 and q0",
+            lambda x, q0, T: abs(x[0, 0]) < 1e-9 and np.abs(x[0, 1:] - q0).max() < 1e-6,
+        ),
+        Property(
+            "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
+            _ends,
+            lambda x, q0, T: f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}.",
+        ),
+        Property("all angles are within the limits", lambda x, *case: _inside(x)),
+        Property(
+            "the arm reaches the grasp and stays 2 mm clear of table, mug and itself, between the rows included",
+            lambda x, *case: _ends(x, *case) and _inside(x) and _clear(x, *case),
+            _touches,
+            points=2,
+        ),
+        Property(
+            "no joint is faster than it may be", lambda x, *case: shares(x)[0].max() < _BOUND, _too_much(0, "speed")
+        ),
+        Property(
+            "no joint accelerates harder than it may, at the start and at the end included: it rests before and after",
+            lambda x, *case: shares(x)[1].max() < _BOUND,
+            _too_much(1, "acceleration"),
+        ),
+        Property(
+            f"it takes at most {_LONGEST:.0f} s",
+            lambda x, *case: x[-1, 0] <= _LONGEST,
+            lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
+            mistake=Mistake("it is slower than it need be", "By which factor may all times shrink?"),
+        ),
+    ),
+    hints=(
+        "Two legs: in joint space from q0 to a configuration with the gripper some way above the mug; then straight "
+        "down, one panda_ik for each pose, which starts from the one before. T_grasp is not the pose of the flange.",
+        "A leg is at rest at both ends: configurations at s = 3 u^2 - 2 u^3 for evenly spaced u. Give each leg one "
+        "second, and ask pick.shares what that would take of the motors.",
+        "If all times are multiplied by k, speeds are divided by k and accelerations by k^2: for each leg "
+        "k = max(speed.max(), acceleration.max() ** 0.5).",
+    ),
+    library=right,
+    tries_arguments=False,
+)
+
+
+@EXERCISE.mistake(seen=lambda x, *case: _ends(x, *case) and not _clear(x, *case))
+def straight_to_the_grasp(q0, T_grasp):
+    """the way to the grasp leads through something. From where must the fingers come, if they are to end on both sides
+    of the mug? And how far apart are your rows?
+    """
+    return timed(q0 + _eased(81) * (legs(q0, T_grasp)[1][-1] - q0))
+
+
+@EXERCISE.mistake(
+    seen=lambda x, q0, T: length((_gripper(x) @ inverse(IN_FLANGE))[:3, 3] - T[:3, 3]) > 0.05 and _flange(x, T)
+)
+def flange_at_the_grasp(q0, T_grasp):
+    """the flange, not the gripper, ends at T_grasp. Which pose does panda_ik take?"""
+    return right(q0, T_grasp @ IN_FLANGE)
+
+
+def _flange(x, T):
+    return np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3
+
+
+@EXERCISE.mistake(seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND)
+def from_full_speed(q0, T_grasp):
+    """the speeds are within their bounds, but the motion starts or ends at full speed. What does that ask of the motors
+    in the first row?
+    """
+    first, second = legs(q0, T_grasp, s=lambda n: np.linspace(0, 1, n)[:, None])
+    return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))
+
+
+@EXERCISE.mistake(seen=lambda x, *case: shares(x)[0].max() < _BOUND < shares(x)[1][1:-1].max())
+def accelerations_not_asked(q0, T_grasp):
+    """the speeds are within their bounds, but not the accelerations. If all times double, by how much do they fall?"""
+    return joined(*(timed(leg, lambda *most: max(most[0], 0.9 * most[1] ** 0.5)) for leg in legs(q0, T_grasp)))

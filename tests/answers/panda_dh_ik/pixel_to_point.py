@@ -1,0 +1,43 @@
+"""What students write for pixel_to_point(pixels, depths, K, T_wc)."""
+
+import numpy as np
+
+
+def right_by_the_inverse(pixels, depths, K, T_wc):
+    rays = np.column_stack([pixels, np.ones(len(pixels))]) @ np.linalg.inv(K).T
+    return (depths[:, None] * rays) @ T_wc[:3, :3].T + T_wc[:3, 3]
+
+
+def right_one_by_one_as_lists(pixels, depths, K, T_wc):
+    points = []
+    for (u, v), z in zip(pixels, depths, strict=True):
+        x, y = (u - K[0][2]) * z / K[0][0], (v - K[1][2]) * z / K[1][1]
+        points.append(list((T_wc @ [x, y, z, 1])[:3]))
+    return points
+
+
+def right_by_solving_for_both_at_once(pixels, depths, K, T_wc):
+    """K T_wc^-1 p = z (u, v, 1) for p."""
+    seen = np.vstack([pixels.T * depths, depths])
+    M = K @ np.linalg.inv(T_wc)[:3]
+    return np.linalg.solve(M[:, :3], seen - M[:, 3:]).T
+
+
+def wrong_columns(pixels, depths, K, T_wc):
+    """points are columns"""
+    return right_by_the_inverse(np.tile(pixels, (2, 1)), np.tile(depths, 2), K, T_wc)[: len(pixels)].T
+
+
+def wrong_fourth_entry(pixels, depths, K, T_wc):
+    """a fourth entry"""
+    return np.column_stack([right_by_the_inverse(pixels, depths, K, T_wc), np.ones(len(pixels))])
+
+
+def wrong_multiplied_by_K(pixels, depths, K, T_wc):
+    """the inverse of K"""
+    return right_by_the_inverse(pixels, depths, np.linalg.inv(K), T_wc)
+
+
+def wrong_depth_in_front_of_the_image(pixels, depths, K, T_wc):
+    """unnamed"""
+    return right_by_the_inverse(pixels, depths - 1, K, T_wc)
