@@ -249,6 +249,7 @@ def at_the_mug(q, T_mug, base):
     return Picture(
         draw(arm, q, extra=extra, view=[1.0, -1.4, 0.5], base_frame=False, end_frame=False),
         "The Panda with its gripper at a mug on the table, in the configuration that is nearest to it.",
+        "Turn the picture: which part is in the mug?",
     )
 
 
