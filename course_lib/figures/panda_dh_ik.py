@@ -11,7 +11,7 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import lines
-from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, meshes, scene, shells
+from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, link_poses, meshes, scene, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.space import line, points, scene_name
 from course_lib.figures.style import BLACK as INK
@@ -216,12 +216,15 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     worst = {what: gap.min() for what, gap in clearances.items()}
     near.axhspan(min(-2, 100 * min(worst.values()) - 1), 0, color=CRIMSON, alpha=0.15)
     near.set(xlabel="time (s)", ylabel="clearance (cm)", ylim=(min(-2, 100 * min(worst.values()) - 1), 25))
+    top = min(3, 1.1 * max(1.2, speeds.max(), accelerations.max()))
     for share, name in ((speeds, "speed"), (accelerations, "acceleration")):
-        hard.plot(trajectory_times, np.maximum(share, 1e-3), label=name, linewidth=2, drawstyle="steps-post")
+        hard.plot(trajectory_times, np.minimum(share, top), label=name, linewidth=2, drawstyle="steps-post")
+        if share.max() > top:
+            hard.annotate(
+                f"to {share.max():.0f}", (trajectory_times[share.argmax()], top), (6, -14), textcoords="offset points"
+            )
     hard.axhline(1, color=CRIMSON, linewidth=1.5)
-    hard.set(
-        xlabel="time (s)", ylabel="share of the bound", yscale="log", ylim=(0.01, max(2, 1.5 * accelerations.max()))
-    )
+    hard.set(xlabel="time (s)", ylabel="share of the bound", ylim=(0, top))
     for ax in (near, hard):
         ax.legend(frameon=False)
     said = ", ".join(f"{what} {100 * gap:.1f} cm" for what, gap in worst.items())
@@ -234,22 +237,26 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
 
 
 def at_the_mug(q, T_mug, base):
-    """Return the Panda with its open gripper at joint angles q (7,), and a mug at T_mug (4, 4), both on a table.
+    """Return the Panda with its open gripper at joint angles q (7,) and a mug at T_mug (4, 4); beside it, both large.
 
     base: (3,), where the arm stands in the world.
     """
-    arm = panda()
+    arm, mug = panda(), [Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))]
     tip = arm.home[-1] @ IN_FLANGE
-    fingers = []
+    gripper = shells.gripper(7, tip)
     for side in (1, -1):
         at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
-        fingers += [part.moved(at) for part in shells.finger(7, side)]
-    cup = Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))
-    extra = [*shells.gripper(7, tip), *fingers, cup, *scene.table(0, np.zeros(2), 0.75)]
+        gripper += [part.moved(at) for part in shells.finger(7, side)]
+    poses, height, drawn, scenes = link_poses(arm, np.asarray(q, float)), 390, [], []
+    for i, model in enumerate((arm_model(arm, gripper + mug), Model.of(gripper + mug))):
+        settings, _ = scene.column(model.placed(poses), (1.0, -1.4, 0.3), i, 2, height=height, fill=0.9)
+        scenes.append(settings)
+        drawn.append(model.trace(poses, scene_name(i)))
     return Picture(
-        draw(arm, q, extra=extra, view=[1.0, -1.4, 0.5], base_frame=False, end_frame=False),
-        "The Panda with its gripper at a mug on the table, in the configuration that is nearest to it.",
-        "Turn the picture: which part is in the mug?",
+        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["the arm", "its gripper"])),
+        "Left, the Panda with its gripper at a mug, in the configuration that is nearest to it; right, gripper and mug "
+        "alone, enlarged.",
+        "Turn the right picture: which part is in the mug?",
     )
 
 
@@ -319,7 +326,8 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",
-        "The dashed line is the path between the fingertips: straight pieces, on which the gripper keeps upright.",
+        "The dashed line is the path between the fingertips. From which side do you see that they come down on both sides "
+        "of the mug?",
     )
 
 

@@ -21,6 +21,7 @@ TEMPLATE = np.array(
     ]
 )
 _TABLE = 0.6  # height of its top in the world, metres
+_LONGEST = 2.0  # seconds for a pick that counts
 
 
 def mug_scene(rng):
@@ -54,14 +55,14 @@ def picked(T_mug, trajectory):
     bool
         It begins in the ready configuration. Nothing touches anything, all angles are within the limits, speeds and
         accelerations within their bounds. At the end the gripper is within 5 mm of the mug's axis, within 10 degrees
-        of the vertical and 3 to 8 cm above the table.
+        of the vertical and 3 to 8 cm above the table. It takes at most 2 s.
     """
     trajectory, low_high = np.asarray(trajectory, float), panda().limits.T
     rows = trajectory.ndim == 2 and trajectory.shape[1:] == (8,) and len(trajectory) > 1
     if not rows or not np.isfinite(trajectory).all() or np.diff(trajectory[:, 0]).min() <= 0:
         return False
     joints = trajectory[:, 1:]
-    begins = np.abs(joints[0] - READY).max() < 1e-6
+    begins = np.abs(joints[0] - READY).max() < 1e-6 and trajectory[-1, 0] - trajectory[0, 0] <= _LONGEST
     inside = np.abs(joints - np.clip(joints, *low_high)).max() < 1e-9
     bounded = max(share.max() for share in shares(trajectory)) < 1.01
     clear = min(gap.min() for gap in clearances(between(trajectory)[1], T_mug).values()) > 0
