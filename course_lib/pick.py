@@ -1,7 +1,7 @@
 """What a motion of the Panda with its gripper may do: stay clear of table, mug and itself, within bounds of its motors.
 
-The arm and its gripper are approximated by balls, a little thicker than the real links; the mug by a cylinder and a
-ball for the handle. All poses are seen from the world, where the arm stands on a table: at (-0.2, 0.13, 0.6) m.
+The moving links and the gripper are approximated by balls, which leave out no more than 2 cm of a bulge; the mug by a
+cylinder and a ball for the handle. All poses are seen from the world, where the arm stands on a table.
 
 Source of the bounds: Franka Emika, Franka Control Interface documentation, limits for the Panda.
 """
@@ -22,9 +22,11 @@ _TABLE, _MUG_RADIUS, _MUG_HEIGHT, _HANDLE = 0.6, 0.035, 0.09, (0.05, 0, 0.05, 0.
 _STEP, _MOST_STEPS = 0.02, 50  # radians
 _ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre, radius, how many
     (0, (0, 0, -0.28), (0, 0, 0), 0.075, 4),
-    (2, (0, 0, -0.3), (0, 0, 0), 0.065, 6),
-    (3, (0, 0, 0), (0, 0, 0), 0.07, 1),
-    (4, (0, 0, -0.38), (0, 0, 0), 0.065, 7),
+    (1, (0, 0, -0.06), (0, 0, 0.06), 0.075, 3),
+    (2, (0, 0, -0.3), (0, 0, 0), 0.075, 6),
+    (3, (0, 0, -0.06), (0, 0, 0.06), 0.075, 3),
+    (4, (0, 0, -0.38), (0, 0.02, 0), 0.068, 7),
+    (5, (0, 0, -0.04), (0, 0, 0.04), 0.07, 3),
     (6, (0, 0, 0), (0, 0, 0.08), 0.055, 3),
 ]
 _GRIPPER = [((-0.065, -0.07), (0.065, -0.07), 0.035, 3)]  # y and z in the gripper's frame, open by 8 cm
@@ -42,7 +44,9 @@ def _balls():
 
 
 _FRAME, _CENTRE, _RADIUS = _balls()
-_APART = [(i, j) for i, f in enumerate(_FRAME) for j, g in enumerate(_FRAME) if (f >= 6 and g <= 2) or (f, g) == (7, 4)]
+_APART = [
+    (i, j) for i, f in enumerate(_FRAME) for j, g in enumerate(_FRAME) if (f == 7 and g <= 4) or (f >= 5 and g <= 2)
+]
 
 
 def between(trajectory):
@@ -94,7 +98,7 @@ def clearances(joints, T_mug):
     >>> mug = transform(np.eye(3), [0.3, 0, 0.6])
     >>> found = clearances([0, -0.8, 0, -2.4, 0, 1.6, 0.8], mug)
     >>> {what: float(distance.round(2)) for what, distance in found.items()}
-    {'table': 0.28, 'mug': 0.41, 'itself': 0.07}
+    {'table': 0.26, 'mug': 0.41, 'itself': 0.06}
     """
     joints, T_mug = real_array(joints, "joints", (7,)), checked_pose(T_mug, "T_mug", (4, 4))
     frames = (BASE @ panda().frames(joints))[..., _FRAME, :, :]

@@ -28,8 +28,6 @@ AS_RIGHT = {
     # Of several answers that fit equally well, the first one or the last one.
     "find_signs": ["for signs in itertools.product([-1, 1], repeat=len(table)):", "if worst <= least:"],
     "good_matches": ["if good.sum() >= best.sum():"],
-    # The damping is the student's choice; it decides how near to a pose out of reach a descent ends.
-    "panda_ik": ["q = ik_step_dls(q, geometric_jacobian(frames), e, 0.05 * e)"],
     # Rounding decides whether circles that touch have a common point.
     "subproblem4": ["if r == 0 or abs(d - constant) >= r:"],
     # A test may use any two points out of reach of each other.

@@ -233,6 +233,8 @@ def test_one_solution_and_several_and_none_reach_the_figure():
     wrong = asked(figure, lambda p: [1, 2, 3], target=[1, 1])
     assert wrong["value"] is None
     assert "should have shape (2,) or (k, 2); it is (3,)" in wrong["problem"]
+    figure = figures.reach(ARM, [1.2, 0.8], says=lambda target, found: f"{len(found)} at {target}")
+    assert asked(figure, lambda p: both, target=[1, 1])["said"] == "2 at [1. 1.]"
 
 
 @pytest.mark.parametrize("quaternions", [False, True])

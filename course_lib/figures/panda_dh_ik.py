@@ -326,8 +326,8 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",
-        "The dashed line is the path between the fingertips. From which side do you see that they come down on both sides "
-        "of the mug?",
+        "The dashed line is the path between the fingertips. From which side do you see that they end on both sides of "
+        "the mug?",
     )
 
 

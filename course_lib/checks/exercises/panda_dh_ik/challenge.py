@@ -27,11 +27,11 @@ _LONGEST = 2.0  # seconds for a pick that counts
 def mug_scene(rng):
     """Return the pose (4, 4) of a mug somewhere on the table, and its key points (7, 3) as seen, in the world.
 
-    The mug stands 25 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of straight ahead, where
+    The mug stands 30 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of straight ahead, where
     the arm can grasp it from above. The points have 1 mm of noise. Up to three of them are wrong: some centimetres off,
     in nearly the same direction.
     """
-    radius, bearing = rng.uniform(0.25, 0.65), rng.uniform(-2, 2)
+    radius, bearing = rng.uniform(0.3, 0.65), rng.uniform(-2, 2)
     x, y = T_W0[:2, 3] + radius * np.array([np.cos(bearing), np.sin(bearing)])
     T = transform(rot_z(rng.uniform(-np.pi, np.pi)), [x, y, _TABLE])
     points = TEMPLATE @ T[:3, :3].T + T[:3, 3] + 0.001 * rng.normal(size=TEMPLATE.shape)

@@ -1,4 +1,4 @@
-"""dh_modified: the pose of a frame in the one before by Craig's convention. Its making serves dh_standard too."""
+"""dh_modified: the pose of a frame in the one before by Craig's convention."""
 
 import functools
 import itertools
@@ -26,82 +26,46 @@ def _cases(rng):
     return [tuple(float(number) for number in row) for row in (*simple, *one_each, *panda, *drawn)]
 
 
-def _column(k, text, convention):
+def _column(k, text):
     return Property(
         text,
-        lambda T, *row: near(T[:3, k], convention(*row)[:3, k]),
-        says=lambda T, *row: (
-            f"Here that is {format_tuple(convention(*row)[:3, k])}. Yours is {format_tuple(T[:3, k])}."
-        ),
+        lambda T, *row: near(T[:3, k], modified(*row)[:3, k]),
+        says=lambda T, *row: f"Here that is {format_tuple(modified(*row)[:3, k])}. Yours is {format_tuple(T[:3, k])}.",
     )
 
 
-def made(name, convention, other, x_axis, z_axis, origin, hints):
-    """Return the Exercise of a convention, with its mistakes; the texts say what holds of x axis, z axis and origin."""
-    exercise = Exercise(
-        name=name,
-        points=1,
-        arguments=("a", "alpha", "d", "theta"),
-        cases=_cases,
-        returns=numbers(lambda *case: (4, 4), {(4, 4, 4): _STEPS, (2, 4, 4): _STEPS}),
-        properties=(
-            Property(
-                "the last row is (0, 0, 0, 1)",
-                lambda T, *row: near(T[3], [0, 0, 0, 1]),
-                says=lambda T, *row: f"Yours is {format_tuple(T[3])}.",
-                mistake=_LAST_ROW,
-            ),
-            Property(
-                "if both angles are 0, the axes are parallel to the old ones and the origin is at (a, 0, d)",
-                lambda T, *row: near(T, convention(*row)),
-                says=lambda T, *row: f"Yours is at {format_tuple(T[:3, 3])}.",
-                where=lambda a, alpha, d, theta: alpha == theta == 0,
-            ),
-            _column(0, f"the x axis, the first column, is {x_axis}", convention),
-            _column(2, f"the z axis, the third column, is {z_axis}", convention),
-            _column(1, "the y axis, the second column, is the cross product of the z and the x axis", convention),
-            _column(3, f"the origin, the last column, is {origin}", convention),
+EXERCISE = Exercise(
+    name="dh_modified",
+    points=1,
+    arguments=("a", "alpha", "d", "theta"),
+    cases=_cases,
+    returns=numbers(lambda *case: (4, 4), {(4, 4, 4): _STEPS, (2, 4, 4): _STEPS}),
+    properties=(
+        Property(
+            "the last row is (0, 0, 0, 1)",
+            lambda T, *row: near(T[3], [0, 0, 0, 1]),
+            says=lambda T, *row: f"Yours is {format_tuple(T[3])}.",
+            mistake=_LAST_ROW,
         ),
-        hints=hints,
-        library=convention,
-        forbidden=("course_lib.arms.SerialArm", "course_lib.arms._dh_frames"),
-    )
-
-    @exercise.mistake
-    def other_convention(*row):
-        """this is the pose by the other convention. Which pair of steps comes first here, that of x or that of z?"""
-        return other(*row)
-
-    @exercise.mistake(order=_orders(convention, other))
-    def other_order(a, alpha, d, theta, order):
-        """the steps are multiplied in another order. Each factor acts along the axes that the factors left of it made:
-        which of a and d is along an old axis, and which along a new one?
-        """
-        return _product(order, a, alpha, d, theta)
-
-    @exercise.mistake
-    def both_angles_reversed(a, alpha, d, theta):
-        """both rotations have the wrong sign. Where do the minus signs stand in Rot_x and in Rot_z?"""
-        return convention(a, -alpha, d, -theta)
-
-    @exercise.mistake(entry=((0, 1), (1, 0), (1, 1), (1, 2), (1, 3), (2, 1)))
-    def sign_of_an_entry(*row, entry):
-        """one entry has the wrong sign. Multiply the two halves out again, or let @ do it."""
-        T = convention(*row)
-        T[entry] *= -1
-        return T
-
-    @exercise.mistake(convert=(np.deg2rad, np.rad2deg))
-    def degrees(a, alpha, d, theta, convert):
-        """degrees and radians are mixed up in both angles. Angles are in radians throughout."""
-        return convention(a, convert(alpha), d, convert(theta))
-
-    @exercise.mistake
-    def entry_by_entry(a, alpha, d, theta):
-        """two matrices are multiplied entry by entry. In numpy the product of matrices is @."""
-        return about_x(alpha, a) * about_z(theta, d)
-
-    return exercise
+        Property(
+            "if both angles are 0, the axes are parallel to the old ones and the origin is at (a, 0, d)",
+            lambda T, *row: near(T, modified(*row)),
+            says=lambda T, *row: f"Yours is at {format_tuple(T[:3, 3])}.",
+            where=lambda a, alpha, d, theta: alpha == theta == 0,
+        ),
+        _column(0, "the x axis, the first column, is rotated by theta about z, then by alpha about the old x"),
+        _column(2, "the z axis, the third column, is rotated by alpha about the old x; theta does not change it"),
+        _column(1, "the y axis, the second column, is the cross product of the z and the x axis"),
+        _column(3, "the origin, the last column, is a along the old x, then d along the new z"),
+    ),
+    hints=(
+        "Make two poses: one rotates about x and moves along x, the other rotates about z and moves along z.",
+        "rigid.transform(rotations.rot_x(alpha), [a, 0, 0]) is the first of them.",
+        "In the modified convention the pose along x is the left factor: along_x @ along_z.",
+    ),
+    library=modified,
+    forbidden=("course_lib.arms.SerialArm", "course_lib.arms._dh_frames"),
+)
 
 
 def _product(order, a, alpha, d, theta):
@@ -109,10 +73,10 @@ def _product(order, a, alpha, d, theta):
     return functools.reduce(np.matmul, [steps[name] for name in order])
 
 
-def _orders(*conventions):
-    """Return the orders of Rot_x, Trans_x, Rot_z, Trans_z whose products differ from each other and from these."""
+def _orders():
+    """Return the orders of Rot_x, Trans_x, Rot_z, Trans_z whose products differ, and from both conventions."""
     row, orders = (0.3, 0.5, 0.7, 0.9), []
-    known = [convention(*row) for convention in conventions]
+    known = [modified(*row), standard(*row)]
     for order in itertools.permutations("XaZd"):
         if not any(np.allclose(_product(order, *row), T) for T in known):
             known.append(_product(order, *row))
@@ -120,16 +84,41 @@ def _orders(*conventions):
     return orders
 
 
-EXERCISE = made(
-    "dh_modified",
-    modified,
-    standard,
-    "rotated by theta about z, then by alpha about the old x",
-    "rotated by alpha about the old x; theta does not change it",
-    "a along the old x, then d along the new z",
-    (
-        "Make two poses: one rotates about x and moves along x, the other rotates about z and moves along z.",
-        "rigid.transform(rotations.rot_x(alpha), [a, 0, 0]) is the first of them.",
-        "In the modified convention the pose along x is the left factor: along_x @ along_z.",
-    ),
-)
+@EXERCISE.mistake
+def other_convention(*row):
+    """this is the pose by the other convention. Which pair of steps comes first here, that of x or that of z?"""
+    return standard(*row)
+
+
+@EXERCISE.mistake(order=_orders())
+def other_order(a, alpha, d, theta, order):
+    """the steps are multiplied in another order. Each factor acts along the axes that the factors left of it made:
+    which of a and d is along an old axis, and which along a new one?
+    """
+    return _product(order, a, alpha, d, theta)
+
+
+@EXERCISE.mistake
+def both_angles_reversed(a, alpha, d, theta):
+    """both rotations have the wrong sign. Where do the minus signs stand in Rot_x and in Rot_z?"""
+    return modified(a, -alpha, d, -theta)
+
+
+@EXERCISE.mistake(entry=((0, 1), (1, 0), (1, 1), (1, 2), (1, 3), (2, 1)))
+def sign_of_an_entry(*row, entry):
+    """one entry has the wrong sign. Multiply the two halves out again, or let @ do it."""
+    T = modified(*row)
+    T[entry] *= -1
+    return T
+
+
+@EXERCISE.mistake(convert=(np.deg2rad, np.rad2deg))
+def degrees(a, alpha, d, theta, convert):
+    """degrees and radians are mixed up in both angles. Angles are in radians throughout."""
+    return modified(a, convert(alpha), d, convert(theta))
+
+
+@EXERCISE.mistake
+def entry_by_entry(a, alpha, d, theta):
+    """two matrices are multiplied entry by entry. In numpy the product of matrices is @."""
+    return about_x(alpha, a) * about_z(theta, d)
