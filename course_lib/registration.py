@@ -5,6 +5,8 @@ Umeyama, Least-squares estimation of transformation parameters between two point
 Golub and Van Loan, Matrix Computations, section 8.5, for rotations plane by plane (Jacobi's method).
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from course_lib.arguments import broadcast, finite_result, positive, real_array, refuse_first
@@ -78,6 +80,22 @@ def register_points(src, dst, weights=None):
     return np.broadcast_to(transform(R, finite_result(p, "dst", None)), (*batch, 4, 4))
 
 
+@dataclass(frozen=True)
+class Uncertainty:
+    """The result of `uncertainty`.
+
+    Attributes
+    ----------
+    angles : array (3,)
+        Standard deviations in radians, the largest first. From about 0.3 on they say no more than "uncertain".
+    axes : array (3, 3)
+        Each row is the unit vector about which the angle is.
+    """
+
+    angles: np.ndarray
+    axes: np.ndarray
+
+
 def uncertainty(points, noise, weights=None):
     """Return by what angle a registration of noisy points is uncertain about each of their principal axes.
 
@@ -96,10 +114,7 @@ def uncertainty(points, noise, weights=None):
 
     Returns
     -------
-    angles : array (3,)
-        Standard deviations in radians, the largest first. From about 0.3 on they say no more than "uncertain".
-    axes : array (3, 3)
-        Each row is the unit vector about which the angle is.
+    Uncertainty
 
     Raises
     ------
@@ -108,19 +123,30 @@ def uncertainty(points, noise, weights=None):
 
     Examples
     --------
-    >>> angles, axes = uncertainty([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [0.1, 0.01, 0]], 0.001)
-    >>> print(np.rad2deg(angles).round(1), abs(axes[0]).round(2))
+    >>> found = uncertainty([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [0.1, 0.01, 0]], 0.001)
+    >>> print(np.rad2deg(found.angles).round(1), abs(found.axes[0]).round(2))
     [6.6 0.4 0.4] [1. 0. 0.]
     """
     points, noise = real_array(points, "points", (3,)), positive(noise, "noise")
     if points.ndim != 2:
         raise ValueError(f"points must have shape (n, 3); its shape is {points.shape}")
-    register_points(points, points, weights)  # refuses what cannot be registered
+    if noise.ndim:
+        raise ValueError(f"noise must be one number; its shape is {noise.shape}")
+    try:
+        register_points(points, points, weights)
+    except ValueError as refused:
+        raise ValueError(str(refused).replace("src", "points", 1)) from None
     w = np.ones(len(points)) if weights is None else np.asarray(weights, float)
-    centred = np.where(w[:, None] > 0, points - w @ points / w.sum(), 0.0)
-    moments, axes = np.linalg.eigh((w[:, None] * centred).T @ centred)
-    angles = noise / np.sqrt(moments.sum() - moments)
-    return angles[::-1], axes.T[::-1]
+    heaviest, points = w.max(), np.where(w[:, None] > 0, points, 0.0)
+    w = w / heaviest
+    with np.errstate(all="ignore"):
+        centred = np.where(w[:, None] > 0, points - (w / w.sum()) @ points, 0.0)
+        size = np.abs(centred).max()
+        refuse_first(~np.isfinite(size), "points", lambda i: "is too large: its spread overflows")
+        moments, axes = np.linalg.eigh((w[:, None] * centred / size).T @ (centred / size))
+        angles = noise / size / np.sqrt(heaviest) / np.sqrt(moments.sum() - moments)
+    angles = finite_result(angles, "noise", None)
+    return Uncertainty(angles[::-1], axes.T[::-1])
 
 
 def _points(value, name):

@@ -92,6 +92,7 @@ def _own(rng):
     return {
         "length": (rotations.length, {"v": Q}),
         "solve": (ik.solve, {"arm": ARM, "targets": ARM.fk(Q), "rng": rng, "q0": Q + 0.1, "starts": 2, "steps": 4}),
+        "uncertainty": (registration.uncertainty, {"points": points, "noise": 0.001, "weights": np.ones(5)}),
         "register_points": (registration.register_points, {"src": points, "dst": points + 1, "weights": np.ones(5)}),
         "planar_arm": (planar_arm, {"lengths": np.ones(2)}),
         "from_screws": (SerialArm.from_screws, {"omega": points[:2], "points": points[2:4], **ends}),

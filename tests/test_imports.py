@@ -30,7 +30,7 @@ def test_importing_the_mathematics_costs_little_more_than_numpy():
 
 
 MATHEMATICS = ["arguments", "batching", "rotations", "rigid", "planar", "subproblems", "batched_arm", "arms", "ik"]
-MATHEMATICS += ["registration", "trajectory"]
+MATHEMATICS += ["pick", "registration", "trajectory"]
 
 
 @pytest.mark.parametrize("module", ["course_lib", *(f"course_lib.{name}" for name in MATHEMATICS)])

@@ -155,17 +155,17 @@ def test_the_uncertainty_is_the_spread_of_registrations_about_each_axis():
     weights = np.array([1, 2, 1, 0.5, 0])
     noise = 2e-4 * random.normal(size=(4000, 5, 3)) / np.sqrt(np.maximum(weights, 0.1))[:, None]
     T = register_points(points, points + noise, weights)
-    angles, axes = uncertainty(points, 2e-4, weights)
-    spread = (rotations.log_so3(T[:, :3, :3]) @ axes.T).std(0)
-    np.testing.assert_allclose(angles, spread, rtol=0.05)
-    assert angles[0] > 5 * angles[1]
+    found = uncertainty(points, 2e-4, weights)
+    spread = (rotations.log_so3(T[:, :3, :3]) @ found.axes.T).std(0)
+    np.testing.assert_allclose(found.angles, spread, rtol=0.05)
+    assert found.angles[0] > 5 * found.angles[1]
 
 
 def test_nearly_collinear_points_are_uncertain_and_collinear_ones_refused():
     random, line = np.random.default_rng(0), np.outer(np.linspace(0, 0.1, 5), [1, 0, 0])
     thin = line + random.uniform(-1e-3, 1e-3, (5, 3))
-    assert np.rad2deg(uncertainty(thin, 1e-3)[0][0]) > 15
-    with pytest.raises(ValueError, match="one line"):
+    assert np.rad2deg(uncertainty(thin, 1e-3).angles[0]) > 15
+    with pytest.raises(ValueError, match="points has its points on one line"):
         uncertainty(line, 1e-3)
     with pytest.raises(ValueError, match="shape"):
         uncertainty([thin, thin], 1e-3)
