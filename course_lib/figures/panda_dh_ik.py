@@ -256,7 +256,7 @@ def at_the_mug(q, T_mug, base):
         go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["the arm", "its gripper"])),
         "Left, the Panda with its gripper at a mug, in the configuration that is nearest to it; right, gripper and mug "
         "alone, enlarged.",
-        "Turn the right picture: which part is in the mug?",
+        "Rotate the right picture: which part is in the mug?",
     )
 
 
