@@ -138,7 +138,8 @@ class WriteTest(Exercise):
         arrays = [np.asarray(value) for value in given]
         for array, shape in zip(arrays, self.shapes, strict=True):
             if array.dtype.kind not in "biuf" or array.shape != shape or not np.isfinite(array).all():
-                raise ValueError(f"an argument is an array of finite numbers of shape {shape}; {array.shape} came")
+                wanted = f"an array of finite numbers of shape {shape}" if shape else "one finite number"
+                raise ValueError(f"the function takes {wanted}; an argument of shape {array.shape} came")
         return [array.astype(float) for array in arrays]
 
 

@@ -146,8 +146,8 @@ def from_the_world(theta, position_alone):
 
 @EXERCISE.mistake(moved=([True, True, False], [True, True, True], [False, True, True]))
 def links_first(theta, moved):
-    """each frame is moved along its link already: the rotation comes first. Joint 1 stays at the base. To joint 2:
-    first 1 m along link 1, or first the rotation?"""
+    """a frame is rotated first, and then translated. Joint 1 stays at the base. To joint 2: first 1 m along link 1, or
+    first the rotation?"""
     along = [_trans() if each else np.eye(3) for each in moved]
     return _chain(_rot(theta[0]) @ along[0], _rot(theta[1]) @ along[1], along[2])
 

@@ -49,7 +49,7 @@ EXERCISE = Exercise(
             says=lambda T, twist: f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}.",
         ),
         Property(
-            "the position is where the arc ends: to nine digits, also for small omega",
+            "the position is where the arc ends: to 1e-9 m, and to 1e-12 m for an |omega| below 1e-6",
             _position_holds,
             says=lambda T, twist: f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m.",
         ),

@@ -208,6 +208,12 @@ def theta_kept(start, plan, dt, from_start):
 
 
 @EXERCISE.mistake
+def order_of_the_twist(start, plan, dt):
+    """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
+    return _moved((start, plan, dt), lambda v: v[[1, 2, 0]])
+
+
+@EXERCISE.mistake
 def sideways_ignored(start, plan, dt):
     """vy is ignored. Both columns of R(theta) count: the second is the direction to the left of the body."""
     return _moved((start, plan, dt), lambda v: v * [1, 0, 1])

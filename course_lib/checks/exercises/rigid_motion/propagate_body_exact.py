@@ -68,14 +68,10 @@ def _wrong_pose(poses, *case):
     )
 
 
-def _row(T, theta):
-    return np.array([T[0, 2], T[1, 2], theta])
-
-
-def exact(pose, velocity, h, times=1.0):
+def exact(pose, velocity, h):
     """The pose after a step, by its exponential."""
-    T = pose_matrix(pose) @ exp_se2(velocity[[2, 0, 1]] * h * times)
-    return _row(T, pose[2] + velocity[2] * h * times)
+    T = pose_matrix(pose) @ exp_se2(velocity[[2, 0, 1]] * h)
+    return np.array([T[0, 2], T[1, 2], pose[2] + velocity[2] * h])
 
 
 EXERCISE = Exercise(
@@ -116,21 +112,10 @@ EXERCISE = Exercise(
 )
 
 
-def _twist_step(twist):
-    """A step by the exponential of another vector where the twist (omega, vx, vy) times h belongs."""
-
-    def move(pose, velocity, h):
-        T = pose_matrix(pose) @ exp_se2(np.array(twist(*velocity, h)))
-        return np.array([T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])])
-
-    return follow(move)
-
-
-@EXERCISE.mistake
-def midpoint_steps(start, plan, dt):
-    """each step goes straight, with an angle halfway between its ends. That is closer than Euler's method, and still
-    not exact: the chord of an arc is shorter than the arc."""
-    return follow(move_by(lambda theta, omega, h: theta + omega * h / 2))(start, plan, dt)
+@EXERCISE.mistake(share=(0, 0.5, 1))
+def straight_steps(start, plan, dt, share):
+    """each step goes straight, in one direction. The body rotates meanwhile, so it moves along an arc."""
+    return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
 
 
 @EXERCISE.mistake
@@ -147,7 +132,12 @@ def on_the_left(start, plan, dt):
 @EXERCISE.mistake
 def order_of_the_twist(start, plan, dt):
     """the twist is in the order (vx, vy, omega). rigid.exp_se2 takes the angular velocity first."""
-    return _twist_step(lambda vx, vy, omega, h: [vx * h, vy * h, omega * h])(start, plan, dt)
+
+    def move(pose, velocity, h):
+        T = pose_matrix(pose) @ exp_se2(velocity * h)
+        return np.array([T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])])
+
+    return follow(move)(start, plan, dt)
 
 
 @EXERCISE.mistake(theta=(True, False))

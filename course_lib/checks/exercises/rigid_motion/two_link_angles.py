@@ -107,7 +107,7 @@ def theta1_once(tip, row):
 
 @EXERCISE.mistake(first=(lambda direction, two: direction, lambda direction, two: direction - two))
 def first_link_wrong(tip, first):
-    """theta1 is the direction of the tip, or that less the whole of theta2. In the triangle of base, elbow and tip
+    """theta1 differs from the direction of the tip by the wrong part of theta2. In the triangle of base, elbow and tip
     two sides are equal: how large is the angle at the base?"""
     return _solutions(tip, _bend(tip), first)
 
