@@ -290,11 +290,11 @@ def arm_paths(contents, every=10):
         length = np.linalg.norm(np.diff(points[:, -1], axis=0), axis=1).sum()
         titled[f"{title}: {length:.2f} m"] = points @ _VIEW if points.shape[-1] == 3 else points
         ends = " to ".join(f"({', '.join(f'{x:.3g}' for x in p)})" for p in points[[0, -1], -1])
-        said.append(f"{title.capitalize()}: the end goes {length:.2f} m, {ends}.")
+        said.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
     if points.shape[-1] == 3:
         every_point = np.concatenate([shown.reshape(-1, 2) for shown in titled.values()])
         window = every_point.min(0) - 0.1, every_point.max(0) + 0.1
-    caption = "Left, the joints move in proportion and the end draws a curve; right, it draws a straight line."
+    caption = "Left, the joints move in proportion and the path is a curve; right, the path is a straight line."
     fig = draw_arms(titled, every, window)
     if window:
         fig.axes[0].set_ylabel("upwards in the view (m)")

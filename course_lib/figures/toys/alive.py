@@ -196,5 +196,5 @@ def drive(plan=(), dt=0.5, *, exact=False):
         "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
     )
     alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
-    caption = "Drive: click the picture, then use the arrow keys, or hold the buttons. Where do the two robots part?"
+    caption = "Click the picture; use the arrow keys, two for a bend, or hold a button. Where do the robots part?"
     return Figure(model, alt, caption, ask)
