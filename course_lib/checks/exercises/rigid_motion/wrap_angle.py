@@ -85,11 +85,11 @@ def one_revolution(angle):
     return _each(lambda a: a - REVOLUTION * (a > np.pi) + REVOLUTION * (a < -np.pi), angle)
 
 
-@EXERCISE.mistake(before=(0, np.pi), after=(0, -np.pi))
-def from_zero(angle, before, after):
+@EXERCISE.mistake(shift=((0, 0), (0, -np.pi), (np.pi, 0)))
+def from_zero(angle, shift):
     """a remainder between 0 and 2 pi is not shifted both before and after it is taken. np.mod gives numbers from 0 on:
     what has to happen before it, and after it?"""
-    return None if before and after else _each(lambda a: np.mod(a + before, REVOLUTION) + after, angle)
+    return _each(lambda a: np.mod(a + shift[0], REVOLUTION) + shift[1], angle)
 
 
 @EXERCISE.mistake(shift=(0, np.pi, -np.pi))
