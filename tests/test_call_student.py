@@ -11,6 +11,7 @@ import warnings
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from toy_exercises import NEAREST_SO, right
 
 from course_lib import rotations
@@ -181,6 +182,13 @@ def _class_method(w):
     return transform.Rotation.from_rotvec(w).as_matrix()
 
 
+made_before = Rotation.from_rotvec([0.1, 0.2, 0.3])
+
+
+def _an_object_of_a_class(w):
+    return made_before.as_matrix()
+
+
 def _swallowing_exceptions(w):
     try:
         return rotations.exp_so3(w)
@@ -196,6 +204,7 @@ def _swallowing_exceptions(w):
         _by_another_name,
         _through_another_library_function,
         _class_method,
+        _an_object_of_a_class,
         _swallowing_exceptions,
         rotations.exp_so3,
     ],
@@ -209,6 +218,7 @@ def test_a_forbidden_name_is_refused_and_put_back(function):
     assert error["message"] in FORBIDDEN
     assert rotations.exp_so3 is library is exp_by_another_name
     assert transform.Rotation is scipys
+    assert isinstance(made_before, scipys)
 
 
 def test_a_forbidden_name_is_put_back_although_the_function_raises():

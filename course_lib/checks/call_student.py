@@ -280,6 +280,7 @@ def _put_back():
 def _taken_away(names, function):
     """Replace the functions with these dotted names in the library and in the student's notebook.
 
+    So are the objects in the notebook of a class with such a name: an arm made in another cell does its work as well.
     Yields the answer to every question if the student's function is itself one of them, else None. This is a deterrent:
     a pasted copy of the library's code is not recognized.
     """
@@ -292,7 +293,11 @@ def _taken_away(names, function):
     packages = tuple(sorted({package for *_, where in things.values() for package in where}))
     spaces = [(key, vars(sys.modules[key])) for key in _inside(packages, tuple(sys.modules))]
     put_back = []
-    for place, space in [*spaces, ("course_lib", getattr(function, "__globals__", {}))]:
+    own = getattr(function, "__globals__", {})
+    for value in list(own.values()):
+        if id(type(value)) in things:
+            things[id(value)] = value, things[id(type(value))][1], ("course_lib",)
+    for place, space in [*spaces, ("course_lib", own)]:
         if things.keys().isdisjoint(map(id, list(space.values()))):  # nearly all: a fifth of the time of the loop below
             continue
         for key, value in list(space.items()):

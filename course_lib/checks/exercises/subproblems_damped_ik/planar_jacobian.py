@@ -14,7 +14,7 @@ _ARM = planar_arm([1, 1, 1, 1])
 _H = 1e-5  # radians: the step of the differences that are shown
 _FINE = 1e-8  # how far an entry may be off: good finite differences pass
 
-# Of the library, what would do the work: refused in all exercises with this arm.
+# What would do the work, also by an arm of the notebook: refused in all exercises with this arm.
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
 
 _WITH_ANGLE = Mistake(
