@@ -62,14 +62,13 @@ def _distance(center):
     return np.linalg.norm(center - SHOULDER)
 
 
-def _with(center, distance=_distance, elbow=(WRIST - ELBOW, SHOULDER - ELBOW), part=bent, axes=(Y, Z), origin=SHOULDER):
-    """The angles of somebody who puts other distances, points or axes into the two subproblems."""
+def _with(center, distance=_distance, elbow=(WRIST - ELBOW, SHOULDER - ELBOW), part=bent, origin=SHOULDER):
+    """The angles of somebody who puts other distances or points into the two subproblems."""
     if not arm_solutions(center):
         return None
     found = []
     for q3 in subproblem3(Y, *elbow, distance(center)).theta:
-        pairs = subproblem2(*axes, part(q3), center - origin).theta
-        found += [(-b, a, q3) if axes[0] is Y else (a, -b, q3) for a, b in pairs]
+        found += [(-b, a, q3) for a, b in subproblem2(Y, Z, part(q3), center - origin).theta]
     return found
 
 

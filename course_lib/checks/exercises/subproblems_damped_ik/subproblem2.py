@@ -62,7 +62,7 @@ def _cases(rng):
     k1, k2, p1, p2 = meeting[4]
     other_length = [
         (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -3, 1])),
-        (k1, k2, p1, 1.1 * p2),
+        (k1, k2, p1, 1.001 * p2),
         (k1, k2, 1.1 * p1, p2),
     ]
     apart = [(Z, X, Y + 3 * Z, 3 * X - Y), _apart(rng, 0.4, 1), _apart(rng, -0.2, -1), _around(rng, 1.01, 0.3)]
@@ -179,15 +179,6 @@ def _through(case, a, b, square):
     return [(angle_about(k1, p1, z), angle_about(k2, p2, z)) for z in points]
 
 
-def _heights(k1, k2, p1, p2):
-    return k1 @ k2, k1 @ p1, k2 @ p2
-
-
-def _foot(m, h1, h2):
-    """a and b: a k1 + b k2 has the heights h1 along k1 and h2 along k2."""
-    return (h1 - m * h2) / (1 - m * m), (h2 - m * h1) / (1 - m * m)
-
-
 def _rest(a, b, m, square):
     """What Pythagoras leaves of |p1|^2 for the part along k1 x k2."""
     return square - a * a - b * b - 2 * a * b * m
@@ -204,6 +195,7 @@ def _rest(a, b, m, square):
 def pythagoras_wrong(*case, squared):
     """Pythagoras is used with a wrong length. How long is a k1 + b k2 if the axes are not perpendicular, and how long
     is k1 x k2?"""
-    m, h1, h2 = _heights(*case)
-    a, b = _foot(m, h1, h2)
-    return _through(case, a, b, squared(a, b, m, case[2] @ case[2]))
+    k1, k2, p1, p2 = case
+    m, h1, h2 = k1 @ k2, k1 @ p1, k2 @ p2
+    a, b = (h1 - m * h2) / (1 - m * m), (h2 - m * h1) / (1 - m * m)
+    return _through(case, a, b, squared(a, b, m, p1 @ p1))

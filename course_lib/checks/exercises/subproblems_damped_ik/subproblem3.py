@@ -128,7 +128,7 @@ shared.add_degrees(EXERCISE, _solutions, _misses)
     )
 )
 def height_wrong(k, p, g, d, height):
-    """the height along g is wrong at which p should be. Square |R p - g| = d, multiply it out, and solve for g . R p:
+    """the height that p should have along g is wrong. Square |R p - g| = d, multiply it out, and solve for g . R p:
     which lengths are squared, and what about the factor and the signs?"""
     two(_solutions, k, p, g, d)
     found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
