@@ -21,7 +21,7 @@ PREDICTIONS = (
         "circles",
         "a",
         {
-            "a": "Yes. Along the arc from k1 to k2 the two circles reach 30 and 30 degrees far; 10 degrees remain "
+            "a": "Yes. Each circle reaches 30 degrees along the arc of 70 degrees from k1 to k2; 10 degrees remain "
             "between them.",
             "b": "They would touch if the two angles added up to the 70 degrees between the axes. 30 + 30 is less.",
             "c": "For that the circles have to overlap: their angles would have to add up to more than 70 degrees.",

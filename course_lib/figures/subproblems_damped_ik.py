@@ -263,7 +263,7 @@ def columns_and_ellipse(points, J):
     return Picture(
         fig,
         f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
-        f"{lengths} m show the Jacobian's columns; an ellipse with half axes of {s[0]:.1f} and {s[1]:.1f} m surrounds "
+        f"{lengths} m show the Jacobian's columns; an ellipse with semi-axes of {s[0]:.1f} and {s[1]:.1f} m surrounds "
         "the tip.",
         "Each column is perpendicular to the line from its joint to the tip; the tip is fast along the ellipse.",
     )
@@ -348,7 +348,7 @@ def gains(epsilons, values):
         fig,
         "The joint step per metre of error, over the singular value. Without damping it grows without bound towards "
         f"zero; with damping it rises from zero to a largest value, {tops}, and falls again.",
-        r"Each curve is highest at $s = \sqrt\epsilon$; below it the damping cuts the step, above it it hardly acts.",
+        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ damping cuts the step, for large $s$ hardly.",
     )
 
 
