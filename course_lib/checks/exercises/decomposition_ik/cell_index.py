@@ -148,23 +148,31 @@ def edge_taken_for_outside(*case, edge_outside):
 
 @EXERCISE.mistake(
     some=(
-        lambda below, above: np.False_,
-        lambda below, above: (below | above).all(axis=1, keepdims=True),
-        lambda below, above: below.any(axis=1, keepdims=True),
-        lambda below, above: above.any(axis=1, keepdims=True),
+        lambda parts, n: np.False_,
+        lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),
+        lambda parts, n: (parts < 0).any(axis=1, keepdims=True),
+        lambda parts, n: (parts > n).any(axis=1, keepdims=True),
+        lambda parts, n: ((parts < 0) | (parts >= n + 1)).any(axis=1, keepdims=True),
+        lambda parts, n: ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True),
     ),
     edge=_EDGES,
     to_whole=(np.floor, np.trunc),
 )
 def not_marked(*case, some, edge, to_whole):
     """some or all positions outside are not marked. A position can be left, right, below or above: is one enough?"""
-    return cell_index(*case, edge=edge, to_whole=to_whole, outside=lambda xy, low, high: some(xy < low, xy > high))
+    return cell_index(*case, edge=edge, to_whole=to_whole, outside=lambda *box: some(_parts(*box, case[-1]), case[-1]))
 
 
 @EXERCISE.mistake(edge=_EDGES)
 def each_number_by_itself(*case, edge):
     """only one of the two numbers is -1 where only x, or only y, is outside. What is asked for the other one?"""
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
+
+
+@EXERCISE.mistake(edge=_EDGES)
+def one_cell_too_few(*case, edge):
+    """there are n - 1 cells along each side. Between how many lines do n cells lie?"""
+    return cell_index(*case, parts=lambda xy, low, high, n: _parts(xy, low, high, n - 1), edge=edge)
 
 
 @EXERCISE.mistake

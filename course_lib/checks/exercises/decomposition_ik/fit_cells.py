@@ -10,9 +10,7 @@ from course_lib.checks.exercises.decomposition_ik.split_branches import split_br
 from course_lib.checks.format_numbers import format_tuple
 
 _COUNT = Mistake("count is not used for the number of cells", "May the last cells be empty? How many models are asked?")
-_EMPTY = Mistake(
-    "a model is fitted to a cluster without samples", "How many samples does a model need? What stands there otherwise?"
-)
+_EMPTY = Mistake("a model is fitted to a cluster without samples", "How many samples does a model need at least?")
 
 
 def _both(rng, middle, up, down):
@@ -108,13 +106,8 @@ EXERCISE = Exercise(
     tries_arguments=False,
     properties=(
         no_number(no_gap, "a cluster with fewer than 3 samples has no model: all 6 numbers are nan", fit_cells, _tell),
-        no_number(
-            lambda models, right: no_gap(right, models),
-            "a cluster with 3 samples or more has a model",
-            fit_cells,
-            _tell,
-        ),
-        no_number(_far_off, "A_j1 x + A_j2 y + b_j fits q_j of the samples with the least squares", fit_cells, _tell),
+        no_number(lambda a, b: no_gap(b, a), "a cluster with 3 samples or more has a model", fit_cells, _tell),
+        no_number(_far_off, "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples", fit_cells, _tell),
     ),
     errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
     hints=(

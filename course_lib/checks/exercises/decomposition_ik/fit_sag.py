@@ -1,4 +1,4 @@
-"""fit_sag: by how much the shoulder of the sagging arm yields, from angles sent and positions measured."""
+"""fit_sag: how far the shoulder of the sagging arm rotates back, from angles sent and positions measured."""
 
 import numpy as np
 
@@ -20,13 +20,13 @@ def _cosines(q):
 
 
 def fit_sag(q, xy, gap=_gap, wrap=_wrapped, columns=_cosines):
-    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in the angle by which the shoulder yields."""
+    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in delta, by which the first joint stops short."""
     q, xy = np.asarray(q, float), np.asarray(xy, float)
     return np.linalg.lstsq(columns(q), wrap(gap(q, xy)), rcond=None)[0]
 
 
 def _samples(rng, m, sag, noise, low=0.2, high=1.6):
-    """Angles sent (m, 2), and positions of an arm whose shoulder yields by sag; q1 from low to high."""
+    """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to high."""
     q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
     taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
     return q, position(taken) + noise * rng.normal(size=(m, 2))
@@ -60,14 +60,14 @@ EXERCISE = Exercise(
     library=fit_sag,
     properties=(
         Property(
-            "the two coefficients fit the yielding with the least squares, where all tips are above the base",
+            "if all tips are above the base, the two coefficients fit delta with the least squared error",
             _close,
             where=lambda q, xy: not _beyond(q, xy),
         ),
         Property("they also do if the direction to a tip is beyond 180 degrees", _close, where=_beyond),
     ),
     hints=(
-        "Which direction has the tip if nothing yields? np.arctan2 gives the direction that was measured.",
+        "Which direction has the tip of the rigid arm? np.arctan2 gives the direction that was measured.",
         "A direction just beyond 180 degrees is given as -180. What does that do to the difference, and how did "
         "notebook 2 wrap an angle?",
         "The unknowns are factors of two known columns: np.linalg.lstsq(A, b)[0] with A of shape (m, 2).",
@@ -84,7 +84,7 @@ def not_wrapped(q, xy):
 
 @EXERCISE.mistake
 def sign(q, xy):
-    """the sign is changed. Is the yielding what was sent minus what is measured, or the reverse?"""
+    """the sign is changed. Is delta what was sent minus what is measured, or the reverse?"""
     return -fit_sag(q, xy)
 
 
@@ -113,11 +113,12 @@ def another_column(q, xy, columns):
 
 @EXERCISE.mistake
 def with_a_constant(q, xy):
-    """there is a constant beside the two. How far does the shoulder yield if both links stand upright?"""
+    """there is a constant beside the two. What is delta if both links stand upright?"""
     return fit_sag(q, xy, columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))[:2]
 
 
 @EXERCISE.mistake
-def degrees(q, xy):
-    """the coefficients are in degrees. In which unit are the angles sent?"""
-    return np.rad2deg(fit_sag(q, xy))
+def angles_reached(q, xy):
+    """the cosines are those of the angles that the arm reached. Which angles does the formula of delta take?"""
+    reached = q - np.column_stack([_wrapped(_gap(q, xy)), np.zeros(len(q))])
+    return fit_sag(q, xy, columns=lambda q: _cosines(reached))

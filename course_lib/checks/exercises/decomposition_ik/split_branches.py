@@ -146,9 +146,7 @@ EXERCISE = Exercise(
             "both labels occur, wherever there are two different samples",
             lambda labels, q: labels.any() and not labels.all(),
             where=_one_best,
-            mistake=Mistake(
-                "all samples are in one cluster", "How many clusters do you get for two different samples?"
-            ),
+            mistake=Mistake("all samples are in one cluster", "How many clusters are asked for?"),
         ),
         Property(
             "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "

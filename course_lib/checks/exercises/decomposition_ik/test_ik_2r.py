@@ -56,7 +56,7 @@ EXERCISE = WriteTest(
     shapes=((2,),),
     versions=(
         _right("that is as in the text", closed_form, example=True),
-        _right("that intersects two circles", _by_circles),
+        _right("whose q1 may differ by a full revolution", _by_circles),
         _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
         _right("that returns a list", _changed(lambda q, xy: q.tolist())),
         Version("that always returns zeros", lambda xy: np.zeros((2, 2)), example=True),
