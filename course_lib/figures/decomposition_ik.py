@@ -144,7 +144,7 @@ def over_width(width, curves):
     return Picture(
         lines(width, curves, xlabel="width of the cells (cm)", ylabel="mean error (cm)", log="xy"),
         f"Mean error over the width of the cells, both logarithmic. {said}.",
-        "Without noise smaller cells are better; with noise each model has a best width.",
+        "Without noise smaller cells are better; with noise they can be too small.",
     )
 
 
@@ -202,5 +202,5 @@ def costs(measured):
     return Picture(
         fig,
         f"Mean error of both branches over memory, both logarithmic. {'; '.join(said)}.",
-        "Two fitted numbers gain more than a factor of ten, and a table of the samples ten more.",
+        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples ten more.",
     )
