@@ -31,8 +31,8 @@ def _is_straight(R_0, log, dt, R_bs):
 
 
 _ONE_MISSING = Mistake(
-    "the orientation at the start is missing",
-    "Between n + 1 orientations there are n steps. Which one belongs to the time before the first sample?",
+    "one orientation is missing",
+    "n samples lead to n + 1 orientations. Is the one before the first sample there, and the one after the last?",
 )
 
 EXERCISE = Exercise(
