@@ -53,30 +53,29 @@ EXERCISE = Exercise(
 )
 
 
-def _formula(w, sine=np.sin, versine=lambda a: 1 - np.cos(a), N=None):
-    a = np.linalg.norm(w)
-    if a == 0:
-        return np.eye(3)
-    N = hat(w / a) if N is None else N
-    return np.eye(3) + sine(a) * N + versine(a) * N @ N
-
-
 @EXERCISE.mistake
-def small_angles_lost(w):
+def clockwise(w):
+    """R rotates clockwise. For a small angle a point p moves by w x p: which sign has the term with [n]?"""
+    return exp_so3(-w)
+
+
+@EXERCISE.mistake(below=(1e-3, 1e-4, 1e-8, 1e-11))
+def small_angles_lost(w, below):
     """small angles are lost. Which is the only rotation vector that has no axis?"""
-    return np.eye(3) if np.linalg.norm(w) < 1e-3 else exp_so3(w)
+    return np.eye(3) if np.linalg.norm(w) < below else exp_so3(w)
 
 
 @EXERCISE.mistake
 def zero_divided(w):
     """w = 0 is divided by its length, which is 0. What does no rotation do to a point?"""
-    return _formula(w) if w.any() else np.full((3, 3), np.nan)
+    return exp_so3(w) if w.any() else np.full((3, 3), np.nan)
 
 
 @EXERCISE.mistake
 def length_not_divided_out(w):
     """w is not divided by its length before [w] is formed. Rodrigues' formula contains a unit axis n."""
-    return _formula(w, N=hat(w))
+    a, N = np.linalg.norm(w), hat(w)
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
 
 
 @EXERCISE.mistake(terms=range(2, 21))

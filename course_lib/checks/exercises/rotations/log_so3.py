@@ -66,12 +66,6 @@ def _short_of_pi(R):
     return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
 
 
-_DIGITS_LOST = Mistake(
-    "small angles lose their digits, or all of them",
-    "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot. And a small rotation is not "
-    "the identity: which formula divides by nothing that is small?",
-)
-
 EXERCISE = Exercise(
     name="log_so3",
     points=3,
@@ -100,7 +94,11 @@ EXERCISE = Exercise(
             "small angles keep their digits",
             lambda w, R: np.linalg.norm(w - log_so3(R)) <= (1e-5 if _angle(R) > 1e-6 else 1e-3) * _angle(R),
             where=_between(1e-12, 1e-3),
-            mistake=_DIGITS_LOST,
+            mistake=Mistake(
+                "small angles lose their digits, or all of them",
+                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot. And a small "
+                "rotation is not the identity: which formula divides by nothing that is small?",
+            ),
         ),
         Property(
             "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
@@ -169,6 +167,12 @@ def inaccurate_near_half_turns(R):
     """near 180 degrees the answer is too inaccurate. There sin(a) is small and a rounded angle has a rounded sine;
     and the formula for 180 degrees itself is exact at pi only."""
     return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
+
+
+@EXERCISE.mistake(seen=lambda w, R: 1e-3 < _angle(R) < np.pi - 1e-3 and np.allclose(w, -log_so3(R), atol=1e-6))
+def axis_reversed(R):
+    """the axis points the other way. n and -n give different rotations below 180 degrees: what tells them apart?"""
+    return -log_so3(R)
 
 
 @EXERCISE.mistake
