@@ -10,15 +10,8 @@ from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quat
 
 def _cases(rng):
     half = np.sqrt(0.5)
-    named = [
-        [half, 0, 0, half],
-        [half, 0, half, 0],
-        [half, half, 0, 0],
-        [0.0, 0, 0, 1],
-        [1.0, 0, 0, 0],
-        [-1.0, 0, 0, 0],
-    ]
-    return [(np.array(q),) for q in named] + [(q,) for q in random_quaternions(6, rng)]
+    named = [[half, 0, 0, half], [half, 0, half, 0], [half, half, 0, 0], [0, 0, 0, 1], [1, 0, 0, 0], [-1, 0, 0, 0]]
+    return [(np.array(q, float),) for q in named] + [(q,) for q in random_quaternions(6, rng)]
 
 
 def _angle(q):
@@ -79,8 +72,8 @@ def factor_missing(q, factors):
 
 
 @EXERCISE.mistake
-def angle_halved_twice(q):
-    """the angle is halved twice. w is the cosine of half the angle, not of the angle."""
+def half_the_angle(q):
+    """R rotates by half the angle. w is the cosine of half the angle, not of the angle."""
     return exp_so3(np.arccos(np.clip(q[0], -1, 1)) * q[1:] / np.linalg.norm(q[1:]))
 
 
