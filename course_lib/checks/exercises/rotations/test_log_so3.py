@@ -14,10 +14,6 @@ def _half_turn(R):
     return _angle(R) > np.pi - 1e-9
 
 
-def _other_sign(R):
-    return -log_so3(R) if _half_turn(R) else log_so3(R)
-
-
 def _by_quaternion(R):
     q = matrix_to_quaternion(R)
     sine = np.linalg.norm(q[1:])
@@ -57,7 +53,7 @@ EXERCISE = WriteTest(
     versions=(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
-        Version("that takes the other axis at 180 degrees", _other_sign, right=True),
+        Version("that takes the other axis at 180 degrees", _if(_half_turn, lambda w, R: -w), right=True),
         Version("that differs by rounding", lambda R: log_so3(R) * (1 + 1e-12), right=True),
         Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
         Version("whose sign is wrong", lambda R: -log_so3(R)),
