@@ -8,7 +8,7 @@ MODES = {
         "An aircraft rotated about an axis. Sliders set the axis and the angle from -360 to 360 degrees; rotation "
         "matrix, unit quaternion and Euler angles are shown as numbers. At 360 degrees the matrix is the identity and "
         "the quaternion is minus one.",
-        "After 360 degrees the matrix is the identity again, and the quaternion is its negative.",
+        "A rotation by its axis and angle. Quaternion and Euler angles are explained later.",
     ),
     "gimbals": (
         "Three gimbal rings around an aircraft, moved by yaw, pitch and roll. At a pitch of 90 degrees the axes of yaw "
