@@ -90,7 +90,7 @@ EXERCISE = Exercise(
     hints=(
         "On the sphere, the angle phi between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
         "The two weights are sin((1 - t) phi) and sin(t phi), both divided by sin(phi).",
-        "If sin(phi) is nearly 0, (1 - t) q0 + t q1 does.",
+        "If phi is below about 1e-6, (1 - t) q0 + t q1 is accurate enough.",
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),
 )
