@@ -61,8 +61,8 @@ PREDICTIONS = (
         "lock",
         "b",
         {
-            "a": "All three angles changed, but at pitch pi/2 they do not count one by one. Look at alpha - gamma.",
-            "b": "At pitch pi/2 only alpha - gamma counts, and it is 0.2 both times: one degree of freedom is lost.",
+            "a": "Roll and yaw have changed. But about which fixed axis does the roll rotate at pitch pi/2?",
+            "b": "At pitch pi/2 only alpha - gamma matters, and it is 0.2 both times: one degree of freedom is lost.",
             "c": "The pitch is exactly pi/2 here, so the two matrices are equal: not only nearly, or in a limit.",
         },
     ),
