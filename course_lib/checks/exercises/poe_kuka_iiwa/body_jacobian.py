@@ -35,7 +35,8 @@ EXERCISE = Exercise(
             "the last column is Ad(M^-1) Sn at all angles: seen from the end-effector, the last axis does not move",
             lambda J, screws, M, q: near(J[:, -1], adjoint(inverse(M)) @ screws[-1]),
             says=lambda J, screws, M, q: (
-                f"That is {format_tuple(adjoint(inverse(M)) @ screws[-1])}; yours is {format_tuple(J[:, -1])}."
+                f"That is {format_tuple(adjoint(inverse(M)) @ screws[-1])}; yours is {format_tuple(J[:, -1])}, "
+                f"off by {np.abs(J[:, -1] - adjoint(inverse(M)) @ screws[-1]).max():.2g}."
             ),
         ),
         Property(
@@ -59,10 +60,10 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def other_direction(screws, M, q):
-    """Ad(T) stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees: and you?"""
-    return adjoint(tool_pose(screws, M, q)) @ jacobian(screws, q)
+@EXERCISE.mistake(change=(adjoint, lambda T: np.eye(6)))
+def other_direction(screws, M, q, change):
+    """nothing, or Ad(T), stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees."""
+    return change(tool_pose(screws, M, q)) @ jacobian(screws, q)
 
 
 @EXERCISE.mistake(

@@ -42,9 +42,7 @@ def _is_small(twist):
 
 
 def _divides_by_nothing(twist):
-    if _angle(twist) > _NO_ANGLE:
-        return None
-    return _UNDERFLOW if twist[:3].any() else _NO_LENGTH
+    return None if _angle(twist) > _NO_ANGLE else _UNDERFLOW if twist[:3].any() else _NO_LENGTH
 
 
 def _p_is_right(T, twist):
@@ -159,6 +157,13 @@ def tiny_rotations_cut_off(twist):
     return np.eye(3) if _is_small(twist) else None
 
 
+@EXERCISE.mistake(part=BLOCK)
+def omega_in_place_of_n(twist):
+    """[omega] stands in Rodrigues' formula, where [n] belongs. How long is n?"""
+    a, N = _axis(twist)
+    return np.eye(3) + a * np.sin(a) * N + a * a * _versine(a) * N @ N
+
+
 @EXERCISE.mistake(terms=range(2, 21))
 def series_cut(twist, terms):
     """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
@@ -185,6 +190,7 @@ def p_is_v(twist, rotated):
         {"first": np.sin, "second": _versine},
         {"second": lambda a: 0},
         {"second": lambda a: np.sin(a) - a},
+        {"first": lambda a: a * _versine(a), "second": lambda a: a * a * _lag(a)},  # with [omega] in place of [n]
     ),
 )
 def factor_of_p(twist, factors):

@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import WRONG_ADJOINTS, at, in_blocks
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import WHOLE_HOME, WRONG_ADJOINTS, at, in_blocks
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, near
 from course_lib.rigid import adjoint, inverse, transform
@@ -16,30 +16,23 @@ BODY, HYBRID = 1, 2  # rows
 _OMEGA, _V = slice(3), slice(3, 6)
 
 
-def _twist(omega, v):
-    return np.concatenate([omega, v])
-
-
 def _cases(rng):
     tool = transform(exp_so3(np.pi / 2 * Z), [2.0, 0, 0])
     named = [
-        (_twist(Z, Y), transform(exp_so3(np.pi / 2 * X), [1.0, 2, 0])),
-        (_twist(Z, 0 * X), tool),
-        (_twist(0 * X, X), tool),
+        (np.append(Z, Y), transform(exp_so3(np.pi / 2 * X), [1.0, 2, 0])),
+        (np.append(Z, 0 * X), tool),
+        (np.append(0 * X, X), tool),
     ]
     drawn = [(away_from_zero(rng, 6, 0.2, 2.0), any_pose(rng)) for _ in range(4)]
     far = any_pose(rng)
     far[:3, 3] *= 100
-    whole = [
-        (np.array([1, 2, -1, 0, 3, 1]), any_pose(rng)),
-        (away_from_zero(rng, 6, 0.2, 2.0), np.array([[0, -1, 0, 2], [1, 0, 0, 1], [0, 0, 1, 3], [0, 0, 0, 1]])),
-    ]
-    plain = [(_twist(Z, 0 * X), at(1, 0, 0)), (_twist(Z, X), np.eye(4)), (np.zeros(6), any_pose(rng))]
+    whole = [(np.array([1, 2, -1, 0, 3, 1]), any_pose(rng)), (away_from_zero(rng, 6, 0.2, 2.0), WHOLE_HOME)]
+    plain = [(np.append(Z, 0 * X), at(1, 0, 0)), (np.append(Z, X), np.eye(4)), (np.zeros(6), any_pose(rng))]
     return [*named, *drawn, (away_from_zero(rng, 6, 2.0, 9.0), far), *whole, *plain]
 
 
 def _right(V_s, T):
-    hybrid = np.concatenate([V_s[:3], V_s[3:] + np.cross(V_s[:3], T[:3, 3])])
+    hybrid = np.append(V_s[:3], V_s[3:] + np.cross(V_s[:3], T[:3, 3]))
     return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
@@ -98,10 +91,10 @@ def _rotated(V_s, T, powers, moved):
     return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))
 
 
-@EXERCISE.mistake(part=HYBRID)
-def cross_product_reversed(V_s, T):
-    """the cross product in the hybrid row is in the wrong order. How fast does p move in a rotation omega?"""
-    return np.append(V_s[:3], V_s[3:] + np.cross(T[:3, 3], V_s[:3]))
+@EXERCISE.mistake(part=HYBRID, sign=(-1, 0))
+def cross_product_reversed(V_s, T, sign):
+    """the cross product in the hybrid row is missing, or in the wrong order. How fast does a rotation omega move p?"""
+    return np.append(V_s[:3], V_s[3:] + sign * np.cross(V_s[:3], T[:3, 3]))
 
 
 @EXERCISE.mistake(part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False))
@@ -122,7 +115,7 @@ def rotated_otherwise(V_s, T, powers):
     return _rotated(V_s, T, powers, moved=True)
 
 
-@EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:7], lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]]))
+@EXERCISE.mistake(part=BODY, form=(*WRONG_ADJOINTS[:8], lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]]))
 def wrong_adjoint(V_s, T, form):
     """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint, or inverse, pass its check?"""
     return in_blocks(inverse(T), form) @ V_s
