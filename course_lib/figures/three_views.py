@@ -61,7 +61,7 @@ def three_views(name, arm):
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
         _View(ax, view, corners, 0.14 / scale).draw(arm, data)
-    caption = "A cross is an arrow that points away from you, a dot one that points at you."
+    caption = "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that points at you."
     return Picture(fig, _told(name, arm, data), caption)
 
 
