@@ -40,13 +40,13 @@ _ARMS = {
         "flange": np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]),
     },
 }
-_VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the end")}
+_VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the front")}
 _MARGIN = 0.22  # metres around the arm in each view
 _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direction that points at the viewer
 
 
 def three_views(name, arm):
-    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, from above, from the end.
+    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, from above, from the front.
 
     name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn.
     """
