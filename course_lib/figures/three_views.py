@@ -46,7 +46,7 @@ _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direct
 
 
 def three_views(name, arm):
-    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, from above, from the front.
+    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, above and the front.
 
     name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn.
     """
