@@ -1,4 +1,4 @@
-"""A student's copy of a notebook: stubs for solutions, prompts for written answers, nothing in the outputs."""
+"""A student's copy of a notebook: stubs for solutions, prompts for written answers, no output but a first picture."""
 
 import ast
 import re
@@ -17,13 +17,18 @@ FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 def students_copy(text, name, release, more=True):
     """Return the text of a notebook without solutions and outputs, and without the cells of More unless `more`.
 
+    The first picture stays if it stands before all exercises, so that a student who opens the notebook sees it at once.
     `name` is the notebook's, for messages; `release` goes into its metadata. Raises ReleaseError, which names notebook
     and cell, if markers are not paired, a stub would not be a function, or another cell contains words for graders.
     """
     notebook = _read(text, name)
+    first = next((cell for cell in notebook.cells if "nbgrader" in cell.metadata or _has_picture(cell)), None)
+    shown = None if first is None or "nbgrader" in first.metadata else first.outputs
     for number, cell in enumerate(notebook.cells, 1):
         grade_id = cell.metadata.get("nbgrader", {}).get("grade_id")
         _empty(cell, f"{name}, cell {number}" + (f" ({grade_id})" if grade_id else ""))
+    if shown:
+        first.outputs = shown
     if not more:
         _leave_out_more(notebook)
     notebook.metadata["course"] = {**notebook.metadata.get("course", {}), "release": release}
@@ -60,6 +65,10 @@ def _leave_out_more(notebook):
         if links and cell.cell_type == "markdown":
             cell.source = re.sub(rf"\[([^]]*)\]\((?:\w+\.ipynb)?#(?:{links})\)", r"\1", cell.source)
             cell.source = _ON_MORE.sub("", cell.source)
+
+
+def _has_picture(cell):
+    return any("image/png" in output.get("data", {}) for output in cell.get("outputs", []))
 
 
 def _empty(cell, place):
