@@ -49,8 +49,8 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_
         question = words(card.replace(title, "").replace("#", "")).split(" About ")[0]
         assert len(question) > 20
         assert "?" in card
-        hours.append(int(re.search(r"About (\d+) hours\.", card)[1]))
-    assert f"about {sum(hours)} hours" in text
+        hours.append(float(re.search(r"About ([\d.]+) hours\.", card)[1]))
+    assert f"about {sum(hours):g} hours" in text
     for name in ("reports", "notation", "places", "changes", "errata", "sources"):
         assert article.locator(f"li a[href='{name}.html']").count() >= 1
 

@@ -23,7 +23,7 @@ QUESTIONS = {
 }
 NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
-CORE = "The core of all takes about {} hours; folded sections, called More, are on request."
+CORE = "The core of all takes about {:g} hours; folded sections, called More, are on request."
 
 HOME = """# Robot kinematics
 
@@ -82,7 +82,7 @@ class Notebook:
     name: str
     title: str
     question: str = ""
-    hours: int = 0
+    hours: float = 0
     picture: str = ""
 
 
@@ -138,7 +138,7 @@ def with_pictures(text: str, notebooks: list[Notebook]) -> str:
 
 def _card(notebook: Notebook) -> str:
     """Return a notebook's card on the home page: its picture, its title, the question it answers, its hours."""
-    hours = f"About {notebook.hours} hours." if notebook.hours else ""
+    hours = f"About {notebook.hours:g} hours." if notebook.hours else ""
     words = " ".join(filter(None, [notebook.question, hours]))
     # No heading in Markdown: that would begin a section, which ends outside of the card.
     title = f'<h2><a href="{notebook.name}.html">{html.escape(notebook.title)}</a></h2>'
@@ -154,12 +154,13 @@ def _question(text: str) -> str:
     return next((sentence for sentence in sentences if sentence.endswith("?")), sentences[0])
 
 
-def _hours(text: str) -> int:
-    """Return the number in "It takes about five hours", or 0."""
-    found = re.search(r"It takes about (\w+) hours?", text)
+def _hours(text: str) -> float:
+    """Return the number in "It takes about five hours" or "about five and a half hours", or 0."""
+    found = re.search(r"It takes about (\w+)( and a half)? hours?", text)
     if not found:
         return 0
-    return int(found[1]) if found[1].isdigit() else NUMBERS.index(found[1]) + 1 if found[1] in NUMBERS else 0
+    whole = int(found[1]) if found[1].isdigit() else NUMBERS.index(found[1]) + 1 if found[1] in NUMBERS else 0
+    return whole + (0.5 if found[2] else 0)
 
 
 def _cover(book, name: str, pages: Path) -> str:
