@@ -81,3 +81,8 @@ def wrong_two_rows(q0, T_grasp):
     """the way to the grasp leads through something"""
     x = planned(q0, T_grasp)
     return x[[0, -1]] * [[3] + 7 * [1]]
+
+
+def wrong_rows_too_far_apart(q0, T_grasp):
+    """unnamed"""
+    return np.column_stack([[0, 2, 4], planned(q0, T_grasp)[[0, 40, -1], 1:]])

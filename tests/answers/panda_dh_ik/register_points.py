@@ -44,7 +44,7 @@ def wrong_reflections_stay(src, dst, weights):
 
 
 def wrong_as_in_the_report(src, dst, weights):
-    """the sign is changed in a row or column of the finished R"""
+    """the sign is changed in the finished R"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ Ut * [1, 1, np.linalg.det(V @ Ut)])
 
 

@@ -111,6 +111,12 @@ def other_column(frames, axis):
     return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
 
 
+@EXERCISE.mistake(z=(np.s_[:-1], np.s_[1:]))
+def next_frame(frames, z):
+    """the origin, or the axis too, is that of the next frame. On which joint's axis does frame i lie here?"""
+    return _jacobian(frames[z, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3])
+
+
 @EXERCISE.mistake
 def last_joint_for_the_flange(frames):
     """the origin of frame n is taken for the flange's. Which of the frames is the flange's?"""

@@ -204,8 +204,8 @@ def sign_missing(T, *case):
 
 @EXERCISE.seen
 def sign_elsewhere(T, *case):
-    """the sign is changed in a row or column of the finished R, or at another singular value than the smallest. That is
-    a rotation: is it the best one?
+    """the sign is changed in the finished R (all, a row or a column), or at another singular value than the smallest.
+    That is a rotation: is it the best one?
     """
     M, signs = _reflection(*case), 1 - 2 * np.eye(3)
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
