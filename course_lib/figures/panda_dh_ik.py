@@ -322,7 +322,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
     hangs = " A camera hangs above the table and looks down." if camera is not None else ""
     return Picture(
-        film("pick", model, poses, times, **look),
+        film("pick", model, poses, times, frames=15, **look),
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",

@@ -8,22 +8,21 @@ from course_lib.figures.solids import scene as around
 from course_lib.rotations import log_so3
 
 _RATE, _MOST_POSES = 20, 600  # poses a second that a film holds, and all of them: between them bodies move along screws
-_LAB_FRAMES = 20  # for JupyterLab, which plays vertices: 14 KB each for an arm
 _MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
 
 
-def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0):
-    """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in twenty frames.
+def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0, frames=20):
+    """Return a figure in which bodies move; a page plays it smoothly, JupyterLab in frames of vertices.
 
     Its lengths are in millimetres; scripts/film.js describes its `layout.meta.course`. name: that of its file if it is
     written as an animation. poses: (m, bodies, 4, 4), of the bodies of a Model at times (m,), in seconds, increasing;
     it plays in real time. still: plotly traces that stand still, without the floor. points: (n, 3), further points that
     the view must contain. view: (3,), the direction to the eye. height: pixels, without the controls. ground: the
-    height of the floor.
+    height of the floor. frames: how many JupyterLab plays, of 14 KB each for an arm.
     """
     kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
     poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]
-    shown = _evenly(len(times), _LAB_FRAMES)
+    shown = _evenly(len(times), frames)
     vertices = model.placed(poses[shown])
     few = vertices[:, ::7].reshape(-1, 3)  # the shadow of all frames
     everything = [vertices.reshape(-1, 3), np.reshape(points, (-1, 3)), around.rim(few, ground)]
