@@ -85,4 +85,4 @@ def wrong_two_rows(q0, T_grasp):
 
 def wrong_rows_too_far_apart(q0, T_grasp):
     """unnamed"""
-    return np.column_stack([[0, 2, 4], planned(q0, T_grasp)[[0, 40, -1], 1:]])
+    return np.column_stack([0.3 * np.arange(17), planned(q0, T_grasp)[::5, 1:]])
