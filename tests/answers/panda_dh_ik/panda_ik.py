@@ -37,7 +37,7 @@ def right_out_of_reach_at_once_as_a_list(T, q0):
 
 
 def right_constant_small_damping(T, q0):
-    goal, random, q = rigid.inverse(T_w0) @ T, np.random.default_rng(1), np.array(q0)
+    goal, random, q = rigid.inverse(T_w0) @ T, np.random.default_rng(1), np.clip(q0, low, high)
     for _ in range(1 if out_of_reach(T) else 50):
         for _ in range(30):
             e, J = ik.pose_error(arm.fk(q), goal), arm.geometric_jacobian(q)
@@ -113,3 +113,8 @@ def wrong_error_backwards(T, q0):
 def wrong_library(T, q0):
     """course_lib.ik.solve is called"""
     return ik.solve(arm, rigid.inverse(T_w0) @ T, np.random.default_rng(0), q0=q0).q
+
+
+def wrong_start_not_clipped(T, q0):
+    """the limits are ignored"""
+    return q0 if np.linalg.norm(ik.pose_error(T_w0 @ arm.fk(q0), T)) < 1e-7 else search(T, q0)

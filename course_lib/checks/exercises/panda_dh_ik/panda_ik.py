@@ -14,6 +14,7 @@ from course_lib.rotations import exp_so3, length, log_so3
 _REACHED = 1.001e-6  # metres and radians; a little more than asked for, because the student's sums round otherwise
 
 _LOW_DOWN = np.array([0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8])  # its flange is within reach of the base, and of the world
+_OUTSIDE = READY + 2.3 * np.eye(7)[6]  # a start that reaches its target outside the limits
 _BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond pi
 
 # Configurations whose flange poses are not reached from the ready configuration without a restart: damped steps of many
@@ -54,7 +55,7 @@ def _cases(rng):
     return [
         (flange(_about(READY, rng, 0.1)), READY),
         (here, READY),
-        (flange(_BEYOND), _BEYOND),
+        *((flange(q), q) for q in (_BEYOND, _OUTSIDE)),
         (hardly, READY),
         (moved, READY),
         (rotated, READY),
@@ -137,7 +138,7 @@ EXERCISE = Exercise(
             _inside,
             _outside,
             where=_reachable,
-            mistake=Mistake("the limits are ignored", "Where can a step lead that starts inside the limits?"),
+            mistake=Mistake("the limits are ignored", "Where can a step lead, and where may q0 lie?"),
         ),
         Property(
             "the flange is within 1e-6 m and 1e-6 rad of T_target, in the world",
@@ -150,12 +151,12 @@ EXERCISE = Exercise(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, T, q0: np.abs(q - q0).max() < 0.1,
             _elsewhere,
-            where=lambda T, q0: np.abs(T - flange(q0)).max() < 1e-9,
+            where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
         ),
         Property(
             "a target close by is reached: seven numbers are returned, not NaN",
             _found,
-            where=lambda T, q0: np.linalg.norm(_gaps(flange(q0), T)) < 0.15,
+            where=lambda T, q0: np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15,
             mistake=_NOT_CONVERGING,
         ),
         Property(
