@@ -106,9 +106,17 @@ def _linked(sources: list[Path], pages: Path) -> list[Path]:
         links = set(re.findall(r"\]\((\w+\.ipynb)", page.read_text(encoding="utf-8")))
         if page.name in text or (page.name in PAGES and links <= names):
             found.append(page)
+            _without_dead_links(page, names)
         else:
             page.unlink()
     return found
+
+
+def _without_dead_links(page: Path, notebooks: set[str]) -> None:
+    """Replace a page's links to notebooks that are not published here by their text."""
+    link = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)")
+    text = link.sub(lambda it: it[0] if it[2] in notebooks else it[1], page.read_text(encoding="utf-8"))
+    page.write_text(text, encoding="utf-8")
 
 
 def _copy_libraries(static: Path, with_plotly: bool) -> None:
