@@ -241,13 +241,14 @@ def size(figure: Figure) -> tuple[int, int]:
 
 def draw_stills(figures: list[Figure]) -> list[bytes]:
     """Draw figures with one headless browser for all of them."""
+    from choreographer.channels import ChannelClosedError
     from kaleido.errors import BrowserClosedError, BrowserFailedError, ChromeNotFoundError
 
     try:
         return asyncio.run(_draw_stills(figures))
     except ChromeNotFoundError:
         raise NoBrowser("no Chrome or Chromium found; BROWSER_PATH may name one") from None
-    except (BrowserFailedError, BrowserClosedError, TimeoutError) as error:
+    except (BrowserFailedError, BrowserClosedError, ChannelClosedError, TimeoutError) as error:
         raise NoBrowser(f"the browser failed: {type(error).__name__}") from error
 
 
