@@ -11,7 +11,7 @@ def heading_level(cell) -> int:
     Examples
     --------
     >>> import nbformat
-    >>> heading_level(nbformat.v4.new_markdown_cell("## Circles first"))
+    >>> heading_level(nbformat.v4.new_markdown_cell("## Two circles"))
     2
     """
     found = re.match(r"(#+) ", cell.source) if cell.cell_type == "markdown" else None
