@@ -49,7 +49,6 @@ def _parser():
     parser.add_argument("submissions", help="folder that holds what was handed in")
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
     parser.add_argument("--jobs", default="-1", help="how many at once; one for each processor if not given")
-    parser.add_argument("--scheduler", default="", help="address of a Dask cluster that does the work, tcp://...")
     parser.add_argument(
         "--lms",
         default="",
@@ -75,11 +74,11 @@ def _grade(chosen, grade):
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
         grade = grade or Grader(hidden, chosen.isolation)
         remove_old_folders()
-        if hasattr(grade, "prepare") and not chosen.scheduler:
+        if hasattr(grade, "prepare"):
             grade.prepare()
             how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
             print(f"Each submission runs {how}.", flush=True)
-        outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1, chosen.scheduler)
+        outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1)
         _write(output, outcomes, deadline, weight, chosen.lms.replace("none", ""), roster)
 
 

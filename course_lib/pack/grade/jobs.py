@@ -1,17 +1,16 @@
-"""Grade many submissions, here or on a cluster, and keep each result in a file of its own at once."""
+"""Grade many submissions, several at once, and keep each result in a file of its own at once."""
 
 import contextlib
 import functools
 import hashlib
 import json
 import os
-import platform
 import threading
 import time
 import warnings
 from pathlib import Path
 
-from joblib import Parallel, delayed, parallel_config
+from joblib import Parallel, delayed
 from tqdm import tqdm
 
 from course_lib.pack.files import write_atomically
@@ -19,8 +18,6 @@ from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.collect import Refused, read
 
-LEAST_JOBS = 8  # that a cluster is given at once; those that have no worker yet wait there
-CLUSTER_SECONDS = 60  # to wait for a scheduler, and for its first worker
 ROOT = Path(__file__).parents[3]
 
 
@@ -74,12 +71,11 @@ def ungraded_result(submission, reason, state):
 # ---- the work ----
 
 
-def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
+def grade_all(submissions, results, seed, grade, jobs=-1):
     """Return each submission with its result, in the same order; stored results are not computed again.
 
     results: the folder of stored results. grade(content, notebook, seed) returns a result; its method `prepare`, if it
     has one, is called in each worker process. jobs: how many are graded at once; -1 for one for each processor.
-    scheduler: the address of a Dask cluster that does the work, or "".
     """
     done, left = {}, {}
     for submission in submissions:
@@ -93,13 +89,12 @@ def grade_all(submissions, results, seed, grade, jobs=-1, scheduler=""):
             left[submission] = path
         else:
             done[submission] = kept
-    with tqdm(total=len(submissions), initial=len(done), desc="grading", unit="notebook") as bar, _backend(scheduler):
-        whose = course_hash() if scheduler else os.getpid()
-        _grade_left(left, done, bar, seed, grade, jobs, whose)
+    with tqdm(total=len(submissions), initial=len(done), desc="grading", unit="notebook") as bar:
+        _grade_left(left, done, bar, seed, grade, jobs)
     return [(submission, done[submission]) for submission in submissions]
 
 
-def _grade_left(left, done, bar, seed, grade, jobs, whose):
+def _grade_left(left, done, bar, seed, grade, jobs):
     """Grade the remaining submissions, and add the results to `done` and to the files."""
     handed_out = []
 
@@ -107,7 +102,7 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
         for submission in some:
             handed_out.append(submission)
             with contextlib.suppress(Refused):  # read only now, since all at once may be more than the memory holds
-                yield delayed(_one)(submission, grade, seed, whose, read(submission))
+                yield delayed(_one)(submission, grade, seed, os.getpid(), read(submission))
 
     def take(some, jobs):
         outcomes = Parallel(jobs, batch_size=1, return_as="generator_unordered")(work(some))
@@ -126,7 +121,7 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
             raise
         except Exception as error:  # a worker was killed
             if len(handed_out) == before:
-                raise GradingStopped(f"No worker can do the work ({type(error).__name__}).") from error
+                raise GradingStopped(f"No process can do the work ({type(error).__name__}).") from error
             return f"The process at work on it ended ({type(error).__name__})"
         return ""
 
@@ -142,22 +137,19 @@ def _grade_left(left, done, bar, seed, grade, jobs, whose):
         rest = [submission for submission in rest if submission not in done]
 
 
-def _one(submission, grade, seed, whose, content):
-    """Grade one submission, here or on a worker. Never raises: one submission must not stop the others.
+def _one(submission, grade, seed, parent, content):
+    """Grade one submission. Never raises: one submission must not stop the others.
 
-    whose: on a cluster, the hash of the course that began the run; on this machine, the process that began it.
+    parent: the process that began the run.
     """
     digest = hashlib.sha256(content).hexdigest()[:12]
-    if isinstance(whose, int):
-        _end_with(whose)
-    elif whose != course_hash():
-        return submission, digest, {"stop": f"The worker {platform.node()} has another version of the course."}
+    _end_with(parent)
     try:
         if hasattr(grade, "prepare"):  # here and not in the process of each submission
             grade.prepare()
         return submission, digest, {"result": call_bounded(grade, content, submission.notebook, seed)}
     except GradingStopped as problem:
-        return submission, digest, {"stop": f"{platform.node()}: {problem}"}
+        return submission, digest, {"stop": str(problem)}
     except OutOfBounds as reason:
         return submission, digest, {"failed": f"It could not be graded: {reason}."}
     except Exception as error:  # an error of the grader itself
@@ -190,34 +182,3 @@ def _kept(submission, digest, outcome, path):
     except OSError as error:
         raise GradingStopped(f"A result could not be written: {error}.") from error
     return outcome["result"]
-
-
-@contextlib.contextmanager
-def _backend(scheduler):
-    """Let joblib work on the cluster of this scheduler, or on this machine if there is none."""
-    if not scheduler:
-        yield
-        return
-    try:
-        from distributed import Client
-        from joblib._dask import DaskDistributedBackend
-    except ImportError as error:
-        raise GradingStopped("A cluster needs the package `distributed`: make environment installs it.") from error
-    try:
-        client = Client(scheduler, timeout=CLUSTER_SECONDS)
-    except (OSError, ValueError) as error:
-        raise GradingStopped(f"No scheduler answers at {scheduler}.") from error
-
-    class Cluster(DaskDistributedBackend):
-        def effective_n_jobs(self, n_jobs):
-            # With one job joblib would work on this machine, and workers that join later would get no work.
-            return max(LEAST_JOBS, super().effective_n_jobs(n_jobs))
-
-        def submit(self, func, callback=None):
-            # joblib is notified of results only, and would wait forever for a job that killed all its workers.
-            future = super().submit(func, callback)
-            future.add_done_callback(lambda ended: ended.exception() and callback(ended.exception()))
-            return future
-
-    with client, parallel_config(backend=Cluster(client=client, wait_for_workers_timeout=CLUSTER_SECONDS)):
-        yield
