@@ -43,12 +43,15 @@ def mirrored(n, as_given, corrected):
     return "about half" if about else f"{count} of {m}", float(np.median(corrected))
 
 
-def reached(results):
-    """Print how often each method reaches its targets, {method: (reached (n,), iterations (n,))}."""
-    rows = {
-        name: (f"{there.mean():.0%}", f"{np.median(taken[there]):.0f}" if there.any() else "-")
-        for name, (there, taken) in results.items()
-    }
+def reached(results, rough=()):
+    """Print how often each method reaches its targets, {method: (reached (n,), iterations (n,))}.
+
+    rough: methods of which only the nearest ten percent is printed, because rounding decides many of their targets.
+    """
+    rows = {}
+    for name, (there, taken) in results.items():
+        median = f"{np.median(taken[there]):.0f}" if there.any() else "-"
+        rows[name] = (f"about {round(there.mean(), 1):.0%}", "") if name in rough else (f"{there.mean():.0%}", median)
     table(["reached", "iterations (median)"], rows)
 
 

@@ -87,7 +87,7 @@ def jog(arm, fk=None, *, q=None, base=None):
     )
     answer = None if fk is None else Answers(fk, _moved_by(arm, inverse(base), positional(fk) >= 3))
     model = arm_view(arm, starting(arm) if q is None else q, f"An arm with {arm.n} joints")
-    caption = "A joint takes along every axis after its own and none before it."
+    caption = "Which of the dashed axes move with a joint, and which stay?"
     return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
 
 

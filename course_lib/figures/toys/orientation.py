@@ -6,14 +6,13 @@ from course_lib.figures.toys.toy import Toy
 MODES = {
     "axis": (
         "An aircraft rotated about an axis. Sliders set the axis and the angle from -360 to 360 degrees; rotation "
-        "matrix, unit quaternion and Euler angles are shown as numbers. At 360 degrees the matrix is the identity and "
-        "the quaternion is minus one.",
+        "matrix, unit quaternion and Euler angles are shown as numbers.",
         "A rotation by its axis and angle. Quaternion and Euler angles are explained later.",
     ),
     "gimbals": (
         "Three gimbal rings around an aircraft, moved by yaw, pitch and roll. At a pitch of 90 degrees the axes of yaw "
         "and roll fall together: gimbal lock.",
-        "At a pitch of 90 degrees the outer and the inner ring rotate about the same line.",
+        "Each ring rotates about an axis of its own. Where are the axes of the outer and the inner ring?",
     ),
     "order": (
         "Two aircraft, one rotated first about x and then about z, the other in the opposite order. They end in "

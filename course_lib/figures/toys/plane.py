@@ -52,7 +52,7 @@ def dead_reckoning_toy(plan=_ROUND, dt=0.5, tolerance=0.02):
         "The path that a vacuum cleaner drives to its dock, and the path that Euler steps compute. With steps of "
         f"{dt:g} s the computed end is {100 * miss:.0f} cm from the dock; a slider sets the step."
     )
-    caption = "The shorter the step, the smaller the error; on the straight parts any step is right."
+    caption = "Where does the computed path leave the driven one, and where does it stay parallel to it?"
     plan = [[list(map(float, v)), float(t)] for v, t in plan]
     model = {"plan": plan, "dt": float(dt), "start": start.tolist(), "tolerance": tolerance}
     model |= {"half": round(0.6 * float((high - low).max()) + 0.3, 3), "centre": ((low + high) / 2).round(3).tolist()}
@@ -87,7 +87,7 @@ def planar_arm_toy(lengths=(1, 1, 1, 1), q=None, target=(-1.9, 1.1), step=0.5, d
         "the arrow keys. Sliders set step size and damping of the damped least-squares steps; a green ellipse shows "
         "the manipulability, a curve the distance left after each step."
     )
-    caption = "Stretched out, the ellipse is flat: the tip cannot move along the arm, and an undamped step explodes."
+    caption = "The longer the ellipse in a direction, the faster the joints can move the tip there."
     return Toy("planar_arm", model, alt, caption=caption)
 
 
