@@ -258,7 +258,8 @@ def test_ticks_are_parts_of_pi():
 def test_tables_stand_in_columns(capsys):
     tables.table(["mean (cm)", "answered"], {"one": (0.1256, "99.8%"), "the other": (2e-7, "100%")})
     assert tables.compared({"a table": np.array([[0.5, np.nan]])}, np.array([[True, True]])) == {"a table": 0.5}
-    tables.reached({"a": (np.array([True, False]), np.array([7, 100])), "b": (np.array([False]), np.array([1]))})
+    some, none = (np.array([True, False]), np.array([7, 100])), (np.array([False]), np.array([1]))
+    tables.reached({"a": some, "b": none, "c": some}, rough=["c"])
     tables.by_kind(np.array(["elbows mixed"] * 3 + ["fewer than 6 samples"]), np.array([[0.1, 7.0]] * 4))
     tables.means({"one": np.array([0.1, 0.3, np.nan])})
     tables.slopes({"affine": (2.0, 1.999)})
@@ -271,9 +272,10 @@ one             0.13     99.8%
 the other    < 1e-06      100%
          mean (cm)  worst (cm)  answered  invented
 a table        0.5         0.5     50.0%         0
-   reached  iterations (median)
-a      50%                    7
-b       0%                    -
+   reached (%)  iterations (median)
+a           50                    7
+b            0                    -
+c     about 50              about 7
                       queries  mean (cm)  worst (cm)
 elbows mixed              75%       3.55           7
 fewer than 6 samples      25%       3.55           7

@@ -46,13 +46,16 @@ def mirrored(n, as_given, corrected):
 def reached(results, rough=()):
     """Print how often each method reaches its targets, {method: (reached (n,), iterations (n,))}.
 
-    rough: methods of which only the nearest ten percent is printed, because rounding decides many of their targets.
+    rough: methods whose numbers are rounded to one digit, because rounding errors decide many of their targets.
     """
     rows = {}
     for name, (there, taken) in results.items():
-        median = f"{np.median(taken[there]):.0f}" if there.any() else "-"
-        rows[name] = (f"about {round(there.mean(), 1):.0%}", "") if name in rough else (f"{there.mean():.0%}", median)
-    table(["reached", "iterations (median)"], rows)
+        share, median = 100 * there.mean(), np.median(taken[there]) if there.any() else np.nan
+        if name in rough:
+            rows[name] = [f"about {float(f'{number:.1g}'):.0f}" for number in (share, median)]
+        else:
+            rows[name] = [f"{share:.0f}", f"{median:.0f}" if there.any() else "-"]
+    table(["reached (%)", "iterations (median)"], rows)
 
 
 def compared(errors, exists, measured=None, rough=()):
