@@ -82,7 +82,7 @@ class Toy:
     """
 
     def __init__(self, name, model, alt, answer=None, caption=""):
-        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **model}
+        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **_rounded(model)}
         self.alt = alt
         self.answer = answer
         self.caption = caption
@@ -117,6 +117,15 @@ class Toy:
             widget.answers = True
             widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
         return widget
+
+
+def _rounded(value):
+    """Return a model with its floats rounded to 12 decimals: the last digits differ between processors."""
+    if isinstance(value, dict):
+        return {key: _rounded(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_rounded(each) for each in value]
+    return round(value, 12) + 0.0 if isinstance(value, float) else value
 
 
 def _key(figure):
