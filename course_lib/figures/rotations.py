@@ -125,7 +125,7 @@ def rotated_point(w, p, exp=exp_so3):
 def series_errors(errors):
     """Return how far sums of the exponential series are from a rotation: {label: errors after 1, 2, ... terms}."""
     said = [
-        f"for {label} it is {e[0]:.3g} after one term, at most {max(e):.3g}, and {e[-1]:.1g} after {len(e)}"
+        f"for {label} it is {e[0]:.4g} after one term, at most {max(e):.4g}, and {e[-1]:.1g} after {len(e)}"
         for label, e in errors.items()
     ]
     terms = np.arange(1, 1 + len(next(iter(errors.values()))))
