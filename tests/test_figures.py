@@ -45,7 +45,7 @@ def points_of(q):
 PICTURES = [
     (nb1.body_frame, (np.eye(3),), "y along (0.00, 1.00, 0.00); z along (0.00, 0.00, 1.00)."),
     (nb1.frames, ({"start": np.eye(3), "longer": 2 * np.eye(3)},), "here the longest grows to 2.00."),
-    (nb1.frames, ({"a": R[0]},), "the order counts"),
+    (nb1.frames, ({"a": R[0]},), "the order matters"),
     (nb1.rotated_point, (1.5 * Z, X + 0.5 * Z), "about the axis w by 1.50 rad to R p, along an arc in a plane"),
     (nb1.rotated_point, (Z, X + Z, lambda w: rotations.exp_so3(w) * (1 + w[2])), "which leaves the plane"),
     (nb1.series_errors, ({"0.1 rad": [1e-2, 1e-4, 1e-8]},),

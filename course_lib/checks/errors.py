@@ -63,7 +63,7 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
         return "wrong", f"the answer is numbers, booleans, arrays or lists. Yours is {message}.", None, False
     if kind == "NotAllowed":
         mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
-        return "wrong", "your own lines compute the answer.", mistake, False
+        return "wrong", "compute the answer yourself.", mistake, False
     if kind == "TimeUp":
         return "error", f"{call} took {message}. Does a loop never end?", None, True
     if kind == "KeyboardInterrupt":

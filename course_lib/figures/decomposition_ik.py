@@ -99,7 +99,7 @@ def percentiles(contents):
     return Picture(
         lines(share, curves, xlabel="share of the errors (%)", ylabel="error below (cm)", log="y"),
         f"Percentiles of the error in cm on a logarithmic axis. {'; '.join(said)}.",
-        "Most errors are below a millimetre; the last few percent decide about the mean.",
+        "Most errors are below a millimetre; the last few percent determine the mean.",
     )
 
 
@@ -202,5 +202,5 @@ def costs(measured):
     return Picture(
         fig,
         f"Mean error of both branches over memory, both logarithmic. {'; '.join(said)}.",
-        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples ten more.",
+        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples another.",
     )

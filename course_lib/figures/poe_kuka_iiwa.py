@@ -56,7 +56,7 @@ def digits_lost(textbook, with_series):
     return Picture(
         lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error"),
         f"The relative error over the angle, both logarithmic: {plain(said)}.",
-        "Below an angle of about $10^{-8}$ the textbook's formula has no correct digit.",
+        "Below an angle of about $10^{-8}$ the formula has no correct digit.",
     )
 
 

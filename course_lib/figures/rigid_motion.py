@@ -68,7 +68,7 @@ def missed_dock(driven, believed):
     off = np.linalg.norm(driven[-1, :2] - believed[-1, :2])
     alt = f"A vacuum robot drives from {_point(driven[0])} to its dock, where it stops at {_point(driven[-1])}. "
     alt += f"By its own computation it is at {_point(believed[-1])}, {off:.2f} m from there."
-    return Picture(fig, alt, "On the straight parts the two paths are parallel: they come apart in the bends.")
+    return Picture(fig, alt, "The path that the robot drives, and the one that it computes.")
 
 
 def parking(poses, dock, table, keep_away):

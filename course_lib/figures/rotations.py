@@ -45,7 +45,7 @@ def body_frame(R):
     )
 
 
-def frames(orientations, caption="The two products end in different orientations: the order counts."):
+def frames(orientations, caption="The two products end in different orientations: the order matters."):
     """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
 
     orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if all are.

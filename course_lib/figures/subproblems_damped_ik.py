@@ -34,7 +34,7 @@ def rotated_onto(k, p, g, theta):
     words = {BLACK: {"p": p, "g": g}, CRIMSON: {"R p": end}}
     return Picture(
         _scene({"k": k}, drawn, words, [p, g]),
-        f"A point p runs on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}.",
+        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}.",
         f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
         "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it.",
     )
@@ -133,7 +133,7 @@ def orientation_paths(tracks, duration):
     return Picture(
         go.Figure(drawn, layout=layout).update_traces(selector={"showlegend": None}, showlegend=False),
         f"Where e_x goes on the unit sphere, in motions between the same two orientations: {'; '.join(said)}.",
-        "With constant $\\omega$ every point runs on a circle about $\\omega$; with constant rates it does not. "
+        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant rates it does not. "
         f"The bodies rotate at: {'; '.join(speeds)}.",
     )
 

@@ -83,7 +83,7 @@ def reach(arm, target, *, q=None, says=None):
 
     title = f"An arm with {arm.n} joints and a target"
     alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "
-    alt += "angles that a function answers; if there are several solutions, the others are translucent."
+    alt += "angles that a function returns; if there are several solutions, the others are translucent."
     model = {"figure": "reach", "goal": target.tolist()}
     if np.ndim(q) == 2:
         q, *others = np.round(real_array(q, "q", (arm.n,)), 6)
@@ -196,5 +196,5 @@ def drive(plan=(), dt=0.5, *, exact=False):
         "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
     )
     alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
-    caption = "Click the picture; use the arrow keys, two for a bend, or hold a button. Where do the robots part?"
+    caption = "Click the picture; use the arrow keys, two for a bend, or hold a button. Where do the robots separate?"
     return Figure(model, alt, caption, ask)

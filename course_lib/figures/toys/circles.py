@@ -21,6 +21,6 @@ def circles_toy(between=70, p1=50, p2=45):
         "A sphere with two circles: of the point p1 about the axis k1 and of the point p2 about the axis k2. Sliders "
         f"move the axes, the points can be dragged; at the start the circles {'meet' if meet else 'do not meet'}."
     )
-    caption = "Each point runs on a circle about its own axis; both circles lie on the sphere."
+    caption = "Each point moves on a circle about its own axis; both circles lie on the sphere."
     angles = {"between": between, "p1": p1, "p2": p2, "around1": -80, "around2": -160}
     return Toy("circles", {"angles": angles}, alt, caption=caption)

@@ -149,7 +149,7 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "p1 runs on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
+        "p1 moves on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
         "k1 . z = k1 . p1 and k2 . z = k2 . p2.",
         "Write z = a k1 + b k2 + c (k1 x k2). The two heights are two linear equations for a and b; the text has their "
         "matrix.",
