@@ -2,27 +2,32 @@
 names the argument.
 """
 
+from functools import partial
+
 import numpy as np
 
 _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
 
 
-def real_array(value, name, *shapes, copy=True, infinite=False):
-    """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or (3, 3).
+def real_array(value, name, *shapes, batched=True, copy=True, infinite=False):
+    """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or ("n", 3).
 
-    The axes before them are the batch; () allows every shape. With copy=False, for callers that only read the array,
-    it may be `value` itself. With infinite=True entries may be infinite, as joint limits may.
+    "n" is any number from 1 on. The axes before them are the batch, unless batched=False; () allows every shape. With
+    copy=False, for callers that only read the array, it may be `value` itself. With infinite=True entries may be
+    infinite, as joint limits may.
     """
+    expected = partial(_expected, name, shapes, batched)
     if isinstance(value, np.ma.MaskedArray):
-        raise ValueError(f"{_expected(name, shapes)}; it is a masked array: fill its gaps, or leave them out")
+        raise ValueError(f"{expected()}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
     except Exception as unreadable:  # ragged lists, and any exception from a foreign object's __array__
-        raise ValueError(f"{_expected(name, shapes)}; numpy cannot read it: {unreadable!s:.200}") from unreadable
+        raise ValueError(f"{expected()}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
-        raise ValueError(f"{_expected(name, shapes)}; it holds {_what(value, array)}")
-    if not any(array.shape[array.ndim - len(shape) :] == shape for shape in shapes if array.ndim >= len(shape)):
-        raise ValueError(f"{_expected(name, shapes)}; its shape is {array.shape}")
+        what = f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"
+        raise ValueError(f"{expected()}; it holds {what}")
+    if not any(_fits(array.shape, shape, batched) for shape in shapes):
+        raise ValueError(f"{expected()}; its shape is {array.shape}")
     if array.ndim > _MOST_AXES:
         raise ValueError(f"{name} must have at most {_MOST_AXES} axes; it has {array.ndim}")
     if array.dtype != np.float64:
@@ -39,15 +44,15 @@ def real_array(value, name, *shapes, copy=True, infinite=False):
 
 def tolerance(value, name="tol"):
     """Return an argument as a float that is a usable tolerance: finite and not negative."""
-    array = real_array(value, name, (), copy=False)
-    if array.shape != () or (number := float(array)) < 0:
-        raise ValueError(f"{name} must be one number, zero or more; it is {value!r}")
+    number = float(real_array(value, name, (), batched=False, copy=False))
+    if number < 0:
+        raise ValueError(f"{name} must be zero or more; it is {number:g}")
     return number
 
 
-def positive(value, name):
-    """Return an argument as an array of finite numbers above zero."""
-    array = real_array(value, name, ())
+def positive(value, name, *shape, batched=True):
+    """Return an argument as an array of finite numbers above zero; with batched=False and no shape, one number."""
+    array = real_array(value, name, shape, batched=batched)
     refuse_first(array <= 0, name, lambda i: f"must be greater than zero; it is {array[i]:g}")
     return array
 
@@ -106,12 +111,16 @@ def entry(name, index):
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
 
 
-def _expected(name, shapes):
-    names = " or ".join("(" + ", ".join(["...", *map(str, shape)]) + ")" for shape in shapes)
-    return f"{name} must be an array of real numbers of shape {names}"
+def _fits(shape, wanted, batched):
+    batch = len(shape) - len(wanted)
+    if batch < 0 or (batch > 0 and not batched):
+        return False
+    core = shape[batch:]
+    return core == wanted or (wanted[:1] == ("n",) and core[0] > 0 and core[1:] == wanted[1:])
 
 
-def _what(value, array):
-    if value is None:
-        return "None"
-    return f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"
+def _expected(name, shapes, batched):
+    if shapes == ((),) and not batched:
+        return f"{name} must be one real number"
+    names = (", ".join([*["..."] * batched, *map(str, shape)]) for shape in shapes)
+    return f"{name} must be an array of real numbers of shape {' or '.join(f'({sizes})' for sizes in names)}"

@@ -6,7 +6,7 @@ from course_lib.arguments import count, positive, real_array
 from course_lib.arms import checked_arm
 from course_lib.ik import pose_error
 from course_lib.rigid import checked_pose
-from course_lib.rotations import unchecked_length
+from course_lib.rotations import length
 
 
 def pose_distance(T, target):
@@ -32,7 +32,7 @@ def pose_distance(T, target):
     1.4142
     """
     phi, p = np.split(pose_error(T, target), 2, axis=-1)
-    return np.hypot(2 * np.sin(unchecked_length(phi) / 4), unchecked_length(p))
+    return np.hypot(2 * np.sin(length(phi) / 4), length(p))
 
 
 def descend(arm, targets, q0, rules, steps, near):
@@ -70,14 +70,9 @@ def descend(arm, targets, q0, rules, steps, near):
     [ True  True] True
     """
     checked_arm(arm, "arm")
-    targets, q0 = checked_pose(targets, "targets", (4, 4)), real_array(q0, "q0", (arm.n,))
-    if targets.ndim != 3:
-        raise ValueError(f"targets must have 3 axes; its shape is {targets.shape}")
-    if q0.shape not in ((arm.n,), (len(targets), arm.n)):
-        raise ValueError(
-            f"q0 must be one start, or one for each of the {len(targets)} targets; its shape is {q0.shape}"
-        )
-    steps, near = count(steps, "steps"), positive(near, "near")
+    targets = checked_pose(targets, "targets", ("n", 4, 4), batched=False)
+    q0 = real_array(q0, "q0", (arm.n,), (len(targets), arm.n), batched=False)
+    steps, near = count(steps, "steps"), positive(near, "near", batched=False)
     if not (isinstance(rules, tuple | list) and len(rules) == 3 and all(map(callable, rules))):
         raise ValueError(f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}")
     q = np.broadcast_to(q0, (len(targets), arm.n)).copy()

@@ -17,7 +17,7 @@ from course_lib.arguments import broadcast, count, generator, positive, real_arr
 from course_lib.arms import checked_arm
 from course_lib.batched_arm import CHUNK
 from course_lib.rigid import checked_pose
-from course_lib.rotations import log_so3, unchecked_length
+from course_lib.rotations import length, log_so3
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
 _REACHED_SQUARED = (REACHED / 10) ** 2  # for the search: a tenth, because `solve` measures the result once more
@@ -109,7 +109,7 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
             best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
     q = best.reshape(*batch, arm.n)
     error = _pose_error(arm.fk(q), targets)
-    residual = np.stack([unchecked_length(error[..., 3:]), unchecked_length(error[..., :3])], -1)
+    residual = np.stack([length(error[..., 3:]), length(error[..., :3])], -1)
     return IKResult(q, (residual <= REACHED).all(-1), iterations.reshape(batch), residual)
 
 

@@ -69,7 +69,7 @@ def between(trajectory):
     >>> between(there)[0]
     array([0. , 0.5, 1. ])
     """
-    trajectory = real_array(trajectory, "trajectory", (8,))
+    trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
     n = np.clip(np.ceil(np.abs(np.diff(trajectory[:, 1:], axis=0)).max(1) / _STEP), 1, _MOST_STEPS).astype(int)
     start = np.repeat(np.arange(len(n)), n)
     part = (np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)) / n[start]
@@ -137,9 +137,9 @@ def shares(trajectory):
     >>> [share.round(2).tolist() for share in shares(there)]
     [[0.46, 0.0, 0.0], [0.07, 0.07, 0.0]]
     """
-    trajectory = real_array(trajectory, "trajectory", (8,))
+    trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
     dt, dq = np.diff(trajectory[:, 0]), np.diff(trajectory[:, 1:], axis=0)
-    if trajectory.ndim != 2 or not len(dt) or dt.min() <= 0:
+    if not len(dt) or dt.min() <= 0:
         raise ValueError("trajectory must have two rows or more, with times that increase")
     rest = np.zeros((1, 7))
     speeds = np.concatenate([rest, dq / dt[:, None], rest])

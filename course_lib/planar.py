@@ -12,7 +12,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from course_lib.arguments import broadcast, count, finite_result, positive, real_array, refuse_first
+from course_lib.arguments import broadcast, count, finite_result, positive, real_array, refuse_first, tolerance
 from course_lib.rigid import exp_se2, log_se2
 
 _MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
@@ -158,7 +158,7 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
      [0.5    3.1416]
      [1.     3.2832]]
     """
-    start = _joints(start)
+    start = real_array(start, "start", ("n",))
     goal = real_array(goal, "goal", start.shape[-1:])
     return _interpolate(start, goal, True, n, T, v_start, v_goal, scaling)
 
@@ -283,7 +283,7 @@ def propagate_arm(start, plan, dt):
      [0.25 0.75]
      [0.5  0.5 ]]
     """
-    start = _joints(start)
+    start = real_array(start, "start", ("n",))
     angles = start[..., None, :]
     for (velocity, *_), elapsed in _segments(plan, dt, start.shape[-1]):
         with np.errstate(all="ignore"):
@@ -358,9 +358,7 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     k = start.shape[-1]
     v_start, v_goal = _velocities(v_start, "v_start", k), _velocities(v_goal, "v_goal", k)
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])
-    T = positive(T, "T")
-    if T.shape:
-        raise ValueError(f"T must be one number; its shape is {T.shape}")
+    T = positive(T, "T", batched=False)
     change = _change(start, goal)
     change = np.where(is_angle, wrap_angle(change), change)
     t = np.linspace(0, T, count(n, least=2))[:, None]
@@ -384,13 +382,6 @@ def _change(start, goal):
         return finite_result(goal - start, "goal", None)
 
 
-def _joints(start):
-    start = real_array(start, "start", ())
-    if start.ndim == 0 or start.shape[-1] == 0:
-        raise ValueError(f"start must be an array of joint angles of shape (..., k); its shape is {start.shape}")
-    return start
-
-
 def _rotated(theta, v):
     """Return the vectors v (..., 2) rotated by theta (...)."""
     c, s = np.cos(theta), np.sin(theta)
@@ -411,9 +402,7 @@ def _along_twist(start, twist, s):
 
 def _segments(plan, dt, k):
     """Return [((velocity, duration), elapsed)] of a plan: its pairs, and the times (n,) in each at which steps end."""
-    dt = positive(dt, "dt")
-    if dt.shape:
-        raise ValueError(f"dt must be one number; its shape is {dt.shape}")
+    dt = positive(dt, "dt", batched=False)
     pairs = _pairs(plan, k)
     with np.errstate(over="ignore"):
         steps = [np.ceil(duration / dt * (1 - 1e-12)) for _, duration in pairs]  # 2.1 / 0.3 is a hair above 7
@@ -438,11 +427,8 @@ def _pairs(plan, k):
         if len(pair) != 2:
             raise ValueError(f"{expected}; plan[{i}] has {len(pair)} parts")
         velocity, duration = pair
-        velocity = real_array(velocity, f"plan[{i}][0]", () if k is None else (k,))
-        duration = real_array(duration, f"plan[{i}][1]", ())
-        if velocity.ndim != 1 or duration.shape or duration < 0:
-            raise ValueError(f"plan[{i}] must be velocities and one duration, zero or more; it is {pair!r:.80}")
-        found.append((velocity, float(duration)))
+        velocity = real_array(velocity, f"plan[{i}][0]", ("n" if k is None else k,), batched=False)
+        found.append((velocity, tolerance(duration, f"plan[{i}][1]")))
     return found
 
 

@@ -33,7 +33,7 @@ def register_points(src, dst, weights=None):
     Parameters
     ----------
     src, dst : array_like (..., n, 3)
-        Points in metres, partners in the same order, n at least 3.
+        Points in metres, partners in the same order, n at least 3; not on one line, about which every angle fits.
     weights : array_like (..., n), optional
         Zero or more; at least three above zero. None for equal weights.
 
@@ -41,12 +41,6 @@ def register_points(src, dst, weights=None):
     -------
     array (..., 4, 4)
         All batches broadcast.
-
-    Raises
-    ------
-    ValueError
-        If `src` or `dst` is not such an array, has fewer than three points with weight, or has its points on one line,
-        about which every angle fits; if a weight is negative; or if the result exceeds the largest number.
 
     Examples
     --------
@@ -58,10 +52,9 @@ def register_points(src, dst, weights=None):
      [ 0.  0.  1.  1.]
      [ 0.  0.  0.  1.]]
     """
-    src, dst = _points(src, "src"), _points(dst, "dst")
+    src = real_array(src, "src", ("n", 3))
     n = src.shape[-2]
-    if dst.shape[-2] != n:
-        raise ValueError(f"dst must hold a partner for each of the {n} points of src; it holds {dst.shape[-2]}")
+    dst = real_array(dst, "dst", (n, 3))
     weights = np.ones(n) if weights is None else real_array(weights, "weights", (n,))
     refuse_first(weights < 0, "weights", lambda i: f"must be zero or more; it is {weights[i]:g}")
     few = (weights > 0).sum(-1) < 3
@@ -106,9 +99,9 @@ def uncertainty(points, noise, weights=None):
     Parameters
     ----------
     points : array_like (n, 3)
-        The points that are registered, in metres; n at least 3, not all on one line.
+        The points that are registered, in metres, as for `register_points`.
     noise : float
-        Standard deviation of each coordinate of a point of weight 1, in metres.
+        Standard deviation of each coordinate of a point of weight 1, in metres, above zero.
     weights : array_like (n,), optional
         As for `register_points`; a point of weight 4 has half the noise. None for equal weights.
 
@@ -116,27 +109,19 @@ def uncertainty(points, noise, weights=None):
     -------
     Uncertainty
 
-    Raises
-    ------
-    ValueError
-        If `register_points` refuses the points, or the noise is not above zero.
-
     Examples
     --------
     >>> found = uncertainty([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [0.1, 0.01, 0]], 0.001)
     >>> print(np.rad2deg(found.angles).round(1), abs(found.axes[0]).round(2))
     [6.6 0.4 0.4] [1. 0. 0.]
     """
-    points, noise = real_array(points, "points", (3,)), positive(noise, "noise")
-    if points.ndim != 2:
-        raise ValueError(f"points must have shape (n, 3); its shape is {points.shape}")
-    if noise.ndim:
-        raise ValueError(f"noise must be one number; its shape is {noise.shape}")
+    points = real_array(points, "points", ("n", 3), batched=False)
+    noise, n = positive(noise, "noise", batched=False), len(points)
+    w = np.ones(n) if weights is None else real_array(weights, "weights", (n,), batched=False)
     try:
-        register_points(points, points, weights)
+        register_points(points, points, w)
     except ValueError as refused:
         raise ValueError(str(refused).replace("src", "points", 1)) from None
-    w = np.ones(len(points)) if weights is None else np.asarray(weights, float)
     heaviest, points = w.max(), np.where(w[:, None] > 0, points, 0.0)
     w = w / heaviest
     with np.errstate(all="ignore"):
@@ -147,13 +132,6 @@ def uncertainty(points, noise, weights=None):
         angles = noise / size / np.sqrt(heaviest) / np.sqrt(moments.sum() - moments)
     angles = finite_result(angles, "noise", None)
     return Uncertainty(angles[::-1], axes.T[::-1])
-
-
-def _points(value, name):
-    points = real_array(value, name, (3,))
-    if points.ndim < 2:
-        raise ValueError(f"{name} must be an array of points of shape (..., n, 3); its shape is {points.shape}")
-    return points
 
 
 def _centred(points, share, name):

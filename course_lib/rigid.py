@@ -12,7 +12,7 @@ import numpy as np
 
 from course_lib.arguments import broadcast, finite_result, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
-from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, log_so3, nearest_so, unchecked_length, vee
+from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
 
 def transform(R, p):
@@ -65,9 +65,9 @@ def is_se(T, tol=TOLERANCE):
     return is_so(T[..., :-1, :-1], tol) & (by_entries(_last_row_off, (), T[..., -1, :], batch=T.shape[:-2]) <= tol)
 
 
-def checked_pose(value, name, *shapes):
+def checked_pose(value, name, *shapes, batched=True):
     """Return `value` as an array (..., 3, 3) or (..., 4, 4), as the shapes allow, or ValueError if it is not a pose."""
-    T = real_array(value, name, *shapes, copy=False)
+    T = real_array(value, name, *shapes, batched=batched, copy=False)
     refuse_first(~is_se(T), name, lambda i: "is not a pose (rigid.nearest_se gives the nearest)")
     return T
 
@@ -234,7 +234,7 @@ def exp_se3(twist):
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    p = finite_result(by_entries(_translation, (3,), twist, unchecked_length(omega), batch=omega.shape[:-1]), "twist")
+    p = finite_result(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
     return _assemble(exp_so3(omega), p)
 
 
@@ -259,7 +259,7 @@ def log_se3(T):
     """
     T = checked_pose(T, "T", (4, 4))
     omega = log_so3(T[..., :3, :3])
-    v = by_entries(_velocity, (3,), omega, unchecked_length(omega), T[..., :3, 3], batch=T.shape[:-2])
+    v = by_entries(_velocity, (3,), omega, length(omega), T[..., :3, 3], batch=T.shape[:-2])
     return np.concatenate([omega, finite_result(v, "T")], -1)
 
 

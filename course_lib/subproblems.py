@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.arguments import broadcast, real_array, refuse_first
-from course_lib.rotations import exp_so3, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y, unchecked_length
+from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
 
 EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
 _ROUNDING = 1e-14  # what rounding may do to a length, as a share of the largest
@@ -101,7 +101,7 @@ def subproblem1(k, p, q):
     free = _on_axis(k, p) | _on_axis(k, q)
     theta = np.where(free, 0.0, _angle_about(k, p, q))
     p, q = _to_scale(p, q)
-    error = unchecked_length(_rotate(k, theta, p) - q)
+    error = length(_rotate(k, theta, p) - q)
     return RotationAngles(theta, np.ones(theta.shape, int), error <= EXACT, free)
 
 
@@ -132,11 +132,11 @@ def subproblem2(k1, k2, p1, p2):
     k1, k2, p1, p2 = _arguments(k1=k1, k2=k2, p1=p1, p2=p2)
     u1, u2 = _unit(p1), _unit(p2)
     n = np.cross(k1, k2)
-    sine, cosine = unchecked_length(n), _dot(k1, k2)
+    sine, cosine = length(n), _dot(k1, k2)
     parallel = sine <= _ROUNDING
     n = n / np.where(parallel, 1.0, sine)[..., None]
     heights = _dot(k1, u1), _dot(k2, u2)
-    radii = unchecked_length(np.cross(k1, u1)), unchecked_length(np.cross(k2, u2))
+    radii = length(np.cross(k1, u1)), length(np.cross(k2, u2))
     x, y = _meeting(heights, radii, cosine, np.where(parallel, 1.0, sine))
     fixed1, fixed2 = _on_axis(k1, u1), _on_axis(k2, u2)
     free = parallel | fixed1 | fixed2
@@ -151,7 +151,7 @@ def subproblem2(k1, k2, p1, p2):
         answers.append(np.stack([theta1, theta2], -1))
     theta = np.stack(answers, -2)
     p1, p2 = _to_scale(p1, p2)
-    error = unchecked_length(_rotate(k1, theta[..., 0, 0], p1) - _rotate(k2, theta[..., 0, 1], p2))
+    error = length(_rotate(k1, theta[..., 0, 0], p1) - _rotate(k2, theta[..., 0, 1], p2))
     return RotationAngles(theta, np.where(y == 0, 1, 2), error <= EXACT, free)
 
 
@@ -176,13 +176,13 @@ def subproblem3(k, p, q, d):
     [-0.5  0.5]
     """
     k, p, q, d = _arguments(k=k, p=p, q=q, d=d)
-    d = _share(d, np.maximum(unchecked_length(p), unchecked_length(q)))
+    d = _share(d, np.maximum(length(p), length(q)))
     p, q = _to_scale(p, q)
-    radius1, radius2, height = unchecked_length(np.cross(k, p)), unchecked_length(np.cross(k, q)), _dot(k, p - q)
+    radius1, radius2, height = length(np.cross(k, p)), length(np.cross(k, q)), _dot(k, p - q)
     nearest, farthest = height**2 + (radius1 - radius2) ** 2, height**2 + (radius1 + radius2) ** 2
     asked = np.maximum(d, 0.0)
     theta, count, free = _either_side(k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked)
-    got = unchecked_length(_rotate(k, theta[..., 0], p) - q)
+    got = length(_rotate(k, theta[..., 0], p) - q)
     return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
 
 
@@ -207,8 +207,8 @@ def subproblem4(k, h, p, d):
     [1. 5.]
     """
     k, h, p, d = _arguments(k=k, h=h, p=p, d=d)
-    h, p, d = _unit(h), _unit(p), _share(d, unchecked_length(h), unchecked_length(p))
-    middle, swing = _dot(k, h) * _dot(k, p), unchecked_length(np.cross(k, h)) * unchecked_length(np.cross(k, p))
+    h, p, d = _unit(h), _unit(p), _share(d, length(h), length(p))
+    middle, swing = _dot(k, h) * _dot(k, p), length(np.cross(k, h)) * length(np.cross(k, p))
     theta, count, free = _either_side(k, p, h, middle + swing - d, d - middle + swing, _ROUNDING)
     got = _dot(h, _rotate(k, theta[..., 0], p))
     return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
@@ -256,7 +256,7 @@ def _arguments(**arguments):
         if name == "d":
             found.append(np.broadcast_to(array, batch))
             continue
-        size = unchecked_length(array)
+        size = length(array)
         refuse_first(np.isinf(size), name, lambda i: "is too large: its length exceeds the largest number")
         if name.startswith("k"):
             refuse_first(size == 0, name, lambda i: "is zero: an axis needs a direction")
@@ -316,17 +316,17 @@ def _rotate(k, theta, p):
 
 
 def _on_axis(k, p):
-    return unchecked_length(np.cross(k, _unit(p))) <= _ROUNDING
+    return length(np.cross(k, _unit(p))) <= _ROUNDING
 
 
 def _unit(v):
-    size = unchecked_length(v)[..., None]
+    size = length(v)[..., None]
     return v / np.where(size > 0, size, 1.0)
 
 
 def _to_scale(p, q):
     """Divide both vectors by the length of the longer, so that squares neither overflow nor underflow."""
-    largest = np.maximum(unchecked_length(p), unchecked_length(q))[..., None]
+    largest = np.maximum(length(p), length(q))[..., None]
     safe = np.where(largest > 0, largest, 1.0)
     return p / safe, q / safe
 

@@ -204,8 +204,7 @@ def _whole(path):
 
 def _joined(paths, limits, step):
     """Return the same of a file of positions and one of velocities."""
-    if positive(step, "step").shape != ():
-        raise ValueError(f"step must be one number, in seconds; its shape is {np.shape(step)}")
+    step = positive(step, "step", batched=False)
     tables = [_numbers(path) if path.suffix.lower() == ".csv" else _array(path) for path in paths]
     swapped = [limits is not None and len(limits) == len(table) != table.shape[1] for table in tables]
     q, qd = (table.T if swap else table for table, swap in zip(tables, swapped, strict=True))

@@ -2,20 +2,18 @@
 
 import inspect
 import math
+import re
+from decimal import Decimal
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
-from fuzz import Unreadable
-from signatures import (
-    ARGUMENTS,
-    CALLS,
-    FUNCTIONS,
-    Numbers,
-    Other,
-    call_name,
-    valid_arguments,
-)
+from signatures import ARGUMENTS, CALLS, FUNCTIONS, Numbers, Other, call_name, expected_type, parts, valid_arguments
+
+from course_lib import descents, ik, registration, trajectory
+from course_lib.arms import DHRow, SerialArm, panda, planar_arm
+from course_lib.grid_ik import GridIK, planar_forward
 
 ARRAYS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Numbers)]
 OTHERS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Other)]
@@ -53,6 +51,24 @@ def test_every_public_function_is_in_the_table():
     signatures = {name: list(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()}
     assert signatures == {name: list(sets[0]) for name, sets in ARGUMENTS.items()}
     assert all(list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets)
+
+
+class Unreadable:
+    """Raises whatever is asked of it."""
+
+    def __array__(self, dtype=None, copy=None):
+        raise RuntimeError("on another device")
+
+    def __len__(self):
+        raise TypeError("no length")
+
+    def __iter__(self):
+        raise KeyError("no items")
+
+    def __eq__(self, other):
+        raise OverflowError("not to be compared")
+
+    __hash__ = None
 
 
 NO_REAL_NUMBERS = [None, "abc", b"1", {"a": 1}, object(), iter([1.0, 2.0]), Unreadable(), 10**400]
@@ -160,3 +176,87 @@ def test_answer_too_large_for_a_float(name, argument, value):
     batch[1] = value
     with pytest.raises(ValueError, match=rf"^{argument}\[1\] is too large"):
         function(batch)
+
+
+# Any value for any argument -------------------------------------------------------------------------------------------
+
+ODD = [None, True, "x", b"1", {}, {"a": 1}, (), [], [[]], [[1, 2], [3]], [None], ["a"], 10**400, -1, 0, 2, 1.5, 1j, len]
+ODD += [math.nan, math.inf, 1e308, -1e308, 5e-324, Decimal(1), range(3), object(), Unreadable(), ..., np.float64]
+ODD += [lambda: 1, np.longdouble(1), np.int8(3), np.ma.array([1.0, 2, 3], mask=[0, 1, 0]), np.zeros((1,) * 40)]
+ODD += [np.zeros(3, [("x", float)]), np.array("x"), np.array([1, None]), np.zeros(3, "M8[s]"), bytearray(3)]
+ODD += [planar_arm([1.0]), DHRow(0, 0, 0), [DHRow(1e200, 0, 0)], trajectory.Trajectory(None, None, None)]
+ODD += [np.ones(shape) for shape in [(0,), (3,), (4,), (6,), (7,), (3, 3), (4, 4), (0, 3), (5, 3), (2, 4, 4)]]
+FACTORS = [0, 1e-320, 1e-200, 1e9, 1e200, math.nan, math.inf]
+
+
+def spoilt(valid):
+    """Return changed copies of a valid array: scaled, with another last entry, with one axis more, and transposed."""
+    with np.errstate(all="ignore"):
+        scaled = [valid * factor for factor in FACTORS]
+    entries = [np.append(valid.ravel()[:-1], entry).reshape(valid.shape) for entry in [math.nan, 1e308, -1e200, 0, 7]]
+    return [*scaled, *entries, valid[None], valid.T[::-1] if valid.ndim > 1 else valid.astype(np.float16)]
+
+
+RNG, PANDA = np.random.default_rng(0), panda()
+Q, FIVE = np.array([0.1, -0.5, 0.2, -2.0, 0.3, 1.8, 0.4]), RNG.normal(size=(5, 3))
+THETA = RNG.uniform([0, -1.5], [2.9, 1.5], (100, 2))
+XY = np.stack(planar_forward(THETA.T)[0], -1)
+RULES = ik.pose_error, lambda J, e, distance: np.einsum("kij,ki->kj", J, e) / 9, lambda q: q
+LIMITS = np.array([[-1.0, 1], [-2, 2]])
+POINTS = {"src": FIVE, "dst": FIVE + 1, "weights": np.ones(5)}
+OF_ARM = {"arm": PANDA, "targets": PANDA.fk(Q)[None], "q0": Q + 0.1, "steps": 4}
+JACOBIANS = ("space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian")
+
+
+def fit(xy, theta, **parameters):
+    return GridIK(**parameters).fit(xy, theta).range_
+
+
+# {name: (function, valid arguments)} of what the table in signatures.py does not hold
+MORE = {
+    "solve": (ik.solve, {**OF_ARM, "rng": RNG, "starts": 2}),
+    "descend": (descents.descend, {**OF_ARM, "rules": RULES, "near": 0.1}),
+    "uncertainty": (registration.uncertainty, {"points": FIVE, "noise": 0.001, "weights": np.ones(5)}),
+    "register_points": (registration.register_points, POINTS),
+    "planar_arm": (planar_arm, {"lengths": np.ones(2)}),
+    "from_screws": (
+        SerialArm.from_screws,
+        {"omega": FIVE[:2], "points": FIVE[2:4], "home": np.eye(4), "limits": LIMITS},
+    ),
+    "from_dh": (
+        SerialArm.from_dh,
+        {"rows": [DHRow(1, 1, 1)] * 2, "convention": "standard", "end": np.eye(4), "limits": LIMITS},
+    ),
+    **{name: (getattr(PANDA, name), {"q": Q}) for name in ("fk", "frames", *JACOBIANS)},
+    "fit": (fit, {"xy": XY, "theta": THETA, "cells": (2, 2), "forward": planar_forward, "steps": 3, "tol": 1e-9}),
+    "predict": (GridIK((2, 2), planar_forward).fit(XY, THETA).predict, {"xy": XY}),
+    "load": (trajectory.load, {"path": Path(__file__), "limits": LIMITS}),
+    "disagreement": (trajectory.disagreement, {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])}),
+}
+ANY = [*((name, argument, (MORE[name][0], MORE[name][1])) for name in MORE for argument in MORE[name][1])]
+ANY += [(call_name(call), argument, call) for call in CALLS for argument in call[1]]
+
+
+@pytest.mark.parametrize(("name", "argument", "call"), ANY, ids=case_name)
+def test_any_value_is_refused_by_name_or_answered(name, argument, call):
+    in_table = call in CALLS
+    function = FUNCTIONS[call[0]] if in_table else call[0]
+    valid = valid_arguments(call[1], np.random.default_rng(6)) if in_table else call[1]
+    own = [valid[argument]] if isinstance(valid[argument], np.ndarray | float) else []
+    for value in [*ODD, *(each for array in own for each in spoilt(np.array(array)))]:
+        arguments = {**valid, argument: value}
+        arrays = {key: array.copy() for key, array in arguments.items() if isinstance(array, np.ndarray)}
+        try:
+            answer = function(**arguments)
+        except Exception as raised:
+            if not (isinstance(raised, ValueError) and re.match(rf"({'|'.join(valid)})\b", str(raised))):
+                pytest.fail(f"{value!r}: {raised!r}")
+        else:
+            answers = parts(answer) if in_table else getattr(answer, "__dict__", {"answer": answer})
+            floats = {key: part for key, part in answers.items() if np.asarray(part).dtype.kind == "f"}
+            assert name == "predict" or not any(np.isnan(part).any() for part in floats.values()), repr(value)
+            if in_table:
+                assert all(np.isfinite(part).all() for part in floats.values()), repr(value)
+                assert all(part.dtype == expected_type(call[0], key) for key, part in answers.items()), repr(value)
+        for key, before in arrays.items():
+            assert before.tobytes() == arguments[key].tobytes(), f"{value!r} changes {key}"

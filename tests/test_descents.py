@@ -1,7 +1,6 @@
 """The measure of notebook 5's methods: the distance of poses, and a descent to many targets."""
 
 import numpy as np
-import pytest
 
 from course_lib import arms, descents, ik, rigid, rotations
 
@@ -56,26 +55,6 @@ def test_the_rule_for_the_limits_is_applied_after_each_step():
 
     descents.descend(PANDA, TARGETS[:1], READY, (ik.pose_error, lambda J, e, far: 0 * J[:, 0] + 9, inside), 3, 0.02)
     assert np.array_equal(seen[1], np.clip(seen[0], *PANDA.limits.T) + 9)
-
-
-@pytest.mark.parametrize(
-    ("argument", "value"),
-    [
-        ("arm", None),
-        ("targets", np.eye(4)),
-        ("targets", np.zeros((2, 4, 4))),
-        ("q0", np.zeros((3, 7))),
-        ("q0", np.zeros(6)),
-        ("rules", damped),
-        ("rules", (ik.pose_error, damped)),
-        ("steps", -1),
-        ("near", 0.0),
-    ],
-)
-def test_invalid_arguments_are_named(argument, value):
-    valid = {"arm": PANDA, "targets": TARGETS[:2], "q0": READY, "rules": (ik.pose_error, damped, as_it_is)}
-    with pytest.raises(ValueError, match=f"^{argument}"):
-        descents.descend(**(valid | {"steps": 3, "near": 0.02} | {argument: value}))
 
 
 def test_each_target_may_have_a_start_of_its_own():

@@ -74,14 +74,7 @@ def test_damping_keeps_the_steps_of_a_stretched_arm_small():
 @pytest.mark.parametrize(
     ("changes", "named"),
     [
-        ({"arm": planar_arm}, "arm must be a SerialArm"),
-        ({"q0": [0, 0, 0]}, "q0 must"),
-        ({"target": [1]}, "target must"),
-        ({"target": [1, np.nan]}, r"target must be finite; target\[1\] is nan"),
         ({"alpha": [1, 0]}, r"alpha\[1\] must be greater than zero; it is 0"),
-        ({"eps": -1e-300}, "eps must be greater than zero"),
-        ({"steps": 2.0}, "steps must be a whole number from 0"),
-        ({"alpha": [1, 2], "eps": [1, 2, 3]}, "eps must have a batch"),
         ({"alpha": 1.7e308}, "alpha is too large"),
         ({"target": [1e308, 1e308], "eps": 1e-300}, "alpha is too large"),
         ({"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300}, "eps is too small"),

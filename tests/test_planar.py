@@ -272,7 +272,6 @@ HUGE = 1.7e308
         ("interpolate_body", ([0, 0, 0], [1, 0, 0], 3, 9.0, [0, HUGE, 0]), "goal is too large"),
         ("interpolate_arm", ([0, 0], [0, 1e308], 3, 9.0, [HUGE, 0]), "goal is too large"),
         ("interpolate_body_screw", ([0, 0, 1], [HUGE, HUGE, 0], 3), "goal is too large"),
-        ("interpolate_arm", ([], [], 3), "start must be an array of joint angles"),
         ("propagate_body", ([0, 0, 0], [((HUGE, 0, HUGE), 9)], 1), "plan is too large"),
         ("propagate_body_exact", ([0, 0, 0], [((HUGE, 0, 1), 9)], 1), "plan is too large"),
         ("propagate_body_exact", ([HUGE, 0, 0], [((HUGE, 0, 0), 1)], 1), "plan is too large"),
