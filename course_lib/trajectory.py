@@ -3,9 +3,11 @@
 Either one file holds everything: CSV with a header, or NPY, an array (n, 1 + 2 k), with the columns t in seconds, the
 positions q1 ... qk in radians, the velocities qd1 ... qdk in radians per second. Or two files, CSV without a header or
 NPY, hold positions and velocities, (n, k) or (k, n), and the time step is given. Rows count from 1, without a header.
+
+Every function raises ValueError, naming the argument, for a Trajectory whose shapes do not match, or whose entries are
+not finite real numbers.
 """
 
-import csv
 import os
 import re
 from dataclasses import dataclass
@@ -78,25 +80,25 @@ def load(path, limits=None, velocities=None, step=None):
             raise ValueError(f"path must name a .csv or .npy file; it is {str(each)!r}")
     if limits is not None:
         limits = real_array(limits, "limits", (2,), infinite=True)
-    table, places = _whole(*paths) if step is None else _joined(paths, limits, step)
+    tables, names = zip(*(_read(each, step is None) for each in paths), strict=True)
+    if step is None:
+        table, places = tables[0], lambda row, column: f"{paths[0].name}: row {row + 1}, column {names[0][column]}"
+    else:
+        table, places = _joined(paths, tables, limits, positive(step, "step", batched=False))
     _refuse(places, ~np.isfinite(table), lambda row, column: "is not a finite number")
     t, k = table[:, 0], table.shape[1] // 2
     back = np.zeros(table.shape, bool)
     back[1:, 0] = np.diff(t) <= 0
     _refuse(places, back, lambda row, column: f"is {t[row]:g} s, after {t[row - 1]:g} s: time must increase")
     if limits is not None:
-        if limits.shape != (k, 2):
-            name = paths[0].name
-            raise ValueError(f"limits must have shape ({k}, 2), for the {k} joints of {name}; it is {limits.shape}")
+        limits = real_array(limits, "limits", (k, 2), batched=False, infinite=True)
         outside = np.zeros(table.shape, bool)
         outside[:, 1 : k + 1] = (table[:, 1 : k + 1] < limits[:, 0]) | (table[:, 1 : k + 1] > limits[:, 1])
-        _refuse(
-            places,
-            outside,
-            lambda row, column: (
-                f"is {table[row, column]:.4f} rad, outside {limits[column - 1, 0]:.4f} to {limits[column - 1, 1]:.4f}"
-            ),
-        )
+
+        def reason(row, column):
+            return f"is {table[row, column]:.4f} rad, outside {{:.4f}} to {{:.4f}}".format(*limits[column - 1])
+
+        _refuse(places, outside, reason)
     return Trajectory(t, table[:, 1 : k + 1], table[:, k + 1 :])
 
 
@@ -113,11 +115,6 @@ def disagreement(trajectory):
     Returns
     -------
     str
-
-    Raises
-    ------
-    ValueError
-        If `trajectory` is not a Trajectory of finite real numbers with matching shapes.
 
     Examples
     --------
@@ -150,13 +147,6 @@ def save(path, trajectory):
     path : str or pathlib.Path
         The file; an existing one is replaced.
     trajectory : Trajectory
-
-    Raises
-    ------
-    ValueError
-        If `trajectory` is not a Trajectory of finite real numbers with matching shapes.
-    OSError
-        If the file cannot be written.
 
     Examples
     --------
@@ -196,16 +186,8 @@ def _names(k):
     return ["t", *(f"q{i}" for i in range(1, k + 1)), *(f"qd{i}" for i in range(1, k + 1))]
 
 
-def _whole(path):
-    """Return the table (n, 1 + 2 k) in a file, and a function (row, column) that says where an entry is."""
-    table, names = _read_csv(path) if path.suffix.lower() == ".csv" else _read_npy(path)
-    return table, lambda row, column: f"{path.name}: row {row + 1}, column {names[column]}"
-
-
-def _joined(paths, limits, step):
-    """Return the same of a file of positions and one of velocities."""
-    step = positive(step, "step", batched=False)
-    tables = [_numbers(path) if path.suffix.lower() == ".csv" else _array(path) for path in paths]
+def _joined(paths, tables, limits, step):
+    """Return one table of those of positions and velocities, and a function (row, column): where an entry is."""
     swapped = [limits is not None and len(limits) == len(table) != table.shape[1] for table in tables]
     q, qd = (table.T if swap else table for table, swap in zip(tables, swapped, strict=True))
     if q.shape != qd.shape:
@@ -220,13 +202,55 @@ def _joined(paths, limits, step):
     return np.column_stack([step * np.arange(len(q)), q, qd]), place
 
 
-def _lines(path):
-    """Return the rows of a CSV file, as lists of texts, without empty ones."""
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        try:
-            return [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
-        except (csv.Error, UnicodeDecodeError) as unreadable:
-            raise ValueError(f"{path.name} cannot be read as CSV: {unreadable}") from unreadable
+def _read(path, header):
+    """Return the table of numbers in a file, and its columns' names: t, q1 ... if it has a header, else 1, 2 ..."""
+    if path.suffix.lower() == ".csv":
+        return _read_csv(path, header)
+    try:
+        table = np.load(path, allow_pickle=False)
+    except (ValueError, EOFError) as unreadable:
+        raise ValueError(f"{path.name} cannot be read as NPY: {unreadable}") from unreadable
+    if table.dtype.kind not in "iuf":
+        raise ValueError(f"{path.name} must hold real numbers; it holds {table.dtype}")
+    if table.ndim != 2 or table.size == 0 or (header and (table.shape[1] < 3 or table.shape[1] % 2 == 0)):
+        kind = "an array of shape (n, 1 + 2 k): t, q1.., qd1.." if header else "a table with a row for each sample"
+        raise ValueError(f"{path.name} must hold {kind}; its shape is {table.shape}")
+    return table.astype(float), _names(table.shape[1] // 2) if header else range(1, table.shape[1] + 1)
+
+
+def _read_csv(path, header):
+    """Return the same of a CSV file. Semicolons and spaces separate, too; without names, a line of words is ignored."""
+    try:
+        lines = path.read_text("utf-8-sig").replace('"', "").splitlines()
+    except UnicodeDecodeError as unreadable:
+        raise ValueError(f"{path.name} cannot be read as CSV: {unreadable}") from unreadable
+    rows = [re.split(r"\s*[,;]\s*|\s+", line.strip().rstrip("; ")) for line in lines if line.strip(" ,;\t")]
+    head = rows.pop(0) if rows and not any(map(_is_number, rows[0])) else []
+    if header and rows and not head:
+        raise ValueError(
+            f"{path.name} must begin with a header t,q1,...,qd1,...: column t is missing, its first line holds "
+            "numbers. For positions alone, name the file of the velocities and the time step"
+        )
+    if not rows:
+        raise ValueError(f"{path.name} must hold a row of numbers; it holds none")
+    k = max(1, *(sum(bool(re.match(rf"{kind}\d", name)) for name in head) for kind in ("q", "qd")))
+    names = _names(k) if header else range(1, len(rows[0]) + 1)
+    for name in names if header else ():
+        if head.count(name) != 1:
+            how = "is missing" if name not in head else "occurs twice"
+            raise ValueError(f"{path.name}: column {name} {how}; its header is {','.join(head):.80}")
+    columns = head if header else list(names)
+    table = np.empty((len(rows), len(names)))
+    for number, row in enumerate(rows):
+        if len(row) != len(columns):
+            raise ValueError(f"{path.name}: row {number + 1} has {len(row)} columns, not {len(columns)}")
+        for column, name in enumerate(names):
+            cell = row[columns.index(name)]
+            if not _is_number(cell):
+                where = f"{path.name}: row {number + 1}, column {name}"
+                raise ValueError(f"{where} is {cell!r:.40}, which is not a number")
+            table[number, column] = float(cell)
+    return table, names
 
 
 def _is_number(text):
@@ -235,74 +259,6 @@ def _is_number(text):
     except ValueError:
         return False
     return True
-
-
-def _read_csv(path):
-    rows = _lines(path)
-    if len(rows) < 2:
-        raise ValueError(f"{path.name} must hold a header and at least one row; it holds {len(rows)} lines")
-    header = [cell.strip() for cell in rows[0]]
-    if all(map(_is_number, header)):
-        raise ValueError(
-            f"{path.name} must begin with a header t,q1,...,qd1,...: column t is missing, its first line holds "
-            "numbers. For positions alone, name the file of the velocities and the time step"
-        )
-    positions = sum(name.startswith("q") and not name.startswith("qd") for name in header)
-    velocities = sum(name.startswith("qd") for name in header)
-    names = _names(max(1, positions, velocities))
-    for name in names:
-        if header.count(name) != 1:
-            how = "is missing" if name not in header else "occurs twice"
-            raise ValueError(f"{path.name}: column {name} {how}; its header is {','.join(header):.80}")
-    order = [header.index(name) for name in names]
-    for number, row in enumerate(rows[1:]):
-        if len(row) != len(header):
-            raise ValueError(f"{path.name}: row {number + 1} has {len(row)} columns, the header {len(header)}")
-    return _floats(path, [[row[i] for i in order] for row in rows[1:]], names), names
-
-
-def _numbers(path):
-    """Return the table in a CSV file without a header, or with one that is ignored; spaces may separate, too."""
-    rows = [re.split(r"[\s,;]+", " ".join(row).strip(" ;")) for row in _lines(path)]
-    if rows and not any(map(_is_number, rows[0])):
-        rows = rows[1:]
-    if not rows:
-        raise ValueError(f"{path.name} must hold numbers; it holds none")
-    for number, row in enumerate(rows):
-        if len(row) != len(rows[0]):
-            raise ValueError(f"{path.name}: row {number + 1} has {len(row)} columns, the first one {len(rows[0])}")
-    return _floats(path, rows, range(1, len(rows[0]) + 1))
-
-
-def _floats(path, rows, names):
-    table = np.empty((len(rows), len(names)))
-    for number, row in enumerate(rows):
-        for column, cell in enumerate(row):
-            if not _is_number(cell):
-                where = f"{path.name}: row {number + 1}, column {names[column]}"
-                raise ValueError(f"{where} is {cell!r:.40}, which is not a number")
-            table[number, column] = float(cell)
-    return table
-
-
-def _array(path):
-    """Return the table of real numbers in an NPY file."""
-    try:
-        table = np.load(path, allow_pickle=False)
-    except (ValueError, EOFError) as unreadable:
-        raise ValueError(f"{path.name} cannot be read as NPY: {unreadable}") from unreadable
-    if table.dtype.kind not in "iuf":
-        raise ValueError(f"{path.name} must hold real numbers; it holds {table.dtype}")
-    if table.ndim != 2 or table.size == 0:
-        raise ValueError(f"{path.name} must hold a table with a row for each sample; its shape is {table.shape}")
-    return table.astype(float)
-
-
-def _read_npy(path):
-    table = _array(path)
-    if table.shape[1] < 3 or table.shape[1] % 2 == 0:
-        raise ValueError(f"{path.name} must hold an array of shape (n, 1 + 2 k): t, q1.., qd1..; it is {table.shape}")
-    return table, _names(table.shape[1] // 2)
 
 
 def _refuse(place, bad, reason):
