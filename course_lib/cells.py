@@ -16,10 +16,12 @@ def sagged(q):
 
     The shoulder yields to the load, and the elbow's belt is stretched.
     """
-    q = np.asarray(q, float)
-    q1, q2, both = q[..., 0], q[..., 1], q.sum(axis=-1)
-    shoulder = SHOULDER[0] * np.cos(q1) + SHOULDER[1] * np.cos(both)
-    return np.stack([q1 - shoulder, q2 - _BELT * np.sin(3 * q2)], axis=-1)
+    return np.asarray(q, float) - _sag(np.asarray(q, float), SHOULDER, _BELT)
+
+
+def _sag(q, shoulder, belt):
+    first = shoulder[0] * np.cos(q[..., 0]) + shoulder[1] * np.cos(q.sum(axis=-1))
+    return np.stack([first, belt * np.sin(3 * q[..., 1])], axis=-1)
 
 
 def sent(taken, shoulder=SHOULDER, belt=_BELT):
@@ -36,8 +38,7 @@ def sent(taken, shoulder=SHOULDER, belt=_BELT):
     taken = np.asarray(taken, float)
     q = taken
     for _ in range(20):
-        first = shoulder[0] * np.cos(q[..., 0]) + shoulder[1] * np.cos(q.sum(axis=-1))
-        q = taken + np.stack([first, belt * np.sin(3 * q[..., 1])], axis=-1)
+        q = taken + _sag(q, shoulder, belt)
     return q
 
 
@@ -288,19 +289,18 @@ def largest_errors(corner, sizes, degree, solve, forward):
     branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the positions
     reached.
     """
-    return np.transpose([_largest_error(np.asarray(corner), h, degree, solve, forward) for h in sizes])
-
-
-def _largest_error(corner, h, degree, solve, forward):
-    u = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
-    xy = corner + h / 2 * (u - [1, 0])
-    u, xy = u[np.hypot(*xy.T) <= 2], xy[np.hypot(*xy.T) <= 2]
-    powers = [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
-    basis = np.stack([u[:, 0] ** i * u[:, 1] ** j for i, j in powers], axis=-1)
-    angles = solve(xy)[:, 0]
-    fitted = basis @ np.linalg.lstsq(basis, angles)[0]
-    off = np.linalg.norm(forward(fitted) - xy, axis=1)
-    return np.abs(fitted - angles)[:, 1].max(), off.max()
+    grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
+    largest = []
+    for size in sizes:
+        xy = corner + size / 2 * (grid - [1, 0])
+        within = np.hypot(*xy.T) <= 2
+        (u, v), xy = grid[within].T, xy[within]
+        basis = np.stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1)
+        angles = solve(xy)[:, 0]
+        fitted = basis @ np.linalg.lstsq(basis, angles)[0]
+        off = np.linalg.norm(forward(fitted) - xy, axis=1)
+        largest.append((np.abs(fitted - angles)[:, 1].max(), off.max()))
+    return np.transpose(largest)
 
 
 def score_noisy_table(make, lowest, highest):

@@ -228,8 +228,7 @@ class GridIK(BaseEstimator):
 
     def _check_parameters(self):
         """Return the numbers of cells along x and y."""
-        is_list = isinstance(self.cells, tuple | list) or (isinstance(self.cells, np.ndarray) and self.cells.ndim == 1)
-        if not is_list or len(self.cells) != 2:
+        if not isinstance(self.cells, tuple | list | np.ndarray) or np.array(self.cells, object).shape != (2,):
             raise ValueError(f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}")
         cells = tuple(count(n, f"cells[{i}]", least=1) for i, n in enumerate(self.cells))
         if self.forward is not None and not callable(self.forward):
@@ -243,13 +242,11 @@ class GridIK(BaseEstimator):
         if self.forward is None:
             return
         try:
-            answer = self.forward(theta)
-        except TypeError as other_arguments:
-            raise ValueError(f"forward must take one array of angles (2, m): {other_arguments}") from other_arguments
-        try:
-            position, J = answer
-        except (TypeError, ValueError) as no_pair:
-            raise ValueError("forward must return a pair, positions and Jacobians, as planar_forward does") from no_pair
+            position, J = self.forward(theta)
+        except (TypeError, ValueError) as other:
+            raise ValueError(
+                f"forward must take one array of angles (2, m) and return positions and Jacobians: {other}"
+            ) from other
         position = real_array(position, "forward(theta)[0]", xy.shape)
         real_array(J, "forward(theta)[1]", (2, *xy.shape))
         miss = np.median(np.abs(xy - position), 1)

@@ -94,13 +94,9 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     batch, poses = targets.shape[:-2], targets.reshape(-1, 4, 4)
     if q0 is not None:
         q0 = real_array(q0, "q0", (arm.n,))
-        broadcast(targets=batch, q0=q0.shape[:-1])
-        try:
-            q0 = np.clip(np.broadcast_to(q0, (*batch, arm.n)).reshape(-1, arm.n), *arm.limits.T)
-        except ValueError as too_many:
-            raise ValueError(
-                f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}"
-            ) from too_many
+        if broadcast(targets=batch, q0=q0.shape[:-1]) != batch:
+            raise ValueError(f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}")
+        q0 = np.clip(np.broadcast_to(q0, (*batch, arm.n)).reshape(-1, arm.n), *arm.limits.T)
     best, iterations = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
     for first in range(0, len(poses), CHUNK):
         chunk = slice(first, first + CHUNK)
@@ -116,9 +112,10 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
 class _Search:
     """The search of `solve` for m targets at once. A descent is the sequence of steps from one start.
 
-    Descents lie along the last axis, as in course_lib.batching, where a hundred cost little more than one. So when few
-    are left, the unsolved targets get several new starts at once. A single target is first tried by itself, because
-    one descent by matrix products is faster than one by arrays.
+    N descents are their joint angles (n, N), targets (N,), steps taken (N,) and squared errors before the last (N,).
+    They lie along the last axis, as in course_lib.batching, where a hundred cost little more than one. So when few are
+    left, the unsolved targets get several new starts at once. A single target is first tried by itself, because one
+    descent by matrix products is faster than one by arrays.
     """
 
     def __init__(self, arm, poses, rng, starts, steps):
@@ -136,17 +133,18 @@ class _Search:
             if self.solved[0]:
                 return self.best, self.iterations
             q0 = None
-        descents = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
-        while len(descents.target):
-            J, error = self._jacobians_and_errors(descents)
-            cost = self._record(descents, error)
-            moved = _step_within_limits(descents.q, J, error, cost, *self.arm.limits.T[..., None])
-            ended = self.solved[descents.target] | _ends(
-                *(descents.q, moved, descents.age + 1, descents.cost, cost, self.steps),
-                (self.started < self.starts)[descents.target],
-            )
-            descents.advance(~ended, moved, cost)
-            descents.add(self._new_descents(self._targets_to_start(descents.target)))
+        q, target, age, before = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
+        while len(target):
+            J = np.empty((6, *q.shape))
+            columns, position = self.arm.batched.fill_geometric_jacobian(q, J)
+            error = _error_by_entries(np.stack(np.broadcast_arrays(*columns, position)), self.goals[..., target])
+            cost = self._record(q, target, error)
+            moved = _step_within_limits(q, J, error, cost, *self.arm.limits.T[..., None])
+            may_restart = (self.started < self.starts)[target]
+            ended = self.solved[target] | _ends(q, moved, age + 1, before, cost, self.steps, may_restart)
+            going_on = [each[..., ~ended] for each in (moved, target, age + 1, cost)]
+            new = self._new_descents(self._targets_to_start(target[~ended]))
+            q, target, age, before = (np.concatenate(both, -1) for both in zip(going_on, new, strict=True))
         return self.best, self.iterations
 
     def _descend_one_by_one(self, q0):
@@ -168,20 +166,12 @@ class _Search:
             self.solved[0] = reached
             self.iterations[0] += age
 
-    def _jacobians_and_errors(self, descents):
-        J, end = np.empty((6, *descents.q.shape)), np.empty((4, 3, descents.q.shape[1]))
-        columns, position = self.arm.batched.fill_geometric_jacobian(descents.q, J)
-        for i, vector in enumerate((*columns, position)):
-            end[i] = vector
-        return J, _error_by_entries(end, self.goals[..., descents.target])
-
-    def _record(self, descents, error):
+    def _record(self, q, target, error):
         """Keep the best joint angles of each target; return the squared error of each descent."""
-        target = descents.target
         cost, reached = _cost(error)
         np.fmin.at(self.least, target, cost)
         best = cost == self.least[target]
-        self.best[target[best]] = descents.q.T[best]
+        self.best[target[best]] = q.T[best]
         self.solved[target[reached]] = True
         self.iterations += np.bincount(target, minlength=len(self.iterations))
         return cost
@@ -202,29 +192,7 @@ class _Search:
         self.started += np.bincount(target, minlength=len(self.started))
         q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None and len(target) else q0
         q = np.empty((0, self.arm.n)) if q is None else q
-        return _Descents(q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf))
-
-
-@dataclass
-class _Descents:
-    """Descents of a _Search: joint angles (n, N), target (N,), steps taken (N,), squared error before the last (N,)."""
-
-    q: np.ndarray
-    target: np.ndarray
-    age: np.ndarray
-    cost: np.ndarray
-
-    def advance(self, going_on, moved, cost):
-        """Drop those that end, and move the others."""
-        self.q, self.target = moved[:, going_on], self.target[going_on]
-        self.age, self.cost = self.age[going_on] + 1, cost[going_on]
-
-    def add(self, others):
-        if len(others.target):
-            self.q = np.concatenate([self.q, others.q], -1)
-            self.target, self.age, self.cost = (
-                np.append(getattr(self, name), getattr(others, name)) for name in ("target", "age", "cost")
-            )
+        return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
 
 
 def _cost(error):

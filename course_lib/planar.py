@@ -220,7 +220,7 @@ def propagate_body(start, plan, dt):
     """
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
-    for (velocity, *_), elapsed in _segments(plan, dt, 3):
+    for velocity, elapsed in _segments(plan, dt, 3):
         step = np.diff(elapsed, prepend=0.0)
         with np.errstate(all="ignore"):
             theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
@@ -253,7 +253,7 @@ def propagate_body_exact(start, plan, dt):
     """
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
-    for (velocity, *_), elapsed in _segments(plan, dt, 3):
+    for velocity, elapsed in _segments(plan, dt, 3):
         with _blaming("plan"):
             poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
     return poses
@@ -285,7 +285,7 @@ def propagate_arm(start, plan, dt):
     """
     start = real_array(start, "start", ("n",))
     angles = start[..., None, :]
-    for (velocity, *_), elapsed in _segments(plan, dt, start.shape[-1]):
+    for velocity, elapsed in _segments(plan, dt, start.shape[-1]):
         with np.errstate(all="ignore"):
             angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
     return finite_result(angles, "plan", None)
@@ -312,7 +312,7 @@ def plan_times(plan, dt):
     [0.  0.4 0.8 1.  1.4 1.5]
     """
     times = np.zeros(1)
-    for _, elapsed in _segments(plan, dt, None):
+    for _, elapsed in _segments(plan, dt, "n"):
         with np.errstate(over="ignore"):
             times = np.append(times, times[-1] + elapsed)
     return finite_result(times, "plan", None)
@@ -337,10 +337,9 @@ def pose_matrix(pose):
      [ 1.  0.  3.]
      [ 0.  0.  1.]]
     """
-    pose = real_array(pose, "pose", (3,))
-    c, s, zero = np.cos(pose[..., 2]), np.sin(pose[..., 2]), np.zeros(pose.shape[:-1])
-    rows = [[c, -s, pose[..., 0]], [s, c, pose[..., 1]], [zero, zero, zero + 1]]
-    return np.stack([np.stack(row, -1) for row in rows], -2)
+    x, y, theta = np.moveaxis(real_array(pose, "pose", (3,)), -1, 0)
+    c, s, zero = np.cos(theta), np.sin(theta), np.zeros(theta.shape)
+    return np.stack([c, -s, x, s, c, y, zero, zero, zero + 1], -1).reshape(*theta.shape, 3, 3)
 
 
 def _scaling_arguments(**values):
@@ -356,7 +355,8 @@ def _scaling_arguments(**values):
 def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     """Interpolate each coordinate by the time scaling, and angles in the direction of the shorter arc."""
     k = start.shape[-1]
-    v_start, v_goal = _velocities(v_start, "v_start", k), _velocities(v_goal, "v_goal", k)
+    v_start, v_goal = (np.zeros(k) if np.isscalar(v) and v == 0 else v for v in (v_start, v_goal))
+    v_start, v_goal = real_array(v_start, "v_start", (k,)), real_array(v_goal, "v_goal", (k,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])
     T = positive(T, "T", batched=False)
     change = _change(start, goal)
@@ -370,11 +370,6 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
             return scaling(t, T, *(end[..., None, :] for end in ends))
     except TypeError as other_arguments:
         raise ValueError(f"scaling must take (t, T, s0, s1, v0, v1): {other_arguments}") from other_arguments
-
-
-def _velocities(value, name, k):
-    velocities = real_array(value, name, ())
-    return np.zeros(k) if velocities.shape == () and velocities == 0 else real_array(value, name, (k,))
 
 
 def _change(start, goal):
@@ -401,35 +396,24 @@ def _along_twist(start, twist, s):
 
 
 def _segments(plan, dt, k):
-    """Return [((velocity, duration), elapsed)] of a plan: its pairs, and the times (n,) in each at which steps end."""
+    """Return [(velocities, elapsed)] of a plan: for each pair the times (n,) at which its steps end. k: as in (k,)."""
     dt = positive(dt, "dt", batched=False)
-    pairs = _pairs(plan, k)
-    with np.errstate(over="ignore"):
-        steps = [np.ceil(duration / dt * (1 - 1e-12)) for _, duration in pairs]  # 2.1 / 0.3 is a hair above 7
-    if sum(steps) > _MOST_STEPS:
-        raise ValueError(f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes {sum(steps):.3g}")
-    found = []
-    for pair, n in zip(pairs, steps, strict=True):
-        elapsed = np.append(dt * np.arange(1, int(n)), pair[1])  # the last step ends on time
-        found.append((pair, elapsed[: int(n)]))
-    return found
-
-
-def _pairs(plan, k):
-    """Check a plan, pair by pair. k: the number of velocities, None for any."""
-    expected = "plan must be a list of pairs (velocities, duration)"
     try:
-        pairs = [tuple(pair) for pair in plan]
-    except Exception as no_list:  # whatever a foreign object raises
-        raise ValueError(f"{expected}; it is {plan!r:.80}") from no_list
-    found = []
-    for i, pair in enumerate(pairs):
-        if len(pair) != 2:
-            raise ValueError(f"{expected}; plan[{i}] has {len(pair)} parts")
-        velocity, duration = pair
-        velocity = real_array(velocity, f"plan[{i}][0]", ("n" if k is None else k,), batched=False)
-        found.append((velocity, tolerance(duration, f"plan[{i}][1]")))
-    return found
+        pairs = [(velocities, duration) for velocities, duration in plan]
+    except Exception as no_pairs:  # whatever a foreign object raises
+        raise ValueError(f"plan must be a list of pairs (velocities, duration); it is {plan!r:.80}") from no_pairs
+    segments, total = [], 0
+    for i, (velocities, duration) in enumerate(pairs):
+        velocities = real_array(velocities, f"plan[{i}][0]", (k,), batched=False)
+        duration = tolerance(duration, f"plan[{i}][1]")
+        with np.errstate(over="ignore"):
+            n = np.ceil(duration / dt * (1 - 1e-12))  # 2.1 / 0.3 is a hair above 7
+        total += n
+        if total > _MOST_STEPS:
+            raise ValueError(f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes {total:.3g}")
+        elapsed = np.append(dt * np.arange(1, int(n)), duration)  # the last step ends on time
+        segments.append((velocities, elapsed[: int(n)]))
+    return segments
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course_lib.arguments import broadcast, real_array, refuse_first
+from course_lib.arguments import broadcast, finite_result, real_array, refuse_first
 from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
 
 EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
@@ -50,17 +50,12 @@ def subproblem0(k, p, q):
     Parameters
     ----------
     k, p, q : array_like (..., 3)
-        Axis, and points in metres.
+        Axis, and points in metres, perpendicular to it.
 
     Returns
     -------
     RotationAngles
         With theta (...).
-
-    Raises
-    ------
-    ValueError
-        If `p` or `q` is not perpendicular to `k`, or `k` is zero.
 
     Examples
     --------
@@ -256,8 +251,7 @@ def _arguments(**arguments):
         if name == "d":
             found.append(np.broadcast_to(array, batch))
             continue
-        size = length(array)
-        refuse_first(np.isinf(size), name, lambda i: "is too large: its length exceeds the largest number")
+        size = finite_result(length(array), name, ())
         if name.startswith("k"):
             refuse_first(size == 0, name, lambda i: "is zero: an axis needs a direction")
             array = _unit(array)

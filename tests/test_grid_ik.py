@@ -250,7 +250,7 @@ XY, THETA = (array[:100] for array in SAMPLES)
         ({"cells": (3, 3, 3)}, "cells must be two whole numbers"),
         ({"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
         ({"forward": 3}, "forward must be a function"),
-        ({"forward": lambda theta: None}, "forward must return a pair"),
+        ({"forward": lambda theta: None}, "forward must take one array of angles .* and return positions"),
         ({"forward": lambda: None}, "forward must take one array"),
         ({"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
         ({"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
