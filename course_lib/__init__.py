@@ -1,3 +1,8 @@
-"""The helper package of the robot kinematics course: mathematics, figures, checks and the course's own tools."""
+"""The helper package of the robot kinematics course: mathematics, figures, checks and the course's own tools.
+
+In the mathematics, arrays are batched on the left: a function of one (3, 3) matrix takes (..., 3, 3). Angles are in
+radians, lengths in metres. Public functions raise ValueError, naming the argument, for one that is not as described:
+for a wrong shape, for entries that are not finite real numbers, and for some so large that the result overflows.
+"""
 
 __version__ = "0.1.0"

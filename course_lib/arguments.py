@@ -67,10 +67,8 @@ def count(value, name="n", least=0):
 def generator(value, name="rng"):
     """Return an argument if it is a numpy random Generator; a seed is none."""
     if not isinstance(value, np.random.Generator):
-        raise ValueError(
-            f"{name} must be a numpy random Generator, such as numpy.random.default_rng(seed); "
-            f"it is of type {type(value).__name__}"
-        )
+        kind = type(value).__name__
+        raise ValueError(f"{name} must be a numpy Generator, such as numpy.random.default_rng(0); it is of type {kind}")
     return value
 
 

@@ -1,8 +1,7 @@
 """Serial arms: the pose and the velocity of the end-effector for given joint angles.
 
 An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero and in the base
-frame. Arrays are batched on the left: joint angles q are (..., n), in radians. Every function raises ValueError,
-naming the argument, for a wrong shape and for entries that are not finite real numbers.
+frame.
 
 Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig, Introduction to Robotics,
 3rd edition (2005), eq. 3.6, for modified DH parameters; Siciliano and others, Robotics (2009), eq. 2.52 for standard
@@ -403,9 +402,8 @@ def panda():
 def ur5e():
     """Return the Universal Robots UR5e up to its flange: six axes, no spherical wrist.
 
-    Built from screw axes, the product of exponentials of Lynch and Park, section 4.1. Their UR5 (section 4.1.2) is the
-    older model with other dimensions and another base frame. Here the base frame is the manufacturer's: z up, and the
-    stretched arm points along -x at q = 0. The axes of joints 2, 3 and 4 are parallel.
+    The base frame is the manufacturer's: z up, and the stretched arm points along -x at q = 0. The UR5 of MR, section
+    4.1.2, is the older model with other dimensions and another base frame.
 
     Source: Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard
     convention): d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.

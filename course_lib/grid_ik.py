@@ -124,10 +124,6 @@ class GridIK(BaseEstimator):
             Positions.
         theta : array_like (n, 2)
             The joint angles that lead to them; at least one sample for each cell.
-
-        Returns
-        -------
-        GridIK
         """
         nx, ny = cells = self._check_parameters()
         xy, theta = _rows(xy, "xy"), _rows(theta, "theta")
@@ -155,13 +151,6 @@ class GridIK(BaseEstimator):
         array (m, 2, 2)
             The angles with theta2 >= 0, then those with theta2 <= 0. A row of NaN is no answer: there is no such
             solution in the range of the samples, or none was sampled nearby.
-
-        Raises
-        ------
-        ValueError
-            If `xy` is not an array (m, 2) of finite real numbers.
-        sklearn.exceptions.NotFittedError
-            Before `fit`.
         """
         check_is_fitted(self)
         xy = _rows(xy, "xy")
@@ -231,8 +220,6 @@ class GridIK(BaseEstimator):
         if not isinstance(self.cells, tuple | list | np.ndarray) or np.array(self.cells, object).shape != (2,):
             raise ValueError(f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}")
         cells = tuple(count(n, f"cells[{i}]", least=1) for i, n in enumerate(self.cells))
-        if self.forward is not None and not callable(self.forward):
-            raise ValueError(f"forward must be a function such as planar_forward, or None; it is {self.forward!r:.80}")
         count(self.steps, "steps", least=1)
         tolerance(self.tol)
         return cells
@@ -245,7 +232,7 @@ class GridIK(BaseEstimator):
             position, J = self.forward(theta)
         except (TypeError, ValueError) as other:
             raise ValueError(
-                f"forward must take one array of angles (2, m) and return positions and Jacobians: {other}"
+                f"forward must be a function of angles (2, m) that returns positions and Jacobians: {other}"
             ) from other
         position = real_array(position, "forward(theta)[0]", xy.shape)
         real_array(J, "forward(theta)[1]", (2, *xy.shape))

@@ -1,8 +1,5 @@
 """Inverse kinematics by iteration: joint angles for a pose, or a position, that the end-effector is to reach.
 
-Arrays are batched on the left. Every function raises ValueError, naming the argument, for a wrong shape and for
-entries that are not finite real numbers.
-
 Sources: Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method, IEEE Transactions on
 Robotics 27 (2011), for damping by the squared error; Nakamura and Hanafusa, Inverse kinematic solutions with
 singularity robustness for robot manipulator control, Journal of Dynamic Systems, Measurement, and Control 108 (1986),

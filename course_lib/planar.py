@@ -1,9 +1,7 @@
 """Paths of a body in the plane, and of an arm's joints: from pose to pose, and by a plan of velocities.
 
-A pose is (x, y, theta), in metres and radians; arrays are batched on the left. The angle along a path continues
-beyond pi and is not wrapped, so that it can be drawn and differentiated. A plan is a sequence of pairs (velocities,
-duration). Every function raises ValueError, naming the argument, for a wrong shape or range, for entries that are not
-finite real numbers, and if the result exceeds the largest number.
+A pose is (x, y, theta). The angle along a path continues beyond pi and is not wrapped, so that it can be drawn and
+differentiated. A plan is a sequence of pairs (velocities, duration).
 
 Source: Lynch and Park, Modern Robotics (2017), called MR below: section 9.2 for interpolation, 3.3.3 for twists.
 """
@@ -363,13 +361,11 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     change = np.where(is_angle, wrap_angle(change), change)
     t = np.linspace(0, T, count(n, least=2))[:, None]
     ends = (start, start + change, v_start, v_goal)
-    if not callable(scaling):
-        raise ValueError(f"scaling must be a time scaling such as cubic_time_scaling; it is {scaling!r:.80}")
     try:
         with _blaming("goal"):
             return scaling(t, T, *(end[..., None, :] for end in ends))
-    except TypeError as other_arguments:
-        raise ValueError(f"scaling must take (t, T, s0, s1, v0, v1): {other_arguments}") from other_arguments
+    except TypeError as other:
+        raise ValueError(f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}") from other
 
 
 def _change(start, goal):

@@ -1,9 +1,7 @@
 """Rigid motions of the plane, SE(2), and of space, SE(3), as homogeneous matrices and as twists.
 
-A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space, in
-radians and metres. Arrays are batched on the left. Every function raises ValueError, naming the argument, for
-a wrong shape, for entries that are not finite real numbers, for a matrix that is not a pose if one is needed, and
-for entries so large that the result exceeds the largest number.
+A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space. A matrix that
+is not a pose is refused where one is needed.
 
 Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; for the plane with the axis along z.
 """

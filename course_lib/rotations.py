@@ -1,8 +1,6 @@
 """Rotations in the plane and in space: matrices, rotation vectors and unit quaternions.
 
-Arrays are batched on the left: a function of one (3, 3) matrix takes (..., 3, 3). Angles are in radians,
-quaternions are (w, x, y, z). Every function raises ValueError, naming the argument, for a wrong shape, for
-entries that are not finite real numbers, and for a matrix or quaternion that is not a rotation if one is needed.
+Quaternions are (w, x, y, z). A matrix or quaternion that is not a rotation is refused where one is needed.
 
 Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; others where they are used.
 """

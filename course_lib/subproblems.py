@@ -1,9 +1,8 @@
 """The Paden-Kahan subproblems 0 to 4: the angles of rotation about given axes that bring points where they should be.
 
 All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the rotation by t about
-k. Arrays are batched on the left, batches are broadcast, angles lie in (-pi, pi]. If no angle solves the problem, the
-answers are those that come nearest (least squares), and `exact` is False. Every function raises ValueError, naming
-the argument, for a wrong shape, for entries that are not finite real numbers, and for an axis of length zero.
+k. Batches are broadcast, angles lie in (-pi, pi]. If no angle solves the problem, the answers are those that come
+nearest (least squares), and `exact` is False. An axis of length zero is refused.
 
 Sources: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation (1994), section 3.2, for 1 to 3;
 Elias and Wen, IK-Geo: unified robot inverse kinematics using subproblem decomposition (2022), for the order of

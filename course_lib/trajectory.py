@@ -3,9 +3,6 @@
 Either one file holds everything: CSV with a header, or NPY, an array (n, 1 + 2 k), with the columns t in seconds, the
 positions q1 ... qk in radians, the velocities qd1 ... qdk in radians per second. Or two files, CSV without a header or
 NPY, hold positions and velocities, (n, k) or (k, n), and the time step is given. Rows count from 1, without a header.
-
-Every function raises ValueError, naming the argument, for a Trajectory whose shapes do not match, or whose entries are
-not finite real numbers.
 """
 
 import os
