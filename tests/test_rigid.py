@@ -100,6 +100,15 @@ def test_adjoint_of_a_pure_translation():
     assert (adjoint(T) @ [0, 0, 0, 1, 2, 3]).tolist() == [0, 0, 0, 1, 2, 3]
 
 
+@EITHER
+def test_adjoint_conjugates_the_exponential(n):
+    a, b = pose_samples(n)(np.random.default_rng(8), (2, 300))
+    twists = np.random.default_rng(4).uniform(-1, 1, (300, {2: 3, 3: 6}[n]))
+    moved = (adjoint(a) @ twists[..., None])[..., 0]
+    close(EXP[n](moved), a @ EXP[n](twists) @ inverse(a), 3e-14)
+    close(adjoint(a @ b), adjoint(a) @ adjoint(b), 3e-14)
+
+
 # Twists ---------------------------------------------------------------------------------------------------------------
 
 
