@@ -137,8 +137,13 @@ class SerialArm:
         """
         if not isinstance(convention, str) or convention not in ("modified", "standard"):
             raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r:.80}')
+        try:
+            table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
+        except Exception as no_rows:  # whatever a foreign object raises
+            raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
+        table = real_array(table, "rows", ("n", 4), batched=False)
         with np.errstate(all="ignore"):
-            frames, axes = _dh_frames(_dh_table(rows), convention)
+            frames, axes = _dh_frames(table, convention)
         if not np.abs(frames).max() <= _FARTHEST:
             raise ValueError(f"rows must lead at most {_FARTHEST:g} m away; they lead farther")
         end = np.eye(4) if end is None else checked_pose(end, "end", (4, 4), batched=False)
@@ -423,15 +428,6 @@ def ur5e():
     points = [[0, 0, 0], shoulder, elbow, wrist, [-0.8172, -0.1333, 0.1625], [-0.8172, -0.1333, 0.0628]]
     flange = transform([[1, 0, 0], [0, 0, -1], [0, 1, 0]], [-0.8172, -0.2329, 0.0628])
     return SerialArm.from_screws(omega, points, flange, np.tile([-2 * np.pi, 2 * np.pi], (6, 1)))
-
-
-def _dh_table(rows):
-    """Check rows of DH parameters; return them as an array (n, 4) of a, alpha, d, theta."""
-    try:
-        table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
-    except Exception as no_rows:  # whatever a foreign object raises
-        raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
-    return real_array(table, "rows", ("n", 4), batched=False)
 
 
 def _dh_frames(table, convention):

@@ -130,7 +130,7 @@ class _Search:
             if self.solved[0]:
                 return self.best, self.iterations
             q0 = None
-        q, target, age, before = self._new_descents(self._targets_to_start(np.empty(0, int)), q0)
+        q, target, age, before = self._new_descents(np.empty(0, int), q0)
         while len(target):
             J = np.empty((6, *q.shape))
             columns, position = self.arm.batched.fill_geometric_jacobian(q, J)
@@ -140,7 +140,7 @@ class _Search:
             may_restart = (self.started < self.starts)[target]
             ended = self.solved[target] | _ends(q, moved, age + 1, before, cost, self.steps, may_restart)
             going_on = [each[..., ~ended] for each in (moved, target, age + 1, cost)]
-            new = self._new_descents(self._targets_to_start(target[~ended]))
+            new = self._new_descents(target[~ended])
             q, target, age, before = (np.concatenate(both, -1) for both in zip(going_on, new, strict=True))
         return self.best, self.iterations
 
@@ -173,8 +173,8 @@ class _Search:
         self.iterations += np.bincount(target, minlength=len(self.iterations))
         return cost
 
-    def _targets_to_start(self, running):
-        """Return the targets that get new descents, given those of the running ones (N,); a target may occur often.
+    def _new_descents(self, running, q0=None):
+        """Return descents that begin at q0 (m, n) or at random configurations; running: the targets (N,) of others.
 
         Every unsolved target without a descent gets one. Those that have failed before share the remaining room.
         """
@@ -182,13 +182,9 @@ class _Search:
         idle = allowed & (np.bincount(running, minlength=len(allowed)) == 0)
         hard = allowed & (self.started > 0) & (idle | (self.started > 1))
         extra = max(0, _TOGETHER - len(running) - idle.sum()) // max(1, hard.sum())
-        return np.repeat(np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started))
-
-    def _new_descents(self, target, q0=None):
-        """Return the descents that begin for the targets (N,), at q0 (N, n) or at random configurations."""
-        self.started += np.bincount(target, minlength=len(self.started))
-        q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None and len(target) else q0
-        q = np.empty((0, self.arm.n)) if q is None else q
+        target = np.repeat(np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started))
+        self.started += np.bincount(target, minlength=len(allowed))
+        q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None else q0
         return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
 
 

@@ -60,7 +60,8 @@ def is_se(T, tol=TOLERANCE):
     """
     T = real_array(T, "T", (3, 3), (4, 4), copy=False)
     tol = tolerance(tol)
-    return is_so(T[..., :-1, :-1], tol) & (by_entries(_last_row_off, (), T[..., -1, :], batch=T.shape[:-2]) <= tol)
+    last = T[..., -1, :] - np.eye(T.shape[-1])[-1]
+    return is_so(T[..., :-1, :-1], tol) & (np.abs(last).max(-1) <= tol)
 
 
 def checked_pose(value, name, *shapes, batched=True):
@@ -144,7 +145,8 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    Ad[..., 3:, :3] = finite_result(by_entries(_moment, (3, 3), T, batch=T.shape[:-2]), "T", item_axes=(-2, -1))
+    moments = by_entries(lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2])  # p x R[:, j]
+    Ad[..., 3:, :3] = finite_result(moments, "T", item_axes=(-2, -1))
     return Ad
 
 
@@ -332,12 +334,6 @@ def _half_cot(angle):
 # Formulas for by_entries ----------------------------------------------------------------------------------------------
 
 
-def _last_row_off(row):
-    off = row.copy()
-    off[-1] -= 1
-    return np.abs(off).max(0)
-
-
 def _inverse(T):
     R, p = T[:-1, :-1], T[:-1, -1]
     T_inverse = np.zeros(T.shape)
@@ -345,11 +341,6 @@ def _inverse(T):
     T_inverse[:-1, -1] -= np.einsum("ij...,i...->j...", R, p)  # from 0, so that zero is not -0
     T_inverse[-1, -1] = 1
     return T_inverse
-
-
-def _moment(T):
-    """[p] R: its columns are p x R[:, j]."""
-    return _cross(T[:3, 3:], T[:3, :3])
 
 
 def _translation(twist, angle):
