@@ -126,7 +126,8 @@ class GridIK(BaseEstimator):
             The joint angles that lead to them; at least one sample for each cell.
         """
         nx, ny = cells = self._check_parameters()
-        xy, theta = _rows(xy, "xy"), _rows(theta, "theta")
+        xy = real_array(xy, "xy", ("n", 2), batched=False)
+        theta = real_array(theta, "theta", xy.shape, batched=False)
         _check_samples(xy, theta, nx * ny)
         box, ranges = (np.stack([a.min(0), a.max(0)]) for a in (xy, theta))
         self._check_forward(xy[:1000].T, theta[:1000].T, (box[1] - box[0]) / cells)
@@ -153,7 +154,7 @@ class GridIK(BaseEstimator):
             solution in the range of the samples, or none was sampled nearby.
         """
         check_is_fitted(self)
-        xy = _rows(xy, "xy")
+        xy = real_array(xy, "xy", ("n", 2), (0, 2), batched=False)
         answer = np.empty((len(xy), 2, 2))
         for start in range(0, len(xy), _CHUNK):
             part = slice(start, start + _CHUNK)
@@ -283,28 +284,13 @@ def _models(row, rows, u, v, theta):
 
 
 def _check_samples(xy, theta, cells):
-    n = len(xy)
-    if len(theta) != n:
-        raise ValueError(f"theta must hold the angles of each of the {n} positions of xy; it holds {len(theta)}")
-    if n < cells:
-        raise ValueError(
-            f"xy must hold a sample for each of the {cells} cells; it holds {n}: take more, or fewer cells"
-        )
-    refuse_first(
-        np.abs(theta) > _WIDEST, "theta", lambda i: f"must be at most {_WIDEST:g}, of either sign; it is {theta[i]:g}"
-    )
+    if len(xy) < cells:
+        raise ValueError(f"xy must hold a sample for each of the {cells} cells; it holds {len(xy)}: take fewer cells")
+    wide = np.abs(theta) > _WIDEST
+    refuse_first(wide, "theta", lambda i: f"must be at most {_WIDEST:g}, of either sign; it is {theta[i]:g}")
     with np.errstate(over="ignore"):
         width = np.ptp(xy, axis=0)
     if not ((width >= 1e-100) & (width <= 1e100)).all():
         raise ValueError(
             f"xy must spread along x and along y, by 1e-100 to 1e100; it does by {width[0]:g} and {width[1]:g}"
         )
-
-
-def _rows(value, name):
-    array = real_array(value, name, (2,))
-    if array.ndim != 2:
-        raise ValueError(
-            f"{name} must be an array of shape (n, 2), one position or pair of angles a row; its shape is {array.shape}"
-        )
-    return array

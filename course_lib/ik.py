@@ -344,8 +344,6 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     >>> from course_lib.arms import planar_arm
     >>> arm = planar_arm([1, 1])
     >>> path = damped_path(arm, [0.3, 0.5], target=[1, 1], alpha=1, eps=0.01, steps=30)
-    >>> path.shape
-    (31, 2)
     >>> print(arm.fk(path[-1])[:2, 3].round(6))
     [1. 1.]
     """

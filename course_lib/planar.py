@@ -294,10 +294,8 @@ def plan_times(plan, dt):
 
     Parameters
     ----------
-    plan : sequence of (velocities, duration)
+    plan, dt
         As for those functions.
-    dt : float
-        Step in seconds.
 
     Returns
     -------
@@ -330,10 +328,8 @@ def pose_matrix(pose):
 
     Examples
     --------
-    >>> print(pose_matrix([2, 3, np.pi / 2]).round(9))
-    [[ 0. -1.  2.]
-     [ 1.  0.  3.]
-     [ 0.  0.  1.]]
+    >>> print(pose_matrix([2, 3, np.pi / 2]).round(9) @ [1, 0, 1])  # where the body's point (1, 0) is
+    [2. 4. 1.]
     """
     x, y, theta = np.moveaxis(real_array(pose, "pose", (3,)), -1, 0)
     c, s, zero = np.cos(theta), np.sin(theta), np.zeros(theta.shape)

@@ -46,11 +46,8 @@ def register_points(src, dst, weights=None):
     --------
     >>> src = [[0, 0, 0], [1, 0, 0], [0, 2, 0]]
     >>> dst = [[1, 1, 1], [1, 2, 1], [-1, 1, 1]]
-    >>> print(register_points(src, dst).round(9) + 0.0)
-    [[ 0. -1.  0.  1.]
-     [ 1.  0.  0.  1.]
-     [ 0.  0.  1.  1.]
-     [ 0.  0.  0.  1.]]
+    >>> print(register_points(src, dst).round(9) @ [1, 0, 0, 1])  # the second point of src
+    [1. 2. 1. 1.]
     """
     src = real_array(src, "src", ("n", 3))
     n = src.shape[-2]

@@ -274,10 +274,8 @@ def quaternion_to_matrix(q):
 
     Examples
     --------
-    >>> print(quaternion_to_matrix([0, 1, 0, 0]))
-    [[ 1.  0.  0.]
-     [ 0. -1.  0.]
-     [ 0.  0. -1.]]
+    >>> print(quaternion_to_matrix([0, 1, 0, 0]) @ [0, 1, 0])
+    [ 0. -1.  0.]
     """
     q = real_array(q, "q", (4,), copy=False)
     size = length(q)
@@ -322,9 +320,8 @@ def random_rotations(n, rng):
 
     Parameters
     ----------
-    n : int
-        Zero or more.
-    rng : numpy.random.Generator
+    n, rng
+        As for random_quaternions.
 
     Returns
     -------

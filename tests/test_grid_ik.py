@@ -212,14 +212,12 @@ XY, THETA = (array[:100] for array in SAMPLES)
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"xy": XY[:, :1]}, r"xy must be an array of real numbers of shape \(..., 2\); its shape is \(100, 1\)"),
-        ({"xy": XY[0]}, r"xy must be an array of shape \(n, 2\)"),
-        ({"theta": THETA[:99]}, "theta must hold the angles of each of the 100 positions of xy; it holds 99"),
+        ({"xy": XY[:, :1]}, r"xy must be an array of real numbers of shape \(n, 2\); its shape is \(100, 1\)"),
+        ({"theta": THETA[:99]}, r"theta must be an array of real numbers of shape \(100, 2\)"),
         ({"theta": THETA * 1e4}, r"theta\[0, 0\] must be at most 1000"),
         ({"cells": (11, 10)}, "xy must hold a sample for each of the 110 cells; it holds 100"),
         ({"xy": XY * [0, 1]}, "xy must spread along x and along y"),
         ({"xy": XY * [1, 1e101]}, "xy must spread along x and along y"),
-        ({"xy": np.empty((0, 2)), "theta": np.empty((0, 2))}, "xy must hold a sample for each of the 9 cells"),
         ({"cells": 3}, "cells must be two whole numbers"),
         ({"cells": (3, 3, 3)}, "cells must be two whole numbers"),
         ({"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
