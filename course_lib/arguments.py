@@ -53,7 +53,7 @@ def tolerance(value, name="tol"):
 def positive(value, name, *shape, batched=True):
     """Return an argument as an array of finite numbers above zero; with batched=False and no shape, one number."""
     array = real_array(value, name, shape, batched=batched)
-    refuse_first(array <= 0, name, lambda i: f"must be greater than zero; it is {array[i]:g}")
+    refuse_first(array <= 0, name, "must be greater than zero; it is {:g}", array)
     return array
 
 
@@ -85,11 +85,11 @@ def broadcast(**batches):
     return common
 
 
-def refuse_first(bad, name, reason):
-    """Raise ValueError for the first True in a batch of flags; reason(index) returns the message after the entry."""
+def refuse_first(bad, name, reason, *values):
+    """Raise ValueError for the first True in a batch of flags: reason, formatted with that entry of the values."""
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
-        raise ValueError(f"{entry(name, index)} {reason(index)}")
+        raise ValueError(f"{entry(name, index)} {reason.format(*(value[index] for value in values))}")
 
 
 def finite_result(result, name, item_axes=-1):
@@ -99,8 +99,7 @@ def finite_result(result, name, item_axes=-1):
     """
     finite = np.isfinite(result)
     if np.count_nonzero(finite) < finite.size:
-        reason = "is too large: the result exceeds the largest number"
-        refuse_first(~finite.all(item_axes), name, lambda i: reason)
+        refuse_first(~finite.all(item_axes), name, "is too large: the result exceeds the largest number")
     return result
 
 

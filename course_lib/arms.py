@@ -100,13 +100,13 @@ class SerialArm:
         """
         omega = real_array(omega, "omega", ("n", 3), batched=False)
         n, size = len(omega), finite_result(length(omega), "omega", ())
-        refuse_first(size == 0, "omega", lambda i: "is zero: an axis needs a direction")
+        refuse_first(size == 0, "omega", "is zero: an axis needs a direction")
         omega = omega / size[:, None]
         points = _refuse_huge(real_array(points, "points", (n, 3), batched=False), "points")
         home = _refuse_huge(checked_pose(home, "home", (4, 4), batched=False), "home")
         limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else limits
         limits = real_array(limits, "limits", (n, 2), batched=False, infinite=True)
-        refuse_first(limits[:, 0] >= limits[:, 1], "limits", lambda i: f"must be low before high; it is {limits[i]}")
+        refuse_first(limits[:, 0] >= limits[:, 1], "limits", "must be low before high; it is {}", limits)
         screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)
         return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
 
@@ -348,7 +348,7 @@ def planar_arm(lengths):
 
 
 def _refuse_huge(array, name):
-    refuse_first(np.abs(array) > _FARTHEST, name, lambda i: f"must be at most {_FARTHEST:g}; it is {array[i]:g}")
+    refuse_first(np.abs(array) > _FARTHEST, name, f"must be at most {_FARTHEST:g}; it is {{:g}}", array)
     return array
 
 

@@ -306,18 +306,9 @@ def largest_errors(corner, sizes, degree, solve, forward):
 def score_noisy_table(make, lowest, highest):
     """Return the percentage of 1,000 positions that a table from few noisy samples of the sagging arm reaches.
 
-    Parameters
-    ----------
-    make : callable
-        make(positions (2000, 2), angles (2000, 2)) is a function from positions (m, 2) to angles (m, 2, 2), NaN for
-        none. The positions have 1 mm of noise.
-    lowest, highest : array_like, shape (2,)
-        Joint ranges in radians.
-
-    Returns
-    -------
-    float
-        From 0 to 100: for how many the better answer is within 0.5 mm. The samples are the same each time.
+    make(positions (2000, 2), angles (2000, 2)) is a function from positions (m, 2) to angles (m, 2, 2), NaN for none;
+    the positions have 1 mm of noise. lowest, highest: the joint ranges (2,) in radians. Counted is a better answer
+    within 0.5 mm. The samples are the same each time.
     """
     chance = np.random.default_rng(7)
     angles = chance.uniform(lowest, highest, (2000, 2))

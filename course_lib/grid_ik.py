@@ -286,8 +286,7 @@ def _models(row, rows, u, v, theta):
 def _check_samples(xy, theta, cells):
     if len(xy) < cells:
         raise ValueError(f"xy must hold a sample for each of the {cells} cells; it holds {len(xy)}: take fewer cells")
-    wide = np.abs(theta) > _WIDEST
-    refuse_first(wide, "theta", lambda i: f"must be at most {_WIDEST:g}, of either sign; it is {theta[i]:g}")
+    refuse_first(np.abs(theta) > _WIDEST, "theta", f"must be at most {_WIDEST:g}, of either sign; it is {{:g}}", theta)
     with np.errstate(over="ignore"):
         width = np.ptp(xy, axis=0)
     if not ((width >= 1e-100) & (width <= 1e100)).all():

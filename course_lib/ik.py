@@ -367,5 +367,5 @@ def damped_path(arm, q0, target, alpha, eps, steps):
         with np.errstate(over="ignore"):
             q = q - alpha * step
         path[..., i + 1, :] = q.T.reshape(*batch, n)
-        refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", lambda i: "is too large: the angles overflow")
+        refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", "is too large: the angles overflow")
     return path

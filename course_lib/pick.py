@@ -123,7 +123,7 @@ def shares(trajectory):
     Parameters
     ----------
     trajectory : array_like (n, 8)
-        In each row the time in seconds and the joint angles in radians. The arm is at rest before and after it.
+        As for between. The arm is at rest before and after it.
 
     Returns
     -------

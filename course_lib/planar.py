@@ -184,10 +184,10 @@ def interpolate_body_screw(start, goal, n):
     """
     start, goal = real_array(start, "start", (3,)), real_array(goal, "goal", (3,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1])
-    change = _change(start, goal)
-    in_body = _rotated(-start[..., 2], change[..., :2])
     s = cubic_time_scaling(np.linspace(0, 1, count(n, least=2)), 1.0)
     with _blaming("goal"):
+        change = goal - start
+        in_body = _rotated(-start[..., 2], change[..., :2])
         twist = log_se2(pose_matrix(np.concatenate([in_body, change[..., 2:]], -1)))
         return _along_twist(start, twist, s)
 
@@ -342,7 +342,7 @@ def _scaling_arguments(**values):
     t, T = arrays["t"], positive(arrays["T"], "T")
     with np.errstate(over="ignore"):
         outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
-    refuse_first(outside, "t", lambda i: "must lie between 0 and T")
+    refuse_first(outside, "t", "must lie between 0 and T")
     return [np.clip(t, 0, T), *list(arrays.values())[1:]]
 
 
@@ -353,37 +353,27 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     v_start, v_goal = real_array(v_start, "v_start", (k,)), real_array(v_goal, "v_goal", (k,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])
     T = positive(T, "T", batched=False)
-    change = _change(start, goal)
-    change = np.where(is_angle, wrap_angle(change), change)
     t = np.linspace(0, T, count(n, least=2))[:, None]
-    ends = (start, start + change, v_start, v_goal)
     try:
         with _blaming("goal"):
+            change = goal - start
+            ends = (start, start + np.where(is_angle, wrap_angle(change), change), v_start, v_goal)
             return scaling(t, T, *(end[..., None, :] for end in ends))
     except TypeError as other:
         raise ValueError(f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}") from other
 
 
-def _change(start, goal):
-    with np.errstate(all="ignore"):
-        return finite_result(goal - start, "goal", None)
-
-
 def _rotated(theta, v):
     """Return the vectors v (..., 2) rotated by theta (...)."""
     c, s = np.cos(theta), np.sin(theta)
-    with np.errstate(all="ignore"):
-        return np.stack([c * v[..., 0] - s * v[..., 1], s * v[..., 0] + c * v[..., 1]], -1)
+    return np.stack([c * v[..., 0] - s * v[..., 1], s * v[..., 0] + c * v[..., 1]], -1)
 
 
 def _along_twist(start, twist, s):
     """Return the poses start exp(s twist), (..., n, 3), for s (n,)."""
-    with np.errstate(all="ignore"):
-        scaled = s[:, None] * twist[..., None, :]
-    moved = exp_se2(scaled)[..., :2, 2]
-    with np.errstate(all="ignore"):
-        p = start[..., None, :2] + _rotated(start[..., None, 2], moved)
-        theta = start[..., None, 2] + scaled[..., 0]
+    scaled = s[:, None] * twist[..., None, :]
+    p = start[..., None, :2] + _rotated(start[..., None, 2], exp_se2(scaled)[..., :2, 2])
+    theta = start[..., None, 2] + scaled[..., 0]
     return finite_result(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist", None)
 
 
@@ -410,8 +400,9 @@ def _segments(plan, dt, k):
 
 @contextmanager
 def _blaming(name):
-    """Let a ValueError from a function below name the argument that the caller gave."""
+    """Let a ValueError from a function below name the argument that the caller gave, without a warning before it."""
     try:
-        yield
+        with np.errstate(all="ignore"):
+            yield
     except ValueError as too_large:
         raise ValueError(f"{name} is too large: {too_large}") from too_large

@@ -53,10 +53,10 @@ def register_points(src, dst, weights=None):
     n = src.shape[-2]
     dst = real_array(dst, "dst", (n, 3))
     weights = np.ones(n) if weights is None else real_array(weights, "weights", (n,))
-    refuse_first(weights < 0, "weights", lambda i: f"must be zero or more; it is {weights[i]:g}")
+    refuse_first(weights < 0, "weights", "must be zero or more; it is {:g}", weights)
     few = (weights > 0).sum(-1) < 3
-    reason = "must leave at least three points: two do not determine a rotation"
-    refuse_first(few, "weights" if n >= 3 else "src", lambda i: reason)
+    name = "weights" if n >= 3 else "src"
+    refuse_first(few, name, "must leave at least three points: two do not determine a rotation")
     batch = broadcast(src=src.shape[:-2], dst=dst.shape[:-2], weights=weights.shape[:-1])
     weights = weights / weights.max(-1, keepdims=True)
     share = (weights / weights.sum(-1, keepdims=True))[..., None]
@@ -124,7 +124,7 @@ def uncertainty(points, noise, weights=None):
     with np.errstate(all="ignore"):
         centred = np.where(w[:, None] > 0, points - (w / w.sum()) @ points, 0.0)
         size = np.abs(centred).max()
-        refuse_first(~np.isfinite(size), "points", lambda i: "is too large: its spread overflows")
+        refuse_first(~np.isfinite(size), "points", "is too large: its spread overflows")
         moments, axes = np.linalg.eigh((w[:, None] * centred / size).T @ (centred / size))
         angles = noise / size / np.sqrt(heaviest) / np.sqrt(moments.sum() - moments)
     angles = finite_result(angles, "noise", None)
@@ -143,11 +143,8 @@ def _centred(points, share, name):
     mean = (share * points).sum(-2)
     points = np.where(share > 0, points - mean[..., None, :], 0.0)
     _, sizes, axes = np.linalg.svd(np.sqrt(share) * points, full_matrices=False)
-    refuse_first(
-        sizes[..., 1] <= _THINNEST,
-        name,
-        lambda i: "has its points on one line, but for rounding: every angle about it fits",
-    )
+    thin = sizes[..., 1] <= _THINNEST
+    refuse_first(thin, name, "has its points on one line, but for rounding: every angle about it fits")
     return points, mean, exponent, axes
 
 

@@ -35,7 +35,7 @@ def transform(R, p):
      [ 0.  0.  1.]]
     """
     R = real_array(R, "R", (2, 2), (3, 3), copy=False)
-    refuse_first(~is_so(R), "R", lambda i: "is not a rotation (nearest_so gives the nearest rotation)")
+    refuse_first(~is_so(R), "R", "is not a rotation (nearest_so gives the nearest rotation)")
     p = real_array(p, "p", R.shape[-1:], copy=False)
     batch = broadcast(R=R.shape[:-2], p=p.shape[:-1])
     return _assemble(R, np.broadcast_to(p, batch + p.shape[-1:]))
@@ -67,7 +67,7 @@ def is_se(T, tol=TOLERANCE):
 def checked_pose(value, name, *shapes, batched=True):
     """Return `value` as an array (..., 3, 3) or (..., 4, 4), as the shapes allow, or ValueError if it is not a pose."""
     T = real_array(value, name, *shapes, batched=batched, copy=False)
-    refuse_first(~is_se(T), name, lambda i: "is not a pose (rigid.nearest_se gives the nearest)")
+    refuse_first(~is_se(T), name, "is not a pose (rigid.nearest_se gives the nearest)")
     return T
 
 
@@ -196,11 +196,8 @@ def vee_se3(matrix):
     [1. 2. 3. 4. 5. 6.]
     """
     matrix = real_array(matrix, "matrix", (4, 4), copy=False)
-    refuse_first(
-        np.abs(matrix[..., 3, :]).max(-1) > TOLERANCE,
-        "matrix",
-        lambda i: f"is not a twist: its last row is {matrix[(*i, 3)]}, not zero",
-    )
+    last = matrix[..., 3, :]
+    refuse_first(np.abs(last).max(-1) > TOLERANCE, "matrix", "is not a twist: its last row is {}, not zero", last)
     try:
         omega = vee(matrix[..., :3, :3])
     except ValueError as not_skew:

@@ -59,7 +59,7 @@ def vee(W):
         sums = W + np.swapaxes(W, -1, -2)
     off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
-    refuse_first(off > limit, "W", lambda i: f"is not skew-symmetric: W + W^T has an entry of size {off[i]:.2g}")
+    refuse_first(off > limit, "W", "is not skew-symmetric: W + W^T has an entry of size {:.2g}", off)
     skew = W - sums / 2
     return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], -1)
 
@@ -252,7 +252,7 @@ def nearest_quaternion(q):
     """
     q = real_array(q, "q", (4,), copy=False)
     largest = np.abs(q).max(-1, keepdims=True)
-    refuse_first(largest[..., 0] == 0, "q", lambda i: "is zero: every unit quaternion is equally near")
+    refuse_first(largest[..., 0] == 0, "q", "is zero: every unit quaternion is equally near")
     q = q / largest  # so that squares neither overflow nor underflow
     return q / np.linalg.norm(q, axis=-1, keepdims=True)
 
@@ -279,11 +279,8 @@ def quaternion_to_matrix(q):
     """
     q = real_array(q, "q", (4,), copy=False)
     size = length(q)
-    refuse_first(
-        np.abs(size - 1) > TOLERANCE,
-        "q",
-        lambda i: f"is not a unit quaternion: its length is {size[i]:.7g} (nearest_quaternion gives the nearest)",
-    )
+    reason = "is not a unit quaternion: its length is {:.7g} (nearest_quaternion gives the nearest)"
+    refuse_first(np.abs(size - 1) > TOLERANCE, "q", reason, size)
     return by_entries(_matrix_of_quaternion, (3, 3), q, batch=size.shape)
 
 
@@ -311,7 +308,11 @@ def matrix_to_quaternion(R):
     """
     R = real_array(R, "R", (3, 3), copy=False)
     error = by_entries(_error_as_rotation, (), R, batch=R.shape[:-2])
-    refuse_first(~(error <= TOLERANCE), "R", lambda i: _why_no_rotation(R[i]))
+    if not np.all(error <= TOLERANCE):
+        with np.errstate(all="ignore"):  # enormous entries give inf or nan
+            determinant = np.linalg.det(R)
+        reason = "is not a rotation: R^T R or det R is off by {:.2g}, det R = {:.7g} (nearest_so gives the nearest)"
+        refuse_first(~(error <= TOLERANCE), "R", reason, error, determinant)
     return by_entries(_quaternion_of, (4,), R, batch=R.shape[:-2])
 
 
@@ -374,15 +375,6 @@ def length(v):
             scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
             size = np.where(rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size)[()]
     return size
-
-
-def _why_no_rotation(R):
-    with np.errstate(all="ignore"):  # enormous entries give inf or nan
-        off, determinant = np.abs(R.T @ R - np.eye(3)).max(), np.linalg.det(R)
-    return (
-        f"is not a rotation: R^T R differs from I by {off:.2g} and det R = {determinant:.7g} "
-        "(nearest_so gives the nearest rotation)"
-    )
 
 
 # Formulas for by_entries ----------------------------------------------------------------------------------------------

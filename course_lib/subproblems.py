@@ -64,11 +64,7 @@ def subproblem0(k, p, q):
     k, p, q = _arguments(k=k, p=p, q=q)
     for name, v in (("p", p), ("q", q)):
         along = np.abs(_dot(k, _unit(v)))
-        refuse_first(
-            along > EXACT,
-            name,
-            lambda i, along=along: f"must be perpendicular to k: {along[i]:.3g} of it is along k (see subproblem1)",
-        )
+        refuse_first(along > EXACT, name, "must be perpendicular to k: {:.3g} of it is along k", along)
     return subproblem1(k, p, q)
 
 
@@ -252,7 +248,7 @@ def _arguments(**arguments):
             continue
         size = finite_result(length(array), name, ())
         if name.startswith("k"):
-            refuse_first(size == 0, name, lambda i: "is zero: an axis needs a direction")
+            refuse_first(size == 0, name, "is zero: an axis needs a direction")
             array = _unit(array)
         found.append(np.broadcast_to(array, (*batch, 3)))
     return found

@@ -127,9 +127,7 @@ def disagreement(trajectory):
     left = np.linalg.norm(moved - factor * expected) / max(np.linalg.norm(moved), 1e-300)
     if left > 0.3 or factor <= 0:
         off = np.abs((moved - expected) / steps[:, None]).max()
-        return (
-            f"The velocities are not those of the positions: they differ by up to {off:.3g} rad/s, whatever the times."
-        )
+        return f"The velocities are not those of the positions: they differ by up to {off:.3g} rad/s, at any times."
     if abs(factor - 1) < 0.1:
         return ""
     said = f"The velocities fit times that are {factor:.3g} times as far apart"
