@@ -27,9 +27,8 @@ class BatchedArm:
     Examples
     --------
     >>> from course_lib.arms import planar_arm
-    >>> arm = planar_arm([1, 1])
-    >>> batched = BatchedArm.of(arm.screw_axes, arm.home)
-    >>> _, position = batched.end_effector(np.array([[0, np.pi / 2], [0, 0]]))  # two configurations, one a column
+    >>> q = np.array([[0, np.pi / 2], [0, 0]])  # two configurations, one a column
+    >>> _, position = planar_arm([1, 1]).batched.end_effector(q)
     >>> position.round(12).T
     array([[2., 0., 0.],
            [0., 2., 0.]])

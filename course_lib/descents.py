@@ -26,10 +26,8 @@ def pose_distance(T, target):
     --------
     >>> from course_lib.rigid import transform
     >>> from course_lib.rotations import rot_z
-    >>> print(pose_distance(np.eye(4), transform(np.eye(3), [0.3, 0.4, 0])))
-    0.5
-    >>> print(pose_distance(np.eye(4), transform(rot_z(np.pi), [0, 0, 0])).round(4))
-    1.4142
+    >>> print(pose_distance(np.eye(4), transform(rot_z(np.pi), [0.3, 0.4, 0])).round(9))  # the root of 0.5^2 + 2
+    1.5
     """
     phi, p = np.split(pose_error(T, target), 2, axis=-1)
     return np.hypot(2 * np.sin(length(phi) / 4), length(p))

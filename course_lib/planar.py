@@ -140,10 +140,8 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
     ----------
     start, goal : array_like (..., k)
         Joint angles in radians, of joints without limits.
-    n, T, scaling
-        As for interpolate_body.
-    v_start, v_goal : array_like (..., k), default 0
-        Derivatives at the start and at the goal.
+    n, T, v_start, v_goal, scaling
+        As for interpolate_body, with k entries for 3.
 
     Returns
     -------

@@ -136,9 +136,7 @@ def log_so3(R):
     """Return the rotation vector of R, of length 0 to pi: the inverse of exp_so3.
 
     At exactly pi both signs of the axis are right; one of them is returned. The vector is computed from the quaternion,
-    which keeps all digits near 0 and near pi. The textbook's division by sin(angle) loses them there.
-
-    Source: MR section 3.2.3.3; eq. 3.53 is the division by sin(angle).
+    which keeps all digits near 0 and near pi. The textbook's division by sin(angle) loses them (MR eq. 3.53).
 
     Parameters
     ----------

@@ -55,8 +55,6 @@ def load(path, limits=None, velocities=None, step=None):
     ValueError
         If a column is missing or occurs twice, or a cell is not a finite number, is outside its limits, or makes time
         stand still; it names file, row and column. If one of `velocities` and `step` is given without the other.
-    OSError
-        If there is no such file.
 
     Examples
     --------
