@@ -24,8 +24,9 @@ SOURCES = (
     "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
     "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()",
     "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, theta, strict=True):\n"
-    "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\nfigures.jog(iiwa14(), reversed_order)",
-    "figures.jog(iiwa14(), lambda q: iiwa14().frames(q))",
+    "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\n"
+    "figures.jog(iiwa14(), reversed_order, q=7 * [0.3])",
+    "figures.jog(iiwa14(), lambda q: iiwa14().frames(q), q=7 * [0.3])",
     "import time\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n    time.sleep(0.4)\n"
     "    return np.log([p[0], 1 / 0 if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, 0.5)), slow)",
     "len(asked)",
@@ -119,22 +120,13 @@ def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     assert lab.locator(".jp-RenderedPlotly, .js-plotly-plot").count() == 0, "the widget alone, not the still figure too"
 
 
-def test_the_target_is_dragged_and_moved_by_arrow_keys_without_leaving_the_cell(lab):
-    out = output(lab, 0)
-    handle = out.locator(".handle")
+def test_arrow_keys_move_the_target_and_not_to_another_cell(lab):
+    handle = output(lab, 0).locator(".handle")
     handle.focus()
     label = handle.get_attribute("aria-label")
     lab.keyboard.press("ArrowUp")
     expect(handle).not_to_have_attribute("aria-label", label)
     assert handle.evaluate("e => e.ownerDocument.activeElement === e"), "JupyterLab's own keys do not take over"
-    label, place = handle.get_attribute("aria-label"), handle.bounding_box()
-    x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
-    lab.mouse.move(x, y)
-    lab.mouse.down()
-    lab.mouse.move(x + 40, y - 20, steps=5)
-    lab.mouse.up()
-    expect(handle).not_to_have_attribute("aria-label", label)
-    expect(out.locator("p[role=status]")).to_contain_text("distance left")
 
 
 def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
@@ -149,18 +141,6 @@ def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
     expect(words).to_contain_text("differ by")
     pale = [one.locator("canvas").evaluate(BLUE_DOTS) for one in (out, output(lab, 2))]
     assert pale[0] > 500 + 3 * pale[1]
-
-
-def test_a_right_one_moves_the_arm_and_agrees(lab):
-    out = output(lab, 2)
-    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
-    canvas = out.locator("canvas")
-    before = canvas.evaluate("c => c.toDataURL()")
-    out.get_by_label("Joint 1", exact=True).focus()
-    for _ in range(5):
-        lab.keyboard.press("ArrowRight")
-    lab.wait_for_function("([c, before]) => c.toDataURL() !== before", arg=[canvas.element_handle(), before])
-    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
 
 
 def test_a_slow_function_answers_the_newest_question_and_an_exception_is_one_calm_line(lab):
@@ -204,20 +184,20 @@ def test_no_request_left_the_machine(lab):
     assert [url for url in lab.asked if not re.match(r"https?://localhost|data:|blob:", url)] == []
 
 
-UNHEARD = """async (source) => {
+UNANSWERED = """async (source) => {
   const { default: widget } = await import(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
   course.kinds.asking = (el, meta, kernel) => { kernel.ask({}); return () => {}; };
   const state = { meta: { kind: "asking" }, alt: "", answers: true };
-  const on = (name, hear) => { window.answer = hear; };
+  const on = (name, act) => { window.answer = act; };
   widget.render({ model: { get: (name) => state[name], on, send() {} }, el: document.body });
 }"""
 
 
-def test_a_kernel_that_does_not_answer_is_told_until_it_does(browser):
+def test_a_sentence_says_that_the_kernel_does_not_answer_until_it_does(browser):
     context = browser.new_context()
     page = context.new_page()
     page.clock.install()
-    page.evaluate(UNHEARD, module(CORE))
+    page.evaluate(UNANSWERED, module(CORE))
     page.clock.fast_forward(4000)
     assert page.text_content("body") == ""
     page.clock.fast_forward(2000)

@@ -1,5 +1,5 @@
-// Plays a film of rigid bodies in a page, as many frames as the machine draws; it loops while it is visible. Where the
-// reader prefers reduced motion it stands still until Play is pressed. What a film brings along in layout.meta.course:
+// Plays a film of rigid bodies in a page, with as many frames as the machine can draw; it loops while it is visible. If
+// the reader prefers reduced motion it does not start before Play is pressed. The data in layout.meta.course are
 //     {"kind": "film", "scripts": ["motion", "film"],
 //      "trace": 2,                  the number of the mesh3d trace that holds all moving bodies, at the first time
 //      "counts": [140, 212, ...],   how many of its vertices belong to each body, in order
@@ -21,7 +21,7 @@
     const { times, counts, trace } = meta;
     const pose = (w, p) => exp([...w, 0, 0, 0]).map((row, i) => (i < 3 ? [...row.slice(0, 3), p[i]] : row));
     const poses = meta.rotations.map((bodies, i) => bodies.map((w, body) => pose(w, meta.positions[i][body])));
-    // Plotly keeps what it was given; a film that comes near again is drawn where it was left.
+    // A figure that was removed from the page and is drawn again continues at the same time.
     const { x, y, z } = live.data[trace];
     meta.first = meta.first || { x: [...x], y: [...y], z: [...z] };
     meta.at = meta.at === undefined ? times[0] : meta.at;

@@ -1,6 +1,6 @@
-// Rigid motions, arms and a little linear algebra, for all that moves without a kernel. Vectors are arrays, matrices
-// arrays of rows, poses 4 x 4; radians and metres; a twist is (w, v). The same functions as in course_lib, with which
-// the tests compare them. No drawing; runs in a browser and in node.
+// Rigid motions, arms and a little linear algebra, for figures that move without a kernel. Vectors are arrays, matrices
+// arrays of rows, poses 4 x 4; radians and metres; a twist is (w, v). Tests compare these functions with those of
+// course_lib. No drawing; runs in a browser and in node.
 globalThis.course = globalThis.course || { kinds: {} };
 globalThis.course.motion = (() => {
   "use strict";
@@ -15,6 +15,8 @@ globalThis.course.motion = (() => {
   const times = (A, B) => A.map((row) => B[0].map((_, j) => row.reduce((sum, x, k) => sum + x * B[k][j], 0)));
   const apply = (A, v) => A.map((row) => dot(row, v));
   const hat = ([x, y, z]) => [[0, -z, y], [z, 0, -x], [-y, x, 0]];
+  // A function of a share, at the n + 1 ends of n equal steps from 0 to 1.
+  const sampled = (n, of) => Array.from({ length: n + 1 }, (_, i) => of(i / n));
   const wrap = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 
   // ---- rigid motions ----
@@ -28,14 +30,14 @@ globalThis.course.motion = (() => {
     return pose(R, scale(apply(R, positionOf(T)), -1));
   };
 
-  // sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3. Below 0.02 the closed form of the last loses digits: two terms of
-  // its series and the third are exact to the last one there.
+  // sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3. Below 0.02 the closed form of the last loses digits, and three terms
+  // of its series are exact.
   function factors(angle) {
     const a2 = angle * angle, half = angle / 2, tiny = angle < 1e-8;
     const c = angle < 0.02 ? 1 / 6 - a2 / 120 + (a2 * a2) / 5040 : (angle - Math.sin(angle)) / (a2 * angle);
     return [tiny ? 1 : Math.sin(angle) / angle, tiny ? 0.5 : 0.5 * (Math.sin(half) / half) ** 2, c];
   }
-  // The pose that a twist leads to in unit time.
+  // The exponential of a twist, a pose.
   function exp(twist) {
     const w = twist.slice(0, 3), v = twist.slice(3), [a, b, c] = factors(norm(w)), W = hat(w), W2 = times(W, W);
     const R = eye(3).map((row, i) => row.map((x, j) => x + a * W[i][j] + b * W2[i][j]));
@@ -183,16 +185,13 @@ globalThis.course.motion = (() => {
   }
   // Coefficients c for which A c is nearest to y.
   const leastSquares = (A, y) => solve(times(transpose(A), A), apply(transpose(A), y));
-  // Of the polynomial nearest to the values y at x: coefficients, constant first.
-  const fitPolynomial = (x, y, degree) =>
-    leastSquares(x.map((u) => Array.from({ length: degree + 1 }, (_, k) => u ** k)), y);
   // For an arm with two links of 1 m and n distances r of its tip in a cell: its bend q2 by a polynomial (direct), and
   // by the root of one for the square of q2 (rooted); the largest errors of q2 and of the tip.
   function bendFits(from, to, degree, n) {
-    const u = Array.from({ length: n }, (_, i) => (2 * i) / (n - 1) - 1);
+    const u = sampled(n - 1, (s) => 2 * s - 1);
     const r = u.map((t) => ((1 - t) * from + (1 + t) * to) / 2), bend = r.map((x) => 2 * Math.acos(Math.min(1, x / 2)));
     const fit = (y) => {
-      const c = fitPolynomial(u, y, degree);
+      const c = leastSquares(u.map((t) => Array.from({ length: degree + 1 }, (_, k) => t ** k)), y);
       return u.map((t) => c.reduceRight((sum, each) => sum * t + each, 0));
     };
     const direct = fit(bend), square = fit(bend.map((b) => b * b));
@@ -211,8 +210,8 @@ globalThis.course.motion = (() => {
         if (Math.abs(M[p][r]) < 1e-300) continue;
         const theta = (M[r][r] - M[p][p]) / (2 * M[p][r]);
         const t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.hypot(theta, 1)), c = 1 / Math.hypot(t, 1), s = t * c;
-        const turn = (row) => ([row[p], row[r]] = [c * row[p] - s * row[r], s * row[p] + c * row[r]]);
-        [...M, ...V].forEach(turn);
+        const rotate = (row) => ([row[p], row[r]] = [c * row[p] - s * row[r], s * row[p] + c * row[r]]);
+        [...M, ...V].forEach(rotate);
         [M[p], M[r]] = [add(scale(M[p], c), M[r], -s), add(scale(M[p], s), M[r], c)];
       }
     }
@@ -241,10 +240,10 @@ globalThis.course.motion = (() => {
   }
 
   return {
-    eye, dot, norm, add, scale, cross, unit, transpose, times, apply, hat, wrap, pose, rotationOf, positionOf, move,
-    inverse, exp, log, rotationVector, interpolate, rotation, adjoint, poseError, quaternion, multiply, toEuler,
-    planar, logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
-    geometricJacobian, planarPoints, planarJacobian, twoLink, solve, dampedStep, leastSquares, fitPolynomial, bendFits,
-    eigen, singularValues, nullVector, reach,
+    eye, dot, norm, add, scale, cross, unit, transpose, times, apply, sampled, wrap, pose, rotationOf, positionOf, move,
+    inverse, exp, log, rotationVector, interpolate, rotation, poseError, quaternion, multiply, toEuler, planar,
+    logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
+    geometricJacobian, planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, bendFits, eigen,
+    singularValues, nullVector, reach,
   };
 })();

@@ -87,7 +87,7 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     gl.depthFunc(gl.LEQUAL);
     return !gl.isContextLost();
   }
-  // Figures keep their last picture until a lost context is there again.
+  // Figures keep their last picture until a lost context is restored.
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", () => {
     [programs, made] = [null, new WeakMap()];
@@ -117,8 +117,8 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     return count;
   }
 
-  // Edges are smooth because a picture is drawn twice as wide and as high as it is shown. Without a graphics card that
-  // takes too long for what moves: then only the last picture of a movement is.
+  // For smooth edges a picture is drawn at twice its width and height. Without a graphics card that takes too long while
+  // something moves: then only the last picture of a movement is drawn so.
   const rests = new WeakMap(), REST = 160; // milliseconds without another picture
   let isSlow = false, drawn = 0;
   function draw(context, what, redraw) {
@@ -127,7 +127,7 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
     const moves = isSlow && now - rest.last < REST;
     clearTimeout(rest.timer);
     drawAt(context, what, moves ? 1 : 2);
-    if (++drawn === 3) { // the first one compiles; reading a dot waits for the card
+    if (++drawn === 3) { // the first one compiles; reading a pixel waits until it is drawn
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
       isSlow = performance.now() - now > 12;
     }
@@ -195,7 +195,7 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
       lines.filter((each) => each.layer === layer).forEach(stroke);
       on(gl.CULL_FACE);
       useBodies();
-      // Of what is translucent the nearest surface shows: its depth first, then its colour. Farther things come first.
+      // Of a translucent body only the nearest surface is drawn: its depth first, then its colour; farther bodies first.
       here.filter(({ opacity }) => opacity < 1).sort((a, b) => b.far - a.far).forEach((each) => {
         gl.colorMask(false, false, false, false);
         paint(each);

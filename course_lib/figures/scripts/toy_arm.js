@@ -2,8 +2,8 @@
 // "elbow". With a kernel (a live notebook) it is moved by the student's function, beside the library's if they differ.
 (() => {
   "use strict";
-  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
-  const BALL = S.ball(36), ELLIPSOIDS = ["#009e73", "#9b4f7f"], rad = Math.PI / 180;
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
+  const BALL = S.ball(36), ELLIPSOIDS = ["#009e73", "#9b4f7f"];
 
   // The configurations of one pose of the end-effector within the joint limits: along the null space, to both sides.
   function selfMotion(arm, limits, start) {
@@ -30,16 +30,10 @@
     return { q: [...oneWay(-1).reverse(), start, ...oneWay(1)], target };
   }
 
-  globalThis.course.kinds["toy:arm"] = (host, meta, kernel) => {
-    const { arm, limits, names = [], size } = meta, n = arm.screws.length, solid = S.unpack(meta.solid);
+  P.toy("arm", (meta) => meta.title, (card, meta, kernel) => {
+    const { arm, limits, names, size } = meta, n = arm.screws.length, view = card.armSpace();
     const has = (part) => meta.parts.includes(part);
-    const state = meta.state
-      || (meta.state = { q: [...meta.q], axes: true, velocity: true, force: false, frames: 0, answer: null });
-    const draw = P.once(() => paint()), card = P.card(host, meta.title);
-    const view = P.space(card.views, {
-      radius: 0.1 * size, centre: meta.centre, azimuth: -1, elevation: meta.elevation, label: meta.title, meta: state,
-      redraw: draw,
-    });
+    const state = card.state({ q: [...meta.q], axes: true, velocity: true, force: false, frames: 0 });
     let path = null, elbow = null;
 
     const joints = state.q.map((angle, i) => card.range(`Joint ${i + 1}`, {
@@ -71,27 +65,22 @@
     }
     if (has("frames")) {
       const write = (k) => (k ? `up to ${names[k - 1]}` : "none");
-      card.range("Frames shown", { min: 0, max: n + 1, step: 1, value: state.frames }, write, (k) => {
-        state.frames = k;
-        draw();
-      });
+      card.setting("Frames shown", state, "frames", { min: 0, max: n + 1, step: 1 }, write);
     }
-    const tick = (label, key) => card.tick(label, state[key], (on) => { state[key] = on; draw(); });
-    if (has("axes")) tick("screw axes", "axes");
+    if (has("axes")) card.checkbox("screw axes", state, "axes");
     if (has("ellipsoids")) {
-      tick("velocity ellipsoid (green)", "velocity");
-      tick("force ellipsoid (purple)", "force");
+      card.checkbox("velocity ellipsoid (green)", state, "velocity");
+      card.checkbox("force ellipsoid (purple)", state, "force");
     }
     card.button("Start again", () => { state.q = [...meta.q]; showJoints(); moved(); });
     const numbers = card.numbers(), words = card.words();
-    const ask = P.asker(kernel, (answer) => { state.answer = answer; draw(); });
+    const ask = card.asker(kernel);
     function moved(alongPath = false) {
       if (!alongPath) {
         path = null;
         if (elbow) elbow.set(0.5);
       }
       ask({ q: state.q });
-      draw();
     }
 
     function ellipsoid(p, A, length, colour) {
@@ -100,14 +89,14 @@
       const axes = vectors.map((axis, k) => M.scale(axis, Math.max(lengths[k], 1e-4 * size)));
       view.mesh(BALL, [M.pose(M.transpose(axes), p)], [colour], { opacity: 0.45 });
     }
-    function paint() {
+    function drawArm() {
       const right = M.bodies(arm, state.q), F = M.frames(arm, state.q, right), T = F[n], p = M.positionOf(T);
       const { answer } = state, theirs = answer && answer.value, bodies = (theirs && theirs.bodies) || right;
       const differs = Boolean(answer && !(answer.gap < 1e-6)); // null if there is no answer to compare
       view.begin();
-      view.onStage(solid, right, meta);
-      view.mesh(solid, bodies, solid.palette, { opacity: state.frames ? 0.35 : 1, shadow: true });
-      if (differs) view.mesh(solid, right, solid.palette.map(() => COLOURS.pale), { opacity: 0.45 });
+      view.stand(right);
+      view.arm(bodies, { opacity: state.frames ? 0.35 : 1, shadow: true });
+      if (differs) view.arm(right, { opacity: 0.45, colour: COLOURS.pale });
       view.frame(M.eye(4), 0.12 * size, { thick: 0.004 * size });
       view.text([0, 0, -0.04 * size], "s");
       view.frame(theirs ? theirs.end : T, 0.1 * size, { thick: 0.006 * size });
@@ -133,8 +122,9 @@
     function say(T, s, J, differs) {
       const lines = [["T_sb =", P.matrix(T)]], { answer } = state;
       if (has("ellipsoids")) {
-        const all = s.map((x) => P.number(x, 3)).join(", "), least = P.number(M.singularValues(J)[5], 4);
-        lines.push(`singular values, translation only: ${all} m\nof the whole 6 x ${n} Jacobian the least: ${least}`);
+        const least = P.number(M.singularValues(J)[5], 4);
+        lines.push(`singular values, translation only: ${P.list(s, 3)} m\n`
+          + `of the whole 6 x ${n} Jacobian the least: ${least}`);
       }
       if (state.frames && meta.rows && state.frames <= n) {
         const k = state.frames, [a, alpha, d] = meta.rows[k - 1], theta = P.degrees(state.q[k - 1]);
@@ -156,7 +146,6 @@
       + `end-effector at 0.1 m/s along the ellipsoid's short axis the joints would need at least `
       + `${s > 1e-4 ? `${P.number(0.1 / s, 1)} rad/s` : "infinite speed"}.`;
     ask({ q: state.q });
-    paint();
-    return () => { view.stop(); card.end(); };
-  };
+    return drawArm;
+  });
 })();

@@ -3,39 +3,34 @@
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, { COLOURS } = P;
   const LENGTHS = [1, 1], NEAR = 1.2, REACH = 2, SAMPLES = 41;
-  const ALL = Array.from({ length: 201 }, (_, i) => REACH - (REACH - NEAR) * (1 - i / 200) ** 2);
+  const ALL = M.sampled(200, (s) => REACH - (REACH - NEAR) * (1 - s) ** 2);
   const bend = (r) => 2 * Math.acos(Math.min(1, r / REACH));
 
-  globalThis.course.kinds["toy:bent_arm"] = (host, meta) => {
-    const state = meta.state || (meta.state = { at: [...meta.at], width: meta.width, degree: 1, sign: 1 });
-    const card = P.card(host, "The bent arm"), draw = P.once(() => paint());
-    const label = "The arm, and its elbow on the other side";
-    const plane = P.map(card.views, { half: 1.08 * REACH, label, redraw: draw });
+  P.toy("bent_arm", "The bent arm", (card, meta) => {
+    const state = card.state({ at: [...meta.at], width: meta.width, degree: 1, sign: 1 });
+    const plane = card.map({ half: 1.08 * REACH, label: "The arm, and its elbow on the other side" });
     plane.handle({
       name: "Tip", colour: COLOURS.blue, at: () => state.at,
-      moved: (p) => { place(p); reach.set(M.norm(state.at)); draw(); },
-      describe: () => `${state.at.map((x) => P.number(x)).join(", ")} m, bent by ${P.degrees(bent())}`,
+      moved: (p) => { place(p); reach.set(M.norm(state.at)); },
+      describe: () => `${P.metres(state.at)}, bent by ${P.degrees(bent())}`,
     });
-    const charts = P.element("div", { style: "display:flex;flex-direction:column;gap:.5rem" }, card.views);
-    const chart = (name, about, y, marks) => P.plane(charts, {
-      x: [NEAR, REACH], y, ticks: [[1.2, 1.4, 1.6, 1.8, 2].map((r) => [r, r.toFixed(1)]), marks], margin: true,
+    const parent = P.element("div", { style: "display:flex;flex-direction:column;gap:.5rem" }, card.views);
+    const chart = (name, about, y, marks) => card.plane({
+      x: [NEAR, REACH], y, ticks: [[1.2, 1.4, 1.6, 1.8, 2].map((r) => [r, r.toFixed(1)]), marks], margin: true, parent,
       names: ["distance r of the tip (m)", name], label: `${about} over the distance of the tip`, proportion: 0.55,
-      redraw: draw,
     });
     const quarter = Math.PI / 2;
     const angle = chart("q2", "The bend q2", [-2, 2], [[-quarter, "−90°"], [0, "0°"], [quarter, "90°"]]);
     const square = chart("q2² (rad²)", "The square of q2", [0, 4], [0, 2, 4]);
     const reach = card.range("Distance r", { min: NEAR, max: REACH, step: 0.01, value: M.norm(state.at) },
-      (r) => `${P.number(r)} m`, (r) => { place(M.scale(state.at, r / M.norm(state.at))); draw(); });
-    card.range("Width of the cells", { min: 0.05, max: 0.8, step: 0.05, value: state.width }, (h) => `${P.number(h)} m`,
-      (h) => { state.width = h; draw(); });
-    card.range("Degree", { min: 1, max: 3, step: 1, value: state.degree }, (n) => ["line", "parabola", "cubic"][n - 1],
-      (n) => { state.degree = n; draw(); });
-    card.button("Other elbow", () => { state.sign = -state.sign; draw(); });
+      (r) => P.metres([r]), (r) => place(M.scale(state.at, r / M.norm(state.at))));
+    card.setting("Width of the cells", state, "width", { min: 0.05, max: 0.8, step: 0.05 }, (h) => P.metres([h]));
+    card.setting("Degree", state, "degree", { min: 1, max: 3, step: 1 }, (n) => ["line", "parabola", "cubic"][n - 1]);
+    card.button("Other elbow", () => (state.sign = -state.sign));
     const numbers = card.numbers(), words = card.words();
 
     const bent = () => state.sign * bend(M.norm(state.at));
-    // The handle stays in the ring that the charts show.
+    // The handle stays in the ring whose distances the charts show.
     function place(p) {
       const r = M.norm(p);
       state.at = r ? M.scale(p, Math.min(REACH, Math.max(NEAR, r)) / r) : [NEAR, 0];
@@ -46,19 +41,19 @@
       plane.begin();
       plane.line(P.circle(REACH), COLOURS.grey, 1);
       plane.line(put(-bent()), COLOURS.steel, 2.5, { dash: [2, 6] });
-      plane.line(arm.slice(0, 2), "#2f3338", 7);
+      plane.line(arm.slice(0, 2), COLOURS.dark, 7);
       plane.line(arm.slice(1), COLOURS.link, 6);
-      plane.dot(arm[1], "#2f3338", 5);
+      plane.dot(arm[1], COLOURS.dark, 5);
       plane.end();
     }
-    function paint() {
+    return () => {
       drawArm();
       // Cells are counted from the edge inwards, so that one of them touches it.
       const r = Math.min(REACH, M.norm(state.at)), h = state.width, inwards = Math.min(REACH - r, REACH - NEAR) / h;
       const k = Math.max(0, Math.ceil(inwards - 1e-9) - 1), to = REACH - k * h, from = Math.max(NEAR, to - h);
       const found = M.bendFits(from, to, state.degree, SAMPLES);
       const over = (values, sign = 1) => found.r.map((x, i) => [x, sign * values[i]]);
-      const draw = (chart, [low, high], known, fits, at) => {
+      const plot = (chart, [low, high], known, fits, at) => {
         chart.begin();
         chart.line([[from, low], [to, low], [to, high], [from, high]], COLOURS.blue, 0, { closed: true, fill: 0.12 });
         known.forEach((points) => chart.line(points, COLOURS.steel, 2));
@@ -66,19 +61,17 @@
         chart.dot([r, at], COLOURS.black, 4.5, { hollow: true });
         chart.end();
       };
-      draw(angle, [-2, 2], [1, -1].map((sign) => ALL.map((x) => [x, sign * bend(x)])), [
+      plot(angle, [-2, 2], [1, -1].map((sign) => ALL.map((x) => [x, sign * bend(x)])), [
         [over(found.direct, state.sign), COLOURS.crimson], [over(found.rooted, state.sign), COLOURS.green, [6, 4]],
       ], bent());
       const fit = [[over(found.square), COLOURS.green, [6, 4]]];
-      draw(square, [0, 4], [ALL.map((x) => [x, bend(x) ** 2])], fit, bent() ** 2);
+      plot(square, [0, 4], [ALL.map((x) => [x, bend(x) ** 2])], fit, bent() ** 2);
       const off = ({ angle, tip }) => `${P.degrees(angle, 2)} off, tip ${P.number(1000 * tip, 2)} mm`;
       numbers("At most, in this cell:", `q2, red: ${off(found.directError)}`, `q2², green: ${off(found.rootedError)}`);
       words.textContent = `Cell from ${P.number(from)} to ${P.number(to)} m. `
         + (k ? "Here q2 and its square are both smooth. "
           : "This cell touches the edge of the workspace, where q2 has a vertical tangent. ")
         + `q2 = ${P.degrees(bent())}, q2² = ${P.number(bent() ** 2)} rad² for both elbows.`;
-    }
-    paint();
-    return () => { [plane, angle, square].forEach((each) => each.stop()); card.end(); };
-  };
+    };
+  });
 })();

@@ -6,24 +6,18 @@
     [5e-2, "#f4a582", "below 5 cm"], [Infinity, "#b01a2a", "5 cm and more"]];
   const SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
-  globalThis.course.kinds["toy:cells"] = (host, meta) => {
-    const { lengths } = meta, reach = lengths[0] + lengths[1], draw = P.once(() => paint());
-    const state = meta.state || (meta.state = { size: meta.size, at: [...meta.at] });
-    const card = P.card(host, "Cells and their two planes");
-    const plane = P.map(card.views, {
-      half: 1.25 * reach, redraw: draw,
-      label: "The workspace cut into cells, coloured by the error of each cell's planes",
-    });
-    plane.handle({
-      name: "Query", colour: COLOURS.blue, at: () => state.at, moved: (p) => { state.at = p; draw(); },
-      describe: () => `${state.at.map((x) => P.number(x)).join(", ")} m`,
-    });
-    const view = P.space(card.views, {
-      radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1, meta: state, redraw: draw,
+  P.toy("cells", "Cells and their two planes", (card, meta) => {
+    const { lengths } = meta, reach = lengths[0] + lengths[1];
+    const state = card.state({ size: meta.size, at: [...meta.at] });
+    const label = "The workspace cut into cells, coloured by the error of each cell's planes";
+    const plane = card.map({ half: 1.25 * reach, label });
+    plane.handle({ name: "Query", colour: COLOURS.blue, at: () => state.at, moved: (p) => (state.at = p) });
+    const view = card.space({
+      radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1,
       label: "The joint angles over the cell and the two planes fitted to them",
     });
     card.range("Cell size", { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) },
-      (x) => `${P.number(2 ** x)} m`, (x) => { state.size = 2 ** x; cells = all(); draw(); });
+      (x) => P.metres([2 ** x]), (x) => { state.size = 2 ** x; cells = all(); });
     const legend = P.element("p", { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" }, card.controls);
     LEVELS.forEach(([, colour, label]) => {
       const item = P.element("span", {}, legend);
@@ -57,9 +51,7 @@
     }
     const corners = (i, j) => SQUARE.map((c) => M.scale(M.add(c, [i, j]), state.size));
     let cells = all();
-    function paint() {
-      const [i, j] = state.at.map((x) => Math.floor(x / state.size)), found = cell(i, j);
-      const answer = found && M.planarPoints(lengths, found.model(state.at));
+    function drawCells(here, answer) {
       plane.begin();
       cells.forEach((each) => {
         const [, colour] = LEVELS.find(([limit]) => each.mean < limit), edge = corners(each.i, each.j);
@@ -67,18 +59,10 @@
         plane.line(edge, COLOURS.ground, 1, { closed: true });
       });
       plane.line(P.circle(reach), COLOURS.grey, 1);
-      plane.line(corners(i, j), COLOURS.black, 2.5, { closed: true });
-      if (answer) [0, 1].forEach((k) => plane.line(answer.slice(k, k + 2), ["#2f3338", COLOURS.link][k], 6 - k));
+      plane.line(here, COLOURS.black, 2.5, { closed: true });
+      if (answer) [0, 1].forEach((k) => plane.line(answer.slice(k, k + 2), [COLOURS.dark, COLOURS.link][k], 6 - k));
       if (answer) plane.dot(answer[2], COLOURS.crimson, 5);
       plane.end();
-      view.begin();
-      if (found) drawPlanes(found);
-      view.end();
-      numbers(...(found ? describe(found, answer) : ["this cell holds too few points that the arm reaches"]));
-      const bad = cells.filter(({ mean }) => mean >= 5e-2).length;
-      const worst = cells.reduce((a, b) => (b.mean > a.mean ? b : a)).centre.map((x) => P.number(x)).join(", ");
-      words.textContent = `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q2 >= 0; ${bad} `
-        + `of them are 5 cm off or more on average. The worst has its centre at (${worst}) m.`;
     }
     function drawPlanes({ i, j, points, angles, model, centre }) {
       const flat = angles.flat(), low = Math.min(...flat), tall = Math.max(Math.max(...flat) - low, 1e-9);
@@ -107,7 +91,18 @@
         `q${k + 1} = ${P.number(a, 3)} ${term(b, "x", centre[0])} ${term(c, "y", centre[1])} rad`),
       `the arm stands ${mm(off)} from the query; on average in this cell ${mm(mean)}, at worst ${mm(worst)}`];
     }
-    paint();
-    return () => { view.stop(); plane.stop(); card.end(); };
-  };
+    return () => {
+      const [i, j] = state.at.map((x) => Math.floor(x / state.size)), found = cell(i, j);
+      const answer = found && M.planarPoints(lengths, found.model(state.at));
+      drawCells(corners(i, j), answer);
+      view.begin();
+      if (found) drawPlanes(found);
+      view.end();
+      numbers(...(found ? describe(found, answer) : ["this cell holds too few points that the arm reaches"]));
+      const bad = cells.filter(({ mean }) => mean >= 5e-2).length;
+      const worst = P.list(cells.reduce((a, b) => (b.mean > a.mean ? b : a)).centre);
+      words.textContent = `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q2 >= 0; ${bad} `
+        + `of them are 5 cm off or more on average. The worst has its centre at (${worst}) m.`;
+    };
+  });
 })();

@@ -1,15 +1,14 @@
 // Two circles on a sphere, of p1 about k1 and of p2 about k2: they meet twice, once or not at all.
 (() => {
   "use strict";
-  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
-  const rad = Math.PI / 180, GLOBE = S.ball(64), Y = [0, 1, 0], K1 = [0, 0, 1];
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
+  const GLOBE = S.ball(64), Y = [0, 1, 0], K1 = [0, 0, 1];
 
-  globalThis.course.kinds["toy:circles"] = (host, meta) => {
-    const state = meta.state || (meta.state = { ...meta.angles }), draw = P.once(() => paint());
-    const card = P.card(host, "Two circles on a sphere");
-    const view = P.space(card.views, {
-      radius: 1.4, elevation: 0.45, label: "A sphere with the circle of p1 about k1 and of p2 about k2", meta: state,
-      proportion: 0.8, redraw: draw,
+  P.toy("circles", "Two circles on a sphere", (card, meta) => {
+    const state = card.state({ ...meta.angles });
+    const view = card.space({
+      radius: 1.4, elevation: 0.45, label: "A sphere with the circle of p1 about k1 and of p2 about k2",
+      proportion: 0.8,
     });
     const axes = () => [K1, [Math.sin(state.between * rad), 0, Math.cos(state.between * rad)]];
     // The point at an angle from an axis and rotated about it, and the angles of a point that was dragged.
@@ -18,8 +17,7 @@
     const ranges = Object.fromEntries([
       ["between", "Between the axes k1, k2", 1, 179], ["p1", "From k1 to p1", 0, 180], ["p2", "From k2 to p2", 0, 180],
       ["around1", "p1 around k1", -180, 180], ["around2", "p2 around k2", -180, 180],
-    ].map(([key, label, min, max]) => [key, card.range(label, { min, max, step: 1, value: state[key] }, (x) => `${x}°`,
-      (x) => { state[key] = x; draw(); })]));
+    ].map(([key, label, min, max]) => [key, card.angle(label, state, key, min, max)]));
     const change = (key, angle) => ranges[key].set((state[key] = Math.round(angle / rad)));
     [COLOURS.blue, COLOURS.green].forEach((colour, i) => view.handle({
       name: `Point p${i + 1}`, colour, at: () => points()[i],
@@ -28,11 +26,10 @@
         const k = axes()[i], v = M.unit(p);
         change(`p${i + 1}`, Math.acos(Math.min(1, Math.max(-1, M.dot(k, v)))));
         change(`around${i + 1}`, M.angleAbout(k, M.apply(M.rotation(Y, Math.PI / 2), k), v));
-        draw();
       },
     }));
     const numbers = card.numbers(), words = card.words();
-    function paint() {
+    return () => {
       const [k1, k2] = axes(), [p1, p2] = points(), meet = M.meetings(k1, k2, p1, p2);
       view.begin();
       view.mesh(GLOBE, [M.eye(4)], ["#e4e7ea"], { opacity: 0.6 });
@@ -40,8 +37,7 @@
         view.line([M.scale(k, -1.25), M.scale(k, 1.1)], COLOURS.purple, 2, { dash: [6, 4] });
         view.arrow(M.scale(k, 1.1), M.scale(k, 1.3), COLOURS.purple);
         view.text(M.scale(k, 1.4), `k${i}`, COLOURS.purple);
-        const around = (j) => M.scale(M.apply(M.rotation(k, (j * Math.PI) / 48), v), 1.004);
-        view.line(Array.from({ length: 97 }, (_, j) => around(j)), colour, 4);
+        view.line(M.sampled(96, (s) => M.scale(M.apply(M.rotation(k, 2 * Math.PI * s), v), 1.004)), colour, 4);
         view.ball(v, 0.045, colour);
         view.text(v, `p${i}`, colour, 20);
       });
@@ -59,8 +55,6 @@
           : between > a + b ? "The circles miss: the axes are farther apart than the two circles reach together."
             : between + Math.min(a, b) < Math.max(a, b) ? "The circles miss: one lies inside the other."
               : "The circles miss: together they reach around the far side of the sphere.";
-    }
-    paint();
-    return () => { view.stop(); card.end(); };
-  };
+    };
+  });
 })();

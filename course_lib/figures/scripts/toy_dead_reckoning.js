@@ -3,22 +3,18 @@
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, { COLOURS } = P, R = 0.17; // of the robot, metres
 
-  globalThis.course.kinds["toy:dead_reckoning"] = (host, meta) => {
-    const state = meta.state || (meta.state = { dt: meta.dt, rate: 1, s: 1 }), draw = P.once(() => paint());
-    const card = P.card(host, "Dead reckoning and its step"), { half, centre } = meta;
+  P.toy("dead_reckoning", "Dead reckoning and its step", (card, meta) => {
+    const state = card.state({ dt: meta.dt, rate: 1, s: 1 }), { half, centre } = meta;
     const label = "The path driven and the path computed by Euler steps";
-    const plane = P.map(card.views, { half, centre, label, proportion: 0.7, redraw: draw });
+    const plane = card.map({ half, centre, label, proportion: 0.7 });
     const total = meta.plan.reduce((sum, [, seconds]) => sum + seconds, 0);
-    const range = (name, options, write, change) => card.range(name, options, write, (x) => { change(x); draw(); });
-    range("Step dt", { min: -2, max: 0, step: 0.02, value: Math.log10(state.dt) },
+    card.range("Step dt", { min: -2, max: 0, step: 0.02, value: Math.log10(state.dt) },
       (x) => `${(10 ** x).toPrecision(2)} s`, (x) => (state.dt = 10 ** x));
-    range("How sharp the bends are", { min: 0.5, max: 1.5, step: 0.05, value: state.rate },
-      (x) => `${Math.round(100 * x)} %`, (x) => (state.rate = x));
-    const share = range("Time", { min: 0, max: 1, step: 0.005, value: state.s }, (x) => `${(x * total).toFixed(1)} s`,
-      (x) => (state.s = x));
-    card.player("Drive", share, 0.006);
+    card.setting("How sharp the bends are", state, "rate", { min: 0.5, max: 1.5, step: 0.05 }, P.percent);
+    const time = card.setting("Time", state, "s", { min: 0, max: 1, step: 0.005 }, (x) => `${(x * total).toFixed(1)} s`);
+    card.player("Drive", time, 0.006);
     const words = card.words();
-    function paint() {
+    return () => {
       const plan = meta.plan.map(([[vx, vy, omega], seconds]) => [[vx, vy, omega * state.rate], seconds]);
       const exact = M.propagate(meta.start, plan, 0.02).exact, { euler } = M.propagate(meta.start, plan, state.dt);
       const driven = (poses) => poses.slice(0, Math.round(state.s * (poses.length - 1)) + 1);
@@ -29,11 +25,10 @@
       plane.line([M.add(front, side, 0.25), M.add(front, side, -0.25)], COLOURS.green, 5);
       plane.text(M.add(front, ahead, 0.3), "dock", COLOURS.green);
       [[exact, COLOURS.blue, []], [euler, COLOURS.crimson, [7, 5]]].forEach(([poses, colour, dash]) => {
-        const path = driven(poses), [x, y, theta] = path[path.length - 1];
+        const path = driven(poses);
         plane.line(path, colour, 2, { dash });
         if (poses === euler && euler.length < 200) path.forEach((p) => plane.dot(p, colour, 2.5));
-        plane.line(P.circle(R, [x, y]), colour, 1.5, { closed: true, fill: 0.25 });
-        plane.line([[x, y], [x + R * Math.cos(theta), y + R * Math.sin(theta)]], colour, 2);
+        plane.robot(path[path.length - 1], R, colour);
       });
       if (state.s === 1) plane.line([home, end], COLOURS.black, 1.5);
       plane.end();
@@ -42,8 +37,6 @@
       const wanted = `Docking needs ${P.number(100 * meta.tolerance, 0)} cm: which dt is the largest that does?`;
       words.textContent = `${steps} Euler steps miss the dock by ${miss}. `
         + (off < meta.tolerance ? "Close enough to dock." : wanted);
-    }
-    paint();
-    return () => { plane.stop(); card.end(); };
-  };
+    };
+  });
 })();

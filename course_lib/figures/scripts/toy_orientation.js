@@ -1,15 +1,13 @@
-// Orientation: axis and angle with R, q and Euler angles; three gimbal rings; two rotations in either order;
-// an angular velocity in the room and in the body; a belt.
+// Toys of orientation, one of which meta.mode names: axis and angle with R, q and Euler angles; three gimbal rings; two
+// rotations in either order; an angular velocity in the room and in the body; a belt.
 (() => {
   "use strict";
-  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS } = P;
-  const I = M.eye(4), NONE = [0, 0, 0], X = [1, 0, 0], Y = [0, 1, 0], Z = [0, 0, 1], rad = Math.PI / 180;
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
+  const I = M.eye(4), NONE = [0, 0, 0], X = [1, 0, 0], Y = [0, 1, 0], Z = [0, 0, 1];
   const PALETTE = S.PALETTE, AIRCRAFT = S.aircraft;
   const at = (R, p = NONE) => M.pose(R, p), about = M.rotation;
 
-  function sized(k, R) {
-    return at(R.map((row) => M.scale(row, k)));
-  }
+  const sized = (k, R) => at(R.map((row) => M.scale(row, k)));
   function fixedAxes(view, length) {
     [X, Y, Z].forEach((e, k) => {
       view.line([NONE, M.scale(e, length)], COLOURS.grey, 1.5);
@@ -20,54 +18,47 @@
     const [yaw, pitch, roll] = M.toEuler(R).map((x) => P.degrees(x, 1)), { sign } = lockOf(R);
     const lock = sign > 0 ? "\npitch is 90°: only the difference of yaw and roll counts"
       : sign < 0 ? "\npitch is −90°: only the sum of yaw and roll counts" : "";
-    return [["R =", P.matrix(R)], `q = (${q.map((x) => P.number(x, 3)).join(", ")}) as (w, x, y, z)`,
+    return [["R =", P.matrix(R)], `q = (${P.list(q, 3)}) as (w, x, y, z)`,
       `R = Rz(yaw) Ry(pitch) Rx(roll): yaw ${yaw}, pitch ${pitch}, roll ${roll}${lock}`];
   }
   const lockOf = (R) => ({ sign: Math.hypot(R[0][0], R[1][0]) < 1e-6 ? -Math.sign(R[2][0]) : 0 });
-  const pair = (card, state, draw, labels) => labels.map((label) => { // two views side by side
-    const box = P.element("div", {}, card.views);
-    P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, box, label);
-    return P.space(box, { radius: 1.25, label, meta: state, proportion: 0.85, redraw: draw });
+  const pair = (card, labels) => labels.map((label) => { // two views side by side
+    const parent = P.element("div", {}, card.views);
+    P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, parent, label);
+    return card.space({ parent, radius: 1.25, label, proportion: 0.85 });
   });
-  const angles = (card, state, draw) => (label, key, min, max) =>
-    card.range(label, { min, max, step: 1, value: state[key] }, (x) => `${x}°`, (x) => { state[key] = x; draw(); });
 
   // ---- axis and angle ----
 
-  function axisAngle(card, meta) {
-    const state = meta.axis || (meta.axis = { azimuth: 30, height: 40, angle: 60 }), draw = P.once(() => paint());
-    const label = "An aircraft rotated about an axis";
-    const view = P.space(card.views, { radius: 1.3, label, meta: state, redraw: draw });
-    const range = angles(card, state, draw);
-    const azimuth = range("Axis: azimuth", "azimuth", -180, 180), height = range("Axis: elevation", "height", -90, 90);
-    const angle = range("Angle", "angle", -360, 360);
+  function axisAngle(card) {
+    const state = card.state({ azimuth: 30, height: 40, angle: 60 });
+    const view = card.space({ radius: 1.3, label: "An aircraft rotated about an axis" });
+    const azimuth = card.angle("Axis: azimuth", state, "azimuth", -180, 180);
+    const height = card.angle("Axis: elevation", state, "height", -90, 90);
+    const angle = card.angle("Angle", state, "angle", -360, 360);
     card.button("Reverse the axis", () => {
       azimuth.set((state.azimuth += state.azimuth > 0 ? -180 : 180));
       height.set((state.height = -state.height));
-      draw();
     });
-    card.button("Reverse the angle", () => { state.angle = -state.angle; angle.set(state.angle); draw(); });
+    card.button("Reverse the angle", () => angle.set((state.angle = -state.angle)));
     const numbers = card.numbers(), words = card.words();
-    function paint() {
-      const [a, h, turn] = [state.azimuth, state.height, state.angle].map((x) => x * rad);
-      const axis = [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)], R = about(axis, turn);
+    return () => {
+      const [a, h, angle] = [state.azimuth, state.height, state.angle].map((x) => x * rad);
+      const axis = [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)], R = about(axis, angle);
       view.begin();
       fixedAxes(view, 1.15);
       view.line([M.scale(axis, -1.2), M.scale(axis, 1.05)], COLOURS.purple, 3, { dash: [7, 5] });
       view.arrow(M.scale(axis, 1.05), M.scale(axis, 1.3), COLOURS.purple);
       view.mesh(AIRCRAFT, [sized(0.95, R)], PALETTE);
       view.frame(at(R), 1.05, { above: false });
-      const arc = Array.from({ length: 61 }, (_, i) => M.apply(about(axis, (turn * i) / 60), [0, 0.81, 0]));
-      view.line(arc, COLOURS.crimson, 3);
+      view.line(M.sampled(60, (s) => M.apply(about(axis, angle * s), [0, 0.81, 0])), COLOURS.crimson, 3);
       view.end();
-      numbers(...report(R, M.quaternion(axis, turn)));
+      numbers(...report(R, M.quaternion(axis, angle)));
       words.textContent = Math.abs(state.angle) === 360
         ? "A full rotation: R is the identity again, but q is −1. Both q and −q stand for this orientation."
         : state.angle === 0 ? "No rotation: the axis does not matter."
           : `R rotates by ${state.angle}° about the dashed axis; the red arc is the path of a wing tip.`;
-    }
-    paint();
-    return () => view.stop();
+    };
   }
 
   // ---- gimbals ----
@@ -81,28 +72,27 @@
   ];
   const STAND = pins(about(Z, 0), 1.42);
 
-  function gimbals(card, meta) {
-    const state = meta.gimbals || (meta.gimbals = { yaw: 30, pitch: 20, roll: 10 }), draw = P.once(() => paint());
-    const label = "Three gimbal rings around an aircraft";
-    const view = P.space(card.views, { radius: 1.6, label, meta: state, proportion: 0.8, redraw: draw });
-    const range = angles(card, state, draw), ranges = {
-      yaw: range("Yaw (outer ring, about z)", "yaw", -180, 180), pitch: range("Pitch (middle ring)", "pitch", -90, 90),
-      roll: range("Roll (inner ring)", "roll", -180, 180),
+  function gimbals(card) {
+    const state = card.state({ yaw: 30, pitch: 20, roll: 10 });
+    const view = card.space({ radius: 1.6, label: "Three gimbal rings around an aircraft", proportion: 0.8 });
+    const ranges = {
+      yaw: card.angle("Yaw (outer ring, about z)", state, "yaw", -180, 180),
+      pitch: card.angle("Pitch (middle ring)", state, "pitch", -90, 90),
+      roll: card.angle("Roll (inner ring)", state, "roll", -180, 180),
     };
     const change = (key, x) => { state[key] = x; ranges[key].set(x); };
     [1, -1].forEach((sign) => card.button(`Drive to ${sign > 0 ? "+" : "−"}90°`, () => card.run(() => {
       change("pitch", sign * Math.min(90, sign * state.pitch + 1));
       return sign * state.pitch < 90;
-    }, draw)));
+    })));
     const both = (roll) => card.button(`Yaw +10°, roll ${roll > 0 ? "+" : "−"}10°`, () => {
       [["yaw", 10], ["roll", roll]].forEach(([key, d]) =>
         change(key, Math.round(M.wrap((state[key] + d) * rad) / rad)));
-      draw();
     });
     both(10);
     both(-10);
     const numbers = card.numbers(), words = card.words();
-    function paint() {
+    return () => {
       const A = about(Z, state.yaw * rad), B = M.times(A, about(Y, state.pitch * rad));
       const R = M.times(B, about(X, state.roll * rad)), axes = [Z, M.apply(A, Y), M.apply(B, X)];
       view.begin();
@@ -119,32 +109,29 @@
         view.text(M.scale(lost, 1.42), "lost", COLOURS.crimson);
       }
       view.end();
-      const turns = ["yaw", "pitch", "roll"].map((key, k) => M.quaternion([Z, Y, X][k], state[key] * rad));
-      numbers(...report(R, turns.reduce((product, each) => M.multiply(product, each))));
+      const factors = ["yaw", "pitch", "roll"].map((key, k) => M.quaternion([Z, Y, X][k], state[key] * rad));
+      numbers(...report(R, factors.reduce((product, each) => M.multiply(product, each))));
       const counts = P.degrees(M.wrap((state.yaw - sign * state.roll) * rad));
       const what = sign > 0 ? "difference yaw − roll" : "sum yaw + roll", volume = Math.cos(state.pitch * rad);
       words.textContent = sign
         ? `Gimbal lock: the axes of yaw and roll are one line, and only the ${what} counts, ${counts}. `
           + "No ring rotates about the red direction any more."
         : `The volume that the three axes span is ${P.number(volume, 3)} = cos(pitch). At 0 an axis is lost.`;
-    }
-    paint();
-    return () => view.stop();
+    };
   }
 
   // ---- the order of two rotations ----
 
-  function order(card, meta) {
-    const state = meta.order || (meta.order = { time: 2, angle: 90 }), draw = P.once(() => paint());
-    const views = pair(card, state, draw, ["Rz Rx: first about x, then about the fixed z",
+  function order(card) {
+    const state = card.state({ time: 2, angle: 90 });
+    const views = pair(card, ["Rz Rx: first about x, then about the fixed z",
       "Rx Rz: first about z, then about the fixed x"]);
-    const write = (x) => (x <= 1 ? `first, ${Math.round(100 * x)} %` : `second, ${Math.round(100 * (x - 1))} %`);
-    const options = { min: 0, max: 2, step: 0.02, value: state.time };
-    const time = card.range("Step", options, write, (x) => { state.time = x; draw(); });
-    angles(card, state, draw)("Both angles", "angle", 0, 180);
+    const write = (x) => (x <= 1 ? `first, ${P.percent(x)}` : `second, ${P.percent(x - 1)}`);
+    const time = card.setting("Step", state, "time", { min: 0, max: 2, step: 0.02 }, write);
+    card.angle("Both angles", state, "angle", 0, 180);
     card.player("Play", time, 0.0075);
     const numbers = card.numbers();
-    function paint() {
+    return () => {
       const a = state.angle * rad, first = a * Math.min(1, state.time), second = a * Math.max(0, state.time - 1);
       const both = [[Z, X], [X, Z]].map(([later, earlier]) => M.times(about(later, second), about(earlier, first)));
       views.forEach((view, i) => {
@@ -159,22 +146,18 @@
       const apart = M.norm(M.rotationVector(M.times(M.transpose(both[0]), both[1])));
       numbers(["Rz Rx now:", P.matrix(both[0])], ["Rx Rz now:", P.matrix(both[1])],
         `angle between the two orientations: ${P.degrees(apart, 1)}`);
-    }
-    paint();
-    return () => views.forEach((view) => view.stop());
+    };
   }
 
   // ---- an angular velocity, in the room and in the body ----
 
-  function velocity(card, meta) {
-    const state = meta.velocity || (meta.velocity = { time: 0.12, tilt: -40, spin: 2 }), draw = P.once(() => paint());
-    const labels = ["In the room: ω in fixed axes", "In the body: ω in its own axes"], still = about(X, 0);
-    const views = pair(card, state, draw, labels), seconds = (x) => `${P.number(2 * Math.PI * x, 2)} s`;
-    const options = { min: 0, max: 1, step: 0.005, value: state.time };
-    const time = card.range("Time", options, seconds, (x) => { state.time = x; draw(); });
-    angles(card, state, draw)("Tilt", "tilt", -90, 90);
-    card.range("Rotation about its own x axis", { min: -3, max: 3, step: 1, value: state.spin }, (x) => `${x} rad/s`,
-      (x) => { state.spin = x; draw(); });
+  function velocity(card) {
+    const state = card.state({ time: 0.12, tilt: -40, spin: 2 }), still = about(X, 0);
+    const views = pair(card, ["In the room: ω in fixed axes", "In the body: ω in its own axes"]);
+    const seconds = (x) => `${P.number(2 * Math.PI * x)} s`;
+    const time = card.setting("Time", state, "time", { min: 0, max: 1, step: 0.005 }, seconds);
+    card.angle("Tilt", state, "tilt", -90, 90);
+    card.setting("Rotation about its own x axis", state, "spin", { min: -3, max: 3, step: 1 }, (x) => `${x} rad/s`);
     card.player("Play", time, 0.003);
     const numbers = card.numbers(), words = card.words();
     // About the fixed z axis at 1 rad/s, tilted, and about its own x axis.
@@ -183,9 +166,9 @@
       const R = M.times(tilted, about(X, state.spin * t)), inRoom = M.add(Z, M.apply(tilted, X), state.spin);
       return { R, omegas: [inRoom, M.apply(M.transpose(R), inRoom)] };
     }
-    function paint() {
+    return () => {
       const { R, omegas } = motion(state.time), length = 1.3 / (1 + Math.abs(state.spin));
-      const trail = Array.from({ length: 121 }, (_, i) => motion(i / 120).omegas);
+      const trail = M.sampled(120, (share) => motion(share).omegas);
       views.forEach((view, i) => {
         view.begin();
         if (i === 0) fixedAxes(view, 1.15);
@@ -195,15 +178,12 @@
         view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
         view.end();
       });
-      const vector = (w) => `(${w.map((x) => P.number(x)).join(", ")})`;
-      numbers(["R =", P.matrix(R)], `ω in the room, R ω_b: ${vector(omegas[0])}\n`
-        + `ω in the body, R^T ω_s: ${vector(omegas[1])}\nlength, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
+      numbers(["R =", P.matrix(R)], `ω in the room, R ω_b: (${P.list(omegas[0])})\n`
+        + `ω in the body, R^T ω_s: (${P.list(omegas[1])})\nlength, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
       words.textContent = state.spin === 0 || Math.abs(state.tilt) === 90
         ? "Both observers see ω at rest: the body rotates steadily about one axis, which they name differently."
         : "The red circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
-    }
-    paint();
-    return () => views.forEach((view) => view.stop());
+    };
   }
 
   // ---- a belt ----
@@ -227,25 +207,20 @@
     "720 moved": "The belt is flat again, and the box was not rotated back: two full rotations can be undone; q is +1.",
   };
 
-  function belt(card, meta) {
-    const state = meta.belt || (meta.belt = { rotated: 360, share: 0 }), draw = P.once(() => paint());
-    const view = P.space(card.views, {
-      radius: 1.1, centre: [0.05, 0, -0.25], proportion: 0.66, label: "A belt between a wall and a box", meta: state,
-      azimuth: -1.2, elevation: 0.4, redraw: draw,
+  function belt(card) {
+    const state = card.state({ rotated: 360, share: 0 }), view = card.space({
+      radius: 1.1, centre: [0.05, 0, -0.25], proportion: 0.66, label: "A belt between a wall and a box", azimuth: -1.2,
+      elevation: 0.4,
     });
-    const change = (rotated, share) => { Object.assign(state, { rotated, share }); move.set(100 * share); draw(); };
-    const rotated = card.range("Rotate the box", { min: 0, max: 720, step: 5, value: state.rotated }, (x) => `${x}°`,
-      (x) => change(x, 0));
-    const options = { min: 0, max: 100, step: 1, value: 100 * state.share };
-    const move = card.range("Move the box, without rotating it", options, (x) => `${x} %`, (x) => {
-      state.share = x / 100;
-      draw();
-    });
-    [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { rotated.set(value); change(value, 0); }));
+    const change = (rotated) => { Object.assign(state, { rotated, share: 0 }); move.set(0); };
+    const options = { min: 0, max: 720, step: 5, value: state.rotated };
+    const rotated = card.range("Rotate the box", options, (x) => `${x}°`, change);
+    const move = card.share("Move the box, without rotating it", state, "share");
+    [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { rotated.set(value); change(value); }));
     const numbers = card.numbers(), words = card.words();
-    function paint() {
+    return () => {
       move.input.disabled = state.rotated !== 360 && state.rotated !== 720;
-      const qs = Array.from({ length: PIECES + 1 }, (_, i) => along(i / PIECES, state.rotated, state.share));
+      const qs = M.sampled(PIECES, (s) => along(s, state.rotated, state.share));
       const axis = (q) => M.unit(q.slice(1)), angle = (q) => 2 * Math.atan2(M.norm(q.slice(1)), q[0]);
       const Rs = qs.map((q) => about(axis(q), angle(q))), vertices = [], faces = [], colours = [];
       let p = [-1.35, 0, 0];
@@ -266,36 +241,14 @@
       view.mesh(BOX, [end], PALETTE);
       view.frame(end, 0.5, { above: false });
       view.end();
-      numbers(`q of the box, followed along the belt: (${qs[PIECES].map((x) => P.number(x, 3)).join(", ")})`);
+      numbers(`q of the box, followed along the belt: (${P.list(qs[PIECES], 3)})`);
       words.textContent = SAID[`${state.rotated}${state.share === 1 ? " moved" : ""}`] || SAID[0];
-    }
-    paint();
-    return () => view.stop();
+    };
   }
 
   const MODES = {
     axis: ["Axis and angle", axisAngle], gimbals: ["Gimbal rings", gimbals], order: ["Rz Rx and Rx Rz", order],
     velocity: ["Angular velocity", velocity], belt: ["A belt: twice around", belt],
   };
-  globalThis.course.kinds["toy:orientation"] = (host, meta) => {
-    let stop = null, card = null;
-    const look = { class: "course-toy buttons", role: "group", "aria-label": "What to move" };
-    const tabs = P.element("div", { ...look, style: "display:flex;flex-wrap:wrap;gap:.5rem" }, host);
-    const buttons = Object.entries(MODES).map(([name, [label]]) => {
-      const button = P.element("button", { type: "button" }, tabs, label);
-      button.addEventListener("click", () => show(name));
-      return [name, button];
-    });
-    if (meta.modes.length === 1) tabs.remove();
-    function show(name) {
-      meta.mode = name;
-      buttons.forEach(([other, button]) => button.setAttribute("aria-pressed", other === name));
-      if (stop) stop();
-      if (card) card.end();
-      card = P.card(host, MODES[name][0]);
-      stop = MODES[name][1](card, meta);
-    }
-    show(meta.mode);
-    return () => { stop(); card.end(); tabs.remove(); };
-  };
+  P.toy("orientation", ({ mode }) => MODES[mode][0], (card, { mode }) => MODES[mode][1](card));
 })();

@@ -6,30 +6,28 @@
   const SCALES = [[0.5, 0.1], [1, 0.2], [2, 0.5], [5, 1], [10, 2]]; // the largest distance shown, and its ticks
   const POWERS = [[1, "1"], [1e-2, "10⁻²"], [1e-4, "10⁻⁴"], [1e-6, "10⁻⁶"]];
 
-  globalThis.course.kinds["toy:planar_arm"] = (host, meta) => {
+  P.toy("planar_arm", "A planar arm and its target", (card, meta) => {
     const { lengths } = meta, reach = lengths.reduce((a, b) => a + b, 0), n = lengths.length;
-    const state = meta.state || (meta.state = {
+    const state = card.state({
       q: [...meta.q], target: [...meta.target], damping: meta.damping, step: meta.step, errors: [], path: [],
     });
-    const card = P.card(host, "A planar arm and its target"), draw = P.once(() => paint());
     const label = "The arm, its target and its manipulability ellipse";
-    const plane = P.map(card.views, { half: 1.12 * reach, step: reach > 6 ? 2 : 1, label, redraw: draw });
+    const plane = card.map({ half: 1.12 * reach, step: reach > 6 ? 2 : 1, label });
     plane.handle({
       name: "Target", colour: COLOURS.blue, at: () => state.target, moved: (p) => { state.target = p; start(); },
-      describe: () => `${state.target.map((x) => P.number(x)).join(", ")} m, distance left ${P.number(miss(), 3)} m`,
+      describe: () => `${P.metres(state.target)}, distance left ${P.number(miss(), 3)} m`,
     });
-    const chartBox = P.element("div", {}, card.views);
+    const parent = P.element("div", {}, card.views);
     let chart = null;
     card.range("Step size", { min: 0.05, max: 4, step: 0.05, value: state.step }, (x) => x.toFixed(2),
       (x) => { state.step = x; again(); start(); });
     card.range("Damping (m²)", { min: -4, max: 1.5, step: 0.1, value: Math.log10(state.damping) },
       (x) => String(Number((10 ** x).toPrecision(2))), (x) => { state.damping = 10 ** x; again(); start(); });
-    card.button("One step", () => { stop(); once(); draw(); });
+    card.button("One step", () => { card.halt(); once(); });
     card.button("Run", () => start());
-    card.button("Start again", () => { again(); draw(); });
-    card.tick("logarithmic error", Boolean(state.log), (on) => { state.log = on; draw(); });
+    card.button("Start again", () => again());
+    card.checkbox("logarithmic error", state, "log");
     const words = card.words();
-    let halt = null;
 
     const tip = () => M.planarPoints(lengths, state.q)[n];
     const miss = () => M.norm(M.add(state.target, tip(), -1));
@@ -41,14 +39,11 @@
       note();
       return state.errors[state.errors.length - 1] > 1e-6 && state.errors.length <= MOST;
     }
-    const stop = () => { if (halt) halt(); halt = null; };
-    // Another step size or damping is tried from the first configuration: an arm that has arrived would show nothing.
-    const again = () => { stop(); Object.assign(state, { q: [...meta.q], errors: [], path: [] }); };
+    // Another step size or damping is tried from the first configuration: an arm at its target would not move.
+    const again = () => { card.halt(); Object.assign(state, { q: [...meta.q], errors: [], path: [] }); };
     function start() {
-      stop();
       Object.assign(state, { errors: [], path: [] });
-      halt = card.run(once, draw);
-      draw();
+      card.run(once);
     }
     function drawErrors() {
       const E = state.errors.length ? state.errors : [miss()], most = E.length <= 20 ? 20 : E.length <= 50 ? 50 : MOST;
@@ -59,8 +54,8 @@
       const key = `${state.log} ${most} ${top}`;
       if (!chart || chart.key !== key) { // other axes
         if (chart) chart.stop();
-        chart = Object.assign(P.plane(chartBox, {
-          x: [0, most], y: state.log ? [-7, y(top)] : [0, top], margin: true, proportion: 1, redraw: draw,
+        chart = Object.assign(card.plane({
+          x: [0, most], y: state.log ? [-7, y(top)] : [0, top], margin: true, proportion: 1, parent,
           ticks: [round(most, { 20: 5, 50: 10 }[most] || 50), marks], names: ["steps", "distance left (m)"],
           label: "Distance from the target over the steps",
         }), { key });
@@ -70,7 +65,8 @@
       chart.dot([E.length - 1, y(E[E.length - 1])], COLOURS.crimson, 3.5);
       chart.end();
     }
-    function paint() {
+    if (!state.errors.length) start(); // the first run
+    return () => {
       const points = M.planarPoints(lengths, state.q), J = M.planarJacobian(lengths, state.q);
       const { values, vectors } = M.eigen(M.times(J, M.transpose(J))), s = values.map((x) => Math.sqrt(Math.max(0, x)));
       plane.begin();
@@ -80,7 +76,7 @@
       plane.line(state.path, COLOURS.crimson, 1.2, { dash: [4, 4] });
       lengths.forEach((_, i) => plane.line([points[i], points[i + 1]], i % 2 ? COLOURS.link : COLOURS.steel,
         Math.max(4, 11 - 2 * i)));
-      points.slice(0, n).forEach((p) => plane.dot(p, "#2f3338", 4));
+      points.slice(0, n).forEach((p) => plane.dot(p, COLOURS.dark, 4));
       plane.dot(points[n], COLOURS.crimson, 5);
       plane.end();
       drawErrors();
@@ -89,9 +85,6 @@
         + `${left < 0.001 ? left.toExponential(0) : P.number(left, 3)} m. Singular values of the Jacobian: `
         + `${s.map((x) => P.number(x)).join(" and ")} m. Near this configuration steps above ${P.number(limit)} `
         + "overshoot and diverge; they may still land in another, with a smaller singular value, and converge there.";
-    }
-    if (!state.errors.length) start(); // the first run
-    paint();
-    return () => { chart.stop(); plane.stop(); card.end(); };
-  };
+    };
+  });
 })();

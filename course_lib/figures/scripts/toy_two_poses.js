@@ -5,17 +5,15 @@
   const OUTLINE = [[-0.5, -0.3], [0.5, -0.3], [0.75, 0], [0.5, 0.3], [-0.5, 0.3]];
   const place = (pose, p) => M.move(M.planar(pose), [...p, 0]).slice(0, 2);
 
-  globalThis.course.kinds["toy:two_poses"] = (host, meta) => {
-    const state = meta.state || (meta.state = { start: [...meta.start], goal: [...meta.goal], s: 0.5 });
-    const { half } = meta, card = P.card(host, "Two poses and two motions between them"), draw = P.once(() => paint());
+  P.toy("two_poses", "Two poses and two motions between them", (card, meta) => {
+    const state = card.state({ start: [...meta.start], goal: [...meta.goal], s: 0.5 }), { half } = meta;
     const label = "Two poses, the motions between them and the pole";
-    const plane = P.map(card.views, { half, step: half > 6 ? 2 : 1, label, proportion: 0.8, redraw: draw });
-    const say = ([x, y, theta]) => `${P.number(x)}, ${P.number(y)} m, ${P.degrees(theta)}`;
+    const plane = card.map({ half, step: half > 6 ? 2 : 1, label, proportion: 0.8 });
     [["start", "Start", COLOURS.blue], ["goal", "Goal", COLOURS.green]].forEach(([name, title, colour]) => {
-      const rotate = (d) => () => { state[name][2] += d; draw(); };
+      const rotate = (d) => () => (state[name][2] += d), position = () => state[name].slice(0, 2);
       plane.handle({
-        name: `${title}, position`, colour, at: () => state[name].slice(0, 2), describe: () => say(state[name]),
-        moved: ([x, y]) => { state[name] = [x, y, state[name][2]]; draw(); },
+        name: `${title}, position`, colour, at: position, moved: ([x, y]) => (state[name] = [x, y, state[name][2]]),
+        describe: () => `${P.metres(position())}, ${P.degrees(state[name][2])}`,
         keys: { "[": rotate(Math.PI / 36), "]": rotate(-Math.PI / 36) },
       });
       plane.handle({
@@ -24,16 +22,13 @@
         moved: ([x, y]) => {
           const [px, py, theta] = state[name];
           state[name][2] = theta + M.wrap(Math.atan2(y - py, x - px) - theta);
-          draw();
         },
       });
     });
-    const share = card.range("Along the motion", { min: 0, max: 1, step: 0.01, value: state.s },
-      (x) => `${Math.round(100 * x)} %`, (x) => { state.s = x; draw(); });
-    card.player("Play", share, 0.008);
+    card.player("Play", card.share("Along the motion", state, "s"), 0.008);
     const words = card.words();
 
-    function paint() {
+    return () => {
       const { start, goal, s } = state, twist = M.logPlanar(start, goal), pole = M.pole(start, twist);
       const straight = (t) => [...M.add(start.slice(0, 2), M.add(goal, start, -1), t), start[2] + t * twist[0]];
       const screw = (t) => M.expPlanar(start, M.scale(twist, t));
@@ -42,7 +37,7 @@
       plane.begin();
       if (pole) [start, goal].forEach((pose) => plane.line([pole, pose], COLOURS.purple, 1, { dash: [5, 5] }));
       [[straight, COLOURS.grey, [8, 5]], [screw, COLOURS.crimson, []]].forEach(([motion, colour, dash]) => {
-        plane.line(Array.from({ length: 61 }, (_, i) => motion(i / 60)), colour, 2, { dash });
+        plane.line(M.sampled(60, motion), colour, 2, { dash });
         [1, 2, 3, 4].forEach((i) => outline(motion(i / 5), colour, 1));
         outline(motion(s), colour, 2, 0.22);
       });
@@ -55,12 +50,10 @@
       }
       plane.end();
       words.textContent = pole
-        ? `The screw motion is a rotation by ${P.degrees(twist[0])} about the pole at (${pole.map((x) => P.number(x))
-          .join(", ")}) m${seen ? "" : ", outside the picture"}. The straight motion has no fixed pole.`
+        ? `The screw motion is a rotation by ${P.degrees(twist[0])} about the pole at (${P.list(pole)}) m`
+          + `${seen ? "" : ", outside the picture"}. The straight motion has no fixed pole.`
         : "Both poses have the same orientation: the screw motion is a translation, along the same straight line; "
           + "its pole is infinitely far away.";
-    }
-    paint();
-    return () => { plane.stop(); card.end(); };
-  };
+    };
+  });
 })();

@@ -1,14 +1,14 @@
 // What all toys are made of: a card with rows of controls, and two kinds of stage to draw on, a plane and space, with
-// words as HTML and handles that follow a finger, a mouse and the arrow keys. Nothing here knows any toy.
+// words as HTML and handles that are dragged, or moved by the arrow keys. It is independent of the single toys.
 globalThis.course.parts = (() => {
   "use strict";
   const M = globalThis.course.motion, S = globalThis.course.scene;
-  // Toys name the colours of the light theme. Those that would be lost on the dark ground have a partner there, and
-  // words on the light one a darker one, so that lines keep a contrast of 3 to their ground and words one of 4.5.
+  // Toys name the colours of the light theme. IN_DARK has those of the dark theme, and AS_WORDS darker ones for words in
+  // the light theme: lines have a contrast of at least 3 with the background, and words one of 4.5.
   const COLOURS = {
     blue: "#0072b2", orange: "#b87a00", green: "#009e73", purple: "#9b4f7f", red: "#d55e00", grey: "#6b7177",
     black: "#222222", crimson: "#b2182b", steel: "#7f8891", link: "#d96a12", ground: "#f7f8fa", grid: "#dde1e6",
-    pale: "#56b4e9", floor: "#e9ecef", lines: "#c9ced4", shade: "#1a1f26",
+    dark: "#2f3338", pale: "#56b4e9", floor: "#e9ecef", lines: "#c9ced4", shade: "#1a1f26",
   };
   const IN_DARK = {
     "#0072b2": "#56a8de", "#b87a00": "#e69f00", "#009e73": "#33c79c", "#9b4f7f": "#d08ab5", "#d55e00": "#f0863a",
@@ -36,12 +36,12 @@ globalThis.course.parts = (() => {
     return () => watch.disconnect();
   }
 
-  const STYLE = `.course-toy{--ground:#fff;--ink:#222;--edge:#555;--button:#f2f2f2;--pressed:#d9e8f3;--chosen:#0072b2;
+  const STYLE = `.course-toy{--ground:#fff;--ink:#222;--edge:#555;--button:#f2f2f2;--pressed:#d9e8f3;
 --numbers:#f2f4f6;color-scheme:light;box-sizing:border-box;max-width:760px;margin:0 auto;padding:.75rem;
 background:var(--ground);color:var(--ink);font:14px/1.45 system-ui,sans-serif;border-radius:.25rem}
 .course-stage,.course-toy{--stage:#f7f8fa;--focus:#0b5fff}
 :is([data-theme=dark],[data-jp-theme-light=false]) .course-toy{--ground:#1b1f24;--ink:#e7eaee;--edge:#a3abb3;
---button:#39414a;--pressed:#1f4a66;--chosen:#56a8de;--numbers:#14171b;color-scheme:dark}
+--button:#39414a;--pressed:#1f4a66;--numbers:#14171b;color-scheme:dark}
 :is([data-theme=dark],[data-jp-theme-light=false]) :is(.course-stage,.course-toy){--stage:#14171b;--focus:#6ea8ff}
 .course-toy *,.course-stage *{box-sizing:border-box}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}
@@ -60,13 +60,12 @@ touch-action:none;outline:none;background:radial-gradient(var(--stage) 6px,var(-
 .course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
 .course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid var(--edge);border-radius:.25rem;
 background:var(--button);color:inherit}
-.course-toy button[aria-pressed=true]{background:var(--pressed);border-color:var(--chosen)}
 .course-toy .numbers{display:flex;flex-wrap:wrap;gap:.5rem 1.5rem;align-items:center;margin:.5rem 0 0;
 padding:.5rem .7rem;background:var(--numbers);border-radius:.25rem;font-variant-numeric:tabular-nums}
 .course-toy .numbers>div{display:flex;flex-wrap:wrap;align-items:center;gap:.2rem .5rem;white-space:pre-line}
 .course-toy .matrix{display:inline-grid;gap:0 .7em;padding:.1em .5em;text-align:right;border:solid var(--ink);
 border-width:0 1.5px;border-radius:.6em;font:13px/1.45 system-ui,sans-serif}
-.course-toy .matrix .lit{background:var(--pressed);box-shadow:0 0 0 .2em var(--pressed)}
+.course-toy .matrix .highlighted{background:var(--pressed);box-shadow:0 0 0 .2em var(--pressed)}
 .course-toy .dim{opacity:.72}.course-toy mark{background:var(--pressed);color:inherit;padding:0 .15em}
 .course-toy p{margin:.4rem 0 0}.course-toy :focus-visible,.course-stage canvas:focus-visible{
 outline:3px solid var(--focus);outline-offset:-3px}
@@ -82,56 +81,98 @@ outline:3px solid var(--focus);outline-offset:-3px}
     if (parent) parent.append(made);
     return made;
   }
+  const rad = Math.PI / 180;
   const number = (x, digits = 2) => x.toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1").replace("-", "\u2212");
-  const degrees = (angle, digits = 0) => `${number((180 / Math.PI) * angle, digits)}°`;
+  const list = (values, digits) => values.map((x) => number(x, digits)).join(", ");
+  const metres = (p) => `${list(p)} m`;
+  const degrees = (angle, digits = 0) => `${number(angle / rad, digits)}°`;
+  const percent = (share) => `${Math.round(100 * share)} %`;
   const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
-  // HTML of a matrix; column `lit`, if there is one, stands out.
-  function matrix(rows, { digits = 3, lit = -1 } = {}) {
+  // HTML of a matrix, in which a column may be highlighted.
+  function matrix(rows, { digits = 3, highlighted = -1 } = {}) {
     const words = rows.map((row) => row.map((x) => number(x, digits)));
-    const cells = words.map((row) => row.map((x, j) => `<span${j === lit ? " class=lit" : ""}>${x}</span>`).join(""));
+    const cell = (x, j) => `<span${j === highlighted ? " class=highlighted" : ""}>${x}</span>`;
+    const cells = words.map((row) => row.map(cell).join(""));
     const look = `grid-template-columns:repeat(${rows[0].length},auto)`, spoken = words.map((row) => row.join(" "));
     return `<span class="matrix" role="img" aria-label="${spoken.join("; ")}" style="${look}">${cells.join("")}</span>`;
   }
 
+  // A toy: course.kinds["toy:<name>"] starts it. build(card, meta, kernel) lays it out and returns the function that
+  // paints it, which is called again after every change of a control or a handle. title may depend on meta.
+  const toy = (name, title, build) => (globalThis.course.kinds[`toy:${name}`] = (host, meta, kernel) => {
+    const made = card(host, meta, typeof title === "function" ? title(meta) : title, once(() => paint()));
+    const paint = build(made, meta, kernel);
+    paint();
+    return made.end;
+  });
+
   // The card of a toy: views beside each other, controls below, then what it says in words.
-  function card(host, name) {
+  function card(host, meta, title, draw) {
     useStyle();
-    const root = element("div", { class: "course-toy", role: "group", "aria-label": name }, host);
+    const root = element("div", { class: "course-toy", role: "group", "aria-label": title }, host);
     const views = element("div", { class: "views" }, root), controls = element("div", { class: "controls" }, root);
-    const loops = new Set();
-    let buttons = null;
+    const endings = [], keep = (stage) => { endings.push(stage.stop); return stage; };
+    let running = null, buttons = null;
     const inRow = () => (buttons = buttons || element("div", { class: "buttons" }, controls));
     const keepKeys = (input) => input.addEventListener("keydown", (event) => event.stopPropagation()); // JupyterLab's
-    return {
-      root, views, controls,
+    const made = {
+      views, controls, draw,
+      // What the toy keeps while it is off the page.
+      state: (initial) => meta.state || (meta.state = initial),
+      // Returns a function that asks the kernel; its newest answer is `answer` of the state.
+      asker: (kernel) => asker(kernel, (answer) => { meta.state.answer = answer; draw(); }),
+      plane: ({ parent = views, ...options }) => keep(plane(parent, { redraw: draw, ...options })),
+      map: ({ parent = views, ...options }) => keep(map(parent, { redraw: draw, ...options })),
+      space: ({ parent = views, ...options }) => keep(space(parent, { redraw: draw, meta, ...options })),
+      // Space around the arm that meta describes (arm_view in toys/arms.py), whose bodies are drawn at their poses.
+      armSpace() {
+        const { centre, elevation, size, title: label } = meta, solid = S.unpack(meta.solid);
+        const view = made.space({ radius: 0.1 * size, centre, azimuth: -1, elevation, label });
+        return Object.assign(view, {
+          arm(poses, { colour, ...look }) {
+            view.mesh(solid, poses, colour ? solid.palette.map(() => colour) : solid.palette, look);
+          },
+          // Go as far away as the arm needs, and draw the floor below it.
+          stand(poses) {
+            const few = solid.vertices.filter((_, i) => i % 9 === 0);
+            view.contain(few.map((v, i) => M.move(poses[solid.bodies[9 * i]], v)));
+            view.floor(meta.floor, meta.ground, size > 2 ? 0.5 : 0.2);
+          },
+        });
+      },
       // A labelled range. write(value) -> words; change(value) is called while it moves.
-      range(label, { min, max, step, value }, write, change) {
+      range(label, { value, ...limits }, write, change) {
         const row = element("div", { class: "setting" }, controls), text = element("label", {}, row, `${label} `);
-        const input = element("input", { type: "range", min, max, step }, row), output = element("output", {}, row);
+        const input = element("input", { type: "range", ...limits }, row), output = element("output", {}, row);
         text.htmlFor = input.id = `toy-${Math.random().toString(36).slice(2)}`;
         const show = () => {
           output.textContent = write(Number(input.value));
           input.setAttribute("aria-valuetext", output.textContent);
         };
         input.value = value;
-        input.addEventListener("input", () => { change(Number(input.value)); show(); }); // words may follow a change
+        input.addEventListener("input", () => { change(Number(input.value)); show(); draw(); });
         keepKeys(input);
         show();
-        return { input, row, set: (x) => { input.value = x; show(); }, get: () => Number(input.value) };
+        return { input, set: (x) => { input.value = x; show(); } };
       },
+      // A range that sets state[key].
+      setting: (label, state, key, limits, write) =>
+        made.range(label, { value: state[key], ...limits }, write, (x) => (state[key] = x)),
+      angle: (label, state, key, min, max) => made.setting(label, state, key, { min, max, step: 1 }, (x) => `${x}°`),
+      share: (label, state, key) => made.setting(label, state, key, { min: 0, max: 1, step: 0.01 }, percent),
       button(label, press) {
-        const made = element("button", { type: "button" }, inRow(), label);
-        made.addEventListener("click", () => press(made));
-        keepKeys(made);
-        return made;
+        const button = element("button", { type: "button" }, inRow(), label);
+        button.addEventListener("click", () => { press(); draw(); });
+        keepKeys(button);
+        return button;
       },
-      tick(label, checked, change) {
+      // A checkbox that sets state[key].
+      checkbox(label, state, key) {
         const text = element("label", {}, inRow()), input = element("input", { type: "checkbox" }, text);
-        input.checked = checked;
+        input.checked = Boolean(state[key]);
         text.append(` ${label}`);
-        input.addEventListener("change", () => change(input.checked));
+        input.addEventListener("change", () => { state[key] = input.checked; draw(); });
         keepKeys(input);
-        return input;
       },
       // A field that shows lines: plain text, or lists of text and matrices (HTML of `matrix`).
       numbers() {
@@ -141,39 +182,38 @@ outline:3px solid var(--focus);outline-offset:-3px}
         return (...lines) => (field.innerHTML = lines.map(row).join(""));
       },
       words: () => element("p", { role: "status" }, controls),
-      // Call step once a frame until it returns false; with reduced motion all at once. Returns what ends it.
-      run(step, draw) {
+      // Call step once a frame until it returns false or another run begins; with reduced motion all at once.
+      run(step) {
+        made.halt();
         if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
           for (let k = 0; k < 2000 && step(); k++);
-          draw();
-          return () => {};
+          return draw();
         }
-        const loop = { on: true };
-        loops.add(loop);
+        const own = (running = {});
         const frame = () => {
-          if (!loop.on) return;
-          loop.on = step();
+          if (running !== own) return;
+          if (step()) requestAnimationFrame(frame);
           draw();
-          if (loop.on) requestAnimationFrame(frame);
         };
         requestAnimationFrame(frame);
-        return () => (loop.on = false);
       },
-      // A button that moves a range, as a hand would, from its beginning to its end; with a share of it in a frame.
+      halt: () => (running = null),
+      // A button that moves a range from its beginning to its end, by a share of it in each frame.
       player(label, { input }, share) {
-        let halt = () => {};
-        this.button(label, () => {
+        made.button(label, () => {
           const [low, high] = [Number(input.min), Number(input.max)];
           let x = low;
-          halt();
-          halt = this.run(() => (x = Math.min(high, x + share * (high - low))) < high, () => {
-            input.value = x;
+          made.run(() => {
+            input.value = x = Math.min(high, x + share * (high - low));
             input.dispatchEvent(new Event("input"));
+            return x < high;
           });
         });
       },
-      end() { loops.forEach((loop) => (loop.on = false)); root.remove(); },
+      atEnd: (act) => endings.push(act),
+      end() { made.halt(); endings.forEach((act) => act()); root.remove(); },
     };
+    return made;
   }
   const useStyle = () => document.getElementById("course-toy-style")
     || element("style", { id: "course-toy-style" }, document.head, STYLE);
@@ -188,8 +228,8 @@ outline:3px solid var(--focus);outline-offset:-3px}
     };
   }
 
-  // Questions to the kernel, one at a time: while one is answered, only the newest of those that come is kept.
-  function asker(kernel, hear) {
+  // A function that asks the kernel: one question at a time, and of those that come meanwhile only the newest.
+  function asker(kernel, onAnswer) {
     if (!kernel) return () => {};
     let busy = false, next = null;
     const ask = (question) => {
@@ -197,9 +237,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
       busy = true;
       kernel.ask(question);
     };
-    kernel.hear((answer) => {
+    kernel.onAnswer((answer) => {
       busy = false;
-      hear(answer);
+      onAnswer(answer);
       const waiting = next;
       next = null;
       if (waiting) ask(waiting);
@@ -208,6 +248,15 @@ outline:3px solid var(--focus);outline-offset:-3px}
   }
 
   // ---- a stage: a canvas with words and handles above it ----
+
+  // Call act(direction of an arrow key, event) for each key; the page does not get those for which it returns true.
+  const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const onKeys = (node, act) => node.addEventListener("keydown", (event) => {
+    if (!act(ARROWS[event.key], event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  const onRelease = (node, act) => ["pointerup", "pointercancel"].forEach((kind) => node.addEventListener(kind, act));
 
   const ASIDE = [[0, 0], [0, -1], [0, 1], [1, 0], [-1, 0], [1, -1], [-1, -1], [1, 1], [-1, 1], [0, -2], [0, 2]];
   function stage(parent, { label, proportion, redraw, attributes = {} }) {
@@ -227,7 +276,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
         if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
         words = [];
       },
-      // Words near a point (pixels): those that would cover others move aside.
+      // Words near a point (pixels), moved aside if they would cover others.
       word(at, text, colour = COLOURS.black) { words.push({ at, text, colour }); },
       end() {
         const taken = [];
@@ -247,8 +296,8 @@ outline:3px solid var(--focus);outline-offset:-3px}
         pool.splice(words.length).forEach((node) => node.remove());
         handles.forEach((place) => place());
       },
-      // Something to take: drag it, or focus it and use the arrow keys (Shift: larger steps). at() -> its place;
-      // moved(place) is called with another, `stride` is a step of the keys; toPixels and fromPixels are the stage's.
+      // A handle to drag, or to move by the arrow keys (Shift: larger steps). at() -> its position; moved(position) is
+      // called with another, `stride` is a step of the keys; toPixels and fromPixels are the stage's.
       handle({ name, colour, small, at, moved, describe, stride, keys = {} }, toPixels, fromPixels, step) {
         const node = element("div", {
           class: `handle${small ? " small" : ""}`, tabindex: 0, role: "application", "aria-roledescription": "handle",
@@ -258,8 +307,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
           const [x, y] = toPixels(at());
           node.style.transform = `translate(${x}px,${y}px)`;
           node.style.setProperty("--colour", tint(colour));
-          node.setAttribute("aria-label", `${name}: ${describe ? describe() : at().map((x) => number(x)).join(", ")}`);
+          node.setAttribute("aria-label", `${name}: ${describe ? describe() : metres(at())}`);
         };
+        const change = (act) => { act(); place(); redraw(); };
         const where = (event) => {
           const { left, top } = box.getBoundingClientRect();
           return [event.clientX - left, event.clientY - top];
@@ -273,21 +323,16 @@ outline:3px solid var(--focus);outline-offset:-3px}
         node.addEventListener("pointermove", (event) => {
           if (!grip) return;
           const [x, y] = M.add(where(event), grip);
-          moved(fromPixels([Math.min(made.width, Math.max(0, x)), Math.min(made.height, Math.max(0, y))], at()));
-          place();
+          const inside = [Math.min(made.width, Math.max(0, x)), Math.min(made.height, Math.max(0, y))];
+          change(() => moved(fromPixels(inside, at())));
         });
-        ["pointerup", "pointercancel"].forEach((kind) => node.addEventListener(kind, () => (grip = null)));
-        node.addEventListener("keydown", (event) => {
-          const d = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-          if (d) moved(step(at(), M.scale(d, (event.shiftKey ? 5 : 1) * stride)));
-          else if (keys[event.key]) keys[event.key]();
-          else return;
-          place();
-          event.preventDefault();
-          event.stopPropagation();
+        onRelease(node, () => (grip = null));
+        onKeys(node, (direction, { key, shiftKey }) => {
+          if (direction) change(() => moved(step(at(), M.scale(direction, (shiftKey ? 5 : 1) * stride))));
+          else if (keys[key]) change(keys[key]);
+          return direction || keys[key];
         });
         handles.push(place);
-        return node;
       },
       stop() { watch.disconnect(); box.remove(); },
     };
@@ -303,15 +348,12 @@ outline:3px solid var(--focus);outline-offset:-3px}
   function plane(parent, { x, y, ticks, names, label, redraw, proportion, margin }) {
     const [[x0, x1], [y0, y1]] = [x, y], [left, below] = margin ? [48, 38] : [0, 0], top = margin ? 8 : 0;
     const made = stage(parent, { label, redraw, proportion: proportion || (y1 - y0) / (x1 - x0) });
-    const { context } = made;
+    const { context, begin, end, handle } = made;
+    const named = (tick) => (Array.isArray(tick) ? tick : [tick, number(tick, Number.isInteger(tick) ? 0 : 1)]);
+    const [across, upwards] = ticks.map((each) => each.map(named));
     const wide = () => made.width - left - (margin ? 10 : 0), high = () => made.height - below - top;
     const toPixels = ([u, v]) => [left + (wide() * (u - x0)) / (x1 - x0), top + (high() * (y1 - v)) / (y1 - y0)];
     const fromPixels = ([u, v]) => [x0 + ((u - left) / wide()) * (x1 - x0), y1 - ((v - top) / high()) * (y1 - y0)];
-    const trace = (points, closed) => {
-      context.beginPath();
-      points.forEach((p, i) => context[i ? "lineTo" : "moveTo"](...toPixels(p)));
-      if (closed) context.closePath();
-    };
     const write = (words, [u, v], align, bold = "") => {
       context.fillStyle = tint(COLOURS.grey);
       context.font = `${bold}12px system-ui,sans-serif`;
@@ -319,20 +361,18 @@ outline:3px solid var(--focus);outline-offset:-3px}
       context.fillText(words, u, v);
     };
     return Object.assign(made, {
-      toPixels,
-      begin: ((begin) => (now = ticks) => {
+      begin() {
         begin();
         context.setTransform(made.dense, 0, 0, made.dense, 0, 0);
         context.clearRect(0, 0, made.width, made.height);
         Object.assign(context, { lineCap: "round", lineJoin: "round" });
-        const named = (each) => (Array.isArray(each) ? each : [each, number(each, Number.isInteger(each) ? 0 : 1)]);
-        now[0].map(named).forEach(([u, words]) => {
+        across.forEach(([u, words]) => {
           made.line([[u, y0], [u, y1]], COLOURS.grid, 1);
           const at = toPixels([u, y0])[0];
           const isFree = margin || (at > 30 && at < made.width - 50);
           if (isFree) write(words, [at, made.height - (margin ? 22 : 5)], "center");
         });
-        now[1].map(named).forEach(([v, words]) => {
+        upwards.forEach(([v, words]) => {
           made.line([[x0, v], [x1, v]], COLOURS.grid, 1);
           const at = toPixels([x0, v])[1];
           const isFree = margin || (at > 30 && at < made.height - 20);
@@ -345,11 +385,13 @@ outline:3px solid var(--focus);outline-offset:-3px}
         context.beginPath();
         context.rect(left, 0, made.width, made.height - below);
         context.clip();
-      })(made.begin),
-      end: ((end) => () => { context.restore(); end(); })(made.end),
+      },
+      end() { context.restore(); end(); },
       // Width in pixels. fill: how opaque the area is that it encloses.
       line(points, colour, width = 2, { dash = [], closed, fill } = {}) {
-        trace(points, closed);
+        context.beginPath();
+        points.forEach((p, i) => context[i ? "lineTo" : "moveTo"](...toPixels(p)));
+        if (closed) context.closePath();
         Object.assign(context, { strokeStyle: tint(colour), fillStyle: tint(colour), lineWidth: width });
         context.setLineDash(dash);
         if (width) context.stroke();
@@ -367,8 +409,12 @@ outline:3px solid var(--focus);outline-offset:-3px}
         if (hollow) context.stroke();
       },
       text: (p, words, colour) => made.word(toPixels(p), words, colour),
-      handle: ((handle) => (options) =>
-        handle({ stride: (x1 - x0) / 120, ...options }, toPixels, fromPixels, M.add))(made.handle),
+      // A round robot at a pose (x, y, theta), with a line to its front.
+      robot([u, v, theta], radius, colour) {
+        made.line(circle(radius, [u, v]), colour, 1.5, { closed: true, fill: 0.25 });
+        made.line([[u, v], [u + radius * Math.cos(theta), v + radius * Math.sin(theta)]], colour, 2);
+      },
+      handle: (options) => handle({ stride: (x1 - x0) / 120, ...options }, toPixels, fromPixels, M.add),
     });
   }
   // A square map in metres around a centre, with lines every `step`.
@@ -379,28 +425,29 @@ outline:3px solid var(--focus);outline-offset:-3px}
     ));
     return plane(parent, { x: ranges[0], y: ranges[1], ticks, names: ["x (m)", "y (m)"], ...options });
   }
-  const circle = (radius, [x, y] = [0, 0], n = 90) => Array.from({ length: n + 1 }, (_, i) =>
-    [x + radius * Math.cos((2 * Math.PI * i) / n), y + radius * Math.sin((2 * Math.PI * i) / n)]);
+  const circle = (radius, [x, y] = [0, 0]) => M.sampled(90, (s) =>
+    [x + radius * Math.cos(2 * Math.PI * s), y + radius * Math.sin(2 * Math.PI * s)]);
 
   // ---- space ----
 
-  // Space around a centre, as far as a radius. What was seen from where is kept in `meta`.
+  // Space around a centre, as far as a radius. The view is kept in `meta`.
   function space(parent, options) {
     const { centre = [0, 0, 0], azimuth = -0.9, elevation = 0.35, label, meta, proportion = 0.75, redraw } = options;
     if (!S.start()) throw Error("this browser draws nothing in space (no WebGL 2)");
-    const turns = "Arrow keys look from another side, plus and minus come nearer and go farther.";
+    const keys = "Arrow keys look from another side, plus and minus come nearer and go farther.";
     const made = stage(parent, {
-      label: `${label}. ${turns}`, proportion, redraw,
+      label: `${label}. ${keys}`, proportion, redraw,
       attributes: { tabindex: 0, style: "touch-action:pan-y;cursor:move" },
     });
-    const seen = meta.seen || (meta.seen = { azimuth, elevation, zoom: 1 }), FAR = 5; // the eye's distance, in radii
+    const camera = meta.camera || (meta.camera = { azimuth, elevation, zoom: 1 });
+    const FAR = 5; // the distance of the eye, in radii
     let { radius } = options, fitted = radius, right, up, eye, size, meshes, lines, floor;
     function aim() {
-      const { azimuth: a, elevation: b } = seen;
+      const { azimuth: a, elevation: b } = camera;
       eye = [Math.cos(b) * Math.cos(a), Math.cos(b) * Math.sin(a), Math.sin(b)]; // the direction to it
       right = [-Math.sin(a), Math.cos(a), 0];
       up = M.cross(eye, right);
-      radius = fitted / seen.zoom;
+      radius = fitted / camera.zoom;
       size = 0.49 * Math.min(made.width, made.height) * FAR;
     }
     const away = (p) => FAR * radius - M.dot(M.add(p, centre, -1), eye);
@@ -421,16 +468,15 @@ outline:3px solid var(--focus);outline-offset:-3px}
         depth.map((x, i) => a * x - (i === 3 ? (2 * limit * near) / (limit - near) : 0)), depth,
       ];
     }
-    const layerOf = (above) => (above ? "above" : "space");
+    const { begin, end, handle, stop } = made, layerOf = (above) => (above ? "above" : "space");
     Object.assign(made, {
-      toPixels, seen,
-      begin: ((begin) => () => { begin(); aim(); [meshes, lines, floor] = [[], [], null]; })(made.begin),
+      begin() { begin(); aim(); [meshes, lines, floor] = [[], [], null]; },
       mesh(mesh, poses, palette, { opacity = 1, shadow = opacity === 1, above, least } = {}) {
         const far = away(M.move(poses[poses.length - 1], mesh.vertices[0]));
         const tints = palette.map(tint);
         meshes.push({ mesh, poses, palette: tints, opacity, shadow, least, far, layer: layerOf(above) });
       },
-      // A line through points, of a width in pixels; null lifts the pen.
+      // A line through points, of a width in pixels; null interrupts it.
       line(points, colour, width = 2, { dash = [], above, layer = layerOf(above) } = {}) {
         const view = matrixOf(), ribbon = [];
         let far = 0;
@@ -477,12 +523,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
         }
         made.line(grid, COLOURS.lines, 1, { layer: "floor" });
       },
-      // Where the line of sight through a point meets the plane z = height.
-      onFloor(p, height = 0) {
-        const at = M.add(centre, eye, FAR * radius), t = (at[2] - height) / (at[2] - p[2]);
-        return M.add(at, M.add(p, at, -1), Math.min(t, 50));
-      },
-      // See to it that points are in the picture: go farther away, as far as they need.
+      // Go as far away as points need to be in the picture.
       contain(points) {
         const out = (p) => {
           const [x, y] = toPixels(p);
@@ -490,36 +531,31 @@ outline:3px solid var(--focus);outline-offset:-3px}
         };
         for (let k = 0; k < 60 && points.some(out); k++, aim()) fitted *= 1.03;
       },
-      // And that of an arm at the poses of its bodies; on its floor.
-      onStage(solid, poses, { floor, ground, size }) {
-        made.contain(solid.vertices.filter((_, i) => i % 9 === 0).map((v, i) => M.move(poses[solid.bodies[9 * i]], v)));
-        made.floor(floor, ground, size > 2 ? 0.5 : 0.2);
-      },
-      end: ((end) => () => {
+      end() {
         const { context, width, height, dense } = made, at = M.add(centre, eye, FAR * radius);
         S.draw(context, { width, height, dense, view: matrixOf(), eye: at, floor, meshes, lines }, redraw);
         end();
-      })(made.end),
-      handle: ((handle) => (own) => handle({ stride: fitted / 60, ...own }, toPixels, fromPixels, (p, [dx, dy]) =>
-        M.add(M.add(p, right, dx), up, dy)))(made.handle),
-      stop: ((stop) => () => { S.redraws.delete(redraw); stop(); })(made.stop),
+      },
+      handle: (options) => handle({ stride: fitted / 60, ...options }, toPixels, fromPixels, (p, [dx, dy]) =>
+        M.add(M.add(p, right, dx), up, dy)),
+      stop() { S.redraws.delete(redraw); stop(); },
     });
     S.redraws.add(redraw);
-    look(made, seen, redraw);
+    moveCamera(made, camera, redraw);
     aim();
     return made;
   }
   const BALL = S.ball(), sized = (r, p) => M.pose([[r, 0, 0], [0, r, 0], [0, 0, r]], p);
 
-  // Look from elsewhere by dragging, by the arrow keys, by two fingers, and by the wheel once the figure has the focus.
-  function look({ canvas }, seen, redraw) {
+  // Change the view by dragging, by the arrow keys, by two fingers, and by the wheel once the figure has the focus.
+  function moveCamera({ canvas }, camera, redraw) {
     const fingers = new Map();
-    const turn = (da, de) => {
-      seen.azimuth += da;
-      seen.elevation = Math.min(1.5, Math.max(-0.3, seen.elevation + de));
+    const rotate = (da, de) => {
+      camera.azimuth += da;
+      camera.elevation = Math.min(1.5, Math.max(-0.3, camera.elevation + de));
       redraw();
     };
-    const zoom = (factor) => { seen.zoom = Math.min(6, Math.max(0.4, seen.zoom * factor)); redraw(); };
+    const zoom = (factor) => { camera.zoom = Math.min(6, Math.max(0.4, camera.zoom * factor)); redraw(); };
     canvas.addEventListener("pointerdown", (event) => {
       fingers.set(event.pointerId, [event.clientX, event.clientY]);
       canvas.setPointerCapture(event.pointerId);
@@ -529,28 +565,25 @@ outline:3px solid var(--focus);outline-offset:-3px}
       if (!before) return;
       const other = [...fingers].find(([id]) => id !== event.pointerId);
       if (other) zoom(M.norm(M.add(now, other[1], -1)) / (M.norm(M.add(before, other[1], -1)) || 1));
-      else turn(-0.01 * (now[0] - before[0]), 0.01 * (now[1] - before[1]));
+      else rotate(-0.01 * (now[0] - before[0]), 0.01 * (now[1] - before[1]));
       fingers.set(event.pointerId, now);
     });
-    ["pointerup", "pointercancel"].forEach((kind) =>
-      canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId)));
+    onRelease(canvas, (event) => fingers.delete(event.pointerId));
     canvas.addEventListener("wheel", (event) => {
       if (document.activeElement !== canvas) return; // the page scrolls
       event.preventDefault();
       zoom(Math.exp(-0.002 * event.deltaY));
     }, { passive: false });
-    canvas.addEventListener("keydown", (event) => {
-      const d = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
-      const factor = { "+": 1.1, "=": 1.1, "-": 1 / 1.1 }[event.key];
-      if (d) turn(...d);
+    onKeys(canvas, (direction, { key }) => {
+      const factor = { "+": 1.1, "=": 1.1, "-": 1 / 1.1 }[key];
+      if (direction) rotate(...M.scale(direction, 0.1));
       else if (factor) zoom(factor);
-      else return;
-      event.preventDefault();
-      event.stopPropagation();
+      return direction || factor;
     });
   }
 
   return {
-    COLOURS, tint, wordTint, onTheme, element, degrees, number, matrix, card, once, asker, plane, map, circle, space,
+    COLOURS, tint, wordTint, onTheme, element, rad, number, list, metres, degrees, percent, matrix, toy, onKeys,
+    onRelease, once, circle, space,
   };
 })();

@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from course_lib.arguments import positive, real_array
+from course_lib.arguments import real_array
 from course_lib.figures.toys.answers import Answers
-from course_lib.figures.toys.arms import arm_view, starting
+from course_lib.figures.toys.arms import arm_view
 from course_lib.figures.toys.toy import Toy, is_live
 from course_lib.planar import propagate_body_exact
 from course_lib.rotations import is_so, matrix_to_quaternion, quaternion_to_matrix
@@ -52,24 +52,22 @@ def alive(figure, f=None):
     return Toy("alive", figure.model | {"stored": stored}, figure.alt, answer, figure.caption)
 
 
-def reach(arm, target, *, q=None, says=None):
+def reach(arm, target, *, q, says=None):
     """Return a figure for `alive`: an arm and a target to drag, f(target) answers with joint angles.
 
     Parameters
     ----------
     arm : SerialArm
-    target : array_like, shape (2,), (3,) or (4, 4)
-        A position in the plane, a position, or a pose; f is called with such an array.
-        It returns angles of shape (n,), several solutions (k, n), or None where it finds none.
-    q : array_like, shape (n,) or (k, n), optional
+    target : array_like, shape (4, 4)
+        A pose; f is called with such an array. It returns joint angles (n,), several solutions (k, n), or None if it
+        finds none.
+    q : array_like, shape (n,) or (k, n)
         Joint angles at the start of the library's arm, in radians; several rows are several solutions, all of which
         the library follows while the target moves.
     says : callable, optional
         says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is shown with it.
     """
-    target = np.asarray(target, float)
-    if target.shape not in ((2,), (3,), (4, 4)) or not np.isfinite(target).all():
-        raise ValueError(f"target must be finite, of shape (2,), (3,) or (4, 4); its shape is {target.shape}")
+    target = real_array(target, "target", (4, 4))
 
     def ask(f, question):
         found = f(np.array(question["target"], float))
@@ -90,7 +88,7 @@ def reach(arm, target, *, q=None, says=None):
         model["starts"] = [angles.tolist() for angles in (q, *others)]
         view = arm_view(arm, q, title, others)
     else:
-        view = arm_view(arm, starting(arm) if q is None else q, title)
+        view = arm_view(arm, q, title)
     return Figure(view | model, alt, "Drag the target.", ask)
 
 
@@ -124,22 +122,17 @@ def fly(start, goal, *, quaternions=False):
     return Figure(model | {"ends": [R.tolist() for R in ends]}, alt, "Drag a nose or a wing tip, then fly.", ask)
 
 
-def table(lengths=(1, 1), at=(0.9, 0.7)):
-    """Return a figure for `alive`: a position to drag, f(position) answers with two joint angles.
+def table(at):
+    """Return a figure for `alive`: a position to drag, f(position) answers with the two joint angles of the 2R arm.
 
-    The true arm is drawn beside it. For pages, f is asked beforehand at positions 0.1 of the reach apart.
+    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at positions 0.2 m apart.
 
     Parameters
     ----------
-    lengths : array_like, shape (2,)
-        Link lengths, in metres.
     at : array_like, shape (2,)
         The query at the start, in metres. f is called with such an array and returns angles (2,), or None.
     """
-    lengths, at = positive(lengths, "lengths"), real_array(at, "at", (2,))
-    if lengths.shape != (2,):
-        raise ValueError(f"lengths must be two link lengths; its shape is {lengths.shape}")
-    reach = lengths.sum()
+    at = real_array(at, "at", (2,))
 
     def ask(f, question):
         found = f(np.array(question["at"], float))
@@ -151,36 +144,32 @@ def table(lengths=(1, 1), at=(0.9, 0.7)):
         return {"value": angles.tolist() if np.isfinite(angles).all() else []}
 
     def stored(f):
-        grid = np.stack(np.meshgrid(*2 * [np.linspace(-reach, reach, 21)]), -1).reshape(-1, 2)
-        grid = grid[np.linalg.norm(grid, axis=-1) <= reach]
+        grid = np.stack(np.meshgrid(*2 * [np.linspace(-2, 2, 21)]), -1).reshape(-1, 2)
+        grid = grid[np.linalg.norm(grid, axis=-1) <= 2]
         answers = Answers(f, ask)
         given = [answers({"at": p})["value"] or [] for p in grid]
         return {"at": grid.round(4).tolist(), "q": [[round(x, 5) for x in angles] for angles in given]}
 
-    model = {"figure": "table", "title": "A query and its answer", "lengths": lengths.tolist(), "at": at.tolist()}
+    model = {"figure": "table", "title": "A query and its answer", "lengths": [1.0, 1.0], "at": at.tolist()}
     alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
     alt += "beside it, blue, the arm that reaches the position exactly."
     return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
 
 
-def drive(plan=(), dt=0.5, *, exact=False):
+def drive(plan, *, exact=False):
     """Return a figure for `alive`: a robot to drive, f(start, plan, dt) follows its log to where it believes it is.
 
     The true robot is drawn beside it.
 
     Parameters
     ----------
-    plan : sequence of ((vx, vy, omega), duration), optional
+    plan : sequence of ((vx, vy, omega), duration)
         What the robot has driven already, from (0, 0, 0) to its dock, in m/s, rad/s and seconds. f is called with the
         whole log in this form, and returns poses (n, 3).
-    dt : float
-        The step at the start, in seconds, from 0.1 to 1.
     exact : bool, optional
         Whether the library, where it answers, follows the log exactly and not by Euler's method.
     """
-    driven = propagate_body_exact(np.zeros(3), plan, dt)  # raises for what is no plan
-    if not 0.1 <= dt <= 1:
-        raise ValueError(f"dt must lie between 0.1 and 1; it is {dt!r}")
+    driven = propagate_body_exact(np.zeros(3), plan, 0.5)  # raises for what is no plan
 
     def ask(f, question):
         log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
@@ -190,8 +179,8 @@ def drive(plan=(), dt=0.5, *, exact=False):
         return {"value": poses.round(5).tolist(), "plan": question["plan"]}
 
     model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}
-    model["dock"] = driven[-1, :2].round(3).tolist() if len(plan) else [1.6, 1.2]
-    model |= {"plan": [[list(map(float, v)), float(t)] for v, t in plan], "dt": float(dt), "exact": bool(exact)}
+    model |= {"dock": driven[-1, :2].round(3).tolist(), "dt": 0.5, "exact": bool(exact)}
+    model["plan"] = [[list(map(float, v)), float(t)] for v, t in plan]
     alt = (
         "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
     )

@@ -19,7 +19,7 @@ class Answers:
         answer = {"whose": self.whose, "problem": None, "value": None, "gap": None}
         try:
             return answer | self.ask(self.f, question)
-        except (Exception, KeyboardInterrupt) as error:  # the student's own code: what it raises is shown in one line
+        except (Exception, KeyboardInterrupt) as error:  # of the student's code
             said = " ".join(str(error).split())
             answer["problem"] = f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
         return answer

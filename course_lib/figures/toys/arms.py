@@ -10,21 +10,15 @@ from course_lib.figures.toys.toy import Toy, solid
 from course_lib.rigid import inverse, is_se
 
 _IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
-_PANDA_START = np.array([0.0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 # a, alpha, d of arms.panda(): the rows of Craig's table.
 PANDA_ROWS = [[0, 0, 0.333], [0, -np.pi / 2, 0], [0, np.pi / 2, 0.316], [0.0825, np.pi / 2, 0]]
 PANDA_ROWS += [[-0.0825, -np.pi / 2, 0.384], [0, np.pi / 2, 0], [0.088, np.pi / 2, 0]]
 
 
-def iiwa_toy(q=_IIWA_START):
+def iiwa_toy():
     """Return a toy: the KUKA iiwa with sliders for its joints, screw axes, velocity and force ellipsoids.
 
     A further slider stretches the arm through a singularity of its elbow.
-
-    Parameters
-    ----------
-    q : array_like, shape (7,)
-        Joint angles at the start, in radians.
     """
     alt = (
         "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are dashed lines; "
@@ -34,11 +28,11 @@ def iiwa_toy(q=_IIWA_START):
     caption = (
         "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is lost bears any load."
     )
-    model = arm_view(iiwa14(), q, "The KUKA iiwa and its joints")
+    model = arm_view(iiwa14(), _IIWA_START, "The KUKA iiwa and its joints")
     return Toy("arm", model | {"parts": ["axes", "ellipsoids", "singularity"]}, alt, caption=caption)
 
 
-def panda_toy(q=_PANDA_START):
+def panda_toy(q):
     """Return a toy: the Franka Panda with its joints, its DH frames one by one, and its elbow by one slider.
 
     The elbow's slider moves along the null space: the gripper keeps its pose, all joints stay within their limits.
@@ -59,7 +53,7 @@ def panda_toy(q=_PANDA_START):
     return Toy("arm", model | more, alt, caption=caption)
 
 
-def jog(arm, fk=None, *, q=None, base=None):
+def jog(arm, fk=None, *, q, base=None):
     """Return a toy: an arm with a slider for each joint, moved by your own forward kinematics in a live notebook.
 
     Where ``fk`` and the library differ, both arms are drawn, the library's pale, so that a mistake can be seen. On an
@@ -72,8 +66,8 @@ def jog(arm, fk=None, *, q=None, base=None):
     fk : callable, optional
         ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4).
         Its attribute ``whose``, if it has one, says whose it is. None for the library's own.
-    q : array_like, shape (n,), optional
-        Joint angles at the start, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
+    q : array_like, shape (n,)
+        Joint angles at the start, in radians.
     base : array_like, shape (4, 4), optional
         Pose of the arm's base in the frame in which ``fk(q)`` answers; the identity if None.
     """
@@ -86,41 +80,27 @@ def jog(arm, fk=None, *, q=None, base=None):
         f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
     )
     answer = None if fk is None else Answers(fk, _moved_by(arm, inverse(base), positional(fk) >= 3))
-    model = arm_view(arm, starting(arm) if q is None else q, f"An arm with {arm.n} joints")
+    model = arm_view(arm, q, f"An arm with {arm.n} joints")
     caption = "Which of the dashed axes move with a joint, and which stay?"
     return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
 
 
-def build_up_toy(arm, *, q=None, rows=None):
-    """Return a toy that builds an arm's pose up, factor by factor.
+def build_up_toy(arm, *, q):
+    """Return a toy that builds an arm's product of exponentials up, factor by factor, with the Jacobian's columns.
 
     Parameters
     ----------
     arm : SerialArm
-    q : array_like, shape (n,), optional
-        Joint angles, in radians; if None, 0.3 each or the middle of the limits where 0.3 is outside.
-    rows : array_like, shape (n, 3), optional
-        a, alpha, d of a DH table in Craig's convention: then the rows are built up, four elementary motions each. If
-        None, the product of exponentials is, with the screw axes and the Jacobian.
+    q : array_like, shape (n,)
+        Joint angles, in radians.
     """
-    zero = np.zeros((1, arm.n)) if rows is None else ()  # where the product of exponentials begins
-    model = arm_view(arm, starting(arm) if q is None else q, f"An arm with {arm.n} joints, factor by factor", zero)
+    model = arm_view(arm, q, f"An arm with {arm.n} joints, factor by factor", np.zeros((1, arm.n)))
     model |= {"rows": None, "start": min(4, arm.n)}
     alt = (
         "An arm as a translucent body, whose product of exponentials is built up factor by factor. Each screw axis is "
         "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs to it stands out."
     )
     caption = "A factor moves everything after it; the axes before it stay where they are."
-    if rows is not None:
-        rows = real_array(rows, "rows", (arm.n, 3))
-        if rows.shape != (arm.n, 3):
-            raise ValueError(f"rows must have shape ({arm.n}, 3); its shape is {rows.shape}")
-        model |= {"rows": rows.tolist(), "start": 4 * min(4, arm.n)}
-        alt = (
-            "An arm as a translucent body, and its Denavit-Hartenberg table, built up by rotations and translations "
-            "along x and z. Each frame appears when its row is complete."
-        )
-        caption = "Two motions along x, two along z: a row leads from one frame to the next."
     return Toy("build_up", model, alt, caption=caption)
 
 
@@ -155,12 +135,6 @@ def _pose(given):
     return T
 
 
-def starting(arm):
-    """Return joint angles (n,) at which an arm is bent: 0.3 each, or the middle of the limits where 0.3 is outside."""
-    low, high = np.clip(arm.limits, -np.pi, np.pi).T
-    return np.where((low <= 0.3) & (high >= 0.3), 0.3, (low + high) / 2)
-
-
 def arm_view(arm, q, title, also=()):
     """Return what a script needs to draw an arm as a solid body: its kinematics, its bodies, where to look.
 
@@ -172,7 +146,6 @@ def arm_view(arm, q, title, also=()):
     model = arm_model(arm)
     at = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
     size = np.linalg.norm(np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1).sum()
-    flat = np.allclose(arm.screw_axes[:, :2], 0)  # a planar arm moves in z = 0
     return {
         "title": title,
         "arm": {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()},
@@ -180,8 +153,8 @@ def arm_view(arm, q, title, also=()):
         "limits": np.clip(arm.limits, -np.pi, np.pi).tolist(),
         "q": q.tolist(),
         "size": round(float(size), 4),
-        "floor": round(float((0.8 if flat else 0.5) * size), 4),
+        "floor": round(float(0.5 * size), 4),
         "ground": round(float(min(0, at[:, 2].min())), 4),
-        "elevation": 0.9 if flat else 0.3,
+        "elevation": 0.3,
         "centre": ((at.min(0) + at.max(0)) / 2).round(3).tolist(),
     }

@@ -1,4 +1,4 @@
-"""The toy of notebook 1: axis and angle, gimbal rings, two rotations, an angular velocity, a belt."""
+"""The toys of notebook 1: axis and angle, gimbal rings, two rotations, an angular velocity, a belt."""
 
 from course_lib.figures.toys.toy import Toy
 
@@ -32,17 +32,15 @@ MODES = {
 }
 
 
-def orientation_toy(mode=None):
-    """Return a toy with an orientation to move: axis and angle, gimbal rings, two rotations, angular velocity, a belt.
+def orientation_toy(mode):
+    """Return a toy with an orientation to move.
 
     Parameters
     ----------
-    mode : {"axis", "gimbals", "order", "velocity", "belt"}, optional
-        Show this part alone; None for all five, with buttons to choose.
+    mode : {"axis", "gimbals", "order", "velocity", "belt"}
+        Axis and angle, gimbal rings, two rotations in both orders, an angular velocity, or a belt.
     """
-    if mode is not None and mode not in MODES:
-        raise ValueError(f"mode must be one of {', '.join(MODES)} or None; it is {mode!r}")
-    modes = list(MODES) if mode is None else [mode]
-    alt = " ".join(MODES[name][0] for name in modes)
-    caption = MODES[mode][1] if mode else ""
-    return Toy("orientation", {"modes": modes, "mode": modes[0]}, alt, caption=caption)
+    if mode not in MODES:
+        raise ValueError(f"mode must be one of {', '.join(MODES)}; it is {mode!r}")
+    alt, caption = MODES[mode]
+    return Toy("orientation", {"modes": [mode], "mode": mode}, alt, caption=caption)

@@ -34,14 +34,14 @@ export default { render({ model, el }) {
   model.on("msg:custom", (message) => {
     clearTimeout(late);
     note.remove();
-    answers.forEach((hear) => hear(message));
+    answers.forEach((act) => act(message));
   });
   const ask = (question) => {
     clearTimeout(late);
     late = setTimeout(() => el.append(note), 5000);
     model.send(question);
   };
-  const kernel = { ask, hear: (answer) => answers.add(answer) };
+  const kernel = { ask, onAnswer: (act) => answers.add(act) };
   el.setAttribute("aria-label", model.get("alt"));
   const start = () => {
     try {
