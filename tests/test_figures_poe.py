@@ -70,24 +70,19 @@ def test_a_figure_of_eight_crosses_itself_once_and_an_ellipse_does_not():
 
 @pytest.mark.parametrize("name", ARMS)
 def test_the_drawing_s_corners_lie_on_the_axes_and_end_at_the_flange(name):
-    arm, data = ARMS[name], three_views._ARMS[name]
-    corners = np.array(data["corners"])
+    arm, corners = ARMS[name], np.array(three_views._ARMS[name]["corners"])
     np.testing.assert_allclose(corners[-1], arm.home[-1][:3, 3], atol=1e-12)
-    np.testing.assert_allclose(data["flange"], arm.home[-1][:3, :3], atol=1e-12)
     for S in arm.screw_axes:
         assert min(np.linalg.norm(np.cross(S[:3], corner) + S[3:]) for corner in corners) < 1e-12
 
 
 @pytest.mark.parametrize("name", ARMS)
 def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
-    data = three_views._ARMS[name]
-    lengths = np.abs(np.diff(np.array(data["corners"]), axis=0)).max(1)
-    drawn = [np.abs(np.subtract(end, start)).max() for _, start, end, _ in data["dimensions"]]
-    np.testing.assert_allclose(sorted(lengths), sorted(drawn), atol=1e-12)
+    lengths = np.abs(np.diff(np.array(three_views._ARMS[name]["corners"]), axis=0)).max(1)
     fig, alt, _ = three_views.three_views(name, ARMS[name])
     texts = [text.get_text() for ax in fig.axes for text in ax.texts]
     for length in lengths:
-        assert f"{1000 * length:g}" in texts
+        assert texts.count(f"{1000 * length:g}") == 1
         assert f"{1000 * length:g} along" in alt
 
 

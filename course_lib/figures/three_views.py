@@ -8,18 +8,19 @@ from matplotlib.figure import Figure
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY
 
-# Corners of each arm at joint angles zero, from the base to the flange, and its dimensions in millimetres: the view in
-# which each is drawn, its ends, and the offset of the dimension line from them.
+# Each arm's corners at joint angles zero, from the base to the flange, and the distance from each length between two of
+# them to its dimension line, all in metres; its views, and how many inches are drawn for a metre.
 _TOP, _SIDE, _END = "top", "side", "end"
 _ARMS = {
     "iiwa": {
-        "corners": [(0, 0, 0), (0, 0, 0.36), (0, 0, 0.78), (0, 0, 1.18), (0, 0, 1.301)],
-        "dimensions": [
-            (_SIDE, (0, low), (0, high), 0.22) for low, high in itertools.pairwise((0, 0.36, 0.78, 1.18, 1.301))
-        ],
-        "flange": np.eye(3),
+        "title": "KUKA LBR iiwa 14",
+        "corners": [(0, 0, z) for z in (0, 0.36, 0.78, 1.18, 1.301)],
+        "beside": [0.22] * 4,
+        "layout": [[_SIDE, _END, _TOP]],
+        "scale": 3.6,
     },
     "ur5e": {
+        "title": "UR5e",
         "corners": [
             (0, 0, 0),
             (0, 0, 0.1625),
@@ -29,15 +30,9 @@ _ARMS = {
             (-0.8172, -0.1333, 0.0628),
             (-0.8172, -0.2329, 0.0628),
         ],
-        "dimensions": [
-            (_SIDE, (0, 0), (0, 0.1625), -0.12),
-            (_SIDE, (-0.425, 0.1625), (0, 0.1625), 0.14),
-            (_SIDE, (-0.8172, 0.1625), (-0.425, 0.1625), 0.14),
-            (_SIDE, (-0.8172, 0.0628), (-0.8172, 0.1625), -0.12),
-            (_TOP, (-0.8172, -0.1333), (-0.8172, 0), -0.1),
-            (_TOP, (-0.8172, -0.2329), (-0.8172, -0.1333), -0.1),
-        ],
-        "flange": np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]),
+        "beside": [-0.12, 0.14, 0.14, -0.1, -0.12, -0.1],
+        "layout": [[_SIDE], [_TOP], [_END]],
+        "scale": 5.0,
     },
 }
 _VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the front")}
@@ -51,18 +46,16 @@ def three_views(name, arm):
     name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn.
     """
     data = _ARMS[name]
-    corners = np.array(data["corners"])
+    corners, layout, scale = np.array(data["corners"]), data["layout"], data["scale"]
     size = np.ptp(corners, axis=0) + 2 * _MARGIN
-    layout = [[_SIDE, _END, _TOP]] if name == "iiwa" else [[_SIDE], [_TOP], [_END]]
     widths = [size[_VIEWS[view][0]] for view in layout[0]]
     heights = [size[_VIEWS[row[0]][1]] for row in layout]
-    scale = 3.6 if name == "iiwa" else 5.0  # inches for a metre
     size = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
-        _View(ax, view, corners, 0.14 / scale).draw(arm, data)
+        _View(ax, view, corners, 0.14 / scale).draw(arm, data["beside"])
     caption = "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that points at you."
-    return Picture(fig, _told(name, arm, data), caption)
+    return Picture(fig, _in_words(arm, data), caption)
 
 
 class _View:
@@ -77,20 +70,21 @@ class _View:
         ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         ax.spines[:].set_visible(False)
 
-    def draw(self, arm, data):
+    def draw(self, arm, besides):
         for look in ({"color": "#c9d3dc", "linewidth": 11}, {"color": GREY, "linewidth": 1}):
             self.ax.plot(*self.flat.T, solid_capstyle="round", **look)
         for start, end in itertools.pairwise(self.flat):
             for side in np.array([[0.5, 0], [-0.5, 0], [0, 0.5], [0, -0.5]]) * self.letter:  # the arm is as wide
                 self.cover(start + side, end + side)
-        for view, start, end, beside in data["dimensions"]:
-            if view == self.view:
-                self.dimension(np.array(start), np.array(end), beside)
+        for ends, beside in zip(itertools.pairwise(self.corners), besides, strict=True):
+            if self.view == (_TOP if np.ptp(ends, axis=0)[1] else _SIDE):
+                self.dimension(*np.sort(ends, axis=0)[:, [self.i, self.j]], beside)
         self.joints(arm)
         straight = np.ptp(self.flat) == 0  # seen along the arm: its base frame is drawn beside it
         self.frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), "s", 0.085)
-        if (data["flange"] != np.eye(3)).any():
-            self.frame(self.flat[-1], data["flange"], "b", 0.17)
+        flange = arm.home[-1, :3, :3].round(9)
+        if (flange != np.eye(3)).any():
+            self.frame(self.flat[-1], flange, "b", 0.17)
         elif not straight:
             self.words.append(("b, parallel to s", self.flat[-1] + [0, 0.16], np.array([0, 1]), {"style": "italic"}))
         for word in self.words:
@@ -153,11 +147,11 @@ class _View:
         """Write a word beyond the tip of its arrow if nothing is drawn there, otherwise where there is most room."""
         h, wide = self.letter, 0.3 * self.letter * len(text)
         angle = np.arctan2(along[1], along[0]) if along.any() else np.pi / 4
-        turns = angle + np.pi / 8 * np.array([0, 1, -1, 2, -2, 3, -3, 4, -4, 6, -6, 8])
+        angles = angle + np.pi / 8 * np.array([0, 1, -1, 2, -2, 3, -3, 4, -4, 6, -6, 8])
         spots = [
-            tip + (h * far + wide * abs(np.cos(turn))) * np.array([np.cos(turn), np.sin(turn)])
+            tip + (h * far + wide * abs(np.cos(a))) * np.array([np.cos(a), np.sin(a)])
             for far in (0.8, 1.2, 1.6)
-            for turn in turns
+            for a in angles
         ]
         across = np.linspace(-wide, wide, 3 + len(text) // 2)[:, None] * [1, 0]
         gaps = [np.linalg.norm((spot + across)[:, None] - self.taken, axis=-1).min() for spot in spots]
@@ -166,7 +160,7 @@ class _View:
         self.ax.text(*best, text, ha="center", va="center", **{"size": 9, "color": BLACK} | look)
 
 
-def _told(name, arm, data):
+def _in_words(arm, data):
     """The drawing in words: the arm's path from the base to the flange, its dimensions and arrows."""
     steps = np.diff(np.array(data["corners"]), axis=0)
     parts = []
@@ -174,14 +168,11 @@ def _told(name, arm, data):
         axis = int(np.abs(step).argmax())
         parts.append(f"{1000 * abs(step[axis]):g} along {'-' if step[axis] < 0 else '+'}{'xyz'[axis]}")
     arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
-    axes = ", ".join(
-        f"{letter} along {direction(column)}" for letter, column in zip("xyz", data["flange"].T, strict=True)
-    )
-    title = {"iiwa": "KUKA LBR iiwa 14", "ur5e": "UR5e"}[name]
+    axes = ", ".join(f"{'xyz'[k]} along {direction(arm.home[-1, :3, k])}" for k in range(3))
     return (
-        f"Drawing of the {title} in three views, all joint angles zero, dimensions in millimetres. From the base the "
-        f"arm goes {', then '.join(parts)}. The arrows of the joint axes point along: {arrows}. The flange's frame b "
-        f"has {axes} of the base frame s."
+        f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in millimetres. From the "
+        f"base the arm goes {', then '.join(parts)}. The arrows of the joint axes point along: {arrows}. The "
+        f"flange's frame b has {axes} of the base frame s."
     )
 
 
