@@ -37,12 +37,12 @@ def test_a_movie_has_a_frame_and_a_label_for_each_time(number):
     assert figure["layout"]["meta"] | {"controls": 0} == {"movie": ["body", "arm"][number], "seconds": 3, "controls": 0}
 
 
-@pytest.mark.parametrize(("number", "way"), [(0, POSES[:, :2]), (1, POINTS[:, -1])])
-def test_a_movie_shows_its_whole_path_and_begins_with_its_first_frame(number, way):
+@pytest.mark.parametrize(("number", "track"), [(0, POSES[:, :2]), (1, POINTS[:, -1])])
+def test_a_movie_shows_its_whole_path_and_begins_with_its_first_frame(number, track):
     figure = MOVIES[number]
     path, marks, mover = figure["data"]
-    assert_allclose(places(path), way, atol=ROUNDED)
-    assert_allclose(places(marks), way[[0, -1]] if number == 0 else [[0, 0]], atol=ROUNDED)
+    assert_allclose(places(path), track, atol=ROUNDED)
+    assert_allclose(places(marks), track[[0, -1]] if number == 0 else [[0, 0]], atol=ROUNDED)
     assert all(frame["traces"] == [2] for frame in figure["frames"])
     assert_allclose(places(mover), places(figure["frames"][0]["data"][0]))
     assert mover["line"]["color"] == CRIMSON

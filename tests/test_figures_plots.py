@@ -45,7 +45,7 @@ def over(x, *series):
 B2 = np.linspace(0.02, np.pi - 0.02, 301)
 DRIVEN, BELIEVED = POSES, POSES + np.array([[0.1, 0.2, 0]])
 MISS = np.hypot(*(ARM[:, -1] - TARGET).T)
-DESCENT = nb3.descents({"run": ARM, "back": ARM[::-1]}, TARGET)
+DESCENT = nb3.descents({"run": ARM, "back": ARM[::-1]}, TARGET, "")
 # (picture, which of its panels, the points of the lines that it draws first)
 LINES = {
     "outlines": (nb2.past_a_gate({"a": POSES}), 0, [POSES[:, :2], *(nb2.outline(POSES[i]) for i in (0, 16, 30))]),
@@ -53,7 +53,7 @@ LINES = {
     "dock": (nb2.missed_dock(DRIVEN, BELIEVED), 0, [DRIVEN[:, :2], BELIEVED[:, :2]]),
     "car": (nb2.parking(DRIVEN, [1, 2, 1.6], [0.6, 1, 0.4], 0.5), 0, [DRIVEN[:, :2]]),
     "joints": (nb2.joint_tracks({"a": ANGLES}), 0, [ANGLES]),
-    "arm": (nb2.arm_paths({"a": ARM}, 7), 0, [*ARM[[0, 7, 14, 21, 28, 30]], ARM[:, -1]]),
+    "arm": (nb2.arm_paths({"a": ARM}), 0, [*ARM[::10], ARM[:, -1]]),
     "descent": (DESCENT, 0, [ARM[:, -1], ARM[-1], ARM[::-1, -1], ARM[0], [TARGET]]),
     "distance": (DESCENT, 1, over(STEPS, MISS, MISS[::-1])),
     "gains": (nb3.gains([0.5, 50], {}), 0, [*over(S, 1 / S, S / (S**2 + 0.5)), [[0.5**0.5, 0.5**0.5]]]),
@@ -66,6 +66,8 @@ LINES = {
     "from above": (nb4.plane_projections(SPACE), 0, [SPACE[:, :2]]),
     "from the side": (nb4.plane_projections(SPACE), 1, [SPACE[:, [0, 2]]]),
     "velocities": (nb4.velocities_against_each_other({"a": SPACE, "b": 2 * SPACE}), 5, [2 * SPACE[:, [1, 2]]]),
+    "scalings": (nb2.time_scalings(np.arange(9), {"a": SPACE.T, "b": 2 * SPACE.T}), 1,
+                 over(np.arange(9), SPACE[:, 1], 2 * SPACE[:, 1])),
     "components": (nb4.velocities_over_time(np.arange(9), {"a": SPACE}), 0, over(np.arange(9), *SPACE.T)),
 }  # fmt: skip
 
@@ -85,7 +87,7 @@ def test_later_bodies_are_darker_and_the_last_arm_is_red():
     assert alphas == sorted(alphas)
     assert alphas[-1] == 1
     arms = LINES["arm"][0].fig.axes[0].lines[:-1]
-    assert [same_color(line.get_color(), CRIMSON) for line in arms] == 5 * [False] + [True]
+    assert [same_color(line.get_color(), CRIMSON) for line in arms] == 3 * [False] + [True]
 
 
 @pytest.mark.parametrize(("name", "stands"), [("dock", POSES[-1]), ("car", [1, 2, 1.6])])
@@ -105,7 +107,7 @@ def test_the_dock_is_before_the_robot_that_stands_in_it(name, stands):
 def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
     jumping = ARM * np.where(STEPS % 2, 1, -1)[:, None, None]
     closer = ARM[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
-    fig, alt, _ = nb3.descents({"jumps": jumping, "closer": closer}, ARM[-1, -1])
+    fig, alt, _ = nb3.descents({"jumps": jumping, "closer": closer}, ARM[-1, -1], "")
     assert [line.get_linestyle() for line in fig.axes[0].lines[:2]] == ["None", "--"]
     assert fig.axes[1].get_yscale() == "log"
     assert "jumps: jumps about" in alt

@@ -7,7 +7,7 @@ imported when first used.
 from importlib import import_module
 
 from course_lib.figures.display import show
-from course_lib.figures.plots import lines, panels
+from course_lib.figures.plots import lines
 
 _TOYS = {  # by the module of course_lib.figures.toys in which they are
     "alive": ("alive", "drive", "fly", "reach", "table"),
@@ -17,7 +17,7 @@ _TOYS = {  # by the module of course_lib.figures.toys in which they are
     "plane": ("bent_arm_toy", "cells_toy", "dead_reckoning_toy", "planar_arm_toy", "two_poses_toy"),
 }
 
-__all__ = ["lines", "panels", "show"]
+__all__ = ["lines", "show"]
 __all__ += sorted(name for names in _TOYS.values() for name in names)
 
 

@@ -116,9 +116,9 @@ def errors(contents, caption):
         shown = np.clip(error, 1e-3, 10)
         look = {"cmin": -3, "cmax": 1, "colorscale": "Viridis", "reversescale": True, "colorbar": bar}
         look |= {"size": 3 + 12 * np.sqrt(shown / 10), "color": np.log10(shown), "showscale": i == 1}
-        told = "x %{x:.2f} m, y %{y:.2f} m<br>error %{customdata:.3g} cm<extra></extra>"
+        hover = "x %{x:.2f} m, y %{y:.2f} m<br>error %{customdata:.3g} cm<extra></extra>"
         x, y = np.round(xy.T, 3)
-        dots = go.Scatter(x=x, y=y, mode="markers", marker=look, customdata=error, hovertemplate=told)
+        dots = go.Scatter(x=x, y=y, mode="markers", marker=look, customdata=error, hovertemplate=hover)
         fig.add_trace(dots, 1, i)
         (left, low), (right, high) = xy.min(0).round(1) - 0.2, xy.max(0).round(1) + 0.2
         fig.update_xaxes(title="x (m)", range=[left, right], constrain="domain", row=1, col=i)
@@ -194,7 +194,7 @@ def costs(measured):
     for at, names in named.items():
         left = at[0] > 1e4
         beside = [e for m, e in named if (m, e) != at and 0.1 < m / at[0] < 10 and 0.5 < e / at[1] < 2]
-        up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours part
+        up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours are moved apart
         look = {"xytext": (-10 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
         ax.annotate(" and ".join(names), at, textcoords="offset points", **look)
     ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (m)")

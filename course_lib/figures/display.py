@@ -86,7 +86,7 @@ def show_caption(caption):
 
 
 def _png(fig):
-    """The figure as PNG, half as fine again as it is shown; without the writer's version, which would change it."""
+    """The figure as PNG at 1.5 times the shown resolution, without the version of matplotlib, which would change it."""
     buffer = io.BytesIO()
     uncompressed = {"compress_level": 0}  # smaller_png compresses it
     fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None}, pil_kwargs=uncompressed)

@@ -37,7 +37,7 @@ def movie(name, layout, still, moving, times):
     as it is at each of the times (n,), in seconds.
     """
     fig = go.Figure([*still, moving[0]], layout=layout)
-    # Frames say only where: the looks are those of the first.
+    # Frames contain only positions: the style is that of the first one.
     fig.frames = [
         go.Frame(data=[type(trace)(x=trace.x, y=trace.y)], traces=[len(still)], name=str(i))
         for i, trace in enumerate(moving)

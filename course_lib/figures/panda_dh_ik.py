@@ -155,10 +155,11 @@ def pose_errors(T, T_target):
 # ---- the pick of a mug ----
 
 
-def pinhole(K, T_cm, key_points, size=(640, 480)):
+def pinhole(K, T_cm, key_points):
     """Return a pinhole camera from the side, with one ray, and the picture it takes of a mug.
 
-    K: (3, 3). T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the mug's frame. size: pixels.
+    K: (3, 3), of a camera with 640 by 480 pixels. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in
+    the mug's frame.
     """
 
     def project(points):
@@ -172,7 +173,7 @@ def pinhole(K, T_cm, key_points, size=(640, 480)):
     depth, outline = project(mug.vertices)
     far_first = np.argsort(-depth[mug.faces, 2].mean(1))
     fig, (side, image) = plane_figure(10.5, 3.9, 2, width_ratios=[1.15, 1])
-    f = 0.3 * z  # where the picture is drawn: the distance does not matter, its pixels are counted
+    f = 0.3 * z  # where the image plane is drawn; any distance would do
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
     side.plot([f, f], [-0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
     side.plot([0, z], [0, x], color=CRIMSON, linewidth=2)
@@ -194,7 +195,7 @@ def pinhole(K, T_cm, key_points, size=(640, 480)):
     for k, (a, b) in enumerate(pixels):
         image.annotate(str(k), (a, b), (6, 4), textcoords="offset points", fontsize=12)
     image.plot(*K[:2, 2], "+", color=GREY, markersize=14)
-    image.set(xlim=(0, size[0]), ylim=(size[1], 0), aspect="equal", xlabel="u (pixels)", ylabel="v (pixels)")
+    image.set(xlim=(0, 640), ylim=(480, 0), aspect="equal", xlabel="u (pixels)", ylabel="v (pixels)")
     image.set_title("the picture: v grows downwards")
     return Picture(
         fig,
@@ -294,7 +295,7 @@ def matches(template, scene_points, T, wrong):
     )
 
 
-def pick(frames, grippers, openings, mugs, times, base, camera=None):
+def pick(frames, grippers, openings, mugs, times, base, camera):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
     Of the m times: frames: (m, 8, 4, 4), poses of the frames of `arms.panda()` in the world. grippers: (m, 4, 4), the
@@ -310,22 +311,19 @@ def pick(frames, grippers, openings, mugs, times, base, camera=None):
     poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
     vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
     edge = Model.of(scene.table(0, *scene.floor_size(vertices), base[2]))
-    still, seen = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash")], [edge.vertices]
-    if camera is not None:
-        lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
-        box = meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])
-        body = Model.of([Part(0, BLACK, box), Part(0, STEEL, lens)])
-        still.append(body.trace([camera]))
-        seen.append(body.placed([camera]))
-    look = {"still": still, "points": np.concatenate(seen), "view": (0.9, -1.6, 0.75), "ground": base[2]}
+    lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
+    body = Model.of([Part(0, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(0, STEEL, lens)])
+    still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash"), body.trace([camera])]
+    seen = np.concatenate([edge.vertices, body.placed([camera])])
+    look = {"still": still, "points": seen, "view": (0.9, -1.6, 0.75), "ground": base[2]}
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
-    hangs = " A camera hangs above the table and looks down." if camera is not None else ""
     return Picture(
         film("pick", model, poses, times, frames=15, **look),
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
-        f"{100 * over:.0f} cm across the table, sets it down, opens and rises.{hangs}",
+        f"{100 * over:.0f} cm across the table, sets it down, opens and rises. "
+        "A camera hangs above the table and looks down.",
         "The dashed line is the path between the fingertips. From which side do you see that they end on both sides of "
         "the mug?",
     )

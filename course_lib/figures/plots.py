@@ -37,8 +37,10 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     'height (m)'
     """
     fig, (ax,) = plane_figure(7.2, 3.4)
-    _draw(ax, x, series, log)
+    draw_lines(ax, x, series)
     ax.set(xlabel=xlabel, ylabel=ylabel)
+    for axis in log:
+        ax.set(**{f"{axis}scale": "log"})
     if parts_of_pi:
         pi_ticks(ax.xaxis, parts_of_pi)
     if len(series) > 1:
@@ -46,46 +48,10 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     return fig
 
 
-def panels(x, contents, *, xlabel, log=""):
-    """Return plots side by side, with one legend for all.
-
-    Parameters
-    ----------
-    x : array_like, shape (n,)
-        The common abscissa.
-    contents : dict
-        A panel's ylabel to its series, a dict as in `lines`; the same labels in each panel.
-    xlabel : str
-        The name of every panel's x axis, with its unit.
-    log : optional
-        As in `lines`, for every panel.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Examples
-    --------
-    >>> fig = panels([0, 1], {"x (m)": {"a": [0, 1]}, "y (m)": {"a": [2, 3]}}, xlabel="time (s)")
-    >>> len(fig.axes)
-    2
-    """
-    fig, axes = plane_figure(3.4 * len(contents), 3.2, len(contents))
-    for ax, (ylabel, series) in zip(axes, contents.items(), strict=True):
-        _draw(ax, x, series, log)
-        ax.set(xlabel=xlabel, ylabel=ylabel)
-    if len(series) > 1:
-        legend_above(fig, len(series), axes[0])
-    return fig
-
-
-def _draw(ax, x, series, log):
+def draw_lines(ax, x, series):
+    """Draw lines {label: ordinates (n,)} over x (n,), each in its own colour and style."""
     for i, (label, y) in enumerate(series.items()):
         ax.plot(x, y, label=label, linestyle=STYLES[i % 4], linewidth=2)
-    if "x" in log:
-        ax.set_xscale("log")
-    if "y" in log:
-        ax.set_yscale("log")
 
 
 def draw_arms(contents, every, window=None):
@@ -109,9 +75,9 @@ def draw_arms(contents, every, window=None):
     return fig
 
 
-def in_columns(titles, width, height, *, xlabel, ylabel, **options):
+def in_columns(titles, width, height, *, xlabel, ylabel):
     """Return a figure with a panel under each title, `width` inches wide, and its axes; the y axis is named once."""
-    fig, axes = plane_figure(width * len(titles), height, len(titles), **{"sharey": True} | options)
+    fig, axes = plane_figure(width * len(titles), height, len(titles), sharey=True)
     for ax, title in zip(axes, titles, strict=True):
         ax.set(title=title, xlabel=xlabel)
     axes[0].set_ylabel(ylabel)

@@ -8,7 +8,7 @@ from matplotlib.patches import Circle
 
 from course_lib.figures.display import Picture
 from course_lib.figures.moving import movie, path, plane_layout
-from course_lib.figures.plots import STYLES, draw_arms, in_columns, in_metres, legend_above, lines, panels, pi_ticks
+from course_lib.figures.plots import STYLES, draw_arms, draw_lines, in_columns, in_metres, legend_above, lines, pi_ticks
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.planar import cubic_time_scaling, pose_matrix
 from course_lib.rigid import inverse, log_se2
@@ -229,15 +229,19 @@ def time_scalings(u, curves):
 
     u: (n,), time as a part of T. curves: {name: (3, n), the values of s, of its velocity and of its acceleration}.
     """
-    names = ["s", "velocity of s (1/T)", "acceleration of s (1/T²)"]
-    contents = {name: {label: curve[k] for label, curve in curves.items()} for k, name in enumerate(names)}
+    fig, axes = plane_figure(10.2, 3.2, 3)
+    for k, (ax, name) in enumerate(zip(axes, ("s", "velocity of s (1/T)", "acceleration of s (1/T²)"), strict=True)):
+        draw_lines(ax, u, {label: curve[k] for label, curve in curves.items()})
+        ax.set(xlabel="time t / T", ylabel=name)
+    if len(curves) > 1:
+        legend_above(fig, len(curves), axes[0])
     said = (
         f"The {label} one: velocity {v[0]:.2f} at the start, up to {max(v):.2f}; "
         f"acceleration from {a[0]:.1f} to {a[-1]:.1f}."
         for label, (_, v, a) in curves.items()
     )
     return Picture(
-        panels(u, contents, xlabel="time t / T"),
+        fig,
         f"Time scalings from 0 to 1. {' '.join(said)}",
         f"Look at the two ends: what jumps there with the {' one, with the '.join(curves)} one?",
     )
@@ -275,15 +279,10 @@ def arm_movie(name, points, times):
     return Picture(movie(name, plane_layout(links + 0.4), [trail, base], moving, times), alt, _CAPTIONS.get(name, ""))
 
 
-def arm_paths(contents, every=10):
-    """Return arms side by side, each on its way between the same configurations.
+def arm_paths(contents):
+    """Return arms side by side, each on its path between the same configurations, drawn at every tenth instant.
 
-    Parameters
-    ----------
-    contents : dict
-        Title to points, shape (n, links + 1, 2 or 3), in metres; in space they are seen from above and from a side.
-    every : int, optional
-        How many instants there are from one drawn arm to the next.
+    contents: {title: points (n, links + 1, 2 or 3) in metres}; in space they are seen from above and from a side.
     """
     said, titled, window = [], {}, None
     for title, points in contents.items():
@@ -295,7 +294,7 @@ def arm_paths(contents, every=10):
         every_point = np.concatenate([shown.reshape(-1, 2) for shown in titled.values()])
         window = every_point.min(0) - 0.1, every_point.max(0) + 0.1
     caption = "Left, the joints move in proportion and the path is a curve; right, the path is a straight line."
-    fig = draw_arms(titled, every, window)
+    fig = draw_arms(titled, 10, window)
     if window:
         fig.axes[0].set_ylabel("upwards in the view (m)")
         for ax in fig.axes:

@@ -12,7 +12,7 @@ from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, S
 from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.rigid import transform
-from course_lib.rotations import exp_so3, random_rotations, rot_y
+from course_lib.rotations import random_rotations, rot_y
 
 
 def arm_toy():
@@ -52,7 +52,7 @@ def frames(orientations, caption="The two products end in different orientations
     """
     model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
-    # Of all orientations: one scale.
+    # All orientations are drawn to one scale.
     reach = np.concatenate([max(1.3, longest) * np.eye(3), -max(1.1, 0.85 * longest) * np.eye(3)])
     for i, (title, R) in enumerate(orientations.items()):
         settings, aspect = scene.column(reach, (1.35, 1.1, 0.8), i, len(orientations), height=height, fill=0.9)
@@ -101,7 +101,7 @@ def _with_orientation(R):
     return [pose, np.eye(4)]
 
 
-def rotated_point(w, p, exp=exp_so3):
+def rotated_point(w, p, exp):
     """Return the path of the point p (3,) under exp(t w), t from 0 to 1, about the axis w (3,), radians.
 
     exp: the exponential that computes the path, from w to R.
@@ -206,16 +206,16 @@ def projections(M, rotations):
     return Picture(fig, alt, caption)
 
 
-def both_determinants(s, draws=800):
+def both_determinants(s):
     """Return how large s . diag(Z) becomes for orthogonal Z with det Z = 1 and -1: in the plane, and in space.
 
-    s: (3,), singular values; the plane's are the first and the last. draws: how many Z of each kind are drawn in space.
+    s: (3,), singular values; the plane's are the first and the last.
     """
     fig, (plane, space) = plane_figure(9.0, 3.9, 2)
     x, y = np.meshgrid(*2 * [np.linspace(-1.25, 1.25, 61)])
     levels = plane.contour(x, y, s[0] * x + s[2] * y, 11, colors=GREY, linewidths=0.8)
     plane.clabel(levels, fontsize=8)
-    diagonals = np.diagonal(random_rotations(draws, np.random.default_rng(0)), axis1=1, axis2=2)
+    diagonals = np.diagonal(random_rotations(800, np.random.default_rng(0)), axis1=1, axis2=2)
     for sign, colour, marker, style in ((1, BLUE, "o", "-"), (-1, RED, "s", "--")):
         plane.plot([-1, 1], [-sign, sign], color=colour, linestyle=style, linewidth=2.5, label=f"det Z = {sign}")
         plane.plot(1, sign, marker, color=colour, markersize=9)

@@ -5,7 +5,7 @@ import plotly.graph_objects as go
 
 from course_lib.figures.style import GREY
 
-_OFF_TIES = 3.1e-7  # lengths of models are round numbers, which two machines would round up and down
+_OFF_TIES = 3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
 
 
 def scene_name(i):
@@ -20,7 +20,7 @@ def points(at, size, colour, scene="scene"):
 
 
 def line(through, colour, width, scene="scene", dash="solid"):
-    """Return a line through points, shape (n, 3), of a width in pixels; a row of NaN lifts the pen."""
+    """Return a line through points, shape (n, 3), of a width in pixels; a row of NaN interrupts it."""
     look = {"color": colour, "width": width} | ({"dash": dash} if dash != "solid" else {})
     return go.Scatter3d(**coordinates(through), mode="lines", line=look, hoverinfo="skip", scene=scene)
 

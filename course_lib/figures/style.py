@@ -1,4 +1,4 @@
-"""One look for all pictures: colours that colour-blind eyes tell apart, dark on an opaque white ground."""
+"""One style for all pictures: colours that colour-blind readers distinguish, dark on an opaque white background."""
 
 from matplotlib.figure import Figure
 
@@ -8,7 +8,7 @@ SKY, RED, BLACK = "#56B4E9", "#D55E00", "#222222"
 FRAME_COLOURS = (RED, GREEN, BLUE)  # of the x, y and z axis of a frame
 COLOURS = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY = "#8a8a8a"
-CRIMSON = "#b2182b"  # for what moves: a red that is no orange, dark enough beside the blue
+CRIMSON = "#b2182b"  # of moving things: no shade of orange, and about as dark as the blue
 
 PLOTLY_LAYOUT = {
     "template": None,

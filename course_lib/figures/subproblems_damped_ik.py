@@ -269,7 +269,7 @@ def columns_and_ellipse(points, J):
     )
 
 
-def descents(runs, target, caption=""):
+def descents(runs, target, caption):
     """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
 
     runs: {label: arms (n, links + 1, 2), one configuration a step, base first}. target: (2,). caption: what to notice.
@@ -301,7 +301,7 @@ def descents(runs, target, caption=""):
         legend_above(fig, 1 if max(map(len, runs)) > 30 else len(runs))
     x, y = target
     alt = f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. {'; '.join(said)}."
-    return Picture(fig, alt, caption or "The arm is drawn as it ends; the cross is the target.")
+    return Picture(fig, alt, caption)
 
 
 def _window(corners, margin):
@@ -386,9 +386,9 @@ def two_arms(paths, points_of):
     """Return arms side by side, {damping: joint angles (n, joints)}, at evenly spaced instants of their joint paths."""
     arms = {}
     for eps, path in paths.items():
-        gone = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
-        shares = np.linspace(0, gone[-1], 61)
-        even = np.array([np.interp(shares, gone, angle) for angle in np.transpose(path)]).T
+        length = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
+        spaced = np.linspace(0, length[-1], 61)
+        even = np.array([np.interp(spaced, length, angle) for angle in np.transpose(path)]).T
         arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(even)
     folds = ", ".join(f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items())
     return Picture(

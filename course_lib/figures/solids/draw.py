@@ -30,22 +30,20 @@ def arm_model(arm, extra=()):
     return Model.of([*shell(arm), *extra])
 
 
-def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=around.VIEW, height=480):
+def draw(arm, q, *, axes=False, base_frame=True, extra=(), view=around.VIEW, height=480):
     """Return a picture of an arm as solid bodies on a floor, at joint angles q (n,).
 
     The iiwa, the Panda and the UR5e look like themselves; any other arm gets capsules and drums from its screw axes.
-    axes: draw the joint axes, dashed and numbered. end_frame, base_frame: draw the frame of the end-effector, and
-    beside the base one parallel to the base frame. extra: Parts to draw on the bodies 0 to n, in the base frame at q =
-    0, for example a gripper. view: (3,), the direction from the arm to the eye. height: pixels.
+    axes: draw the joint axes, dashed and numbered. base_frame: draw a frame parallel to the base frame beside the base,
+    and not only that of the end-effector. extra: Parts to draw on the bodies 0 to n, in the base frame at q = 0. view:
+    (3,), the direction from the arm to the eye. height: pixels.
     """
     q = np.asarray(q, float)
     poses = link_poses(arm, q)
     vertices = arm_model(arm, extra).placed(poses)
     size = max(np.ptp(vertices, axis=0).max(), np.linalg.norm(arm.home[-1, :3, 3]) * 0.5)
     ground = min(0.0, vertices[:, 2].min())
-    parts = list(extra)
-    if end_frame:
-        parts += around.triad(arm.n, arm.home[-1], 0.17 * size)
+    parts = [*extra, *around.triad(arm.n, arm.home[-1], 0.17 * size)]
     full = arm_model(arm, parts)
     whole = full.placed(poses)
     if base_frame:
@@ -63,7 +61,7 @@ def draw(arm, q, *, axes=False, end_frame=True, base_frame=True, extra=(), view=
         ends = dashes[~np.isnan(dashes[:, 0])]
         taken = np.concatenate([taken, ends])
         points += [ends, np.array(list(words.values()))]
-        parts += [Part(0, VIOLET, head) for head in heads]  # body 0 stands: these are where they are drawn
+        parts += [Part(0, VIOLET, head) for head in heads]  # body 0 does not move
     model = arm_model(arm, parts)
     points.append(model.placed(poses))
     settings = around.fitted_scene(np.concatenate(points), view)

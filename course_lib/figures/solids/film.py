@@ -7,8 +7,8 @@ from course_lib.figures import moving
 from course_lib.figures.solids import scene as around
 from course_lib.rotations import log_so3
 
-_RATE, _MOST_POSES = 20, 600  # poses a second that a film holds, and all of them: between them bodies move along screws
-_MILLIMETRES = 1000  # a film's unit of length: whole numbers of it are short
+_RATE, _MOST_POSES = 20, 600  # poses in a second, and in a film; bodies move along screws between them
+_MILLIMETRES = 1000  # the unit of length, in which numbers are short
 
 
 def film(name, model, poses, times, *, still=(), points=(), view=around.VIEW, height=480, ground=0.0, frames=20):

@@ -73,7 +73,7 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
         sections += [(c + q * np.sin(a) * z, q * np.cos(a), z) for a in angles]
     around, x, rings = _circle(n), side, []
     for c, q, z in sections:
-        x, y, z = basis(z, x)  # the section turns as little as it can from ring to ring
+        x, y, z = basis(z, x)  # the least rotation from one ring to the next
         rings.append(c + q * (around * [wide, 1] @ [x, y]))
     return _closed(np.array(rings))
 
