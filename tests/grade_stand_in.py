@@ -27,18 +27,18 @@ def wait_for(what):
 
 
 def grade(content, notebook, seed):
-    told = json.loads(content)
-    if "log" in told:
+    orders = json.loads(content)
+    if "log" in orders:
         # Whoever started it: grading forks a process for each.
-        Path(told["log"], f"{uuid.uuid4()}").write_text(str(os.getppid()))
-    time.sleep(told.get("seconds", 0))
-    if told.get("do") == "raise":
+        Path(orders["log"], f"{uuid.uuid4()}").write_text(str(os.getppid()))
+    time.sleep(orders.get("seconds", 0))
+    if orders.get("do") == "raise":
         raise ValueError("a grader has errors too")
-    if told.get("do") == "end":
+    if orders.get("do") == "end":
         os._exit(1)
-    if told.get("do") == "end the worker":
+    if orders.get("do") == "end the worker":
         os.kill(os.getppid(), signal.SIGKILL)
-    return result(told.get("points", ()), told.get("texts", ()), notebook, told.get("more", ()))
+    return result(orders.get("points", ()), orders.get("texts", ()), notebook, orders.get("more", ()))
 
 
 def result(points=(), texts=(), notebook="01_rotations", more=(), **changed):
@@ -56,11 +56,11 @@ def result(points=(), texts=(), notebook="01_rotations", more=(), **changed):
     return plain | {"exercises": exercises, "questions": questions} | changed
 
 
-def hand_in(folder, name, **told):
+def hand_in(folder, name, **orders):
     """Write a submission; name: its path in the folder."""
     path = folder / name
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(told))
+    path.write_text(json.dumps(orders))
     return path
 
 

@@ -208,9 +208,9 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
 
 
 def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
-    told = {"points": [2, 2], "more": ["exercise_1"], "log": str(tmp_path / "log")}
+    orders = {"points": [2, 2], "more": ["exercise_1"], "log": str(tmp_path / "log")}
     (tmp_path / "log").mkdir()
-    hand_in(tmp_path / "in", "jane_01_rotations.ipynb", **told)
+    hand_in(tmp_path / "in", "jane_01_rotations.ipynb", **orders)
     for typed, points in {"1": "4", "0.5": "3", "no": "2", "yes": "4"}.items():
         text = (written(tmp_path, "--lms", "canvas", "--more", typed) / "canvas.csv").read_text()
         assert [line.split(",")[-1] for line in text.splitlines()[1:]] == [points, points]

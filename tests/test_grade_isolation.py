@@ -18,7 +18,7 @@ from course_lib.pack.grade.sandbox import Ended, Sandbox, TooSlow, Watch
 from course_lib.pack.grade.submission import grade
 
 ROOT = Path(__file__).parents[1]
-# What a student's function finds, told by an exception: its message comes back.
+# What a student's function finds, as the message of an exception: its message comes back.
 ASKS = "def nearest_so(M):\n{}\n    raise ValueError(repr(found))\n"
 
 
@@ -32,7 +32,7 @@ def kind(request, monkeypatch):
     return request.param
 
 
-def told(lines, few, limits=SHORT, **more):
+def found(lines, few, limits=SHORT, **more):
     """Return what the body of a student's function finds out, as text."""
     body = "\n".join(f"    {line}" for line in lines.splitlines())
     result = grade(book(few[0], ASKS.format(body)), NAME, SEED, limits, **more)
@@ -76,7 +76,7 @@ found += ["many libraries"] * (len(os.listdir("/libraries")) > 100)
 
 
 def test_a_submission_sees_only_what_python_needs(few, kind):
-    assert "['sandbox']" in told(SEES.replace("{secret}", str(ROOT)), few)
+    assert "['sandbox']" in found(SEES.replace("{secret}", str(ROOT)), few)
 
 
 WRITES = """
@@ -93,9 +93,9 @@ found = [folder for folder in found if not folder.startswith("/scratch/")]
 
 
 def test_a_submission_writes_only_to_its_own_bounded_folders(few, kind):
-    assert "['/scratch', '/tmp']" in told(WRITES, few)
+    assert "['/scratch', '/tmp']" in found(WRITES, few)
     fills = "found = ''\ntry:\n    for k in range(9):\n        open(f'/tmp/{k}', 'wb').write(bytes(8 * 10**6))\n"
-    assert "No space left" in told(fills + "except OSError as error:\n    found = str(error)", few)
+    assert "No space left" in found(fills + "except OSError as error:\n    found = str(error)", few)
 
 
 CALLS = """
@@ -114,7 +114,7 @@ found = [
 
 
 def test_calls_that_hold_uncounted_memory_or_are_unknown_are_refused(few, kind):
-    assert str(["EPERM"] * 6 + ["ENOSYS"] * 3 + ["works"]) in told(CALLS, few)
+    assert str(["EPERM"] * 6 + ["ENOSYS"] * 3 + ["works"]) in found(CALLS, few)
 
 
 THREADS = """
@@ -128,11 +128,11 @@ found.append(os.waitpid(os.fork() or os._exit(7), 0)[1] >> 8)
 
 
 def test_threads_and_processes_can_still_be_started(few, kind):
-    assert "['a thread', 7]" in told(THREADS, few)
+    assert "['a thread', 7]" in found(THREADS, few)
 
 
 def test_whom_root_lets_submissions_be_owns_nothing(few, kind):
-    said = told("import os\nfound = [os.getuid() == 0, os.system('true') == 0]", few)
+    said = found("import os\nfound = [os.getuid() == 0, os.system('true') == 0]", few)
     assert "[False, False]" in said if os.getuid() == 0 else "False]" in said
 
 

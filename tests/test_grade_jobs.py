@@ -39,11 +39,11 @@ def tables(place, output="out"):
     return [(place / output / name).read_bytes() for name in TABLES]
 
 
-def fill(place, count=6, **told):
+def fill(place, count=6, **orders):
     for i in range(count):
         texts = [f"because {i}"]
         hand_in(
-            place / "in", f"s{i}_01_rotations.ipynb", points=[2, i % 3], texts=texts, log=str(place / "log"), **told
+            place / "in", f"s{i}_01_rotations.ipynb", points=[2, i % 3], texts=texts, log=str(place / "log"), **orders
         )
 
 

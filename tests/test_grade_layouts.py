@@ -9,8 +9,8 @@ from hostile.build import FULL, NAME, SEED, book
 from IPython.core.inputtransformer2 import TransformerManager
 from jupyter_client.manager import start_new_kernel
 
-from course_lib.pack.grade.cells import parsed, plain, statements
 from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.statements import parsed, plain, statements
 from course_lib.pack.grade.submission import grade
 
 pytestmark = pytest.mark.filterwarnings("ignore:.make_tokens_by_line")

@@ -147,9 +147,9 @@ def test_the_seed_chooses_the_cases(few):
         "    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n"
         "    return rightly(M)\n"
     )
-    told = [messages(grade(book(few[0], tells), NAME, seed))["nearest_so"] for seed in (1, 1, 2)]
-    assert told[0] == told[1]
-    assert told[0] != told[2]
+    said = [messages(grade(book(few[0], tells), NAME, seed))["nearest_so"] for seed in (1, 1, 2)]
+    assert said[0] == said[1]
+    assert said[0] != said[2]
 
 
 def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few):

@@ -101,11 +101,11 @@ def start(each, course, limits, hidden=()):
     course: the folder that write_files made. hidden: folders to hide wherever they are.
     """
     if each == NONE:
-        told = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
-        return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(told)]
+        settings = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
+        return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(settings)]
     uid = FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8 if os.getuid() == 0 else 0
-    told = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
-    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(told)]
+    settings = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
+    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
     rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4))
     shown, covered = mounts(hidden)
     shown = [*shown, (str(course), "/course")]

@@ -24,10 +24,10 @@ import types
 
 def main():
     """Run the cells, then answer requests until the input ends."""
-    course, told = sys.argv[1], json.loads(sys.argv[2])
-    sys.path[:0] = [course, *told["packages"]]
+    course, settings = sys.argv[1], json.loads(sys.argv[2])
+    sys.path[:0] = [course, *settings["packages"]]
     confine = importlib.import_module("confine").confine
-    confine(told["limits"], told["uid"])
+    confine(settings["limits"], settings["uid"])
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
@@ -44,7 +44,7 @@ def main():
     def tell(name, text):
         """Return a candidate's answer from the grader, for a student's test; None after too many calls."""
         say(exercise=name, call=text)
-        return json.loads(requests.readline())["told"]
+        return json.loads(requests.readline())["answer"]
 
     order = json.loads(requests.readline())
     run = functools.partial(
@@ -69,13 +69,13 @@ def main():
             return call_student.reply(run(lambda **message: None)[0].get(name), asked["questions"], consult)
 
         say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
-        if order["each"] and told["apart"]:
+        if order["each"] and settings["apart"]:
             leave_nothing()
 
 
 def preload(sources):
     """Import what the cells import, from packages only, so that each child finds it loaded."""
-    from cells import statements
+    from statements import statements
 
     for each in statements(sources):
         for node in ast.walk(each.tree):
@@ -124,8 +124,8 @@ def empty(room):
 
 def run_whole(sources, names, without, say):
     """Run the cells as Jupyter does, but continue after errors; return the same as run_needed."""
-    from cells import without_stubs
     from IPython.core.interactiveshell import InteractiveShell
+    from statements import without_stubs
     from traitlets.config import Config
 
     shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
@@ -147,7 +147,7 @@ def run_needed(sources, names, without, say):
     Returns their namespace, all names that the cells bind, and the names of functions that would behave the same if
     only the statements that they themselves need had been run.
     """
-    from cells import alike_alone, needed, statements
+    from statements import alike_alone, needed, statements
 
     module = types.ModuleType("__main__")
     space = vars(module)
@@ -188,23 +188,23 @@ def words(error):
 def in_a_child(asked, answer, tell):
     """Return {"reply": text} from a child process, or {"ended": why}. Calls of candidates are passed on to `tell`."""
     there, here = os.pipe()
-    told_there, told_here = os.pipe()
+    answers_there, answers_here = os.pipe()
     try:
         child = os.fork()
     except OSError as error:
         return {"ended": f"no process for it could be made, {error}"}
     if child == 0:
-        speak(here, told_there, asked, answer)
+        speak(here, answers_there, asked, answer)
     os.close(here)
-    os.close(told_there)
-    os.set_blocking(told_here, False)
-    text, reason = listen(there, told_here, asked, tell)
+    os.close(answers_there)
+    os.set_blocking(answers_here, False)
+    text, reason = listen(there, answers_here, asked, tell)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
         os.kill(child, signal.SIGKILL)
     os.close(there)
-    os.close(told_here)
+    os.close(answers_here)
     _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
@@ -212,7 +212,7 @@ def in_a_child(asked, answer, tell):
     return {"ended": reason, "status": os.waitstatus_to_exitcode(status), "computed": computed}
 
 
-def listen(there, told_here, asked, tell):
+def listen(there, answers_here, asked, tell):
     """Read lines from the child: calls, which begin with ?, then its reply. Return the reply and why it was cut."""
     buffer, length = b"", 0
     while True:
@@ -220,18 +220,18 @@ def listen(there, told_here, asked, tell):
         buffer, length = buffer + data, length + len(data)
         while buffer.startswith(b"?") and b"\n" in buffer:
             call, _, buffer = buffer.partition(b"\n")
-            told = tell(call[1:].decode(errors="replace"))
-            if told is None:
+            found = tell(call[1:].decode(errors="replace"))
+            if found is None:
                 return "", "it calls the functions that it tests too often"
             try:
-                os.write(told_here, told.encode() + b"\n")
+                os.write(answers_here, found.encode() + b"\n")
             except OSError:
                 return "", "it does not read what the functions that it tests answer"
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
             return buffer.decode(errors="replace"), "its answer is too long" if length > asked["reply"] else ""
 
 
-def speak(pipe, told, asked, answer):
+def speak(pipe, answers, asked, answer):
     """In the child process: answer, and end this process in any case."""
     try:
         os.setpgid(0, 0)
@@ -240,7 +240,7 @@ def speak(pipe, told, asked, answer):
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
         random.seed(0)
         sys.modules["numpy.random"].seed(0)  # the same grade for the same file, even if it draws random numbers
-        hear = os.fdopen(told, "rb")
+        hear = os.fdopen(answers, "rb")
 
         def consult(text):
             write(pipe, b"?" + text.encode() + b"\n")

@@ -14,7 +14,7 @@ from pathlib import Path
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
 ASKING = ("call_student.py", "wire.py", "adapters.py")
-SCRIPTS = ("runner.py", "cells.py", "confine.py")
+SCRIPTS = ("runner.py", "statements.py", "confine.py")
 
 TAKEN = '''
 def {name}(*arguments, **named):

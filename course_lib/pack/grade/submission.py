@@ -18,9 +18,9 @@ from course_lib.checks.notebook import describe
 from course_lib.checks.wire import Candidate, read, write
 from course_lib.pack.grade import isolation, notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
-from course_lib.pack.grade.cells import no_python
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
 from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow
+from course_lib.pack.grade.statements import no_python
 from course_lib.pack.grade.student_view import contents
 
 ALONE, WHOLE = "alone", "whole"  # how to ask again: in a process of its own; after running the whole notebook
@@ -272,7 +272,7 @@ class Student:
             calls = 0
             while consult and isinstance(message.get("call"), str):
                 calls += 1
-                self._sandbox.send({"told": consult(message["call"]) if calls <= MOST_CALLS else None})
+                self._sandbox.send({"answer": consult(message["call"]) if calls <= MOST_CALLS else None})
                 message = self._receive(watch)
         except Ended as end:
             self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, Idle)
