@@ -9,6 +9,7 @@ from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, TEST_LOG, right
 
 from course_lib import rotations
 from course_lib.checks import wire
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import (
     ERROR,
     FORGOTTEN_RETURN,
@@ -17,6 +18,7 @@ from course_lib.checks.exercise import (
     UNCHANGED,
     WRONG,
     Here,
+    Property,
     judge,
     with_blame,
 )
@@ -188,6 +190,51 @@ def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
 def test_a_call_that_no_test_makes_is_answered_with_an_error(request_):
     _, consult = TEST_LOG.questions(np.random.default_rng(0))
     assert "error" in json.loads(consult(request_))
+
+
+# Mistakes that are tried for every exercise
+
+SHIFT = np.array([[1.0, 2, 4], [3, np.nan, 5]])
+
+
+def shifted(x):
+    return x + SHIFT
+
+
+SHIFTED = replace(
+    DOUBLE,
+    cases=lambda rng: [(rng.uniform(1, 2, (2, 3)),) for _ in range(3)],
+    returns=numbers(np.shape, gaps=True),
+    properties=(Property("x is shifted", lambda y, x: np.allclose(y, shifted(x), equal_nan=True)),),
+    library=shifted,
+    broken=None,
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        (lambda x: shifted(x)[::-1], "the rows of the answer are in another order"),
+        (lambda x: shifted(x)[:, [1, 0, 2]], "the columns of the answer are in another order"),
+        (lambda x: shifted(x) * [1, 1, -1], "column 2 of the answer has the wrong sign"),
+        (lambda x: shifted(x) * [[1], [-1]], "row 1 of the answer has the wrong sign"),
+        (lambda x: shifted(x) * [[1, -1, 1], [1, 1, 1]], "entry [0, 1] of the answer has the wrong sign"),
+        (lambda x: shifted(x)[[1, 1]], "each item is the last one"),
+        (lambda x: shifted(x) ** 2, "the answer is the square of what it should be"),
+        (lambda x: np.nan_to_num(shifted(x)), "0 stands where nan is asked for"),
+        (lambda x: SHIFT, "the answer is the same for every input"),
+        (lambda x: x - SHIFT, "the change of x has the opposite sign"),
+        (lambda x: shifted(x) + x**3, None),
+    ],
+)
+def test_a_changed_answer_is_called_by_its_name(answer, name):
+    mistake = judge(SHIFTED, Here(answer)).mistake
+    assert (mistake and mistake.name) == name
+
+
+def test_a_change_returned_without_what_it_changes_is_called_so():
+    exercise = replace(SHIFTED, library=lambda x: x + x**2, properties=(Property("", lambda y, x: np.allclose(y, x)),))
+    assert judge(exercise, Here(lambda x: x**2)).mistake.name == "only the change of x is returned"
 
 
 # What else a verdict says

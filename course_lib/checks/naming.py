@@ -8,6 +8,7 @@ import numpy as np
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.wire import Seed
 
+_MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = 4, 16, 6  # of which all orders, and all signs, are tried
 _FEW = 3  # numbers that differ: fewer agree with some transform by chance
 
 
@@ -134,12 +135,17 @@ class Naming:
 
     def _is_right(self, answer, position):
         case, right = self.cases[position], self.right(position)
-        return right is not None and attempt(self.exercise.alike, right, predict(answer, case), *case)
+        return right is not None and attempt(self.exercise.alike, right, self._predicted(answer, position), *case)
+
+    def _predicted(self, answer, position):
+        """Return what a variant of a mistake answers to a case, or None."""
+        case = self.cases[position]
+        return attempt(answer, self.right(position), *case) if isinstance(answer, _Changed) else predict(answer, case)
 
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply there."""
         case, value = self.cases[position], self.values[position]
-        predicted = predict(answer, case)
+        predicted = self._predicted(answer, position)
         if predicted is None:
             return None
         alike, right = mistake.alike or self.exercise.alike, self.right(position)
@@ -166,9 +172,12 @@ def everyday(naming):
         yield Mistake("the answer is the same for every input", _SAME, lambda *case: values[0])
     if exercise.library is None or naming.right(0) is None:
         return
-    for name, hint, change in _OF_THE_ANSWER:
-        yield Mistake(name, hint, _changed(exercise.library, change))
-    yield Mistake(*_WHOLE, _changed(exercise.library, np.trunc, where=_has_whole_numbers))
+    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(naming.right(0)), *_of_other_sign(naming.right(0))):
+        yield Mistake(name, hint, _Changed(lambda right, *case, change=change: change(right)))
+    yield Mistake(*_WHOLE, _Changed(lambda right, *case: np.trunc(right) if _has_whole_numbers(case) else None))
+    for k, argument in enumerate(exercise.arguments):
+        for name, hint, change in _OF_A_CHANGE:
+            yield Mistake(name.format(argument), hint, _Changed(_from(k, change)))
     if not exercise.tries_arguments:
         return
     for (i, one), (j, other) in itertools.combinations(enumerate(exercise.arguments), 2):
@@ -193,15 +202,40 @@ def _close(value, right):
     return np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
 
 
-def _changed(right, change, where=lambda case: True):
-    """Return a function that answers with the right answer changed, where that makes a difference."""
+class _Changed:
+    """A mistake in the answer itself: change(right answer, *arguments) is returned in its place, unless it is None."""
 
-    def answer(*case):
-        exact = np.asarray(right(*case), float)
-        other = change(exact) if where(case) else exact
-        return _unless_equal(other, exact)
+    def __init__(self, change):
+        self.change = change
 
-    return answer
+    def __call__(self, right, *case):
+        other = self.change(right, *case)
+        return None if other is None else _unless_equal(np.asarray(other, float), right)
+
+
+def _in_other_order(right):
+    """Yield the names, hints and changes of axes, or entries, of the answer in another order, if they are few."""
+    for axis, what in enumerate(_AXES.get(np.ndim(right), ())):
+        n = np.shape(right)[axis]
+        for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
+            yield f"{what} of the answer are in another order", _ENTRIES, lambda x, o=order, a=axis: np.take(x, o, a)
+
+
+def _of_other_sign(right):
+    """Yield the names, hints and changes of an entry, a row or a column with another sign, if they are few."""
+    shape, parts = np.shape(right), []
+    if 1 < np.size(right) <= _MOST_ENTRIES:
+        parts = [(f"entry {list(index)}", index) for index in np.ndindex(shape)]
+    if len(shape) == 2 and max(shape) <= _MOST_LINES:
+        parts += [(f"row {i}", i) for i in range(shape[0])] + [(f"column {j}", np.s_[:, j]) for j in range(shape[1])]
+    for what, index in parts:
+
+        def negated(x, index=index):
+            x = x.copy()
+            x[index] *= -1
+            return x
+
+        yield f"{what} of the answer has the wrong sign", _SIGN, negated
 
 
 def _asked(right, change):
@@ -219,6 +253,15 @@ def _unless_equal(other, exact):
     if other.shape != exact.shape or np.allclose(other, exact, rtol=1e-9, atol=1e-12, equal_nan=True):
         return None
     return other
+
+
+def _from(k, change):
+    def changed(right, *case):
+        if np.shape(case[k]) != np.shape(right):
+            raise ValueError("no argument that the answer changes")
+        return change(right, _numbers(case[k]))
+
+    return changed
 
 
 def _swapped(i, j):
@@ -258,7 +301,13 @@ def _inverse(M):
 
 
 def _reversed(x):
-    return _of_dimension(np.asarray(x), 1)[::-1]
+    return np.asarray(x)[..., ::-1]
+
+
+def _negated_bits(x):
+    if not np.isin(x, (0, 1)).all():
+        raise ValueError("not True or False")
+    return 1 - x
 
 
 def _halves_swapped(x):
@@ -282,7 +331,9 @@ _SIGN = "Compare the sign with an example that you can do by hand."
 _ROWS = "Rows and columns have changed places."
 _FACTOR = "Look for a factor 2."
 _FRAMES = "Which frame do you start from, and in which do you end?"
+_ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
+_COPIES = "An array that changes in place changes wherever it stands: does a list hold it more than once?"
 
 _WHOLE = (
     "digits after the point are cut off",
@@ -302,10 +353,22 @@ _OF_THE_ANSWER = (
     ("the answer is half of what it should be", _FACTOR, lambda x: x / 2),
     ("the answer is in degrees", _RADIANS, np.rad2deg),
     ("the answer is converted from degrees to radians", _RADIANS, np.deg2rad),
-    ("the entries of the answer are in reverse order", "Compare the order of the entries with the task.", _reversed),
+    ("the entries of the answer are in reverse order", _ENTRIES, _reversed),
     ("the two halves of the answer have changed places", _HALVES, _halves_swapped),
     ("the answer is without its signs", "Which line loses the sign?", np.abs),
+    ("0 stands where nan is asked for", "Could 0 be a right answer? What would it say here?", np.nan_to_num),
+    ("True and False have changed places", "What does True mean in the task?", _negated_bits),
+    ("each item is the last one", _COPIES, lambda x: x[[-1] * len(x)]),
+    ("the answer is the square of what it should be", "Where does a root belong?", np.square),
+    ("the answer is 1000 times what it should be", "In which unit is it asked for?", lambda x: 1000 * x),
 )
+
+_OF_A_CHANGE = (  # of an argument, to which the answer adds something
+    ("only the change of {} is returned", "What is asked for: the change, or what comes after it?", np.subtract),
+    ("the change of {} has the opposite sign", _SIGN, lambda right, before: 2 * before - right),
+)
+
+_AXES = {1: ("the entries",), 2: ("the rows", "the columns")}
 
 _OF_AN_ARGUMENT = (
     ("{} is taken for degrees", _RADIANS, np.deg2rad),
@@ -315,7 +378,7 @@ _OF_AN_ARGUMENT = (
     ("the answer is that for the inverse of {}", _FRAMES, _inverse),
     ("{} is doubled", _FACTOR, lambda x: 2 * x),
     ("{} is halved", _FACTOR, lambda x: x / 2),
-    ("the entries of {} are in reverse order", "Compare the order of the entries with the task.", _reversed),
+    ("the entries of {} are in reverse order", _ENTRIES, _reversed),
     ("the two halves of {} have changed places", _HALVES, _halves_swapped),
     ("{} is without its signs", "Which line loses the sign?", np.abs),
     ("{} is not used: the answer is that for 0", _SAME, lambda x: 0.0 * x),

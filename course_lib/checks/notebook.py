@@ -7,17 +7,7 @@ import os
 
 import numpy as np
 
-from course_lib.checks.exercise import (
-    ERROR,
-    NOT_ATTEMPTED,
-    RIGHT,
-    UNCHANGED,
-    WRONG,
-    Here,
-    Verdict,
-    judge,
-    with_blame,
-)
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, Verdict, judge, with_blame
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}

@@ -6,9 +6,11 @@ import itertools
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property, same
+from course_lib.checks.format_numbers import format_array, format_tuple
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
+COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
 
 
 def unit(rng):
@@ -67,6 +69,23 @@ def partial_sum(M, terms):
     return None if np.allclose(total, following, rtol=1e-11, atol=1e-11) else total
 
 
+# ---- the planar arm with two links of one metre ----
+
+
+def two_link_tip(q):
+    """Return the tip's position (..., 2), for joint angles (..., 2)."""
+    q = np.asarray(q, float)
+    first, second = q[..., 0], q[..., 0] + q[..., 1]
+    return np.stack([np.cos(first) + np.cos(second), np.sin(first) + np.sin(second)], -1)
+
+
+def two_link_angles(xy):
+    """Return the two pairs of joint angles (..., 2, 2) for positions (..., 2) in reach: q2 > 0 first."""
+    bend = 2 * np.arccos(np.clip(np.linalg.norm(xy, axis=-1) / 2, -1, 1))
+    middle = np.arctan2(xy[..., 1], xy[..., 0])
+    return np.stack([np.stack([middle - side * bend / 2, side * bend], -1) for side in (1, -1)], -2)
+
+
 # ---- comparisons; as `alike` of an exercise, they also take the arguments of the case ----
 
 FINE = 1e-9  # the error that a right answer may have, relative to its size
@@ -95,9 +114,69 @@ def angle_gap(angles, wanted):
     return np.abs(np.angle(np.exp(1j * (np.asarray(angles) - wanted)))).max(initial=0)
 
 
+def same_list(found, wanted, *arguments):
+    """Return whether two lists hold the same angles, or rows of them, in any order and however often."""
+    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
+    if len(found) == 0 or len(wanted) == 0 or found.shape[1:] != wanted.shape[1:]:
+        return len(found) == len(wanted)
+    return inside(found, wanted) and inside(wanted, found)
+
+
+def inside(some, others):
+    """Return whether each of some angles, or rows of them, is among the others, up to multiples of 2 pi."""
+    return all(any(angle_gap(a, b) < 1e-6 for b in others) for a in some)
+
+
 def orthogonality_error(R):
     """Return the largest entry of R^T R - I, by its absolute value."""
     return np.abs(R.T @ R - np.eye(R.shape[1])).max()
+
+
+def is_rotation(R):
+    """Return whether R is a rotation, to rounding."""
+    return orthogonality_error(R) < FINE and np.linalg.det(R) > 0
+
+
+def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1"):
+    """Return the Property that block(answer) is a rotation."""
+    return Property(
+        text,
+        lambda answer, *case: is_rotation(block(answer)),
+        says=lambda answer, *case: f"The largest entry of R^T R - I is {orthogonality_error(block(answer)):.2g}.",
+    )
+
+
+LAST_ROW = Property(  # of a pose, or of each in an array of them
+    "the last row is (0, ..., 0, 1)",
+    lambda T, *case: near(T[..., -1, :], np.eye(T.shape[-1])[-1]),
+    says=lambda T, *case: f"Yours is {format_array(T[..., -1, :])}.",
+    mistake=Mistake("the last row is not that of a pose", "What becomes of the 1 at the end of a point?"),
+)
+
+
+def part_is(text, right, part):
+    """Return the Property that a part of the answer, given by its index, is that of right(*arguments)."""
+
+    def wanted(*case):
+        return np.asarray(right(*case), float)[part]
+
+    return Property(
+        text,
+        lambda answer, *case: near(answer[part], wanted(*case)),
+        says=lambda answer, *case: f"That is {compared(wanted(*case), answer[part])}.",
+    )
+
+
+def first_off(found, wanted, what="Column"):
+    """Return in words which column is the first that is off; for rows, give both transposed."""
+    i = int(np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)]))
+    return f"{what} {i} should be {compared(wanted[:, i], found[:, i])}."
+
+
+def compared(wanted, found):
+    """Return in words what is wanted and what was found, and by how much it is off if the digits shown agree."""
+    right, yours = format_tuple(wanted), format_tuple(found)
+    return f"{right}; yours is {yours}" + (f", off by {np.abs(found - wanted).max():.2g}" if right == yours else "")
 
 
 def _first_otherwise(values, cases):

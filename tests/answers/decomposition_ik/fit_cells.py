@@ -2,7 +2,7 @@
 
 import numpy as np
 from sklearn.cluster import KMeans
-from sklearn.linear_model import LinearRegression, Ridge
+from sklearn.linear_model import LinearRegression
 from threadpoolctl import threadpool_limits
 
 threadpool_limits(1)  # as in the notebook
@@ -62,9 +62,3 @@ def wrong_no_samples_fitted(xy, q, cell, count):
 def wrong_count_not_used(xy, q, cell, count):
     """count is not used"""
     return right_linear_regression(xy, q, cell, cell.max() + 1)
-
-
-def wrong_ridge(xy, q, cell, count):
-    """unnamed"""
-    line = Ridge(alpha=1e-4)
-    return _models(xy, q, cell, count, lambda x, t: np.c_[line.fit(x, t).coef_, line.intercept_])

@@ -24,11 +24,6 @@ def right_normal_equations_as_a_list(q, xy):
     return np.linalg.solve(A.T @ A, A.T @ gap).tolist()
 
 
-def wrong_three_coefficients(q, xy):
-    """another form"""
-    return np.append(right_lstsq(q, xy), 0)
-
-
 def wrong_the_mean(q, xy):
     """unnamed"""
     gap = q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])

@@ -26,9 +26,3 @@ def right_as_a_list(q, xy):
     e, f = xy - _fk(q)
     det = np.sin(q[1])
     return [q[0] + (d * e - b * f) / det, q[1] + (a * f - c * e) / det]
-
-
-def wrong_closed_form(q, xy):
-    """the exact solution is returned"""
-    bend = np.copysign(np.arccos((xy @ xy - 2) / 2), q[1])
-    return np.array([np.arctan2(xy[1], xy[0]) - bend / 2, bend]) if np.abs(xy - _fk(q)).max() > 1e-9 else q

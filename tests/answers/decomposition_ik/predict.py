@@ -36,8 +36,3 @@ def wrong_left_out(models, cell, xy):
 def wrong_mean_of_both(models, cell, xy):
     """only one pair of angles"""
     return right_loop(models, cell, xy).mean(axis=1)
-
-
-def wrong_rounded_positions(models, cell, xy):
-    """unnamed"""
-    return right_loop(models, cell, np.floor(xy))

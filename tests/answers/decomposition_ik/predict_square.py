@@ -21,8 +21,3 @@ def right_one_by_one(model, terms, sign):
         q2 = sign * square**0.5 if square > 0 else 0.0
         found.append((sum(a * t for a, t in zip(model[0], [*row, q2])), q2))
     return found
-
-
-def wrong_half_the_root(model, terms, sign):
-    """unnamed"""
-    return right_maximum(model * [[1], [0.25]], terms, sign)

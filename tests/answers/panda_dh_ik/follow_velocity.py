@@ -53,8 +53,3 @@ def wrong_null_space_of_J_T_J(q, v, dt, n, near, most):
         extra = 0.3 * null if damping(J, near, most) == 0 else 0
         path.append(right_in_a_loop(path[-1], v, dt, 1, near, most)[1] + extra)
     return np.array(path)
-
-
-def wrong_start_left_out(q, v, dt, n, near, most):
-    """the start is left out"""
-    return right_in_a_loop(q, v, dt, n, near, most)[1:]

@@ -20,10 +20,6 @@ def right_least_squares_and_wrapped(q, J, e, eps):
     return (q + dq + np.pi) % (2 * np.pi) - np.pi
 
 
-def right_inverted_as_a_column(q, J, e, eps):
-    return q[:, None] + J.T @ np.linalg.inv(J @ J.T + eps * np.eye(J.shape[0])) @ e[:, None]
-
-
 def wrong_eps_missing(q, J, e, eps):
     """Singular matrix"""
     return q + np.linalg.inv(J.T @ J) @ J.T @ e
@@ -43,11 +39,6 @@ def wrong_in_place(q, J, e, eps):
 def wrong_column_of_errors(q, J, e, eps):
     """differ in shape"""
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e[:, None])
-
-
-def wrong_sugiharas_damping(q, J, e, eps):
-    """unnamed"""
-    return q + J.T @ np.linalg.solve(J @ J.T + (eps * (e @ e) + 1e-12) * np.eye(len(e)), e)
 
 
 def wrong_library(q, J, e, eps):

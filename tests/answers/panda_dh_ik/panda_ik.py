@@ -16,7 +16,7 @@ def out_of_reach(T):
     return np.linalg.norm(T[:3, 3] - T_w0[:3, 3] - [0, 0, 0.333]) > 1.2
 
 
-def search(T, q0, starts=20, enough=1e-7, clip=True, T_base=T_w0, weights=(1, 1, 1, 1, 1, 1), backwards=False):
+def search(T, q0, starts=20, enough=1e-7, T_base=T_w0, weights=(1, 1, 1, 1, 1, 1), backwards=False):
     """The notebook's answer, with everything that can go wrong as an argument; (omega, v), seen from the base."""
     random, w = np.random.default_rng(0), np.array(weights)
     goal, q = np.linalg.inv(T_base) @ T, np.clip(q0, low, high)
@@ -27,7 +27,7 @@ def search(T, q0, starts=20, enough=1e-7, clip=True, T_base=T_w0, weights=(1, 1,
                 return q
             J = w[:, None] * arm.geometric_jacobian(q) * (-1 if backwards else 1)
             q = q + J.T @ np.linalg.solve(J @ J.T + (0.05 * e @ e + 1e-12) * np.eye(6), e)
-            q = np.clip(q, low, high) if clip else q
+            q = np.clip(q, low, high)
         last, q = q, random.uniform(low, high)
     return last if starts == 1 else np.full(7, np.nan)
 
@@ -75,11 +75,6 @@ def wrong_last_angles(T, q0):
     return search(T, q0, starts=1)
 
 
-def wrong_limits_ignored(T, q0):
-    """the limits are ignored"""
-    return search(T, q0, clip=False)
-
-
 def wrong_base_forgotten(T, q0):
     """the base is forgotten"""
     return search(T, q0, starts=2, T_base=np.eye(4))
@@ -98,11 +93,6 @@ def wrong_only_the_position(T, q0):
 def wrong_stopped_at_the_reports_error(T, q0):
     """the iteration stops too early"""
     return search(T, q0, enough=0.02)
-
-
-def wrong_zeros_where_nothing_is_found(T, q0):
-    """angles are returned for a target out of reach"""
-    return np.nan_to_num(search(T, q0))
 
 
 def wrong_error_backwards(T, q0):

@@ -23,11 +23,6 @@ def right_by_solving_for_both_at_once(pixels, depths, K, T_wc):
     return np.linalg.solve(M[:, :3], seen - M[:, 3:]).T
 
 
-def wrong_columns(pixels, depths, K, T_wc):
-    """points are columns"""
-    return right_by_the_inverse(np.tile(pixels, (2, 1)), np.tile(depths, 2), K, T_wc)[: len(pixels)].T
-
-
 def wrong_fourth_entry(pixels, depths, K, T_wc):
     """a fourth entry"""
     return np.column_stack([right_by_the_inverse(pixels, depths, K, T_wc), np.ones(len(pixels))])
@@ -36,8 +31,3 @@ def wrong_fourth_entry(pixels, depths, K, T_wc):
 def wrong_multiplied_by_K(pixels, depths, K, T_wc):
     """the inverse of K"""
     return right_by_the_inverse(pixels, depths, np.linalg.inv(K), T_wc)
-
-
-def wrong_depth_in_front_of_the_image(pixels, depths, K, T_wc):
-    """unnamed"""
-    return right_by_the_inverse(pixels, depths - 1, K, T_wc)

@@ -41,13 +41,6 @@ def right_by_a_quintic_from_higher_and_slower_as_lists(q0, T_grasp):
     return planned(q0, T_grasp, 0.12, 61, lambda u: 10 * u**3 - 15 * u**4 + 6 * u**5, 1.2).tolist()
 
 
-def right_by_a_cosine_with_a_rest_between(q0, T_grasp):
-    x = planned(q0, T_grasp, 0.1, 51, lambda u: (1 - np.cos(np.pi * u)) / 2)
-    pause = np.insert(x, 51, x[50], axis=0)
-    pause[51:, 0] += 0.2
-    return pause
-
-
 def right_all_in_the_time_of_the_hardest_joint(q0, T_grasp):
     """One clock for both legs: its step is the smallest that the bounds allow."""
     x = planned(q0, T_grasp)
@@ -62,19 +55,9 @@ def wrong_times_missing(q0, T_grasp):
     return planned(q0, T_grasp)[:, 1:]
 
 
-def wrong_swapped(q0, T_grasp):
-    """rows and columns are swapped"""
-    return planned(q0, T_grasp).T
-
-
 def wrong_slow(q0, T_grasp):
     """slower than it need be"""
     return planned(q0, T_grasp, slower=20)
-
-
-def wrong_stays(q0, T_grasp):
-    """unnamed"""
-    return [[0, *q0], [1, *q0]]
 
 
 def wrong_two_rows(q0, T_grasp):

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from course_lib import rigid, rotations
+from course_lib import rotations
 
 
 def right_by_log_so3(T, T_target):
@@ -13,11 +13,6 @@ def right_by_log_so3(T, T_target):
 def right_by_scipy_as_a_list(T, T_target):
     phi = Rotation.from_matrix(T_target[:3, :3]) * Rotation.from_matrix(T[:3, :3]).inv()
     return [*(T_target[:3, 3] - T[:3, 3]), *phi.as_rotvec()]
-
-
-def right_seen_from_the_end_effector_and_rotated_back(T, T_target):
-    X = rigid.inverse(T) @ T_target
-    return np.concatenate([T[:3, :3] @ X[:3, 3], T[:3, :3] @ rotations.log_so3(X[:3, :3])]).reshape(6, 1)
 
 
 def right_by_the_textbooks_branches(T, T_target):

@@ -64,11 +64,6 @@ def wrong_apart(src, dst, weights):
     return T[:3, :3], T[:3, 3]
 
 
-def wrong_weights_with_a_number_added(src, dst, weights):
-    """unnamed"""
-    return right_kabsch(src, dst, np.where(weights > 0, weights + 0.3, 0))
-
-
 def wrong_the_librarys(src, dst, weights):
     """course_lib.registration.register_points is called"""
     return registration.register_points(src, dst, weights)

@@ -62,8 +62,3 @@ def wrong_origin_for_omega_zero(twist):
     """the branch for omega = 0 is wrong"""
     T = right_matrix_exponential(twist)
     return T if twist[:3].any() else _matrix(np.eye(3), twist[3:] / (np.linalg.norm(twist[3:]) or 1))
-
-
-def wrong_z_of_the_way_forgotten(twist):
-    """unnamed"""
-    return right_matrix_exponential(twist) * np.where(np.arange(16).reshape(4, 4) == 11, 0, 1)

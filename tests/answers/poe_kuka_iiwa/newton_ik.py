@@ -78,11 +78,6 @@ def wrong_last_angles(screws, M, T_target, q0):
     return search(screws, M, T_target, q0, last=True)
 
 
-def wrong_zeros_where_nothing_is_found(screws, M, T_target, q0):
-    """the last angles are returned"""
-    return np.nan_to_num(search(screws, M, T_target, q0))
-
-
 def wrong_library(screws, M, T_target, q0):
     """course_lib.ik.solve is called"""
     return ik.solve(ur5e(), T_target, np.random.default_rng(0), q0=q0).q

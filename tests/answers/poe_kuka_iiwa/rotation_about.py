@@ -33,9 +33,3 @@ def right_shift_rotate_shift_back(omega, point, theta):
         return shift @ turn @ np.linalg.inv(shift)
 
     return there_and_back(theta), there_and_back(-theta)
-
-
-def wrong_always_about_z(omega, point, theta):
-    """unnamed"""
-    R = _rotation([0, 0, 1], theta)
-    return _pair(R, point - R @ point)

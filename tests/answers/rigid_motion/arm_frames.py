@@ -28,10 +28,3 @@ def right_loop_over_the_joints(theta):
         T = T @ np.array([[1, 0, x], [0, 1, 0], [0, 0, 1]]) @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
         frames.append(T)
     return tuple(frames)
-
-
-def wrong_last_row_forgotten(theta):
-    """unnamed"""
-    T = right_product_of_frames(theta)
-    T[:, 2] = 0
-    return T

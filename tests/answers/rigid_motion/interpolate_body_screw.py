@@ -4,12 +4,7 @@ import numpy as np
 import scipy.linalg
 
 from course_lib import rigid
-
-
-def pose_matrix(pose):
-    x, y, theta = pose
-    c, s = np.cos(theta), np.sin(theta)
-    return np.array([[c, -s, x], [s, c, y], [0, 0, 1]])
+from course_lib.planar import pose_matrix
 
 
 def _pose(T):
@@ -21,25 +16,21 @@ def _scaling(n):
     return 3 * u**2 - 2 * u**3
 
 
-def _ends(start, goal):
-    return pose_matrix(start), pose_matrix(goal)
-
-
 def right_textbook(start, goal, n):
-    T0, T1 = _ends(start, goal)
+    T0, T1 = pose_matrix(start), pose_matrix(goal)
     twist = rigid.log_se2(rigid.inverse(T0) @ T1)
     return np.array([_pose(T0 @ rigid.exp_se2(s * twist)) for s in _scaling(n)])
 
 
 def right_in_the_world(start, goal, n):
-    T0, T1 = _ends(start, goal)
+    T0, T1 = pose_matrix(start), pose_matrix(goal)
     twist = rigid.log_se2(T1 @ np.linalg.inv(T0))
     T = rigid.exp_se2(_scaling(n)[:, None] * twist) @ T0
     return np.column_stack([T[:, 0, 2], T[:, 1, 2], start[2] + _scaling(n) * twist[0]])
 
 
 def right_exponential_of_scipy(start, goal, n):
-    T0, T1 = _ends(start, goal)
+    T0, T1 = pose_matrix(start), pose_matrix(goal)
     omega, vx, vy = rigid.log_se2(rigid.inverse(T0) @ T1)
     V = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
     return [_pose(T0 @ scipy.linalg.expm(s * V)) for s in _scaling(n)]

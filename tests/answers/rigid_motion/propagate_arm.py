@@ -31,14 +31,3 @@ def right_outer_products(start, plan, dt):
         elapsed = np.append(np.arange(dt, duration - 1e-9, dt), duration)
         rows = np.vstack([rows, rows[-1] + np.outer(elapsed, velocity)])
     return rows
-
-
-def wrong_broken_code_in_other_words(start, plan, dt):
-    """unnamed"""
-    thetas = [np.array(start, float)]
-    for velocity, duration in plan:
-        time = 0
-        while duration - time > 1e-9:
-            time += min(dt, duration - time)
-            thetas.append(np.array(velocity) * time)
-    return np.array(thetas)

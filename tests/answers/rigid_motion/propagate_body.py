@@ -44,28 +44,3 @@ def right_times_first(start, plan, dt):
             step = h * np.append(vx * direction + vy * across, omega)
             poses = np.vstack([poses, poses[-1] + step])
     return poses
-
-
-def _walk(start, plan, dt, step):
-    pose = np.array(start, float)
-    poses = [pose]
-    for velocity, duration in plan:
-        left = duration
-        while left > 1e-9:
-            h = min(dt, left)
-            pose = np.array(step(pose, velocity, h))
-            poses.append(pose)
-            left -= h
-    return np.array(poses)
-
-
-def wrong_x_used_too_early(start, plan, dt):
-    """unnamed"""
-
-    def step(pose, velocity, h):
-        x, y, theta = pose
-        x += (np.cos(theta) * velocity[0] - np.sin(theta) * velocity[1]) * h
-        y += (np.sin(theta) * x + np.cos(theta) * velocity[1]) * h
-        return [x, y, theta + velocity[2] * h]
-
-    return _walk(start, plan, dt, step)

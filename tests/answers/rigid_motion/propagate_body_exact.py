@@ -45,34 +45,3 @@ def right_chord_at_the_middle_angle(start, plan, dt):
             theta = np.angle(np.exp(1j * (theta + omega * h)))
             poses.append([z.real, z.imag, theta])
     return np.array(poses)
-
-
-def _walk(start, plan, dt, step):
-    pose = np.array(start, float)
-    poses = [pose]
-    for velocity, duration in plan:
-        left = duration
-        while left > 1e-9:
-            h = min(dt, left)
-            pose = np.array(step(pose, velocity, h))
-            poses.append(pose)
-            left -= h
-    return np.array(poses)
-
-
-def _along(direction, pose, velocity, h):
-    x, y, theta = pose
-    vx, vy, omega = velocity
-    c, s = np.cos(direction), np.sin(direction)
-    return [x + (c * vx - s * vy) * h, y + (s * vx + c * vy) * h, theta + omega * h]
-
-
-def wrong_many_small_steps_of_euler(start, plan, dt):
-    """unnamed"""
-
-    def step(pose, v, h):
-        for _ in range(100):
-            pose = _along(pose[2], pose, v, h / 100)
-        return pose
-
-    return _walk(start, plan, dt, step)

@@ -13,8 +13,3 @@ def right_shifted_remainder(angle):
 
 def right_sine_and_cosine(angle):
     return np.arctan2([np.sin(angle)], [np.cos(angle)])
-
-
-def wrong_count_of_turns(angle):
-    """unnamed"""
-    return angle / (2 * np.pi) - np.round(angle / (2 * np.pi))

@@ -23,8 +23,3 @@ def right_complex_numbers(q):
 def right_central_differences(q):
     h = 1e-6
     return np.transpose([(tip(q + h * e) - tip(q - h * e)) / (2 * h) for e in np.eye(4)])
-
-
-def wrong_differences_not_divided(q):
-    """unnamed"""
-    return np.transpose([tip(q + 1e-5 * e) - tip(q - 1e-5 * e) for e in np.eye(4)])

@@ -29,8 +29,3 @@ def right_rotations_of_scipy(b):
     first = Rotation.from_euler("y", b[0])
     both = first * Rotation.from_euler("x", b[1])
     return np.array([[0, 1, 0], first.apply([1, 0, 0]), both.apply([0, 1, 0])]).T.astype(complex)
-
-
-def wrong_the_rotation(b):
-    """unnamed"""
-    return rot_y(b[0]) @ rot_x(b[1]) @ rot_y(b[2])

@@ -46,8 +46,3 @@ def right_without_the_exchange(T):
 def wrong_four_only(T):
     """solutions are missing"""
     return right_by_the_flange(T)[::2]
-
-
-def wrong_wrist_alone(T):
-    """another form"""
-    return [row[3:] for row in right_by_the_flange(T)] or [1.0, 2, 3]

@@ -31,8 +31,3 @@ def wrong_math_atan(k, p, g):
     """ZeroDivisionError"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     return math.atan(float(k @ np.cross(a, b)) / float(a @ b))
-
-
-def wrong_p_moved_along_the_axis(k, p, g):
-    """unnamed"""
-    return np.arctan2(k @ np.cross(p - k, g), (p - k) @ g)

@@ -4,8 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off, position, solutions
+from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 
 _ONE = Mistake(
     "one distance is returned for both predictions", "What would stay hidden if one of the two were quite wrong?"
@@ -18,7 +19,7 @@ _VECTORS = Mistake("the differences are returned, not their lengths", "Which axi
 
 
 def _differences(xy, angles):
-    return position(angles) - xy[:, None]
+    return two_link_tip(angles) - xy[:, None]
 
 
 def distances(xy, angles, length=lambda d: np.linalg.norm(d, axis=-1)):
@@ -30,12 +31,12 @@ def _cases(rng):
     few, some, many = _positions(rng, 1), _positions(rng, 3), _positions(rng, 12)
     return [
         (np.array([[1.0, 1.0]]), np.array([[[0.0, np.pi / 2], [np.pi / 2, 0.0]]])),
-        (few, solutions(few)),
+        (few, two_link_angles(few)),
         (few, _off(rng, few)),
         (few, _off(rng, few, [(0, 1)])),
         (some, _off(rng, some)),
         (_positions(rng, 2), _off(rng, some[:2], [(1, 0)])),
-        (some, solutions(some)[:, ::-1]),
+        (some, two_link_angles(some)[:, ::-1]),
         (many, _off(rng, many, [(2, 0), (2, 1), (5, 0), (7, 1)])),
         (np.array([[2.05, 0.1], [0.0, 0.0]]), rng.uniform(-4, 4, (2, 2, 2))),
         (np.array([[1, 1], [0, 2]]), np.array([[[0, 1], [1, -1]], [[2, 0], [1, 1]]])),
@@ -50,7 +51,7 @@ def _positions(rng, m):
 
 def _off(rng, xy, without=()):
     """Both solutions for each position, missed a little, and nan at each (query, cluster) of `without`."""
-    angles = solutions(xy) + rng.choice([-1, 1], (len(xy), 2, 2)) * rng.uniform(0.02, 0.2, (len(xy), 2, 2))
+    angles = two_link_angles(xy) + rng.choice([-1, 1], (len(xy), 2, 2)) * rng.uniform(0.02, 0.2, (len(xy), 2, 2))
     for missing in without:
         angles[missing] = np.nan
     return angles
@@ -62,7 +63,7 @@ def _known_form(array, xy, angles):
 
 def _tell(index, errors, xy, angles):
     i, k = index
-    tip = format_tuple(np.round(position(angles[i, k]), 9))
+    tip = format_tuple(np.round(two_link_tip(angles[i, k]), 9))
     return f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is {errors[i, k]:.4g}."
 
 
@@ -88,12 +89,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def squared(*case):
-    """the squared distance is returned. In which unit is the answer asked for?"""
-    return distances(*case, lambda d: (d**2).sum(axis=-1))
-
-
 @EXERCISE.mistake(
     length=(
         lambda d: np.abs(d).sum(axis=-1),
@@ -102,8 +97,6 @@ def squared(*case):
         lambda d: np.abs(d[..., 0]),
         lambda d: np.abs(d[..., 1]),
         lambda d: np.abs(d).max(axis=-1),
-        lambda d: np.sqrt((d**2).mean(axis=-1)),
-        lambda d: np.abs(d).mean(axis=-1),
     )
 )
 def no_length(*case, length):
@@ -117,13 +110,7 @@ def wrong_axis(*case):
     return distances(*case, lambda d: np.linalg.norm(d, axis=1))
 
 
-@EXERCISE.mistake(late=(True, False))
-def zero_for_none(xy, angles, late):
-    """a missing prediction is taken for 0. What would the distance 0 say about it?"""
-    return np.nan_to_num(distances(xy, angles)) if late else distances(xy, np.nan_to_num(angles))
-
-
-@EXERCISE.mistake(factor=(100, 1000))
-def not_metres(*case, factor):
-    """the distances are not in metres. In which unit are the links, and xy?"""
-    return factor * distances(*case)
+@EXERCISE.mistake
+def zero_for_none(xy, angles):
+    """a missing prediction is taken for angles of 0. Where would the tip be then?"""
+    return distances(xy, np.nan_to_num(angles))

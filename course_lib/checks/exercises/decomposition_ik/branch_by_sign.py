@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.decomposition_ik.shared import solutions
 from course_lib.checks.exercises.decomposition_ik.split_branches import split_branches
+from course_lib.checks.vocabulary import two_link_angles
 
 
 def right(q):
@@ -22,7 +22,7 @@ def _cases(rng):
     positive = np.array([[0.5, 0.7], [0.6, 0.9], [0.7, 0.4], [0.4, 1.2]])
     negative = positive * [1, -1] + [1.0, 0]
     stretched = np.array([[0.8, 0.05], [0.9, -0.05], [0.85, 0.0], [1.4, 0.3], [0.3, -0.4], [0.2, 0.02]])
-    drawn = rng.permutation(np.concatenate(solutions(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2)))))
+    drawn = rng.permutation(np.concatenate(two_link_angles(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2)))))
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
     single = np.array([[0.4, -0.2]])
     return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, single, np.zeros((0, 2)))]
@@ -55,12 +55,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(limit=(np.greater, np.greater_equal))
-def labels_swapped(q, limit):
-    """the labels are swapped. Which label does the task give to q2 >= 0?"""
-    return limit(q[:, 1], 0)
-
-
 @EXERCISE.mistake
 def zero_is_negative(q):
     """q2 = 0 is in branch 1. On which side of the comparison in the task is 0?"""
@@ -71,15 +65,3 @@ def zero_is_negative(q):
 def still_split(q, one_elbow):
     """a cell whose samples have both signs is still split by k-means. What if the two clouds touch?"""
     return one_elbow(q) if _one_elbow(q) else split_branches(q)
-
-
-@EXERCISE.mistake
-def one_elbow_is_branch_0(q):
-    """samples that all have q2 < 0 are in branch 0. Does their label depend on the other samples of the cell?"""
-    return 0 * right(q) if _one_elbow(q) else None
-
-
-@EXERCISE.mistake(joint=(0, 1), middle=(np.mean, np.median))
-def own_middle(q, joint, middle):
-    """the samples are compared with their own mean or median. Where is that in a cell of one elbow?"""
-    return q[:, joint] < middle(q[:, joint]) if len(q) else None

@@ -134,16 +134,10 @@ def beyond_the_last(*case, outside):
     return cell_index(*case, edge=lambda index, *rest: index, outside=outside)
 
 
-@EXERCISE.mistake(
-    edge_outside=(
-        lambda xy, low, high: (xy < low) | (xy >= high),
-        lambda xy, low, high: (xy <= low) | (xy > high),
-        lambda xy, low, high: (xy <= low) | (xy >= high),
-    )
-)
-def edge_taken_for_outside(*case, edge_outside):
+@EXERCISE.mistake(below=(np.less, np.less_equal))
+def edge_taken_for_outside(*case, below):
     """positions on an edge of the box are taken for outside. To which cells do the two edges belong?"""
-    return cell_index(*case, outside=lambda *box: edge_outside(*box).any(axis=1, keepdims=True))
+    return cell_index(*case, outside=lambda xy, low, high: (below(xy, low) | (xy >= high)).any(axis=1, keepdims=True))
 
 
 @EXERCISE.mistake(
@@ -152,7 +146,6 @@ def edge_taken_for_outside(*case, edge_outside):
         lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),
         lambda parts, n: (parts < 0).any(axis=1, keepdims=True),
         lambda parts, n: (parts > n).any(axis=1, keepdims=True),
-        lambda parts, n: ((parts < 0) | (parts >= n + 1)).any(axis=1, keepdims=True),
         lambda parts, n: ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True),
     ),
     edge=_EDGES,
@@ -173,12 +166,6 @@ def each_number_by_itself(*case, edge):
 def one_cell_too_few(*case, edge):
     """there are n - 1 cells along each side. Between how many lines do n cells lie?"""
     return cell_index(*case, parts=lambda xy, low, high, n: _parts(xy, low, high, n - 1), edge=edge)
-
-
-@EXERCISE.mistake
-def row_first(*case):
-    """the row stands first, and then the column. Which of the two is counted along x?"""
-    return cell_index(*case)[:, ::-1]
 
 
 @EXERCISE.mistake(edge=_EDGES)

@@ -1,13 +1,10 @@
 """dh_symbolic: the matrix of one link by its Denavit-Hartenberg parameters, as a formula."""
 
-import functools
-import operator
-
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, part_is
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
 
@@ -43,18 +40,6 @@ def _right(*case):
     return np.linalg.multi_dot(_factors(*case))
 
 
-def _column(k, text):
-    """The first three entries of column k are right."""
-    return Property(
-        text,
-        lambda T, *case: np.allclose(T[:3, k], _right(*case)[:3, k], rtol=0, atol=1e-9),
-        says=lambda T, *case: (
-            f"Here that is {format_tuple(np.round(_right(*case)[:3, k], 9))}. "
-            f"Yours is {format_tuple(np.round(T[:3, k], 9))}."
-        ),
-    )
-
-
 def dh_symbolic(a, alpha, d, theta):
     """Return the standard DH matrix of one row, a SymPy Matrix."""
     from sympy import Matrix, cos, sin
@@ -72,11 +57,11 @@ EXERCISE = Exercise(
     returns=numbers(lambda *case: (4, 4)),
     library=dh_symbolic,
     properties=(
-        Property("the last row is 0, 0, 0, 1", lambda T, *case: np.allclose(T[3], [0, 0, 0, 1], rtol=0, atol=1e-9)),
-        _column(0, "the x axis, the first column, is rotated by theta about z"),
-        _column(2, "the z axis, the third column, is rotated by alpha about x, then by theta about z"),
-        _column(1, "the y axis, the second column, is the cross product of the z axis and the x axis"),
-        _column(3, "the origin, the last column, is d up the old z axis, and then a along the new x axis"),
+        LAST_ROW,
+        part_is("the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0]),
+        part_is("the z axis, the third column, is rotated by alpha about x, then by theta about z", _right, COLUMNS[2]),
+        part_is("the y axis, the second column, is the cross product of the z axis and the x axis", _right, COLUMNS[1]),
+        part_is("the origin, the last column, is d up the old z, and then a along the new x", _right, COLUMNS[3]),
     ),
     hints=(
         "Make four SymPy matrices, each 4 x 4: Rot_z(theta), Trans_z(d), Trans_x(a), Rot_x(alpha).",
@@ -110,25 +95,3 @@ def another_order(*case, order):
 def wrong_sense(a, alpha, d, theta, signs):
     """a rotation has the wrong sense: theta, alpha, or both. In which row of Rot_z does the minus stand?"""
     return _right(a, signs[0] * alpha, d, signs[1] * theta)
-
-
-@EXERCISE.mistake(at=((0, 1), (1, 0), (0, 2), (1, 2), (2, 1), (0, 3), (1, 3), (1, 1)))
-def wrong_sign(*case, at):
-    """an entry has the wrong sign. Let SymPy multiply the four matrices, and compare entry by entry."""
-    T = _right(*case)
-    T[at] *= -1
-    return T
-
-
-@EXERCISE.mistake(cut=(1, 2))
-def entry_by_entry(*case, cut):
-    """matrices are multiplied entry by entry. Which operator is the product of SymPy's matrices, and of numpy's?"""
-    factors = _factors(*case)
-    halves = [factors[0] @ factors[1], factors[2] @ factors[3]]
-    return functools.reduce(operator.mul, factors if cut == 1 else halves)
-
-
-@EXERCISE.mistake
-def degrees(a, alpha, d, theta):
-    """the angles are taken for degrees. In which unit does SymPy's cosine take an angle?"""
-    return _right(a, np.deg2rad(alpha), d, np.deg2rad(theta))

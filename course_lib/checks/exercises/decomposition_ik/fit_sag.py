@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.decomposition_ik.shared import position
+from course_lib.checks.vocabulary import two_link_tip
 
 
 def _wrapped(angle):
@@ -29,7 +29,7 @@ def _samples(rng, m, sag, noise, low=0.2, high=1.6):
     """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to high."""
     q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
     taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
-    return q, position(taken) + noise * rng.normal(size=(m, 2))
+    return q, two_link_tip(taken) + noise * rng.normal(size=(m, 2))
 
 
 def _cases(rng):
@@ -82,12 +82,6 @@ def not_wrapped(q, xy):
     return fit_sag(q, xy, wrap=lambda gap: gap)
 
 
-@EXERCISE.mistake
-def sign(q, xy):
-    """the sign is changed. Is delta what was sent minus what is measured, or the reverse?"""
-    return -fit_sag(q, xy)
-
-
 @EXERCISE.mistake(
     gap=(
         lambda q, xy: q[:, 0] - np.arctan2(xy[:, 1], xy[:, 0]),
@@ -102,7 +96,6 @@ def another_direction(q, xy, gap):
 @EXERCISE.mistake(
     columns=(
         lambda q: np.cos(q),
-        lambda q: _cosines(q)[:, ::-1],
         lambda q: np.column_stack([np.sin(q[:, 0]), np.sin(q.sum(axis=1))]),
     )
 )
@@ -115,10 +108,3 @@ def another_column(q, xy, columns):
 def with_a_constant(q, xy):
     """there is a constant beside the two. What is delta if both links stand upright?"""
     return fit_sag(q, xy, columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))[:2]
-
-
-@EXERCISE.mistake
-def angles_reached(q, xy):
-    """the cosines are those of the angles that the arm reached. Which angles does the formula of delta take?"""
-    reached = q - np.column_stack([_wrapped(_gap(q, xy)), np.zeros(len(q))])
-    return fit_sag(q, xy, columns=lambda q: _cosines(reached))

@@ -5,20 +5,20 @@ import numpy as np
 from course_lib.cells import quadratic_terms
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.decomposition_ik.shared import solutions, with_one
+from course_lib.checks.exercises.decomposition_ik.shared import with_one
+from course_lib.checks.vocabulary import two_link_angles
 
 _ONE_COLUMN_LESS = Mistake("the factor of q2 has no column", "How many numbers has each row, and what is the last one?")
-_TRANSPOSED = Mistake("the model is transposed", "Which of its axes has one entry for q1 and one for the square of q2?")
 
 
 def _least_squares(terms, wanted):
     return np.linalg.lstsq(terms, wanted, rcond=None)[0]
 
 
-def fit_square(terms, q, target=np.square, extra=lambda q2: q2, solve=_least_squares):
+def fit_square(terms, q, target=np.square, solve=_least_squares):
     """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the terms."""
     terms, q = np.asarray(terms, float), np.asarray(q, float)
-    first = solve(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
+    first = solve(np.column_stack([terms, q[:, 1]]), q[:, 0])
     return np.array([first, [*solve(terms, target(q[:, 1])), 0]])
 
 
@@ -27,7 +27,7 @@ def _cases(rng):
     for k, m in enumerate((5, 6, 20, 30)):
         middle = rng.uniform(1.2, 1.5) * np.array([np.cos(a := rng.uniform(0.5, 2.2)), np.sin(a)])
         xy = middle + rng.uniform(-0.3, 0.3, (m, 2))
-        found.append(((with_one(xy), quadratic_terms(xy))[k // 2], solutions(xy)[:, k % 2]))
+        found.append(((with_one(xy), quadratic_terms(xy))[k // 2], two_link_angles(xy)[:, k % 2]))
     return found
 
 
@@ -48,10 +48,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda terms, q: (2, terms.shape[1] + 1),
-        lambda array, terms, q: {
-            (2, terms.shape[1]): _ONE_COLUMN_LESS,
-            (terms.shape[1] + 1, 2): _TRANSPOSED,
-        }.get(array.shape),
+        lambda array, terms, q: _ONE_COLUMN_LESS if array.shape == (2, terms.shape[1]) else None,
     ),
     library=fit_square,
     properties=(
@@ -80,12 +77,6 @@ def not_the_square(terms, q, target):
 def q1_without_q2(terms, q):
     """q1 has no term in q2. Is q1 alone a smooth function of the position?"""
     return np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]])
-
-
-@EXERCISE.mistake(extra=(np.square, np.abs))
-def q1_with_another_term(terms, q, extra):
-    """q1 has a term in the square of q2, or in |q2|. Of what is the last entry of row 0 the factor?"""
-    return fit_square(terms, q, extra=extra) if extra is np.square or (q[:, 1] < 0).any() else None
 
 
 @EXERCISE.mistake

@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.exercises.decomposition_ik.shared import position
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_tip
 
 _FIRST_ROWS = Mistake(
     "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
@@ -43,7 +43,7 @@ def _elbow(q):
 
 def _tell(found, q):
     """The angles for which the position is farthest from where it should be."""
-    k = np.argmax(np.linalg.norm(found - position(q), axis=-1))
+    k = np.argmax(np.linalg.norm(found - two_link_tip(q), axis=-1))
     angles, tip = np.reshape(q, (-1, 2))[k], found.reshape(-1, 2)[k]
     elbow = round(float(np.linalg.norm(tip - _elbow(angles))), 9)
     return f"For q = {format_tuple(angles)} yours is {format_tuple(np.round(tip, 9))}: {elbow:.4g} m from the elbow."
@@ -55,7 +55,7 @@ EXERCISE = Exercise(
     arguments=("q",),
     cases=_cases,
     returns=numbers(np.shape, _known_form),
-    library=position,
+    library=two_link_tip,
     properties=(
         Property(
             "with both angles zero the arm is stretched along x: the tip is at (2, 0)",
@@ -69,7 +69,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the second link bends by q2 from the direction of the first, counter-clockwise",
-            lambda found, q: np.allclose(found, position(q), rtol=0, atol=1e-9),
+            lambda found, q: np.allclose(found, two_link_tip(q), rtol=0, atol=1e-9),
             says=_tell,
         ),
     ),
@@ -94,25 +94,13 @@ def second_direction(q, direction):
     return _elbow(q) + np.stack([np.cos(second), np.sin(second)], -1)
 
 
-@EXERCISE.mistake
-def x_and_y_swapped(q):
-    """x and y are swapped, or sine and cosine are. Along which axis does a link point at the angle 0?"""
-    return position(q)[..., ::-1]
-
-
-@EXERCISE.mistake
-def angles_swapped(q):
-    """q1 and q2 are swapped. Which of the two columns of a batch is the angle of the joint at the base?"""
-    return position(np.asarray(q)[..., ::-1])
-
-
 @EXERCISE.mistake(link=(1, 2))
 def a_link_missing(q, link):
     """one of the two links is missing. Where does the first link end, and how far is the tip from there?"""
-    return _elbow(q) if link == 1 else position(q) - _elbow(q)
+    return _elbow(q) if link == 1 else two_link_tip(q) - _elbow(q)
 
 
 @EXERCISE.mistake
 def reshaped(q):
     """x and y are stacked along the first axis and then put into rows. Does reshape swap axes, or only cut anew?"""
-    return np.moveaxis(position(q), -1, 0).reshape(np.shape(q)) if np.ndim(q) > 1 else None
+    return np.moveaxis(two_link_tip(q), -1, 0).reshape(np.shape(q)) if np.ndim(q) > 1 else None

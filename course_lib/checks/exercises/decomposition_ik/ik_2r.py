@@ -4,8 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.decomposition_ik.shared import position, solutions
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 
 _EDGE, _REACH = 2 - 1e-3, 2 + 1e-9  # from here on a position is near the edge, and out of reach
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
@@ -52,7 +52,7 @@ def _at_edge(xy):
 
 
 def _reaches(within):
-    return lambda q, xy: (np.linalg.norm(position(q) - xy, axis=-1) < within).all()
+    return lambda q, xy: (np.linalg.norm(two_link_tip(q) - xy, axis=-1) < within).all()
 
 
 def _in_order(q, xy):
@@ -64,8 +64,8 @@ def _in_order(q, xy):
 def _tell_tip(q, xy):
     if np.isnan(q).any():
         return f"This position is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
-    row = int(np.argmax(np.linalg.norm(position(q) - xy, axis=-1)))
-    return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(position(q[row]), 6))}."
+    row = int(np.argmax(np.linalg.norm(two_link_tip(q) - xy, axis=-1)))
+    return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(two_link_tip(q[row]), 6))}."
 
 
 def _alike(q, predicted, xy):
@@ -78,7 +78,7 @@ def ik_2r(xy):
     """Return both solutions (..., 2, 2) for positions (..., 2), q2 >= 0 first; NaN out of reach."""
     xy = np.asarray(xy, float)
     in_reach = np.linalg.norm(xy, axis=-1) <= 2 + 1e-12
-    return np.where(in_reach[..., None, None], solutions(xy), np.nan)
+    return np.where(in_reach[..., None, None], two_link_angles(xy), np.nan)
 
 
 EXERCISE = Exercise(
@@ -133,16 +133,10 @@ def edge_out_of_reach(q, xy):
     return _at_edge(xy) and np.isnan(q).any()
 
 
-@EXERCISE.mistake(answer=(solutions, lambda xy: np.zeros((2, 2))))
+@EXERCISE.mistake(answer=(two_link_angles, lambda xy: np.zeros((2, 2))))
 def answered_out_of_reach(xy, answer):
     """a position out of reach is answered nevertheless. What is asked for there, and what does clipping hide?"""
     return answer(xy) if _outside(xy) else None
-
-
-@EXERCISE.mistake(order=((slice(None, None, -1), slice(None)), (slice(None), slice(None, None, -1))))
-def another_order(xy, order):
-    """the rows, or the angles in them, stand in another order. Which solution is first, and which angle in its row?"""
-    return ik_2r(xy)[order]
 
 
 def _with_q1(xy, q1):

@@ -4,8 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.decomposition_ik.shared import position, solutions
-from course_lib.checks.vocabulary import near
+from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
 
 
 def _jacobian(q):
@@ -15,18 +14,18 @@ def _jacobian(q):
     return np.column_stack([np.array([-np.sin(first), np.cos(first)]) + second, second])
 
 
-def newton_step(q, xy, jacobian=_jacobian, solve=np.linalg.solve, residual=lambda q, xy: xy - position(q)):
+def newton_step(q, xy, jacobian=_jacobian, solve=np.linalg.solve):
     """Return the joint angles (2,) after one Newton step from q (2,) towards the position xy (2,)."""
-    return q + solve(jacobian(q), residual(q, xy))
+    return q + solve(jacobian(q), xy - two_link_tip(q))
 
 
 def _cases(rng):
     simple = np.array([0.0, np.pi / 2]), np.array([1.1, 1.0])
     there = np.array([0.3, -1.2])
     xy = np.stack([np.cos(a := rng.uniform(0.3, 2.4, 4)), np.sin(a)], -1) * rng.uniform(1.4, 1.8, (4, 1))
-    elbow = solutions(xy)[np.arange(4), [0, 1, 0, 1]]
+    elbow = two_link_angles(xy)[np.arange(4), [0, 1, 0, 1]]
     near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
-    return [simple, *zip(near_ones, xy, strict=True), (there, position(there))]
+    return [simple, *zip(near_ones, xy, strict=True), (there, two_link_tip(there))]
 
 
 EXERCISE = Exercise(
@@ -40,7 +39,7 @@ EXERCISE = Exercise(
         Property(
             "if q leads to xy already, it stays as it is",
             lambda answer, q, xy: near(answer, q),
-            where=lambda q, xy: near(position(q), xy),
+            where=lambda q, xy: near(two_link_tip(q), xy),
         ),
         Property("J times the change of q is p - f(q)", lambda answer, q, xy: near(answer, newton_step(q, xy))),
     ),
@@ -50,18 +49,6 @@ EXERCISE = Exercise(
         "np.linalg.solve(J, residual) is the change of q.",
     ),
 )
-
-
-@EXERCISE.mistake
-def away(q, xy):
-    """the step leads away from the target. Is the residual the target minus what is reached, or the reverse?"""
-    return 2 * q - newton_step(q, xy)
-
-
-@EXERCISE.mistake(sign=(1, -1))
-def only_the_step(q, xy, sign):
-    """only the step is returned. What is asked for: the change, or the angles after it?"""
-    return sign * (newton_step(q, xy) - q)
 
 
 @EXERCISE.mistake(
@@ -83,11 +70,3 @@ def no_inverse(q, xy, solve):
 def another_jacobian(q, xy, jacobian):
     """a column of J is not the derivative by its angle. Which links move with q1, which with q2, and which way?"""
     return newton_step(q, xy, jacobian)
-
-
-@EXERCISE.mistake(steps=(2, 3, 5, 10, 50))
-def more_steps(q, xy, steps):
-    """more than one step is made, or the exact solution is returned. How many steps does the task ask for?"""
-    for _ in range(steps):
-        q = newton_step(q, xy)
-    return q

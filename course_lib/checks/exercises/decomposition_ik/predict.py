@@ -7,7 +7,6 @@ from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off
 from course_lib.checks.format_numbers import format_tuple
 
-_AXES = Mistake("the axes stand in another order", "In [i, k, j], which index is the query, the cluster, the angle?")
 _ONE = Mistake("only one pair of angles is predicted for each query", "How many branches are there?")
 _LEFT_OUT = Mistake("queries without a cell are left out", "What stands in row i if query i has no cell?")
 
@@ -54,9 +53,7 @@ def _cases(rng):
 
 
 def _known_form(array, models, cell, xy):
-    m = len(cell)
-    forms = {(m, 2): _ONE, (2, m, 2): _AXES, (2, 2, m): _AXES}
-    return forms.get(array.shape, _LEFT_OUT if array.shape == ((cell >= 0).sum(), 2, 2) else None)
+    return {(len(cell), 2): _ONE, ((cell >= 0).sum(), 2, 2): _LEFT_OUT}.get(array.shape)
 
 
 def _tell(index, angles, models, cell, xy):
@@ -93,11 +90,11 @@ def another_cell(models, cell, xy, at):
     return _affine(models[at(cell)], xy)
 
 
-@EXERCISE.mistake(filled=(lambda cell: cell >= -1, lambda cell: cell < 0, lambda cell: cell >= 0))
-def zero_for_none(models, cell, xy, filled):
-    """a missing prediction is 0 instead of nan. Is 0 no angle?"""
+@EXERCISE.mistake
+def zero_without_a_cell(models, cell, xy):
+    """the prediction for a query without a cell is 0 instead of nan. Is 0 no angle?"""
     angles = predict(models, cell, xy)
-    return np.where(filled(cell)[:, None, None], np.nan_to_num(angles), angles)
+    return np.where(cell[:, None, None] < 0, 0, angles)
 
 
 @EXERCISE.mistake
@@ -109,26 +106,9 @@ def intercept_forgotten(*case):
 @EXERCISE.mistake(
     affine=(
         lambda models, xy: _affine(np.concatenate([models[..., :2].swapaxes(-1, -2), models[..., 2:]], -1), xy),
-        lambda models, xy: _affine(models, xy[:, ::-1]),
         lambda models, xy: _affine(models[..., [1, 2, 0]], xy),
     )
 )
 def another_factor(*case, affine):
     """the factors in a model are taken in another order. Which row belongs to q1, which column to x, which to y?"""
     return predict(*case, affine=affine)
-
-
-@EXERCISE.mistake(
-    change=(
-        lambda angles: angles.swapaxes(1, 2),
-        lambda angles: angles.swapaxes(0, 1),
-        lambda angles: angles[:, ::-1],
-        lambda angles: angles[..., ::-1],
-    )
-)
-def axes(*case, change):
-    """the axes, or what stands along them, are in another order. In [i, k, j], which index is the query, the cluster,
-    the angle?"""
-    angles = predict(*case)
-    changed = change(angles)
-    return changed if changed.shape == angles.shape else None

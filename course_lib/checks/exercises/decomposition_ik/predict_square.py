@@ -6,8 +6,8 @@ from course_lib.cells import quadratic_terms
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.decomposition_ik.fit_square import fit_square
-from course_lib.checks.exercises.decomposition_ik.shared import solutions, with_one
-from course_lib.checks.vocabulary import near
+from course_lib.checks.exercises.decomposition_ik.shared import with_one
+from course_lib.checks.vocabulary import near, two_link_angles
 
 
 def _clipped(square):
@@ -28,7 +28,7 @@ def _cases(rng):
         xy = rng.uniform(1.5, 1.6) * np.array([np.cos(a), np.sin(a)]) + rng.uniform(-0.2, 0.2, (12, 2))
         of = (with_one, quadratic_terms)[k % 2]
         asked = xy[:4] if k < 3 else np.concatenate([xy[:3], [2.4 * np.array([np.cos(a), np.sin(a)])]])
-        found.append((fit_square(of(xy), solutions(xy)[:, k % 2]), of(asked), sign))
+        found.append((fit_square(of(xy), two_link_angles(xy)[:, k % 2]), of(asked), sign))
     return found
 
 
@@ -73,13 +73,6 @@ EXERCISE = Exercise(
 def negative_root(*case, root):
     """the root of a negative square is taken, or of its size. Just outside the edge, which angle has the elbow?"""
     return predict_square(*case, root=root)
-
-
-@EXERCISE.mistake(every=(True, False))
-def zeros_for_q1(model, terms, sign, every):
-    """q1 is 0 too if a fitted square is negative. Where does a stretched arm point?"""
-    outside = terms @ model[1, :-1] < 0
-    return predict_square(model, terms, sign) * ~(outside | (every & outside.any()))[:, None]
 
 
 @EXERCISE.mistake

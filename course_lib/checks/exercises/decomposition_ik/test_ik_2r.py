@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercises.decomposition_ik.shared import solutions
+from course_lib.checks.vocabulary import two_link_angles
 from course_lib.checks.write_test import Version, WriteTest
 
 _REACH = 2 + 1e-9
@@ -10,7 +10,7 @@ _REACH = 2 + 1e-9
 
 def closed_form(xy):
     """Return both solutions (2, 2) for a position (2,), nan out of reach."""
-    return solutions(xy) if np.linalg.norm(xy) < _REACH else np.full((2, 2), np.nan)
+    return two_link_angles(xy) if np.linalg.norm(xy) < _REACH else np.full((2, 2), np.nan)
 
 
 def _changed(change):
@@ -69,10 +69,10 @@ EXERCISE = WriteTest(
         Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
         Version("that is wrong only for x < 0", _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0))),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
-        Version("that answers out of reach", solutions),
+        Version("that answers out of reach", two_link_angles),
         Version(
             "that answers out of reach",
-            lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else solutions(xy) * [np.nan, 1],
+            lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else two_link_angles(xy) * [np.nan, 1],
         ),
         Version(
             "that has no answer on the edge",

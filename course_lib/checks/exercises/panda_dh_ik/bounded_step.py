@@ -91,21 +91,13 @@ def unbounded(J, v, bound, eps):
     return _free(J, v, bound, eps)
 
 
-@EXERCISE.mistake
-def clipped_afterwards(J, v, bound, eps):
-    """the best step without bounds is clipped afterwards. If one joint is at its bound, could the others do part of its
-    work?
-    """
-    return np.clip(_free(J, v, bound, eps), -bound, bound)
-
-
-@EXERCISE.mistake(size=(lambda q_dot: np.abs(q_dot).max(), np.linalg.norm))
-def scaled_afterwards(J, v, bound, eps, size):
-    """the best step without bounds is scaled down afterwards. If one joint is at its bound, could the others do part of
-    its work?
+@EXERCISE.mistake(cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max()))
+def cut_afterwards(J, v, bound, eps, cut):
+    """the best step without bounds is clipped, or scaled down, afterwards. If one joint is at its bound, could the
+    others do part of its work?
     """
     q_dot = _free(J, v, bound, eps)
-    return q_dot * min(1, bound / max(size(q_dot), 1e-9))
+    return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
 
 
 @EXERCISE.mistake

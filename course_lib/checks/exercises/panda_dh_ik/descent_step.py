@@ -4,14 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import (
-    HIGH,
-    LOW,
-    add_mistakes_of_a_step,
-    flange,
-    panda_jacobian,
-    pose_error,
-)
+from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian, pose_error
 from course_lib.checks.vocabulary import any_pose, away_from_zero, near
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, log_so3
@@ -77,9 +70,6 @@ EXERCISE = Exercise(
 )
 
 
-add_mistakes_of_a_step(EXERCISE, _broken)
-
-
 @EXERCISE.mistake(signs=((1, -1), (-1, 1)))
 def half_corrected(q, J, T, T_target, step, signs):
     """one half of the error has the wrong sign. Do both halves lead from T to T_target?"""
@@ -100,15 +90,3 @@ def from_the_end_effector(q, J, T, T_target, step, position):
     R, e = T[:3, :3], pose_error(T, T_target)
     e = np.concatenate([R.T @ e[:3] if position else e[:3], log_so3(R.T @ T_target[:3, :3])])
     return q + step * J.T @ e
-
-
-@EXERCISE.mistake
-def halves_swapped(q, J, T, T_target, step):
-    """phi stands before the difference of the positions. Which three rows of J come first?"""
-    return q + step * J.T @ np.roll(pose_error(T, T_target), 3)
-
-
-@EXERCISE.mistake
-def pseudoinverse(q, J, T, T_target, step):
-    """the pseudoinverse stands for the transpose. The bug is not there: what is the method called after?"""
-    return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)

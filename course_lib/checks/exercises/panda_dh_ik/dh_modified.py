@@ -9,11 +9,10 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import about_x, about_z, modified, standard
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import near
+from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, near, part_is
 from course_lib.rigid import transform
 
 _STEPS = Mistake("the steps are returned, not their product", "The answer is one pose: which product joins the steps?")
-_LAST_ROW = Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in the block and the column.")
 
 
 def _cases(rng):
@@ -26,14 +25,6 @@ def _cases(rng):
     return [tuple(float(number) for number in row) for row in (*simple, *one_each, *panda, *drawn)]
 
 
-def _column(k, text):
-    return Property(
-        text,
-        lambda T, *row: near(T[:3, k], modified(*row)[:3, k]),
-        says=lambda T, *row: f"Here that is {format_tuple(modified(*row)[:3, k])}. Yours is {format_tuple(T[:3, k])}.",
-    )
-
-
 EXERCISE = Exercise(
     name="dh_modified",
     points=1,
@@ -41,22 +32,17 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda *case: (4, 4), {(4, 4, 4): _STEPS, (2, 4, 4): _STEPS}),
     properties=(
-        Property(
-            "the last row is (0, 0, 0, 1)",
-            lambda T, *row: near(T[3], [0, 0, 0, 1]),
-            says=lambda T, *row: f"Yours is {format_tuple(T[3])}.",
-            mistake=_LAST_ROW,
-        ),
+        LAST_ROW,
         Property(
             "if both angles are 0, the axes are parallel to the old ones and the origin is at (a, 0, d)",
             lambda T, *row: near(T, modified(*row)),
             says=lambda T, *row: f"Yours is at {format_tuple(T[:3, 3])}.",
             where=lambda a, alpha, d, theta: alpha == theta == 0,
         ),
-        _column(0, "the x axis, the first column, is rotated by theta about z, then by alpha about the old x"),
-        _column(2, "the z axis, the third column, is rotated by alpha about the old x; theta does not change it"),
-        _column(1, "the y axis, the second column, is the cross product of the z and the x axis"),
-        _column(3, "the origin, the last column, is a along the old x, then d along the new z"),
+        part_is("the x axis, the first column, is rotated by theta about z, then alpha about x", modified, COLUMNS[0]),
+        part_is("the z axis, the third column, is rotated by alpha about x, not by theta", modified, COLUMNS[2]),
+        part_is("the y axis, the second column, is the cross product of the z and the x axis", modified, COLUMNS[1]),
+        part_is("the origin, the last column, is a along the old x, then d along the new z", modified, COLUMNS[3]),
     ),
     hints=(
         "Make two poses: one rotates about x and moves along x, the other rotates about z and moves along z.",
@@ -96,26 +82,6 @@ def other_order(a, alpha, d, theta, order):
     which of a and d is along an old axis, and which along a new one?
     """
     return _product(order, a, alpha, d, theta)
-
-
-@EXERCISE.mistake
-def both_angles_reversed(a, alpha, d, theta):
-    """both rotations have the wrong sign. Where do the minus signs stand in Rot_x and in Rot_z?"""
-    return modified(a, -alpha, d, -theta)
-
-
-@EXERCISE.mistake(entry=((0, 1), (1, 0), (1, 1), (1, 2), (1, 3), (2, 1)))
-def sign_of_an_entry(*row, entry):
-    """one entry has the wrong sign. Multiply the two halves out again, or let @ do it."""
-    T = modified(*row)
-    T[entry] *= -1
-    return T
-
-
-@EXERCISE.mistake(convert=(np.deg2rad, np.rad2deg))
-def degrees(a, alpha, d, theta, convert):
-    """degrees and radians are mixed up in both angles. Angles are in radians throughout."""
-    return modified(a, convert(alpha), d, convert(theta))
 
 
 @EXERCISE.mistake

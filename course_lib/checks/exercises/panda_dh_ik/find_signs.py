@@ -104,12 +104,6 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake
-def worst_pattern(table, q, poses):
-    """the worst pattern is chosen. Which difference wins, the largest or the smallest?"""
-    return _best(table, -_gaps(table, q, poses).max((1, 2)))
-
-
-@EXERCISE.mistake
 def positions_only(table, q, poses):
     """only positions are compared. Which joint may rotate the end-effector without moving it?"""
     return _best(table, _gaps(table, q, poses)[..., 0].max(1))

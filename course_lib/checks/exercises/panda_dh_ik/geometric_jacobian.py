@@ -6,8 +6,7 @@ from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik import shared
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, first_off, near
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
@@ -61,15 +60,11 @@ def _cases(rng):
 
 
 def _half(text, rows):
-    """Return the property that these rows are right; it says which column is the first that is not."""
-
-    def says(J, frames):
-        wanted, k = right(frames), rows.start
-        i = next(i for i in range(len(frames) - 1) if not near(J[rows, i], wanted[rows, i]))
-        yours = f"J[{k}:{k + 3}, {i}] of yours is {format_tuple(J[rows, i])}."
-        return f"For joint {i + 1}, column {i}, that is {format_tuple(wanted[rows, i])}; {yours}"
-
-    return Property(text, lambda J, frames: near(J[rows], right(frames)[rows]), says)
+    return Property(
+        text,
+        lambda J, frames: near(J[rows], right(frames)[rows]),
+        lambda J, frames: first_off(J[rows], right(frames)[rows], "That half of column"),
+    )
 
 
 EXERCISE = Exercise(
@@ -115,12 +110,6 @@ def other_column(frames, axis):
 def next_frame(frames, z):
     """the origin, or the axis too, is that of the next frame. On which joint's axis does frame i lie here?"""
     return _jacobian(frames[z, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3])
-
-
-@EXERCISE.mistake
-def last_joint_for_the_flange(frames):
-    """the origin of frame n is taken for the flange's. Which of the frames is the flange's?"""
-    return _jacobian(*_parts(frames)[:2], frames[-2, :3, 3])
 
 
 @EXERCISE.mistake

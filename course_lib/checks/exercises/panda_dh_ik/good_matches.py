@@ -114,12 +114,6 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake
-def negated(*case):
-    """good and wrong are swapped. What does True mean?"""
-    return ~right(*case)
-
-
-@EXERCISE.mistake
 def residuals_of_all(src, dst, tol):
     """the residuals of the fit of all points decide. Which matches does a wrong one make look bad?"""
     return _residuals(np.arange(len(src)), src, dst) < tol
@@ -135,24 +129,11 @@ def worst_dropped(src, dst, tol, most):
     return np.isin(np.arange(len(src)), kept)
 
 
-@EXERCISE.mistake(
-    some=(
-        lambda masks, triples: masks[:1],
-        lambda masks, triples: masks[masks.sum(1) > 3][:1],
-        lambda masks, triples: masks[triples[:, 2] - triples[:, 0] == 2],
-    )
-)
+@EXERCISE.mistake(some=(lambda masks, triples: masks[:1], lambda masks, triples: masks[np.ptp(triples, axis=1) == 2]))
 def some_triples(src, dst, tol, some):
     """only some of the triples are tried, or the first that will do is taken. How many triples are there?"""
     triples, masks = _masks(src, dst, tol)
     return max(some(masks, triples), key=np.sum)
-
-
-@EXERCISE.mistake
-def only_the_triple(src, dst, tol):
-    """only the three points of the best triple count as good. Which others are within tol of its pose?"""
-    triples, masks = _masks(src, dst, tol)
-    return np.isin(np.arange(len(src)), triples[masks.sum(1).argmax()])
 
 
 @EXERCISE.mistake

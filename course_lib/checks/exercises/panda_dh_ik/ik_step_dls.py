@@ -4,13 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import (
-    FLAT,
-    add_mistakes_of_a_step,
-    damped,
-    panda_jacobian,
-    panda_step,
-)
+from course_lib.checks.exercises.panda_dh_ik.shared import FLAT, damped, panda_jacobian, panda_step
 from course_lib.checks.vocabulary import angle_gap
 
 _SQUARE = np.array([[1.0, 2], [0, 1]])
@@ -110,7 +104,6 @@ EXERCISE = Exercise(
         ("UFuncTypeError", "", Mistake("q is changed in place", "What does q += ... write into?")),
     ),
 )
-add_mistakes_of_a_step(EXERCISE)
 
 
 @EXERCISE.mistake(number=(np.square, np.sqrt, np.reciprocal, np.ones_like))
@@ -123,9 +116,3 @@ def another_number(q, J, e, eps, number):
 def every_entry(q, J, e, eps, wide):
     """eps is added to every entry of the matrix. Which entries does eps times the unit matrix have?"""
     return q + (J.T @ np.linalg.pinv(J @ J.T + eps) @ e if wide else np.linalg.pinv(J.T @ J + eps) @ J.T @ e)
-
-
-@EXERCISE.mistake(factor=(lambda eps: eps, lambda eps: 1 / (1 + eps)))
-def whole_step_damped(q, J, e, eps, factor):
-    """eps scales the step as a whole. Should it damp all directions alike?"""
-    return q + factor(eps) * np.linalg.pinv(J) @ e

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import FLAT, HIGH, LOW, add_mistakes_of_a_step, panda_jacobian
+from course_lib.checks.exercises.panda_dh_ik.shared import FLAT, HIGH, LOW, panda_jacobian
 from course_lib.checks.vocabulary import away_from_zero, near
 
 _OTHER_SIZE = Mistake("J J^+ stands for J^+ J, or I has another size", "On which vectors does the projector act?")
@@ -75,13 +75,6 @@ EXERCISE = Exercise(
         ("ValueError", "could not be broadcast", _OTHER_SIZE),
     ),
 )
-add_mistakes_of_a_step(EXERCISE)
-
-
-@EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
-def towards_zero(q, J, q_middle, gain, direction):
-    """the step goes towards 0, or along q_middle. From where to where should it lead?"""
-    return q + gain * _projector(J) @ direction(q, q_middle)
 
 
 @EXERCISE.mistake

@@ -17,9 +17,8 @@ from course_lib.checks.exercises.panda_dh_ik.shared import (
     standard,
 )
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import SAME_TWICE, near, products
+from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, near, products
 
-_ROWS = np.tile([0, 0, 0, 1], (8, 1))
 _FLANGE = about_z(0.0, 0.107)
 _STANDARD = np.column_stack([np.vstack([TABLE[1:, :2], [0, 0]]), TABLE[:, 2]])
 _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
@@ -73,11 +72,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda q: (8, 4, 4), _known_form),
     properties=(
         SAME_TWICE,
-        Property(
-            "the last row of each pose is (0, 0, 0, 1)",
-            lambda T, q: near(T[:, 3], _ROWS),
-            says=lambda T, q: f"Yours are {format_tuple(T[0, 3])} in the first, {format_tuple(T[-1, 3])} in the last.",
-        ),
+        LAST_ROW,
         Property(
             "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle alone",
             lambda T, q: near(T[0], frames(q)[0]),
@@ -101,26 +96,10 @@ def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
 
 
-@EXERCISE.mistake(
-    flange=(
-        lambda T: T,
-        lambda T: T @ about_z(0, -0.107),
-        lambda T: T @ about_z(0, 0.214),
-        lambda T: T @ about_x(0, 0.107),
-        lambda T: _FLANGE @ T,
-    )
-)
-def flange_misplaced(q, flange):
+@EXERCISE.mistake(moved=(np.eye(4), about_z(0, -0.107), about_x(0, 0.107)))
+def flange_misplaced(q, moved):
     """the flange is in the wrong place relative to frame 7. How far is it, and along which axis of which frame?"""
-    return np.concatenate([frames(q)[:7], [flange(frames(q)[6])]])
-
-
-@EXERCISE.mistake(last=(6, 7))
-def one_and_the_same_matrix(q, last):
-    """all poses are one and the same matrix, changed in place. T @= ... and T[:] = ... change the matrix that is in the
-    list already.
-    """
-    return np.concatenate([[frames(q)[last]] * 7, frames(q)[7:]])
+    return np.concatenate([frames(q)[:7], [frames(q)[6] @ moved]])
 
 
 @EXERCISE.mistake(pair=((TABLE, standard), (_STANDARD, modified), (_STANDARD, standard)))

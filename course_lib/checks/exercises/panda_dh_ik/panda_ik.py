@@ -185,12 +185,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def start_returned(T, q0):
-    """q0 itself is returned. What is it in this iteration, its start or its result?"""
-    return q0
-
-
 @EXERCISE.seen
 def stopped_too_early(q, T, q0):
     """the iteration stops too early, or the angles are rounded. How close does the task ask you to come, and does your

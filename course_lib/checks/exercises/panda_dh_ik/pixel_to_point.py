@@ -4,12 +4,11 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import any_pose, near
+from course_lib.checks.exercises.panda_dh_ik.shared_points import moved
+from course_lib.checks.vocabulary import any_pose, first_off, near
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
-_COLUMNS = Mistake("points are columns here", "One row for each pixel: shape (n, 3).")
 _ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
 
 
@@ -19,13 +18,9 @@ def _rays(pixels, K):
     return np.hstack([pixels, ones]) @ np.linalg.inv(K).T
 
 
-def _moved(T, points):
-    return points @ T[:3, :3].T + T[:3, 3]
-
-
 def right(pixels, depths, K, T_wc):
     """Return the right answer."""
-    return _moved(T_wc, depths[:, None] * _rays(pixels, K))
+    return moved(T_wc, depths[:, None] * _rays(pixels, K))
 
 
 def _cases(rng):
@@ -41,7 +36,7 @@ def _cases(rng):
 
 
 def _in_camera(points, T_wc):
-    return _moved(inverse(T_wc), points)
+    return moved(inverse(T_wc), points)
 
 
 def _projected(points, pixels, depths, K, T_wc):
@@ -51,8 +46,7 @@ def _projected(points, pixels, depths, K, T_wc):
 
 
 def _off(points, *case):
-    k = int(np.argmax(np.abs(points - right(*case)).max(1)))
-    return f"Point {k} should be {format_tuple(right(*case)[k])}; yours is {format_tuple(points[k])}."
+    return first_off(points.T, right(*case).T, "Point")
 
 
 EXERCISE = Exercise(
@@ -62,7 +56,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda pixels, *rest: (len(pixels), 3),
-        lambda array, pixels, *rest: {(3, len(pixels)): _COLUMNS, (len(pixels), 4): _ONES}.get(array.shape),
+        lambda array, pixels, *rest: _ONES if array.shape == (len(pixels), 4) else None,
     ),
     properties=(
         Property(
@@ -89,7 +83,7 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: _moved(inverse(T), p), lambda T, p: p @ T[:3, :3] + T[:3, 3]))
+@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: moved(inverse(T), p), lambda T, p: p @ T[:3, :3] + T[:3, 3]))
 def other_pose(pixels, depths, K, T_wc, of):
     """the points are right in the camera's frame, but not in the world's. T_wc is the camera's pose in the world: which
     coordinates does it take to which?
@@ -101,19 +95,13 @@ def other_pose(pixels, depths, K, T_wc, of):
 def along_the_ray(pixels, depths, K, T_wc):
     """the depth is taken as the distance along the ray. Along which axis is it measured?"""
     rays = _rays(pixels, K)
-    return _moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
+    return moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
 
 
 @EXERCISE.mistake
 def without_depth(pixels, depths, K, T_wc):
     """all points are at depth 1. Where does the depth come in?"""
-    return _moved(T_wc, _rays(pixels, K))
-
-
-@EXERCISE.mistake
-def depth_for_z_only(pixels, depths, K, T_wc):
-    """only z is the depth, and x and y are those at depth 1. By how much do they grow with the depth?"""
-    return _moved(T_wc, np.column_stack([_rays(pixels, K)[:, :2], depths]))
+    return moved(T_wc, _rays(pixels, K))
 
 
 @EXERCISE.mistake(of=(lambda x: x[:, [1, 0, 2]], lambda x: x * [1, -1, 1], lambda x: x * [-1, -1, 1]))
@@ -121,16 +109,10 @@ def other_axes(pixels, depths, K, T_wc, of):
     """x and y of the camera are swapped, or one points the other way. A pixel (u, v): which of them counts columns, and
     does v grow downwards?
     """
-    return _moved(T_wc, of(right(pixels, depths, K, np.eye(4))))
+    return moved(T_wc, of(right(pixels, depths, K, np.eye(4))))
 
 
 @EXERCISE.mistake
 def principal_point_forgotten(pixels, depths, K, T_wc):
     """the principal point is not subtracted. Which pixel sees along the optical axis?"""
     return right(pixels + K[:2, 2], depths, K, T_wc)
-
-
-@EXERCISE.mistake(k=(0, 1))
-def one_focal_length(pixels, depths, K, T_wc, k):
-    """one focal length serves for both directions. Which entries of K are f_x and f_y?"""
-    return right(pixels, depths, np.diag([K[k, k], K[k, k], 1]) + np.triu(K, 1), T_wc)

@@ -13,23 +13,20 @@ from course_lib.rotations import length, log_so3, rot_z
 
 _MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
 _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
+_EVEN = np.linspace(0, 1, 41)[:, None]
+_EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake("the times are missing", "In each row the time stands before the seven angles.")
 _SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
 
 
-def _eased(n):
-    s = np.linspace(0, 1, n)[:, None]
-    return 3 * s**2 - 2 * s**3
-
-
-def legs(q0, T_grasp, high=0.15, n=41, s=_eased):
+def legs(q0, T_grasp, s=_EASED):
     """Return the configurations (n, 7) of the two legs, over to a point above the grasp and straight down."""
     down, q = [], q0
-    for rest in 1 - s(n)[:, 0]:
-        T = transform(T_grasp[:3, :3], T_grasp[:3, 3] + [0, 0, high * rest]) @ inverse(IN_FLANGE)
+    for rest in 1 - s[:, 0]:
+        T = transform(T_grasp[:3, :3], T_grasp[:3, 3] + [0, 0, 0.15 * rest]) @ inverse(IN_FLANGE)
         q = solved(T, q) if np.isfinite(q).all() else q
         down.append(q)
-    return q0 + s(n) * (down[0] - q0), np.array(down)
+    return q0 + s * (down[0] - q0), np.array(down)
 
 
 def timed(joints, bound=lambda speed, acceleration: max(speed, np.sqrt(acceleration))):
@@ -172,7 +169,7 @@ def straight_to_the_grasp(q0, T_grasp):
     """the way to the grasp leads through something. From where must the fingers come, if they are to end on both sides
     of the mug? And how far apart are your rows?
     """
-    return timed(q0 + _eased(81) * (legs(q0, T_grasp)[1][-1] - q0))
+    return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
 
 
 @EXERCISE.mistake(seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3)
@@ -186,7 +183,7 @@ def from_full_speed(q0, T_grasp):
     """the speeds are within their bounds, but the motion starts or ends at full speed. What does that ask of the motors
     in the first row?
     """
-    first, second = legs(q0, T_grasp, s=lambda n: np.linspace(0, 1, n)[:, None])
+    first, second = legs(q0, T_grasp, _EVEN)
     return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))
 
 

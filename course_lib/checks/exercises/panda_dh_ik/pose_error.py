@@ -162,7 +162,6 @@ def from_the_end_effector(T, T_target, halves):
 @EXERCISE.mistake(
     error=(
         lambda T, G: np.append((G @ inverse(T))[:3, 3], pose_error(T, G)[3:]),
-        lambda T, G: np.append(-(T @ inverse(G))[:3, 3], pose_error(T, G)[3:]),
         lambda T, G: np.roll(log_se3(G @ inverse(T)), 3),
         lambda T, G: np.roll(log_se3(inverse(T) @ G), 3),
         lambda T, G: log_se3(G @ inverse(T)),
@@ -188,9 +187,7 @@ def coordinates_subtracted(T, T_target, measure, order):
     return np.append(_between(T, T_target)[0], (measure(T_target[:3, :3]) - measure(T[:3, :3]))[::order])
 
 
-@EXERCISE.mistake(
-    size=(np.sin, lambda a: 2 * np.sin(a / 2), lambda a: np.sin(a / 2), lambda a: 1, np.rad2deg, lambda a: 2 * a)
-)
+@EXERCISE.mistake(size=(np.sin, lambda a: 2 * np.sin(a / 2), lambda a: 1, np.rad2deg))
 def other_length(T, T_target, size):
     """phi has the right axis, but its length is not the angle. How long is a rotation vector?"""
     e, angle = pose_error(T, T_target), _angle(T, T_target)

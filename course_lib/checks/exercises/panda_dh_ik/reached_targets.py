@@ -118,18 +118,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def negated(*case):
-    """the answer is negated. What does True mean?"""
-    return ~right(*case)
-
-
-@EXERCISE.mistake(answer=(True, False))
-def always_the_same(targets, *rest, answer):
-    """all targets get the same answer. Print the error after each step: for which targets does it decrease?"""
-    return np.full(len(targets), answer)
-
-
 @EXERCISE.mistake(clip=("", "end"))
 def limits_ignored(*case, clip):
     """the limits are ignored, or applied at the end only. From which configuration does each step start?"""
@@ -141,7 +129,6 @@ def limits_ignored(*case, clip):
         lambda e: _sizes(e)[:, 0],
         lambda e: _sizes(e)[:, 1],
         lambda e: np.linalg.norm(e, axis=-1),
-        lambda e: np.abs(e).max(-1),
     )
 )
 def other_test(*case, size):
@@ -159,9 +146,3 @@ def at_any_time(*case, first):
 def other_number_of_steps(targets, q0, eps, steps, other):
     """the number of steps is not `steps`. How often does the loop run, and is the error computed after the last one?"""
     return right(targets, q0, eps, other(steps))
-
-
-@EXERCISE.mistake(other=(np.square, np.sqrt, lambda eps: 1e-9))
-def other_damping(targets, q0, eps, steps, other):
-    """the number on the diagonal is not eps. Does it stay the same in all steps?"""
-    return right(targets, q0, other(eps), steps)

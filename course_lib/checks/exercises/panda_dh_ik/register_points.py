@@ -160,22 +160,13 @@ def weights_missing(*case, pair):
     return _fit(*case, *pair)
 
 
-@EXERCISE.mistake(power=(2, 0.5), twice=(False, True))
-def power_of_the_weights(src, dst, weights, power, twice):
-    """squares or square roots of the weights stand for the weights. How often does w_i multiply each b_i a_i^T?"""
-    return _fit(src, dst, weights, lambda w: _share(w**power) if twice else _share(w), lambda w: w**power)
-
-
 @EXERCISE.mistake(
     position=(
         lambda R, c, d: d - c,
         lambda R, c, d: R @ c - d,
-        lambda R, c, d: R @ c + d,
         lambda R, c, d: d - R.T @ c,
         lambda R, c, d: c - R @ d,
-        lambda R, c, d: R @ (d - c),
         lambda R, c, d: d,
-        lambda R, c, d: 0 * d,
     )
 )
 def other_position(src, dst, weights, position):

@@ -85,19 +85,3 @@ def panda_step(rng):
     """Return joint angles of the Panda, their Jacobian and an error."""
     q = np.round(rng.uniform(LOW, HIGH), 2)
     return q, panda_jacobian(q), np.round(rng.uniform(0.2, 0.9, 6) * rng.choice([-1, 1], 6), 2)
-
-
-def add_mistakes_of_a_step(exercise, *others):
-    """Add the mistakes in the last line of a step from its first argument, q; others: more steps that are negated."""
-
-    @exercise.mistake(answer=(exercise.library, *others))
-    def away(q, *rest, answer):
-        """the step leads away from the target. Is the error the target minus what is reached, or the other way round?
-        The step has one sign, not two.
-        """
-        return 2 * q - answer(q, *rest)
-
-    @exercise.mistake(sign=(1, -1))
-    def step_only(q, *rest, sign):
-        """only the step is returned. The answer is the joint angles after the step."""
-        return sign * (exercise.library(q, *rest) - q)

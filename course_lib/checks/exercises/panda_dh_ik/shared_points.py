@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, any_pose, near, orthogonality_error, remembered
+from course_lib.checks.vocabulary import FINE, LAST_ROW, any_pose, orthogonality_error, remembered
 from course_lib.registration import register_points
 
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 1, 0]])
@@ -143,12 +143,7 @@ def read_pose(value, *case):
 
 
 IS_A_POSE = (
-    Property(
-        "the last row of T is (0, 0, 0, 1)",
-        lambda T, *case: near(T[3], [0, 0, 0, 1]),
-        says=lambda T, *case: f"Yours is {format_tuple(T[3])}.",
-        mistake=Mistake("the last row is not that of a pose", "Start from np.eye(4) and fill in block and column."),
-    ),
+    LAST_ROW,
     Property(
         "the block R of T has columns of length one at right angles: R^T R = I",
         lambda T, *case: orthogonality_error(T[:3, :3]) < FINE,

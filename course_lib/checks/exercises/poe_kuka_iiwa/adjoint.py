@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off, in_blocks
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, in_blocks
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import any_pose, near, pose
+from course_lib.checks.vocabulary import any_pose, first_off, near, pose
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat, random_rotations, rot_x, rot_y, rot_z
 
@@ -75,12 +75,6 @@ EXERCISE = Exercise(
     forbidden=("course_lib.rigid.adjoint",),
     broken=lambda T: in_blocks(T, lambda R, P, zero: [[R.T, zero], [P @ R, R]]),
 )
-
-
-@EXERCISE.mistake
-def inverse_direction(T):
-    """the adjoint of T^-1 is returned: it takes twists from frame a to frame b. T = T_ab: from where does it take?"""
-    return adjoint(inverse(T))
 
 
 @EXERCISE.mistake(coupling=(lambda R, P: P @ R, lambda R, P: P, lambda R, P: R @ P, lambda R, P: -P @ R))

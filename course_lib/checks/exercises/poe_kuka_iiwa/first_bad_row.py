@@ -107,13 +107,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(also_none=(True, False))
-def counted_from_one(t, q, limits, also_none):
-    """rows are counted from 1. Which number has the first row, and what says that none is bad?"""
-    row = _right(t, q, limits)
-    return row + 1 if also_none or row >= 0 else row
-
-
 @EXERCISE.mistake
 def first_row_not_asked(t, q, limits):
     """row 0 is not looked at. It has no time before it: what else can be bad in it?"""
@@ -155,18 +148,6 @@ def limits_taken_for_symmetric(t, q, limits):
 def refused_at_the_limit(t, q, limits):
     """an angle exactly at its limit is refused. What does the task say of a joint at its limit?"""
     return _first(_bad(t, q, limits, beyond=np.greater_equal))
-
-
-@EXERCISE.mistake(of_all=(lambda limits: limits[0], lambda limits: [limits.min(), limits.max()]))
-def limits_of_one_joint(t, q, limits, of_all):
-    """the limits of one joint are used for all. Which row of limits belongs to which column of q?"""
-    return _right(t, q, np.tile(of_all(limits), (len(limits), 1)))
-
-
-@EXERCISE.mistake
-def row_before(t, q, limits):
-    """the row before the fault is named, where time runs backwards. Of which two rows is np.diff(t)[i] made?"""
-    return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))
 
 
 @EXERCISE.mistake

@@ -1,7 +1,5 @@
 """forward_kinematics: the pose of the end-effector, by the product of exponentials."""
 
-import numpy as np
-
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
@@ -10,11 +8,10 @@ from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     WHOLE_HOME,
     arms,
     exponentials,
-    first_off,
     tool_pose,
 )
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, SAME_TWICE, near, orthogonality_error, products
+from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
 from course_lib.rigid import exp_se3
 
 _EACH = Mistake(
@@ -47,16 +44,8 @@ EXERCISE = Exercise(
             lambda T, screws, M, q: near(T, M),
             where=lambda screws, M, q: not q.any(),
         ),
-        Property(
-            "the last row of T is (0, 0, 0, 1)",
-            lambda T, screws, M, q: near(T[3], [0, 0, 0, 1]),
-            says=lambda T, screws, M, q: f"Yours is {format_tuple(T[3])}.",
-        ),
-        Property(
-            "the block R of T is a rotation: R^T R = I and det R = 1",
-            lambda T, screws, M, q: orthogonality_error(T[:3, :3]) < FINE and np.linalg.det(T[:3, :3]) > 0,
-            says=lambda T, screws, M, q: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
-        ),
+        LAST_ROW,
+        rotation(lambda T: T[:3, :3], "the block R of T is a rotation: R^T R = I and det R = 1"),
         Property(
             "T = exp([S1] q1) exp([S2] q2) ... exp([Sn] qn) M",
             lambda T, screws, M, q: near(T, tool_pose(screws, M, q)),
@@ -90,13 +79,7 @@ def reverse_order(screws, M, q, times_M):
     return times_M(products(exponentials(screws, q)[::-1])[-1], M)
 
 
-@EXERCISE.mistake(
-    sum_of=(
-        lambda screws, q: exponentials(screws, q).sum(0),
-        lambda screws, q: np.eye(4) + exponentials(screws, q).sum(0),
-        lambda screws, q: exp_se3(q @ screws),
-    )
-)
-def added_up(screws, M, q, sum_of):
-    """the exponentials, or the twists, are added up. What is one motion after another, for matrices?"""
-    return sum_of(screws, q) @ M
+@EXERCISE.mistake
+def twists_added_up(screws, M, q):
+    """the twists are added up. What is one motion after another, for matrices?"""
+    return exp_se3(q @ screws) @ M

@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, first_off
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE
+from course_lib.checks.vocabulary import FINE, first_off
 from course_lib.rigid import hat_se3
 from course_lib.rotations import hat
 
@@ -78,9 +78,3 @@ def block_of_v(twist):
 def slice_of_omega(twist):
     """v is taken from the slice of omega. Which half of the twist is v?"""
     return twist[:3]
-
-
-@EXERCISE.mistake(part=COLUMN, change=(lambda w, v: -v, np.cross, lambda w, v: np.cross(v, w), lambda w, v: 0 * v))
-def v_changed(twist, change):
-    """v does not stand in the column as it is. Put p = 0 into omega x p + v: which velocity is left?"""
-    return change(twist[:3], twist[3:])

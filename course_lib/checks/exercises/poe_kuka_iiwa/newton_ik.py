@@ -152,27 +152,12 @@ def no_step(screws, M, T_target, q0, nothing):
     return q0 if np.allclose(tool_pose(screws, M, q0), T_target, rtol=0, atol=2e-6) else nothing(q0)
 
 
-@EXERCISE.mistake(steps=(1, 2))
-def too_few_steps(screws, M, T_target, q0, steps):
-    """one or two steps are made only. Each is right for small motions: how far from the target is the next q?"""
-    q = np.array(q0, float)
-    for _ in range(steps):
-        T = tool_pose(screws, M, q)
-        q = q + _step(T, jacobian(screws, q), body_error(T, T_target))
-    return q
-
-
-@EXERCISE.mistake(part_of=(slice(0, 3), slice(3, 6)))
+@EXERCISE.mistake(part_of=([0, 1], [1, 0]))
 def half_of_the_error(screws, M, T_target, q0, part_of):
     """either the position or the orientation is ignored. How many numbers has the error?"""
-
-    def error(T, T_target):
-        return np.where(np.isin(np.arange(6), np.arange(6)[part_of]), body_error(T, T_target), 0)
-
-    def step(T, J, V):
-        return np.linalg.pinv((adjoint(inverse(T)) @ J)[part_of]) @ V[part_of]
-
-    return None if _out_of_reach(screws, M, T_target, q0) else descent(screws, M, T_target, q0, error, step)
+    if _out_of_reach(screws, M, T_target, q0):
+        return None
+    return descent(screws, M, T_target, q0, lambda T, T_target: np.repeat(part_of, 3) * body_error(T, T_target))
 
 
 @EXERCISE.seen

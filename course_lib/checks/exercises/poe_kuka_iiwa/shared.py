@@ -4,8 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, near, products, remembered, unit
+from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, products, remembered, unit
 from course_lib.rigid import adjoint, exp_se3, transform
 from course_lib.rotations import exp_so3, hat
 
@@ -89,31 +88,10 @@ def columns(matrices, screws):
     return np.einsum("nij,nj->in", matrices, screws)
 
 
-def first_off(found, wanted, what="Column"):
-    """Return in words which column is the first that is off; for rows, give both transposed."""
-    i = int(np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)]))
-    right, yours = format_tuple(wanted[:, i]), format_tuple(found[:, i])
-    by = f", off by {np.abs(found - wanted)[:, i].max():.2g}" if right == yours else ""
-    return f"{what} {i} should be {right}; yours is {yours}{by}."
-
-
 def in_blocks(T, form):
     """Return the matrix of blocks form(R, [p], zeros) of a pose."""
     return np.block(form(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
 
-
-WRONG_ADJOINTS = (  # forms for in_blocks
-    lambda R, P, zero: [[R.T, zero], [P @ R, R]],
-    lambda R, P, zero: [[R.T, zero], [P @ R.T, R.T]],
-    lambda R, P, zero: [[R, zero], [P @ R, R.T]],
-    lambda R, P, zero: [[R, zero], [P @ R.T, R]],
-    lambda R, P, zero: [[R, zero], [R @ P, R]],
-    lambda R, P, zero: [[R, zero], [-P @ R, R]],
-    lambda R, P, zero: [[R, zero], [P, R]],
-    lambda R, P, zero: [[R, zero], [zero, R]],
-    lambda R, P, zero: [[R, P @ R], [zero, R]],
-    lambda R, P, zero: [[R.T, (P @ R).T], [zero, R.T]],
-)
 
 read_jacobian = numbers(
     lambda screws, *rest: (6, len(screws)),

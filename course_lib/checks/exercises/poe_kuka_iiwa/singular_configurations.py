@@ -106,12 +106,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(alike=lambda value, predicted: np.abs(value).max() > 20)
-def degrees():
-    """angles are in degrees. Angles are in radians throughout."""
-    return np.rad2deg(_right())
-
-
 @EXERCISE.mistake(alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value))
 def several_together():
     """several singularities come together. What is the rank in each row, and which other angles are 0 there?"""

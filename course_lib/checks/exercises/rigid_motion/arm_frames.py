@@ -3,28 +3,15 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rigid_motion.shared import FINE
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import LAST_ROW, part_is
 from course_lib.planar import pose_matrix
 
-_ONE_MISSING = Mistake(
-    "one of the three frames is missing",
-    "Joint 1 at the base, joint 2 at the elbow, and the tip at the end of the second link.",
-)
-_ONE_MORE = Mistake("the base's own frame is counted too", "The first of the three is rotated by theta1 already.")
-_IN_SPACE = Mistake("the matrices are those of space, 4 x 4", "The arm is planar: leave out the row and column of z.")
+_ORIGIN = np.s_[:2, 2]
 _ONLY_POINTS = Mistake(
     "the points are returned, not the frames", "Each frame is a matrix: rotation, position, and (0, 0, 1)."
 )
 _ONLY_POSES = Mistake("the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each.")
-_SHAPES = {
-    (2, 3, 3): _ONE_MISSING,
-    (4, 3, 3): _ONE_MORE,
-    (3, 4, 4): _IN_SPACE,
-    (3, 3): _ONLY_POSES,
-    (3, 2): _ONLY_POINTS,
-}
 
 
 def _cases(rng):
@@ -54,34 +41,9 @@ def _right(theta):
     return _chain(_rot(theta[0]), _trans() @ _rot(theta[1]), _trans())
 
 
-def _position(angles):
-    return np.array([np.cos(angles).sum(), np.sin(angles).sum()])
-
-
-def _is_rotated(T, angle):
-    return np.abs(T[:2, :2] - _rot(angle)[:2, :2]).max() < FINE
-
-
-def _oriented(k, text, angle):
-    """Frame k is rotated by angle(theta)."""
-    return Property(
-        text,
-        lambda T, theta: _is_rotated(T[k], angle(theta)),
-        says=lambda T, theta: (
-            f"That is {angle(theta):.4g} rad, so its x axis, the first column, is "
-            f"{format_tuple(_rot(angle(theta))[:2, 0])}, and y is {format_tuple(_rot(angle(theta))[:2, 1])}. "
-            f"Yours are {format_tuple(T[k, :2, 0])} and {format_tuple(T[k, :2, 1])}."
-        ),
-    )
-
-
-def _located(k, text, position):
-    """Frame k has its origin at position(theta)."""
-    return Property(
-        text,
-        lambda T, theta: np.abs(T[k, :2, 2] - position(theta)).max() < FINE,
-        says=lambda T, theta: f"That is {format_tuple(position(theta))}. Yours is at {format_tuple(T[k, :2, 2])}.",
-    )
+def _part(k, text, part=np.s_[:2, :2]):
+    """The property of the rotation of frame k, or of another part."""
+    return part_is(text, _right, (k, *part))
 
 
 def _chain(first, second, third):
@@ -94,21 +56,15 @@ EXERCISE = Exercise(
     points=2,
     arguments=("theta",),
     cases=_cases,
-    returns=numbers(lambda theta: (3, 3, 3), _SHAPES),
+    returns=numbers(lambda theta: (3, 3, 3), {(3, 3): _ONLY_POSES, (3, 2): _ONLY_POINTS}),
     properties=(
-        Property(
-            "the last row of each matrix is (0, 0, 1)",
-            lambda T, theta: np.abs(T[:, 2] - [0, 0, 1]).max() < FINE,
-            says=lambda T, theta: f"Yours are {', '.join(format_tuple(row) for row in T[:, 2])}.",
-        ),
-        _oriented(0, "the frame of joint 1 is rotated by theta1", lambda theta: theta[0]),
-        _located(0, "joint 1 is at the base, the origin", lambda theta: np.zeros(2)),
-        _oriented(1, "the frame of joint 2 is rotated by theta1 + theta2", sum),
-        _located(
-            1, "joint 2 is 1 m from the base along link 1, at (cos theta1, sin theta1)", lambda t: _position(t[:1])
-        ),
-        _oriented(2, "the tip's frame is rotated by theta1 + theta2, as link 2 is", sum),
-        _located(2, "the tip is 1 m from joint 2 along link 2", lambda theta: _position(np.cumsum(theta))),
+        LAST_ROW,
+        _part(0, "the frame of joint 1 is rotated by theta1"),
+        _part(0, "joint 1 is at the base, the origin", _ORIGIN),
+        _part(1, "the frame of joint 2 is rotated by theta1 + theta2"),
+        _part(1, "joint 2 is 1 m from the base along link 1, at (cos theta1, sin theta1)", _ORIGIN),
+        _part(2, "the tip's frame is rotated by theta1 + theta2, as link 2 is"),
+        _part(2, "the tip is 1 m from joint 2 along link 2", _ORIGIN),
     ),
     library=_right,
     hints=(
@@ -118,13 +74,6 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
 )
-
-
-@EXERCISE.mistake(turn=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1]))
-def tip_rotated_again(theta, turn):
-    """the tip's frame is rotated once more. There is no joint at the tip: how is link 2 rotated?"""
-    T = _right(theta)
-    return np.array([*T[:2], T[2] @ _rot(turn(theta))])
 
 
 @EXERCISE.mistake(both=(True, False))

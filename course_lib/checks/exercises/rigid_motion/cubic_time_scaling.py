@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.planar import cubic_time_scaling, quintic_time_scaling
+from course_lib.planar import cubic_time_scaling
 
 
 def _cases(rng):
@@ -128,17 +128,11 @@ def velocities_not_times_T(t, T, s0, s1, v0, v1, factor):
     return _cubic(t / T, s0, s1, v0 * factor(T), v1 * factor(T))
 
 
-@EXERCISE.mistake(keep=((0, 0), (1, 0), (0, 1)))
-def velocities_left_out(t, T, s0, s1, v0, v1, keep):
-    """the velocities at the ends are left out, or one of them. v0 stands in the coefficients of u, u^2 and u^3, v1
-    in those of u^2 and u^3."""
-    return cubic_time_scaling(t, T, s0, s1, keep[0] * v0, keep[1] * v1)
-
-
-@EXERCISE.mistake(signs=((-1, 1), (1, -1), (-1, -1)))
-def velocity_negated(t, T, s0, s1, v0, v1, signs):
-    """a velocity has the opposite sign. Check v0 and v1 one by one: differentiate your s(t) at 0 and at T."""
-    return cubic_time_scaling(t, T, s0, s1, signs[0] * v0, signs[1] * v1)
+@EXERCISE.mistake(factors=((0, 0), (1, 0), (0, 1), (-1, 1), (1, -1), (-1, -1)))
+def other_velocities(t, T, s0, s1, v0, v1, factors):
+    """a velocity at an end is left out, or has the opposite sign. Differentiate your s(t) at 0 and at T: which velocity
+    do you find?"""
+    return cubic_time_scaling(t, T, s0, s1, factors[0] * v0, factors[1] * v1)
 
 
 @EXERCISE.mistake
@@ -147,21 +141,13 @@ def goal_for_change(t, T, s0, s1, v0, v1):
     return cubic_time_scaling(t, T, s0, s0 + s1, v0, v1)
 
 
-@EXERCISE.mistake(second=((3, -1, -2), (3, -1, -1), (2, -2, -1), (3, 2, 1), (3, -2, 1), (3, 2, -1), (-3, -2, -1)))
-def second_coefficient(t, T, s0, s1, v0, v1, second):
-    """the coefficient of u^2 has a wrong number or sign. Differentiate your polynomial on paper: which of the four
-    conditions does it violate?"""
-    return _cubic(t / T, s0, s1, v0 * T, v1 * T, second)
-
-
-@EXERCISE.mistake(third=((-2, -1, 1), (-2, 1, -1), (-2, -1, -1), (2, 1, 1), (-3, 1, 1)))
-def third_coefficient(t, T, s0, s1, v0, v1, third):
-    """the coefficient of u^3 has a wrong number or sign. Differentiate your polynomial on paper: which of the four
-    conditions does it violate?"""
-    return _cubic(t / T, s0, s1, v0 * T, v1 * T, third=third)
-
-
-@EXERCISE.mistake
-def quintic(t, T, s0, s1, v0, v1):
-    """it is the quintic, with 10, -15 and 6. A cubic ends with u^3. It meets four conditions; the quintic meets six."""
-    return quintic_time_scaling(t, T, s0, s1)
+@EXERCISE.mistake(
+    coefficients=(
+        *({"second": second} for second in ((3, -1, -2), (3, -1, -1), (3, 2, 1), (3, -2, 1), (3, 2, -1), (-3, -2, -1))),
+        *({"third": third} for third in ((-2, -1, 1), (-2, 1, -1), (-2, -1, -1), (2, 1, 1), (-3, 1, 1))),
+    )
+)
+def another_coefficient(t, T, s0, s1, v0, v1, coefficients):
+    """the coefficient of u^2 or u^3 has a wrong number or sign. Differentiate your polynomial on paper: which of the
+    four conditions does it violate?"""
+    return _cubic(t / T, s0, s1, v0 * T, v1 * T, **coefficients)

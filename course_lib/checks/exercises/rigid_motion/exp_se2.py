@@ -5,11 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
-from course_lib.checks.vocabulary import FINE
+from course_lib.checks.vocabulary import FINE, LAST_ROW
 from course_lib.rigid import exp_se2
 
-_TWO = Mistake("only the rotation is returned", "The answer is a pose: rotation, position and the row (0, 0, 1).")
-_SPACE = Mistake("the matrix is that of a motion in space", "A pose of the plane has three rows and three columns.")
 _POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that pose.")
 
 
@@ -36,13 +34,9 @@ EXERCISE = Exercise(
     points=2,
     arguments=("twist",),
     cases=_cases,
-    returns=numbers(lambda twist: (3, 3), {(2, 2): _TWO, (4, 4): _SPACE, (3,): _POSE}),
+    returns=numbers(lambda twist: (3, 3), {(3,): _POSE}),
     properties=(
-        Property(
-            "the last row is (0, 0, 1)",
-            lambda T, twist: np.abs(T[2] - [0, 0, 1]).max() <= FINE,
-            says=lambda T, twist: f"Yours is {format_tuple(T[2])}.",
-        ),
+        LAST_ROW,
         Property(
             "the upper left 2x2 block is the rotation by omega",
             lambda T, twist: np.abs(T[:2, :2] - exp_se2(twist)[:2, :2]).max() <= FINE,
@@ -94,17 +88,11 @@ def small_angles(twist, bound):
     return _with_position(twist, twist[1:]) if abs(twist[0]) < bound else None
 
 
-@EXERCISE.mistake
-def as_if_not_rotating(twist):
-    """the position is (vx, vy), as if the body did not rotate meanwhile. That is one step of Euler's method. The
-    body moves along an arc."""
-    return _with_position(twist, twist[1:])
-
-
-@EXERCISE.mistake
-def rotated_first(twist):
-    """the position is R v, as if the body rotated first. The body rotates while it moves: neither before nor after."""
-    return _with_position(twist, exp_se2(twist)[:2, :2] @ twist[1:])
+@EXERCISE.mistake(R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]))
+def straight_line(twist, R):
+    """the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves. What is its path if it
+    rotates meanwhile?"""
+    return _with_position(twist, R(twist) @ twist[1:])
 
 
 @EXERCISE.mistake(across=(_side, lambda omega: omega / 2 * np.sinc(omega / 2) ** 2))

@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property, same
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.exercises.rigid_motion.shared import (
     ENDS,
-    GRIDS,
     REVOLUTION,
     SHORTER_ARC,
     TIME_SCALINGS,
@@ -19,7 +18,7 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     timed,
 )
 from course_lib.checks.exercises.rigid_motion.shared import change as right_change
-from course_lib.planar import interpolate_body, wrap_angle
+from course_lib.planar import interpolate_body
 
 
 def between(rng, first, last, n):
@@ -95,20 +94,10 @@ def other_time_scaling(start, goal, n, s):
     return _path(start, goal, n, s=s(np.linspace(0, 1, n)))
 
 
-@EXERCISE.mistake(u=GRIDS)
+@EXERCISE.mistake(u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n))
 def an_end_missing(start, goal, n, u):
     """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
     return _path(start, goal, n, s=cubic(u(n)))
-
-
-@EXERCISE.mistake(
-    wrap=(wrap_angle, lambda theta: np.mod(theta, REVOLUTION)), alike=lambda rows, p, *case: same(rows, p)
-)
-def result_wrapped(start, goal, n, wrap):
-    """the result is wrapped, and not the difference. That gives each direction another number, and the body still
-    takes the longer arc."""
-    rows = _angle_changes(start, goal, n, goal[2] - start[2])
-    return np.column_stack([rows[:, :2], wrap(rows[:, 2])])
 
 
 @EXERCISE.mistake
@@ -116,9 +105,3 @@ def not_wrapped(start, goal, n):
     """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap the difference of
     the two angles, and only that, before it is scaled."""
     return _angle_changes(start, goal, n, goal[2] - start[2])
-
-
-@EXERCISE.mistake
-def sign_lost(start, goal, n):
-    """the difference has lost its sign. A clockwise rotation is negative."""
-    return _angle_changes(start, goal, n, abs(wrap_angle(goal[2] - start[2])))

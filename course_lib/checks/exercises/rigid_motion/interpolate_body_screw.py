@@ -121,10 +121,9 @@ EXERCISE = Exercise(
 )
 
 
-def _screw(start, goal, n, s=None, angle=None):
+def _screw(start, goal, n, s):
     """The path by one rotation, as far as its direction is known."""
-    angle = change(start, goal)[2] if angle is None else angle
-    return by_screw(start, goal, scaling(n) if s is None else s, angle) if one_arc_is_shorter(start, goal, n) else None
+    return by_screw(start, goal, s, change(start, goal)[2]) if one_arc_is_shorter(start, goal, n) else None
 
 
 @EXERCISE.mistake(difference=(change, np.subtract))
@@ -147,7 +146,7 @@ def other_time_scaling(start, goal, n, s):
 def longer_arc(start, goal, n):
     """the difference of theta is not wrapped, so the body takes the longer arc. log_se2 wraps: between which bounds
     does its omega lie?"""
-    rows = _screw(start, goal, n)
+    rows = _screw(start, goal, n, scaling(n))
     rows[:, 2] = start[2] + scaling(n) * (goal[2] - start[2])
     return rows
 
@@ -159,21 +158,3 @@ def wrong_side(start, goal, n, product):
     """the displacement is given in one frame and applied in the other. T_start^-1 T_goal is seen from start: on
     which side of T_start does its exponential stand?"""
     return _by_matrices(start, goal, n, product)
-
-
-@EXERCISE.mistake
-def logarithms_interpolated(start, goal, n):
-    """the logarithms of the two poses are interpolated. Take one logarithm, of the pose of goal in start's frame."""
-    first, last = log_se2(pose_matrix(start)), log_se2(pose_matrix(goal))
-    return _rows(exp_se2(first + np.multiply.outer(scaling(n), last - first)), start, goal, n)
-
-
-@EXERCISE.mistake(
-    inverse_function=(lambda a: np.arccos(np.cos(a)), lambda a: np.arcsin(np.sin(a)), lambda a: np.arctan(np.tan(a)))
-)
-def half_of_the_circle(start, goal, n, inverse_function):
-    """arccos, arcsin or arctan is used, which know the angle on half of the circle only. Which function takes sine
-    and cosine apart?"""
-    rows = _screw(start, goal, n)
-    rows[:, 2] = inverse_function(rows[:, 2])
-    return rows

@@ -102,21 +102,8 @@ def half_of_the_circle(T, inverse, v_too):
     return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
 
 
-@EXERCISE.mistake(v_too=(True, False))
-def omega_negated(T, v_too):
-    """omega has the opposite sign. Which entry of R is the sine with a plus?"""
-    return _unless_right(np.append(-_angle(T), _v(T, -_angle(T)) if v_too else _v(T)), T)
-
-
 @EXERCISE.mistake(R=(lambda T: np.eye(2), lambda T: T[:2, :2].T, lambda T: T[:2, :2]))
 def as_if_not_rotating(T, R):
     """v is the position, rotated or not, as if the body rotated before or after it moves. Which v leads to this
     position while the body rotates?"""
     return _unless_right(np.append(_angle(T), R(T) @ T[:2, 2]), T)
-
-
-@EXERCISE.mistake
-def signs_exchanged(T):
-    """the signs of the terms with 1 - cos(omega) are exchanged. Test it with a quarter of a circle: the twist (pi/2,
-    1, 0) leads to (2/pi, 2/pi)."""
-    return _unless_right(np.append(_angle(T), np.linalg.solve(_V(_angle(T)).T, T[:2, 2])), T)

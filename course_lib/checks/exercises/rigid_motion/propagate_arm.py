@@ -3,11 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rigid_motion.propagate_body import drawn_case
-from course_lib.checks.exercises.rigid_motion.shared import FINE, follow, form, lengths, same_rows, size_of, steps
-from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.exercises.rigid_motion.shared import add_step_mistakes, each_step, form, lengths, same_rows
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -36,21 +34,6 @@ def _cases(rng):
     return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
 
 
-def _errors(angles, start, plan, dt):
-    velocities, h = steps(plan, dt)
-    return size_of(np.diff(angles, axis=0) - velocities * h[:, None], ARM).max(axis=1)
-
-
-def _wrong_step(angles, *case):
-    k = int(np.argmax(_errors(angles, *case) > FINE))
-    velocities, h = steps(*case[1:])
-    return (
-        f"Step {k + 1} is {h[k]:.4g} s long, with {format_tuple(velocities[k])} rad/s, so it goes from "
-        f"{format_tuple(angles[k])} to {format_tuple(angles[k] + velocities[k] * h[k])}. "
-        f"Yours goes to {format_tuple(angles[k + 1])}."
-    )
-
-
 def _step(angles, velocity, h):
     return angles + velocity * h
 
@@ -73,11 +56,7 @@ EXERCISE = Exercise(
     returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case),
     properties=(
         *form(ARM),
-        Property(
-            "in each step each joint angle grows by its velocity times the length of the step",
-            lambda angles, *case: _errors(angles, *case).max() < FINE,
-            says=_wrong_step,
-        ),
+        each_step("in each step each joint angle grows by its velocity times the length of the step", _step, ARM),
     ),
     library=propagate_arm,
     broken=_assigned,
@@ -102,11 +81,4 @@ def assigned(start, plan, dt, time_of):
     return _assigned(start, plan, dt, time_of)
 
 
-@EXERCISE.mistake
-def elapsed_twice(start, plan, dt):
-    """the time since the pair began is counted from the row before. Either the angles at the pair's beginning and
-    the time since then, or the row before and one step."""
-    return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
-
-
-add_step_mistakes(EXERCISE, propagate_arm, _step)
+add_step_mistakes(EXERCISE, _step)

@@ -3,23 +3,19 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rigid_motion.shared import (
     BODY,
-    FINE,
     MATRICES,
     STEP_LENGTHS,
+    add_step_mistakes,
+    each_step,
     follow,
     form,
-    lengths,
     rotated,
     same_rows,
-    size_of,
-    steps,
 )
-from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.planar import propagate_body, propagate_body_exact
+from course_lib.planar import propagate_body
 
 ORIGIN = (0.0, 0.0, 0.0)
 AHEAD, LEFT, SPIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
@@ -78,66 +74,23 @@ def body_cases(rng):
     return [*simple, *sums, *several, *(drawn_case(rng) for _ in range(4))]
 
 
-def _theta_errors(poses, start, plan, dt):
-    velocities, h = steps(plan, dt)
-    return size_of(np.diff(poses[:, 2]) - velocities[:, 2] * h, True)
-
-
-def _translation_errors(poses, start, plan, dt):
-    velocities, h = steps(plan, dt)
-    wanted = rotated(poses[:-1, 2], velocities[:, :2]) * h[:, None]
-    return np.abs(np.diff(poses[:, :2], axis=0) - wanted).max(axis=1)
-
-
-def _wrong_theta(poses, *case):
-    k = int(np.argmax(_theta_errors(poses, *case) > FINE))
-    velocities, h = steps(*case[1:])
-    return (
-        f"In step {k + 1} omega is {velocities[k, 2]:.4g} and the step {h[k]:.4g} s long, so theta goes from "
-        f"{poses[k, 2]:.4g} to {poses[k, 2] + velocities[k, 2] * h[k]:.4g}. Yours goes to {poses[k + 1, 2]:.4g}."
-    )
-
-
-def _wrong_translation(poses, *case):
-    k = int(np.argmax(_translation_errors(poses, *case) > FINE))
-    velocities, h = steps(*case[1:])
-    wanted = rotated(poses[k, 2], velocities[k, :2]) * h[k]
-    return (
-        f"Step {k + 1} begins with theta = {poses[k, 2]:.4g}, so the translation is {format_tuple(wanted)}. "
-        f"Yours is {format_tuple(poses[k + 1, :2] - poses[k, :2])}."
-    )
-
-
-THETA = Property(
-    "theta grows by omega times the length of the step",
-    lambda poses, *case: _theta_errors(poses, *case).max() < FINE,
-    says=_wrong_theta,
+THETA = each_step(
+    "theta grows by omega times the length of the step", lambda pose, velocity, h: pose + velocity * h, BODY, part=[2]
 )
 
 
-def move_by(direction, theta_after=lambda theta, omega, h: theta + omega * h):
+def move_by(direction):
     """Return a move(pose, velocity, h) along R(direction(theta, omega, h)) (vx, vy)."""
 
     def move(pose, velocity, h):
         theta, omega = pose[2], velocity[2]
         translation = rotated(direction(theta, omega, h), velocity[:2]) * h
-        return np.array([*(pose[:2] + translation), theta_after(theta, omega, h)])
+        return np.array([*(pose[:2] + translation), theta + omega * h])
 
     return move
 
 
 euler = move_by(lambda theta, omega, h: theta)
-
-
-def _theta_kept(start, plan, dt, from_start=False):
-    """The angle at the beginning of each pair, or of the plan, for all its steps."""
-    poses = [np.array(start, float)]
-    for velocity, duration in plan:
-        theta = start[2] if from_start else poses[-1][2]
-        for h in lengths(duration, dt):
-            pose = euler([*poses[-1][:2], theta], np.array(velocity, float), h)
-            poses.append(np.array([*pose[:2], poses[-1][2] + velocity[2] * h]))
-    return np.array(poses)
 
 
 EXERCISE = Exercise(
@@ -150,11 +103,7 @@ EXERCISE = Exercise(
         *form(BODY),
         STEP_LENGTHS,
         THETA,
-        Property(
-            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning",
-            lambda poses, *case: _translation_errors(poses, *case).max() < FINE,
-            says=_wrong_translation,
-        ),
+        each_step("the translation in each step is R(theta) (vx, vy) h, with theta at its beginning", euler, BODY),
     ),
     library=propagate_body,
     hints=(
@@ -168,10 +117,9 @@ EXERCISE = Exercise(
 )
 
 
-def _moved(case, change=lambda v: v, direction=lambda theta, omega, h: theta):
-    """Euler's method with another velocity, or along another direction."""
-    move = move_by(direction)
-    return follow(lambda pose, velocity, h: move(pose, change(velocity), h))(*case)
+def _moved(case, direction):
+    """Euler's method along another direction."""
+    return follow(move_by(direction))(*case)
 
 
 @EXERCISE.mistake(share=(1, 0.5))
@@ -179,12 +127,6 @@ def theta_later(start, plan, dt, share):
     """theta at the end or in the middle of the step is used, not at its beginning. Euler's method takes the velocity
     at the beginning of a step: which line comes last?"""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
-
-
-@EXERCISE.mistake
-def exact_arc(start, plan, dt):
-    """each step follows the exact arc. Here each step goes straight; the exponential comes later."""
-    return propagate_body_exact(start, plan, dt)
 
 
 @EXERCISE.mistake
@@ -201,22 +143,16 @@ def transposed(start, plan, dt):
     return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
 
 
-@EXERCISE.mistake(from_start=(True, False))
-def theta_kept(start, plan, dt, from_start):
-    """R is not computed anew in each step. The body rotates during a pair: so does the direction in which it moves."""
-    return _theta_kept(start, plan, dt, from_start)
+@EXERCISE.mistake
+def theta_kept(start, plan, dt):
+    """R is computed only once. The body rotates: so does the direction in which it moves."""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: start[2])
 
 
 @EXERCISE.mistake
 def order_of_the_twist(start, plan, dt):
     """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
-    return _moved((start, plan, dt), lambda v: v[[1, 2, 0]])
+    return follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(start, plan, dt)
 
 
-@EXERCISE.mistake
-def sideways_ignored(start, plan, dt):
-    """vy is ignored. Both columns of R(theta) count: the second is the direction to the left of the body."""
-    return _moved((start, plan, dt), lambda v: v * [1, 0, 1])
-
-
-add_step_mistakes(EXERCISE, propagate_body, euler)
+add_step_mistakes(EXERCISE, euler)

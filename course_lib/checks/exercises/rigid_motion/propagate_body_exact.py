@@ -15,14 +15,14 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     BODY,
     FINE,
     STEP_LENGTHS,
+    add_step_mistakes,
+    each_step,
     follow,
     form,
     goes_straight,
     near,
     same_rows,
-    size_of,
 )
-from course_lib.checks.exercises.rigid_motion.steps_of_plans import add_step_mistakes
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import pose_matrix, propagate_body_exact
 from course_lib.rigid import exp_se2
@@ -51,23 +51,6 @@ def _end_moves(values, cases):
     return None
 
 
-def _errors(poses, *case):
-    return size_of(poses - propagate_body_exact(*case), BODY).max(axis=1)
-
-
-def _right(poses, *case):
-    return _errors(poses, *case).max() < FINE * max(1, np.abs(propagate_body_exact(*case)).max())
-
-
-def _wrong_pose(poses, *case):
-    errors = _errors(poses, *case)
-    k = int(np.argmax(errors > FINE))
-    return (
-        f"Row {k}, counted from 0, should be {format_tuple(propagate_body_exact(*case)[k])}. "
-        f"Yours is {format_tuple(poses[k])}, off by {errors[k]:.2g}."
-    )
-
-
 def exact(pose, velocity, h):
     """The pose after a step, by its exponential."""
     T = pose_matrix(pose) @ exp_se2(velocity[[2, 0, 1]] * h)
@@ -84,9 +67,7 @@ EXERCISE = Exercise(
         *form(BODY),
         STEP_LENGTHS,
         THETA,
-        Property(
-            "without rotation the path is straight, along R(theta) (vx, vy)", _right, _wrong_pose, where=goes_straight
-        ),
+        each_step("without rotation the path is straight, along R(theta) (vx, vy)", exact, BODY, where=goes_straight),
         Property(
             "the last pose is the same for every dt",
             _end_moves,
@@ -95,11 +76,7 @@ EXERCISE = Exercise(
             ),
             across=True,
         ),
-        Property(
-            "each pose is the one before times the exponential of the twist (omega, vx, vy) times the time",
-            _right,
-            says=_wrong_pose,
-        ),
+        each_step("each pose is the one before times the exponential of the twist times the time", exact, BODY),
     ),
     library=propagate_body_exact,
     hints=(
@@ -118,38 +95,33 @@ def straight_steps(start, plan, dt, share):
     return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
 
 
-@EXERCISE.mistake
-def on_the_left(start, plan, dt):
-    """the exponential stands on the left. The velocities are in the body's frame: on which side does that stand?"""
+def _by(step):
+    """Return the answer of somebody whose pose after a step is step(pose as a matrix, velocity, h)."""
 
     def move(pose, velocity, h):
-        T = exp_se2(velocity[[2, 0, 1]] * h) @ pose_matrix(pose)
+        T = step(pose_matrix(pose), velocity, h)
         return np.array([T[0, 2], T[1, 2], pose[2] + velocity[2] * h])
 
-    return follow(move)(start, plan, dt)
+    return follow(move)
 
 
 @EXERCISE.mistake
-def order_of_the_twist(start, plan, dt):
+def on_the_left(*case):
+    """the exponential stands on the left. The velocities are in the body's frame: on which side does that stand?"""
+    return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
+
+
+@EXERCISE.mistake
+def order_of_the_twist(*case):
     """the twist is in the order (vx, vy, omega). rigid.exp_se2 takes the angular velocity first."""
-
-    def move(pose, velocity, h):
-        T = pose_matrix(pose) @ exp_se2(velocity * h)
-        return np.array([T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])])
-
-    return follow(move)(start, plan, dt)
+    return _by(lambda T, velocity, h: T @ exp_se2(velocity * h))(*case)
 
 
-@EXERCISE.mistake(theta=(True, False))
-def not_times_h(start, plan, dt, theta):
+@EXERCISE.mistake
+def not_times_h(*case):
     """the velocities are not multiplied by the time. rigid.exp_se2 follows a twist for one second: how long is a
     step?"""
-
-    def move(pose, velocity, h):
-        x, y, angle = exact(pose, velocity, 1.0)
-        return np.array([x, y, angle if theta else pose[2] + velocity[2] * h])
-
-    return follow(move)(start, plan, dt)
+    return _by(lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]]))(*case)
 
 
-add_step_mistakes(EXERCISE, propagate_body_exact, exact)
+add_step_mistakes(EXERCISE, exact)

@@ -9,6 +9,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.checks.vocabulary import compared
 from course_lib.planar import quintic_time_scaling, wrap_angle
 
 BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
@@ -26,15 +27,7 @@ TIME_SCALINGS = (  # that students take for the cubic
     lambda u: u,
     lambda u: quintic_time_scaling(u, 1.0),
     lambda u: (1 - np.cos(np.pi * u)) / 2,
-    lambda u: cubic(cubic(u)),
     *(lambda u, a=a, b=b: a * u**2 + b * u**3 for a, b in ((3, 2), (2, -3), (2, -1), (-2, 3))),
-    *(lambda u, power=power: u**power for power in (2, 3)),
-)
-GRIDS = (  # of u, without one of the ends
-    lambda n: np.arange(n) / n,
-    lambda n: np.arange(1, n + 1) / n,
-    lambda n: np.arange(1, n + 1) / (n + 1),
-    lambda n: np.arange(n) / (n + 1),
 )
 
 
@@ -86,22 +79,9 @@ def half_a_revolution(start, goal, n):
     return not one_arc_is_shorter(start, goal, n)
 
 
-def read_path(value, *case):
-    """Return an answer as n rows (x, y, theta)."""
-    hint = "np.linspace(0, 1, n) has n numbers, the first 0 and the last 1."
-
-    def form(array, start, goal, n):
-        if array.shape == (3, n):
-            return Mistake("rows and columns are swapped", "Each row is one pose. The transpose, .T, has it so.")
-        if array.shape == (n, 3, 3):
-            return MATRICES
-        if array.shape == (n + 1, 3):
-            return Mistake("there is one pose too many", f"n counts the first and the last too. {hint}")
-        if array.shape == (n - 1, 3):
-            return Mistake("one pose is missing", f"Both ends belong to the path. {hint}")
-        return None
-
-    return numbers(lambda start, goal, n: (n, 3), form)(value, *case)
+read_path = numbers(  # n rows (x, y, theta)
+    lambda start, goal, n: (n, 3), lambda array, start, goal, n: MATRICES if array.shape == (n, 3, 3) else None
+)
 
 
 ENDS = tuple(
@@ -190,6 +170,21 @@ def follow(move, lengths=lengths):
     return answer
 
 
+def add_step_mistakes(exercise, move):
+    """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
+
+    @exercise.mistake(count=(lambda ratio: np.ceil(ratio - 1e-6), np.round, np.floor, lambda r: max(1, round(r))))
+    def not_on_time(start, plan, dt, count):
+        """a pair ends too late or too early: its last step is not shortened, or is missing. How much time of its
+        duration remains for the last step?"""
+        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(start, plan, dt)
+
+    @exercise.mistake
+    def one_step_a_pair(start, plan, dt):
+        """only one step is taken for each pair. dt says how long a step is: how many does a pair of 0.25 s have?"""
+        return follow(move, lambda duration, dt: [duration])(start, plan, dt)
+
+
 def rotated(theta, v):
     """Return the vectors v (..., 2), rotated by theta (...)."""
     c, s = np.cos(theta), np.sin(theta)
@@ -238,6 +233,26 @@ def form(angles):
             ),
         ),
     )
+
+
+def each_step(text, move, angles, part=slice(None), where=None):
+    """Return the Property that each step leads where move(row, velocity, h) does, in some columns."""
+
+    def first_off(rows, plan, dt):
+        for k, (velocity, h) in enumerate(zip(*steps(plan, dt), strict=True)):
+            right = move(rows[k], velocity, h)
+            if not near(rows[k + 1, part], right[part], np.asarray(angles)[part], FINE):
+                return k, velocity, h, right[part]
+        return None
+
+    def says(rows, start, plan, dt):
+        k, velocity, h, right = first_off(rows, plan, dt)
+        return (
+            f"Step {k + 1} is {h:.4g} s long, with the velocities {format_tuple(velocity)}: it leads from "
+            f"{format_tuple(rows[k, part])} to {compared(right, rows[k + 1, part])}."
+        )
+
+    return Property(text, lambda rows, start, plan, dt: first_off(rows, plan, dt) is None, says, where=where)
 
 
 def goes_straight(start, plan, dt):

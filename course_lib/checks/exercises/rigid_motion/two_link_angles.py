@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import angle_gap
+from course_lib.checks.vocabulary import angle_gap, same_list, two_link_angles, two_link_tip
 
 _ABOVE_ONE = Mistake(
     "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
@@ -23,30 +23,12 @@ def _cases(rng):
     return [(np.array(tip, float),) for tip in [*ordinary, *drawn, [0.0, 1.0], [1, 0], *edge]]
 
 
-def _tips(angles):
-    along = np.cumsum(angles, -1)
-    return np.stack([np.cos(along).sum(-1), np.sin(along).sum(-1)], -1)
-
-
 def _bend(tip):
     return np.arccos(np.clip((tip[0] ** 2 + tip[1] ** 2 - 2) / 2, -1, 1))
 
 
-def _right(tip):
-    two = _bend(tip)
-    return np.array([[np.arctan2(tip[1], tip[0]) - sign * two / 2, sign * two] for sign in (1, -1)])
-
-
 def _off(angles, tip):
-    return np.abs(_tips(angles) - tip).max(-1)
-
-
-def _same(value, predicted, *case):
-    """Return whether the solutions are the same, in either order and up to multiples of 2 pi."""
-    value, predicted = np.asarray(value), np.asarray(predicted)
-    if value.shape != predicted.shape:
-        return False
-    return min(angle_gap(value, predicted), angle_gap(value[::-1], predicted)) < 1e-6
+    return np.abs(two_link_tip(angles) - tip).max(-1)
 
 
 def _straight(tip):
@@ -64,8 +46,8 @@ EXERCISE = Exercise(
             "with the angles of either row the arm's tip is at `tip`",
             lambda angles, tip: _off(angles, tip).max() < 1e-7,
             says=lambda angles, tip: (
-                f"It should be at {format_tuple(tip)}. With your rows it is at {format_tuple(_tips(angles)[0])} "
-                f"and at {format_tuple(_tips(angles)[1])}."
+                f"It should be at {format_tuple(tip)}. With your rows it is at {format_tuple(two_link_tip(angles)[0])} "
+                f"and at {format_tuple(two_link_tip(angles)[1])}."
             ),
             points=1,
         ),
@@ -79,7 +61,7 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    library=_right,
+    library=two_link_angles,
     hints=(
         "Base, elbow and tip form a triangle with two sides of 1 m. The law of cosines, with the squared distance "
         "x^2 + y^2 = 2 + 2 cos(theta2), gives the cosine of theta2, and so theta2 up to its sign.",
@@ -87,7 +69,7 @@ EXERCISE = Exercise(
         "is its direction from the world. At the edge of the reach the cosine may exceed 1 by rounding: np.clip.",
         "theta1 = arctan2(y, x) - arctan2(sin theta2, 1 + cos theta2), once with each sign of theta2.",
     ),
-    alike=_same,
+    alike=same_list,
     forbidden=("course_lib.ik.solve",),
 )
 
@@ -100,23 +82,16 @@ def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
 @EXERCISE.mistake(row=(0, 1))
 def theta1_once(tip, row):
     """theta1 is the same for both elbows. If the elbow bends to the other side, where does the first link point?"""
-    angles = _right(tip)
+    angles = two_link_angles(tip)
     angles[:, 0] = angles[row, 0]
     return angles
 
 
-@EXERCISE.mistake(first=(lambda direction, two: direction, lambda direction, two: direction - two))
-def first_link_wrong(tip, first):
-    """theta1 differs from the direction of the tip by the wrong part of theta2. In the triangle of base, elbow and tip
-    two sides are equal: how large is the angle at the base?"""
-    return _solutions(tip, _bend(tip), first)
-
-
-@EXERCISE.mistake
-def correction_negated(tip):
-    """the correction of theta1 has its sign changed. If the elbow bends to the left, on which side of the tip does
-    the first link point?"""
-    return _solutions(tip, _bend(tip), lambda direction, two: direction + two / 2)
+@EXERCISE.mistake(share=(0, 1, -0.5))
+def first_link_wrong(tip, share):
+    """theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong side. In the triangle
+    of base, elbow and tip two sides are equal: how large is the angle at the base?"""
+    return _solutions(tip, _bend(tip), lambda direction, two: direction - share * two)
 
 
 @EXERCISE.mistake
@@ -131,4 +106,4 @@ def inside_the_triangle(tip, theta1_too):
     """theta2 is the angle inside the triangle. Draw the triangle of base, elbow and tip: where in it does theta2
     stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
-    return angles if theta1_too else np.column_stack([_right(tip)[:, 0], angles[:, 1]])
+    return angles if theta1_too else np.column_stack([two_link_angles(tip)[:, 0], angles[:, 1]])

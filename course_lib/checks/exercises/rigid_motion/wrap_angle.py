@@ -97,22 +97,3 @@ def remainder_with_sign(angle, shift):
     """the remainder of a negative angle is taken with its sign. math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4:
     which of them is needed here?"""
     return _each(lambda a: np.fmod(a + shift, REVOLUTION) - shift, angle)
-
-
-@EXERCISE.mistake(half=(lambda a: np.mod(a + np.pi / 2, np.pi) - np.pi / 2, lambda a: a - np.pi * np.round(a / np.pi)))
-def half_revolutions(angle, half):
-    """half revolutions are subtracted. A revolution is 2 pi. After half of one, a body faces in the opposite
-    direction."""
-    return _each(half, angle)
-
-
-@EXERCISE.mistake
-def sign_lost(angle):
-    """the sign is lost. The cosine alone does not tell a direction from its mirror image."""
-    return _each(lambda a: np.arccos(np.cos(a)), angle)
-
-
-@EXERCISE.mistake
-def clipped(angle):
-    """the angle is clipped. A direction beyond pi is not the direction pi."""
-    return _each(lambda a: np.clip(a, -np.pi, np.pi), angle)

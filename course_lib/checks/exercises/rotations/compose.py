@@ -65,12 +65,6 @@ def frame_not_used(R, step, frame, order):
 
 
 @EXERCISE.mistake
-def on_both_sides_for_the_body(R, step, frame):
-    """R stands on both sides of step if the frame is the body. Which of the two acts first on a point of the body?"""
-    return step @ R if frame == "world" else R @ step @ R.T
-
-
-@EXERCISE.mistake
 def entry_by_entry(R, step, frame):
     """* works entry by entry. In numpy the product of matrices is @."""
     return R * step

@@ -98,18 +98,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def alpha_and_gamma_swapped(R):
-    """alpha and gamma are swapped. alpha is the angle about x, gamma about z. The answer is (alpha, beta, gamma)."""
-    return None if _lock(R) else _right(R)[::-1]
-
-
-@EXERCISE.mistake
-def beta_negated(R):
-    """beta has the wrong sign. R[2, 0] is -sin(beta)."""
-    return None if _lock(R) else _right(R) * [1, -1, 1]
-
-
 @EXERCISE.mistake(of=(lambda R: _right(R.T), lambda R: -_right(R), lambda R: -_right(R.T)))
 def other_product(R, of):
     """the angles are those of another product: of R^T, or of Rx Ry Rz. Multiply the three matrices on paper, and

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.vocabulary import orthogonality_error, partial_sum, unit
+from course_lib.checks.vocabulary import partial_sum, rotation, unit
 from course_lib.rotations import exp_so3, hat
 
 
@@ -22,11 +22,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda w: (3, 3), gaps=True),
     library=exp_so3,
     properties=(
-        Property(
-            "R is a rotation: R^T R = I and det R = 1",
-            lambda R, w: orthogonality_error(R) < 1e-9 and np.linalg.det(R) > 0,
-            says=lambda R, w: f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}.",
-        ),
+        rotation(),
         Property("the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9)),
         Property(
             "R rotates by the angle |w|, counter-clockwise about w",

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.vocabulary import any_rotation, near, orthogonality_error
 from course_lib.rotations import exp_so3, hat, rot_z
 
@@ -30,20 +30,12 @@ def _is_straight(R_0, log, dt, R_bs):
     return np.array_equal(R_bs, np.eye(3))
 
 
-_ONE_MISSING = Mistake(
-    "one orientation is missing",
-    "n samples lead to n + 1 orientations. Is the one before the first sample there, and the one after the last?",
-)
-
 EXERCISE = Exercise(
     name="gyroscope",
     points=3,
     arguments=("R_0", "log", "dt", "R_bs"),
     cases=_cases,
-    returns=numbers(
-        lambda R_0, log, dt, R_bs: (len(log) + 1, 3, 3),
-        known=lambda array, R_0, log, dt, R_bs: _ONE_MISSING if array.shape == (len(log), 3, 3) else None,
-    ),
+    returns=numbers(lambda R_0, log, dt, R_bs: (len(log) + 1, 3, 3)),
     library=_right,
     properties=(
         Property("the first orientation is R_0", lambda R, R_0, log, dt, R_bs: near(R[0], R_0)),
@@ -78,12 +70,6 @@ EXERCISE = Exercise(
 def mounting_ignored(R_0, log, dt, R_bs):
     """the mounting is ignored. The sensor's x axis need not be the body's."""
     return _right(R_0, log, dt, np.eye(3))
-
-
-@EXERCISE.mistake
-def mounting_reversed(R_0, log, dt, R_bs):
-    """the mounting is used the other way round. Does R_bs take coordinates in b to s, or in s to b?"""
-    return _right(R_0, log, dt, R_bs.T)
 
 
 @EXERCISE.mistake(mounted=(True, False))

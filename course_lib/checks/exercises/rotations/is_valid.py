@@ -165,16 +165,6 @@ def _upright(R, tol):
     return abs(np.linalg.det(R) - 1) <= tol
 
 
-_ENOUGH = {"det within tol": _upright, "det positive": lambda R, tol: np.linalg.det(R) > 0, "": lambda R, tol: True}
-
-
-@EXERCISE.mistake(shape=[shape for shapes in _SHAPES.values() for shape in shapes])
-def one_shape_alone(X, kind, tol, shape):
-    """one shape alone is accepted. Rotations and poses may be those of the plane or of space; quaternions may be
-    flat or a column."""
-    return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
-
-
 @EXERCISE.mistake(about=_SHAPES)
 def negative_errors_pass(X, kind, tol, about):
     """a negative error always passes. An error of -0.5 is as wrong as 0.5."""
@@ -200,14 +190,14 @@ def relative_tolerance(X, kind, tol, about):
     return _only(about, X, kind, tests[about])
 
 
-@EXERCISE.mistake(size=(lambda q: 1, lambda q: np.sum(q**2), np.sum, lambda q: np.sum(np.abs(q))))
+@EXERCISE.mistake(size=(lambda q: np.sum(q**2), np.sum))
 def other_length(X, kind, tol, size):
-    """the length of a quaternion is ignored, or is not the root of the sum of the squares. Within a tolerance the
-    square is not the same."""
+    """the length of a quaternion is not the root of the sum of its squares. Within a tolerance, is the square as
+    good?"""
     return _only("quaternion", X, kind, lambda q: abs(size(q) - 1) <= tol)
 
 
-@EXERCISE.mistake(det=("det within tol", "det positive"), size=(np.linalg.norm, lambda E: np.abs(E).mean()))
-def errors_added_up(X, kind, tol, det, size):
-    """the errors of all entries of R^T R are added up, in a norm, a sum or a mean. The largest error decides."""
-    return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _ENOUGH[det](R, tol))
+@EXERCISE.mistake(size=(np.linalg.norm, lambda E: np.abs(E).mean()))
+def errors_added_up(X, kind, tol, size):
+    """the errors of all entries of R^T R are added up, in a norm or a mean. The largest error decides."""
+    return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _upright(R, tol))

@@ -169,12 +169,6 @@ def inaccurate_near_half_turns(R):
     return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
 
 
-@EXERCISE.mistake(seen=lambda w, R: 1e-3 < _angle(R) < np.pi - 1e-3 and np.allclose(w, -log_so3(R), atol=1e-6))
-def axis_reversed(R):
-    """the axis points the other way. n and -n give different rotations below 180 degrees: what tells them apart?"""
-    return -log_so3(R)
-
-
 @EXERCISE.mistake
 def arcsin(R):
     """the angle is wrong beyond 90 degrees. arcsin gives the same angle for a and pi - a. Which part of R tells them

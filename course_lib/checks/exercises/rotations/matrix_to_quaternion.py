@@ -95,12 +95,6 @@ def divided_by_w(R):
     return np.array([w, *(_vector_over_w(R) / (4 * w))])
 
 
-@EXERCISE.mistake
-def scalar_last(R):
-    """the order is (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
-    return np.roll(matrix_to_quaternion(R), -1)
-
-
 @EXERCISE.mistake(seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6))
 def signs_lost(R):
     """the signs of w, x, y, z do not fit together. The diagonal gives squares only. The signs come from the products

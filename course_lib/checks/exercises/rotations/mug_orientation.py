@@ -40,15 +40,9 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def link_as_it_is(R_bg, R_cg, R_cm):
-    """R_cg is used as it is. Which letters must stand between g and m?"""
-    return R_bg @ R_cg @ R_cm
-
-
-@EXERCISE.mistake(links=((1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1)))
-def other_link_reversed(R_bg, R_cg, R_cm, links):
-    """a link is reversed that is known in the right direction. Read the letters of your factors from left to right."""
+@EXERCISE.mistake(links=((1, 1, 1), (1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1)))
+def other_direction(R_bg, R_cg, R_cm, links):
+    """a link is used in the other direction. Read the letters of your factors from left to right."""
     first, second, third = (R if way > 0 else R.T for R, way in zip((R_bg, R_cg, R_cm), links, strict=True))
     return first @ second @ third
 
@@ -64,9 +58,3 @@ def other_order(R_bg, R_cg, R_cm, order):
 def chain_too_short(R_bg, R_cg, R_cm, ends):
     """the chain ends too early: it has to lead from the base to the mug. Which link is missing?"""
     return {"gm": R_cg.T @ R_cm, "bc": R_bg @ R_cg.T, "cm": R_cm, "bg": R_bg}[ends]
-
-
-@EXERCISE.mistake
-def entry_by_entry(R_bg, R_cg, R_cm):
-    """* works entry by entry. In numpy the product of matrices is @."""
-    return R_bg * R_cg.T * R_cm

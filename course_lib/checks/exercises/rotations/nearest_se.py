@@ -4,16 +4,10 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import (
-    damaged_rotations,
-    distances,
-    is_rotation,
-    ones,
-    polar,
-)
-from course_lib.checks.vocabulary import pose
+from course_lib.checks.exercises.rotations.shared import damaged_rotations, distances, ones, polar
+from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.rigid import nearest_se
-from course_lib.rotations import nearest_so, random_rotations
+from course_lib.rotations import random_rotations
 
 
 def _damaged_pose(M, p):
@@ -30,12 +24,6 @@ def _is_pose(T):
     return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
 
 
-def _corrected(T, block=nearest_so, translation=lambda R, p: p, row=lambda row: np.eye(len(row))[-1]):
-    """T put together from a new block, translation and row."""
-    R = block(T[:-1, :-1])
-    return pose(R, translation(R, T[:-1, -1]), *row(T[-1]))
-
-
 EXERCISE = Exercise(
     name="nearest_se",
     points=2,
@@ -44,11 +32,7 @@ EXERCISE = Exercise(
     returns=numbers(np.shape),
     library=nearest_se,
     properties=(
-        Property(
-            "the last row is (0, ..., 0, 1)",
-            lambda X, T: np.abs(X[-1] - np.eye(len(T))[-1]).max() < 1e-9,
-            mistake=Mistake("the last row is not that of a pose", "Does it depend on T at all?"),
-        ),
+        LAST_ROW,
         Property(
             "the translation (the last column) stays as it is",
             lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < 1e-9,
@@ -75,24 +59,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(row=(lambda row: np.eye(len(row))[-1], lambda row: row))
-def divided_by_last_entry(T, row):
-    """T is divided by its last entry. That scales the translation. Only the block and the row are repaired."""
-    return _corrected(T / T[-1, -1], row=row)
-
-
-@EXERCISE.mistake
-def translation_lost(T):
-    """the translation is lost. The last column stays as it is."""
-    return _corrected(T, translation=lambda R, p: 0 * p)
-
-
-@EXERCISE.mistake(turn=(lambda R, p: R @ p, lambda R, p: R.T @ p))
-def translation_rotated(T, turn):
-    """the translation is rotated with the block. The last column stays as it is."""
-    return _corrected(T, translation=turn)
-
-
 @EXERCISE.mistake(repair=(polar, lambda T: polar(T, *ones(T), np.linalg.det(polar(T)))))
 def whole_matrix(T, repair):
     """the whole of T is made a rotation. Only its upper left block is one."""
@@ -102,4 +68,4 @@ def whole_matrix(T, repair):
 @EXERCISE.mistake
 def reflection_stays(T):
     """the block stays a reflection where det < 0. Your nearest_so returns rotations only."""
-    return _corrected(T, polar)
+    return pose(polar(T[:-1, :-1]), T[:-1, -1])

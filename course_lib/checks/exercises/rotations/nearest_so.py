@@ -4,15 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import (
-    damaged_rotations,
-    distances,
-    is_rotation,
-    last_column_negated,
-    ones,
-    polar,
-)
-from course_lib.checks.vocabulary import orthogonality_error
+from course_lib.checks.exercises.rotations.shared import damaged_rotations, distances, last_column_negated, ones, polar
+from course_lib.checks.vocabulary import is_rotation, orthogonality_error
 from course_lib.rotations import nearest_so, random_rotations
 
 
@@ -62,27 +55,13 @@ def _sign(M):
 
 
 @EXERCISE.mistake
-def reflection_stays(M):
-    """U V^T is returned even if it is a reflection. Its determinant is +1 or -1. In the second case one direction
-    has to be reversed: the cheapest."""
-    return polar(M)
-
-
-@EXERCISE.mistake
 def largest_singular_value(M):
     """the sign is put at the largest singular value. Reversing costs least where M is weakest. numpy sorts singular
     values in descending order."""
     return polar(M, _sign(M), *ones(M))
 
 
-@EXERCISE.mistake
-def all_negated(M):
-    """all of U V^T is negated. In the plane that leaves the determinant as it is; in space it reverses all three
-    axes. One is enough."""
-    return _sign(M) * polar(M)
-
-
-@EXERCISE.mistake(sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: 1.0 if d > 0 else -1.0, lambda d: d))
+@EXERCISE.mistake(sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: d))
 def sign_of_det_M(M, sign):
     """the sign comes from det M. A singular M has det M = 0, and yet it has a nearest rotation. Which determinant is
     always +1 or -1?"""

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.vocabulary import orthogonality_error
+from course_lib.checks.vocabulary import rotation
 from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quaternions
 
 
@@ -32,10 +32,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda q: (3, 3)),
     library=quaternion_to_matrix,
     properties=(
-        Property(
-            "R is a rotation: R^T R = I and det R = 1",
-            lambda R, q: orthogonality_error(R) < 1e-9 and np.linalg.det(R) > 0,
-        ),
+        rotation(),
         Property(
             "the vector part is the axis: R (x, y, z) = (x, y, z)",
             lambda R, q: np.allclose(R @ q[1:], q[1:], atol=1e-9),

@@ -6,11 +6,9 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rotations.sampling import (
     ARVO_RANGES,
-    CIRCLE,
     DRAWS,
     LIBRARY_SAMPLERS,
     cases,
-    has_gaps,
     of_many,
     shoemake,
     tied,
@@ -51,14 +49,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda q, n, rng: n > 1 and abs(np.linalg.norm(q) - 1) < 1e-9)
-def one_length_for_all(n, rng):
-    """all quaternions are divided by one number, the length of all together. Each has a length of its own: which
-    axis of the array holds its four entries?"""
-    q = rng.normal(size=(n, 4))
-    return q / np.linalg.norm(q)
-
-
 @EXERCISE.mistake(seen=of_many(lambda q: tied(_shoemake(q), ARVO_RANGES)), which=("angles", "s"))
 def one_draw_for_two(n, rng, which):
     """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
@@ -79,10 +69,3 @@ def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v, a = rng.normal(size=(n, 3)), np.pi * rng.random((n, 1))
     return np.hstack([np.cos(a / 2), np.sin(a / 2) * v / np.linalg.norm(v, axis=1, keepdims=True)])
-
-
-@EXERCISE.mistake(seen=of_many(lambda q: any(has_gaps(angle, *CIRCLE) for angle in _shoemake(q)[1:])))
-def part_of_the_circle(n, rng):
-    """an angle does not cover the full circle. Both angles go from 0 to 2 pi."""
-    s, one, two = rng.random((3, n)) * [[1], [1], [2 * np.pi]]
-    return shoemake(s, one, two)

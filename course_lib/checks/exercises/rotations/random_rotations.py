@@ -12,27 +12,12 @@ from course_lib.checks.exercises.rotations.sampling import (
     arvo,
     arvo_rotations,
     cases,
-    many,
     of_many,
     tied,
-    uniform,
     uniform_angle,
     uniform_rotations,
 )
 from course_lib.rotations import exp_so3, random_rotations
-
-
-def _stretched_along_one_axis(R):
-    """V is no unit vector: of the singular values of 2 V V^T - I only the first two are 1."""
-
-    def two_are_one(sizes):
-        return np.allclose(sizes[:, :2], 1) and sizes[:, 2].min() >= 0.5 - 1e-9
-
-    if not two_are_one(np.linalg.svd(R[:100], compute_uv=False)):  # which spares nearly all answers the rest
-        return False
-    sizes = np.linalg.svd(R, compute_uv=False)
-    return two_are_one(sizes) and sizes[:, 2].min() < 1 - 1e-6
-
 
 EXERCISE = Exercise(
     name="random_rotations",
@@ -64,26 +49,8 @@ def one_draw_for_two(n, rng):
     return arvo_rotations(2 * np.pi * x, 2 * np.pi * x, z)
 
 
-@EXERCISE.mistake(seen=of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()))
-def signs_of_qr(n, rng):
-    """one entry of the matrices never changes its sign: these are numpy's QR factors as they are. LAPACK chooses the
-    signs of the columns of Q; those of the diagonal of R, the other factor, undo that."""
-    Q, _ = np.linalg.qr(rng.normal(size=(n, 3, 3)))
-    return Q * np.sign(np.linalg.det(Q))[:, None, None]
-
-
 @EXERCISE.mistake(seen=of_many(uniform_angle))
 def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v = rng.normal(size=(n, 3))
     return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))
-
-
-@EXERCISE.mistake(
-    seen=lambda R, n, rng: _stretched_along_one_axis(R) or (many(n, rng) and uniform(np.sqrt(arvo(R)[0]), 0, 1))
-)
-def root_missing(n, rng):
-    """the root over z is missing. The squares of V's entries have to add up to 1, and the height of the pole, 1 - 2
-    z, has to be uniform."""
-    theta, phi, z = rng.random((3, n)) * [[2 * np.pi], [2 * np.pi], [1]]
-    return arvo_rotations(theta, phi, z, height=z)

@@ -48,12 +48,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def clockwise(p, a):
-    """the point moves clockwise. A rotation by 90 degrees takes (1, 0) to (0, 1). Which sine carries the minus sign?"""
-    return _matrix(-a) @ p
-
-
 @EXERCISE.mistake(signs=([[1, 1], [1, 1]], [[1, 1], [1, -1]], [[1, -1], [1, -1]], [[-1, 1], [1, 1]]))
 def sign_wrong(p, a, signs):
     """a sign is wrong: the matrix is no rotation. Where do (1, 0) and (0, 1) go? Those are its columns."""

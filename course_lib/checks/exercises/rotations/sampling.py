@@ -87,11 +87,6 @@ def cells_p_value(columns, ranges, bins):
     return chisquare(_counts(columns, ranges, bins).ravel()).pvalue
 
 
-def has_gaps(values, low, high):
-    """Return whether part of the range from low to high is never drawn."""
-    return (_counts([values], [(low, high)], 12) == 0).any()
-
-
 def tied(columns, ranges):
     """Return whether two coordinates depend on each other: few pairs occur of those that each alone allows."""
 
@@ -186,14 +181,13 @@ LIBRARY_SAMPLERS = (
 )
 
 
-def shoemake(s, one, two, near=None, far=None):
-    """Return the quaternions (n, 4) of Shoemake's method; near, far: what stands for the roots of 1 - s and s."""
-    near, far = np.sqrt(1 - s) if near is None else near, np.sqrt(s) if far is None else far
+def shoemake(s, one, two):
+    """Return the quaternions (n, 4) of Shoemake's method."""
+    near, far = np.sqrt(1 - s), np.sqrt(s)
     return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)
 
 
-def arvo_rotations(theta, phi, z, height=None):
-    """Return the rotations (n, 3, 3) of Arvo's method; height: what stands for the root of z."""
-    root = np.sqrt(z) if height is None else height
-    V = np.stack([np.cos(phi) * root, np.sin(phi) * root, np.sqrt(1 - z)], axis=1)
+def arvo_rotations(theta, phi, z):
+    """Return the rotations (n, 3, 3) of Arvo's method."""
+    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
     return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)

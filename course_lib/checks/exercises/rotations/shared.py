@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from course_lib.checks.vocabulary import orthogonality_error
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -30,11 +29,6 @@ def damaged_rotations(rng):
         _SINGULAR,
         -_SINGULAR,
     ]
-
-
-def is_rotation(M):
-    """Return whether M is a rotation, to rounding."""
-    return orthogonality_error(M) < 1e-9 and np.linalg.det(M) > 0
 
 
 def polar(M, *signs):

@@ -116,18 +116,6 @@ def normalised_chord(q0, q1, t, end):
 
 
 @EXERCISE.mistake
-def straight_too_early(q0, q1, t):
-    """the formula for nearly equal rotations is used too early. Where does its error exceed 1e-9?"""
-    return nearest_quaternion((1 - t) * q0 + t * _shorter(q0, q1)) if _angle_of(q0, q1) < 0.1 else slerp(q0, q1, t)
-
-
-@EXERCISE.mistake
-def from_the_end(q0, q1, t):
-    """t runs from q1 to q0. At t = 0 the answer is q0."""
-    return slerp(q0, q1, 1 - t)
-
-
-@EXERCISE.mistake
 def cosine_alone_made_positive(q0, q1, t):
     """the angle belongs to -q1, the weights to q1. If q0 . q1 is negative, q1 itself changes its sign, not only the
     cosine."""

@@ -4,19 +4,18 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.exercises.subproblems_damped_ik.shared import same_list, unless_empty
+from course_lib.checks.exercises.subproblems_damped_ik.shared import unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     ELBOW,
     SHOULDER,
     WRIST,
-    add_nothing_found,
     arm_solutions,
     bent,
     center_of,
     every_solution,
 )
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import Y, Z
+from course_lib.checks.vocabulary import Y, Z, same_list
 from course_lib.subproblems import subproblem2, subproblem3
 
 
@@ -55,8 +54,6 @@ EXERCISE = Exercise(
     ),
 )
 
-add_nothing_found(EXERCISE, arm_solutions)
-
 
 def _distance(center):
     return np.linalg.norm(center - SHOULDER)
@@ -72,27 +69,11 @@ def _with(center, distance=_distance, elbow=(WRIST - ELBOW, SHOULDER - ELBOW), p
     return found
 
 
-@EXERCISE.mistake(joint=(0, 1, 2))
-def sign_of_one_angle(center, joint):
-    """one of the angles has the wrong sign. Which point does each angle of subproblem 2 rotate, and on which side of
-    the equation does R(z, q1) stand there?"""
-    found = np.array(arm_solutions(center))
-    found[:, joint] *= -1
-    return found
-
-
-@EXERCISE.mistake
-def first_two_swapped(center):
-    """q1 and q2 are swapped. About which of its axes does subproblem 2 return the angle first?"""
-    return np.array(arm_solutions(center))[:, [1, 0, 2]]
-
-
 @EXERCISE.mistake(
     given=(
         {"distance": np.linalg.norm},
         {"origin": np.zeros(3)},
         {"distance": np.linalg.norm, "origin": np.zeros(3)},
-        {"distance": np.linalg.norm, "elbow": (WRIST - ELBOW, -ELBOW)},
         {"elbow": (WRIST - ELBOW, ELBOW - SHOULDER)},
         {"elbow": (WRIST, SHOULDER)},
     )

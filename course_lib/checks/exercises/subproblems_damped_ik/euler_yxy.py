@@ -6,10 +6,10 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.exercises.subproblems_damped_ik.shared import add_degrees, different, same_list
+from course_lib.checks.exercises.subproblems_damped_ik.shared import different
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import remembered
+from course_lib.checks.vocabulary import remembered, same_list
 from course_lib.rotations import rot_x, rot_y
 from course_lib.subproblems import euler_yxy
 
@@ -136,9 +136,6 @@ EXERCISE = Exercise(
 )
 
 
-add_degrees(EXERCISE, _both, _misses)
-
-
 def _alone(found, R):
     return different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
 
@@ -147,22 +144,6 @@ def _alone(found, R):
 def one_only(R):
     """only one triple is returned. Subproblem 2 finds two pairs: what does the other triple look like?"""
     return _both(R)[:1]
-
-
-@EXERCISE.mistake(signs=([-1, 1, 1], [1, 1, -1], [1, -1, 1]))
-def sign_of_one_angle(R, signs):
-    """one angle of each triple has the other sign. Rebuild R from a triple: with which sign do b1, b2 and b3 give it?
-    And does subproblem 2 find b1, or the rotation back?"""
-    return _both(R) * signs
-
-
-@EXERCISE.mistake
-def first_and_last_swapped(R):
-    """b1 and b3 are swapped. Which of Ry(b1) and Ry(b3) is the last to rotate a vector?"""
-    return _both(R)[:, ::-1]
-
-
-# Rotations that exchange axes: after them the angles about x, y, x, or z, x, z, or z, y, z are those about y, x, y.
 
 
 @EXERCISE.mistake(

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.planar_jacobian import ARMS, jacobian, tip
+from course_lib.checks.vocabulary import angle_gap
 
 
 def step(q, target, alpha, eps):
@@ -16,11 +17,6 @@ def step(q, target, alpha, eps):
 def allowed(q, target, alpha, eps):
     """Return how far beside the right angles an answer may be: what rounding in J does is divided by eps."""
     return (1e-8 + 1e-9 / eps) * (1 + np.abs(step(q, target, alpha, eps) - q).max())
-
-
-def off(angles, wanted):
-    """Return how far angles are from those wanted, up to multiples of 2 pi."""
-    return np.abs(np.angle(np.exp(1j * (np.asarray(angles) - wanted)))).max()
 
 
 def _cases(rng):
@@ -45,7 +41,7 @@ def _there(q, target, alpha, eps):
 
 
 def _right(answer, *case):
-    return off(answer, step(*case)) < allowed(*case)
+    return angle_gap(answer, step(*case)) < allowed(*case)
 
 
 def _motion(answer, q, *rest):
@@ -59,7 +55,7 @@ def _same(answer, predicted, *case):
     """Return whether an answer is that of a mistake."""
     share = 1e-6 if case[3] > 1e-3 else 1e-3  # with a small eps, rounding tells ways of computing apart
     size = 1 + np.abs(predicted - case[0]).max()
-    return off(answer, predicted) < min(share * size, 0.01)
+    return angle_gap(answer, predicted) < min(share * size, 0.01)
 
 
 WRAPPED = Mistake(
@@ -103,19 +99,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def step_away(q, target, alpha, eps):
-    """the step leads away from the target. Is the error tip(q) - target or target - tip(q), and which sign has the
-    step then?"""
-    return 2 * q - step(q, target, alpha, eps)
-
-
-@EXERCISE.mistake
-def step_alone(q, target, alpha, eps):
-    """the step is returned, not the angles after it. What does the task want?"""
-    return step(q, target, alpha, eps) - q
-
-
 def _solves_another(answer, q, target, alpha, eps):
     """Return whether the step solves the equations undamped, or damped in every entry, or is as large as rounding."""
     J, moved = jacobian(q), answer - q
@@ -134,29 +117,13 @@ def not_damped(q, target, alpha, eps, share):
     return q - alpha * np.linalg.pinv(J.T @ J + share * eps) @ J.T @ (tip(q) - target)
 
 
-@EXERCISE.mistake(
-    changed=(
-        lambda M, e: e**2 * np.eye(4),
-        lambda M, e: e**0.5 * np.eye(4),
-        lambda M, e: -e * np.eye(4),
-        lambda M, e: e * np.diag(np.diag(M)),
-    )
-)
+@EXERCISE.mistake(changed=(np.square, np.sqrt))
 def other_damping(q, target, alpha, eps, changed):
-    """eps is added in another way: squared, as a root, subtracted, or as a share of the diagonal. How does eps stand
-    in J^T J + eps I?"""
-    J = jacobian(q)
-    M = J.T @ J
-    return q - alpha * np.linalg.pinv(M + changed(M, eps)) @ J.T @ (tip(q) - target)
+    """eps is added in another way, squared or as a root. How does eps stand in J^T J + eps I?"""
+    return step(q, target, alpha, changed(eps))
 
 
-def _parallel(answer, *case):
-    wanted, moved = step(*case) - case[0], answer - case[0]
-    size = wanted @ wanted
-    return moved @ wanted > 0 and np.abs(moved - (moved @ wanted) / size * wanted).max() < allowed(*case)
-
-
-@EXERCISE.mistake(factor=(lambda alpha: 1, lambda alpha: alpha**2, lambda alpha: 1 / alpha), seen=_parallel)
+@EXERCISE.mistake(factor=(np.ones_like, np.square, np.reciprocal))
 def wrong_length(q, target, alpha, eps, factor):
     """the step has the right direction and a wrong length. Print your step for this input, and alpha: which factor is
     missing, or does not belong?"""

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
 from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.vocabulary import inside
 from course_lib.rotations import exp_so3
 
 FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two solutions coincide, digits are lost
@@ -32,26 +33,9 @@ def angle_about(k, p, g):
     return np.arctan2(k @ np.cross(p, g), across(k, p) @ g)
 
 
-def near(a, b, tolerance=1e-6):
-    """Return whether angles are the same up to multiples of 2 pi."""
-    return np.abs(np.angle(np.exp(1j * (np.asarray(a) - b)))) < tolerance
-
-
-def same_list(found, wanted, *case):
-    """Return whether two lists hold the same solutions, in any order and however often: `alike` of these exercises."""
-    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
-    if len(found) == 0 or len(wanted) == 0 or found.shape[1:] != wanted.shape[1:]:
-        return len(found) == len(wanted)
-    return _inside(found, wanted) and _inside(wanted, found)
-
-
 def different(found):
     """Return how many of the solutions in a list differ."""
-    return sum(not _inside(found[i : i + 1], found[:i]) for i in range(len(found)))
-
-
-def _inside(some, others):
-    return all(any(np.all(near(a, b)) for b in others) for a in some)
+    return sum(not inside(found[i : i + 1], found[:i]) for i in range(len(found)))
 
 
 def unless_empty(reader, solutions):
@@ -118,18 +102,6 @@ def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
         Property(f"{equation}, also here, where the two solutions coincide", solved(TOUCHING), worst, where=has(1)),
         *touch,
     )
-
-
-def add_degrees(exercise, solutions, misses):
-    """Add the mistake of angles in degrees, which may differ from those predicted by 360 degrees."""
-
-    def shown(found, *case):
-        return len(found) > 0 and all(misses(np.deg2rad(solution), *case) < TOUCHING for solution in found)
-
-    @exercise.mistake(seen=shown)
-    def degrees(*case):
-        """the angles are in degrees. Which unit has the task?"""
-        return np.rad2deg(solutions(*case)) if len(solutions(*case)) else None
 
 
 def add_too_few(exercise, solutions, misses):

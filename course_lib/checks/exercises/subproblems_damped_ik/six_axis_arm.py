@@ -91,13 +91,3 @@ def every_solution(equation, misses, tell, solutions):
             ),
         ),
     )
-
-
-def add_nothing_found(exercise, solutions):
-    """Add the mistake of a list that is empty although there are solutions."""
-
-    @exercise.mistake
-    def nothing_found(*case):
-        """the list is empty although there are solutions. Print what each subproblem is given and what it returns:
-        where does the first empty list come from?"""
-        return [] if solutions(*case) else None

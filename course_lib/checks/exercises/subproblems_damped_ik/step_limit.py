@@ -55,14 +55,7 @@ def another_singular_value(J, eps, square):
     return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
 
 
-@EXERCISE.mistake(
-    share=(
-        lambda s, eps: eps / s[0],
-        lambda s, eps: eps / s[-1],
-        lambda s, eps: (eps / s[0]) ** 2,
-        lambda s, eps: eps / s[0] ** 4,
-    )
-)
+@EXERCISE.mistake(share=(lambda s, eps: eps / s[0], lambda s, eps: (eps / s[0]) ** 2, lambda s, eps: eps / s[0] ** 4))
 def power_wrong(J, eps, share):
     """s or eps stands in a wrong power. Compare with the factor of a step, and ask whether you have s or its square:
     what are the eigenvalues of J J^T?"""

@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.exercises.subproblems_damped_ik.shared import FINE, across, angle_about, near, rotated, single
+from course_lib.checks.exercises.subproblems_damped_ik.shared import FINE, across, angle_about, rotated, single
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import X, Y, Z, unit
+from course_lib.checks.vocabulary import X, Y, Z, angle_gap, unit
 from course_lib.subproblems import subproblem1
 
 
@@ -68,7 +68,7 @@ def _angle(theta, k, p, g):
 
 def _same(theta, predicted, k, p, g):
     """Return whether two answers are the same angle; where every angle is right, any number is."""
-    return bool(np.isfinite(theta)) if _free(k, p, g) else bool(near(theta, predicted))
+    return bool(np.isfinite(theta)) if _free(k, p, g) else bool(angle_gap(theta, predicted) < 1e-6)
 
 
 EXERCISE = Exercise(
@@ -121,27 +121,6 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.subproblems.subproblem1", "course_lib.subproblems.subproblem0"),
 )
-
-
-def _cosine(a, b):
-    return np.clip(a @ b / np.linalg.norm(a) / np.linalg.norm(b), -1, 1)
-
-
-def _sine(k, p, g):
-    return k @ np.cross(p, g) / np.linalg.norm(across(k, p)) / np.linalg.norm(across(k, g))
-
-
-@EXERCISE.mistake
-def half_turn_lost(k, p, g):
-    """an angle of pi is lost. At pi the vector p x g has no component along k, so what does np.sign say of it?"""
-    return 0.0 if abs(_sine(k, p, g)) < FINE and _cosine(across(k, p), across(k, g)) < 0 else None
-
-
-@EXERCISE.mistake
-def never_negative(k, p, g):
-    """the sign is lost: the angle is never negative. arccos, and the length of p x g, cannot tell one direction of
-    rotation from the other. What can?"""
-    return np.abs(angle_about(k, p, g))
 
 
 @EXERCISE.mistake(sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n)))

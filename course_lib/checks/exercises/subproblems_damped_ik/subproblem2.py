@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
 from course_lib.checks.exercises.subproblems_damped_ik.shared import angle_about, rotated, two
-from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem2
 
 _ANGLED = np.array([0.6, 0.0, 0.8])
@@ -107,7 +107,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=shared.unless_empty(rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions),
     library=solutions,
-    alike=shared.same_list,
+    alike=same_list,
     properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",
         "pair",
@@ -161,13 +161,6 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, solutions, _misses)
-shared.add_degrees(EXERCISE, solutions, _misses)
-
-
-@EXERCISE.mistake(signs=([1, -1], [-1, 1]))
-def sign_of_one_angle(*case, signs):
-    """one of the two angles has the other sign. Which point does each angle rotate, and to which point?"""
-    return two(solutions, *case) * signs
 
 
 def _through(case, a, b, square):
@@ -189,7 +182,6 @@ def _rest(a, b, m, square):
         lambda a, b, m, square: _rest(a, b, m, square),
         lambda a, b, m, square: (square - a * a - b * b) / (1 - m * m),
         lambda a, b, m, square: square - a * a - b * b,
-        lambda a, b, m, square: _rest(a, b, m, np.sqrt(square)) / (1 - m * m),
     )
 )
 def pythagoras_wrong(*case, squared):

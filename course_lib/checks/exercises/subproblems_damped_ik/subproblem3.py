@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
 from course_lib.checks.exercises.subproblems_damped_ik.shared import across, angle_about, rotated, two
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
-from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem3, subproblem4
 
 
@@ -79,7 +79,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     library=_solutions,
-    alike=shared.same_list,
+    alike=same_list,
     properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
         "angle",
@@ -114,7 +114,6 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, _solutions, _misses)
-shared.add_degrees(EXERCISE, _solutions, _misses)
 
 
 @EXERCISE.mistake(
@@ -123,8 +122,6 @@ shared.add_degrees(EXERCISE, _solutions, _misses)
         lambda p, g, d: p * p + g * g - d * d,
         lambda p, g, d: d,
         lambda p, g, d: (p * p + g * g - d) / 2,
-        lambda p, g, d: (p + g - d * d) / 2,
-        lambda p, g, d: (p + g - d) / 2,
     )
 )
 def height_wrong(k, p, g, d, height):

@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
 from course_lib.checks.exercises.subproblems_damped_ik.shared import across, angle_about, rotated, two
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
-from course_lib.checks.vocabulary import X, Y, Z, remembered, unit
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem4
 
 
@@ -64,7 +64,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     library=_solutions,
-    alike=shared.same_list,
+    alike=same_list,
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
@@ -94,15 +94,14 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, _solutions, _misses)
-shared.add_degrees(EXERCISE, _solutions, _misses)
 
 
-def _either_side(case, e, r=None, A=None):
-    """The two angles of somebody with another e, r or A; a cosine out of range is replaced by the nearest in range."""
+def _either_side(case, e, A=None):
+    """The two angles of somebody with another e or A; a cosine out of range is replaced by the nearest in range."""
     two(_solutions, *case)
     k, h, p, _ = case
     A, B = across(k, h) @ p if A is None else A, h @ np.cross(k, p)
-    middle, aside = np.arctan2(B, A), np.arccos(np.clip(e / (r or np.hypot(A, B)), -1, 1))
+    middle, aside = np.arctan2(B, A), np.arccos(np.clip(e / np.hypot(A, B), -1, 1))
     return [middle - aside, middle + aside]
 
 
