@@ -10,15 +10,10 @@ import sympy as sp
 from course_lib.checks import call_student, wire
 from course_lib.checks import decomposition_ik as check
 from course_lib.checks.adapters import ADAPTERS, NoNumber, with_symbols
-from course_lib.checks.exercise import ERROR, WRONG, Here, judge
+from course_lib.checks.exercise import ERROR, Here, judge
 from course_lib.checks.notebook import describe
 
 DH_SYMBOLIC = check.dh_symbolic.exercise
-
-
-def matrix(a, alpha, d, theta):
-    c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
-    return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
 
 def put(function, **arguments):
@@ -126,46 +121,23 @@ def test_without_an_adapter_a_function_is_simply_called():
 # In the messages of a check
 
 
-def test_symbols_left_over_are_refused_in_words():
-    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: matrix(a, alpha, d, sp.Symbol("theta"))))
-    assert verdict.state == WRONG
-    assert "One of yours is cos(theta)." in describe(verdict)
-    assert "a symbol made elsewhere stands in the answer" in describe(verdict)
-
-
-def _numpy(a, alpha, d, theta):
-    return np.cos(theta)
-
-
-def _math(a, alpha, d, theta):
-    return sp.Matrix([math.sin(alpha)])
-
-
-def _numpy_on_an_expression(a, alpha, d, theta):
-    return np.sin(2 * theta + alpha)
-
-
-def _two_arguments(a, alpha, d, theta):
-    return np.arctan2(theta, alpha)
-
-
-@pytest.mark.parametrize("function", [_numpy, _math, _numpy_on_an_expression, _two_arguments])
-def test_a_function_for_numbers_used_on_symbols_is_named_with_the_students_line(function):
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda a, alpha, d, theta: np.cos(theta),
+        lambda a, alpha, d, theta: sp.Matrix([math.sin(alpha)]),
+        lambda a, alpha, d, theta: np.sin(2 * theta + alpha),
+        lambda a, alpha, d, theta: np.arctan2(theta, alpha),
+    ],
+)
+def test_a_function_for_numbers_used_on_symbols_is_named_without_the_numbers_of_the_case(function):
     verdict = judge(DH_SYMBOLIC, Here(function))
     assert verdict.state == ERROR
-    text = describe(verdict)
-    assert "`return " in text
-    assert "For theta" not in text
-    assert "numpy's or math's function is used on symbols: take SymPy's" in text
+    assert "For theta" not in describe(verdict)
+    assert "numpy's or math's function is used on symbols: take SymPy's" in describe(verdict)
 
 
 def test_other_errors_are_not_taken_for_it():
     verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: sp.Matrix([[1, 2]]) * sp.Matrix([[1, 2]])))
     assert verdict.state == ERROR
     assert verdict.mistake is None
-
-
-def test_a_matrix_of_numbers_is_wrong_and_no_error():
-    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: np.eye(4)))
-    assert verdict.state == WRONG
-    assert verdict.case == (0, 0, 0, 1)
