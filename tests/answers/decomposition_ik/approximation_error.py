@@ -33,8 +33,3 @@ def wrong_places_not_lined_up(xy, angles):
     """ValueError"""
     ends = np.exp(1j * np.cumsum(angles, axis=-1)).sum(axis=-1)
     return np.linalg.norm(np.stack([ends.real, ends.imag], -1) - xy, axis=-1)
-
-
-def wrong_first_place_for_all(xy, angles):
-    """unnamed"""
-    return right_components(xy[[0] * len(xy)], angles)

@@ -57,8 +57,3 @@ def wrong_share(targets, q0, eps, steps):
 def wrong_distances(targets, q0, eps, steps):
     """something other than True or False"""
     return np.linalg.norm(descended(targets, q0, eps, steps), axis=1)
-
-
-def wrong_tolerance(targets, q0, eps, steps):
-    """unnamed"""
-    return np.linalg.norm(descended(targets, q0, eps, steps), axis=1) < 1e-2

@@ -35,8 +35,3 @@ def wrong_first_time_compared_with_the_last(t, q, limits):
         if not np.isfinite([t[i], *q[i]]).all() or t[i] <= t[i - 1]:
             return i
     return -1
-
-
-def wrong_truth(t, q, limits):
-    """unnamed"""
-    return right_loop(t, q, limits) >= 0

@@ -19,8 +19,3 @@ def right_written_out(twist):
 
 def right_rows_on_top_of_each_other(twist):
     return np.vstack([np.column_stack([np.cross(twist[:3], np.eye(3)).T, twist[3:]]), np.zeros(4)])
-
-
-def wrong_v_first_row_on_top(twist):
-    """unnamed"""
-    return np.vstack([np.zeros(4), np.column_stack([twist[3:], hat(twist[:3])])])

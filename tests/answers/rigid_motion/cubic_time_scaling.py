@@ -18,8 +18,3 @@ def right_coefficients_of_t(t, T, s0, s1, v0, v1):
 
 def right_spline_of_scipy(t, T, s0, s1, v0, v1):
     return CubicHermiteSpline([0, T], [s0, s1], [v0, v1])(t)
-
-
-def wrong_cosine(t, T, s0, s1, v0, v1):
-    """unnamed"""
-    return s0 + (s1 - s0) * (1 - np.cos(np.pi * t / T)) / 2

@@ -26,10 +26,3 @@ def right_half_angle(twist):
         return _pose(0.0, vx, vy)
     a, b = np.sin(w) / w, 2 * np.sin(w / 2) ** 2 / w
     return _pose(w, a * vx - b * vy, b * vx + a * vy)
-
-
-def wrong_middle_angle(twist):
-    """unnamed"""
-    w, vx, vy = twist
-    c, s = np.cos(w / 2), np.sin(w / 2)
-    return _pose(w, c * vx - s * vy, s * vx + c * vy)

@@ -19,15 +19,8 @@ def _q(q, tol):
     return q.shape in ((4,), (4, 1)) and abs(np.linalg.norm(q) - 1) <= tol
 
 
-def _with(so=_so, se=_se, q=_q):
-    def is_valid(X, kind, tol):
-        return {"rotation": so, "pose": se, "quaternion": q}[kind](X, tol)
-
-    return is_valid
-
-
 def right_three_helpers(X, kind, tol):
-    return _with()(X, kind, tol)
+    return {"rotation": _so, "pose": _se, "quaternion": _q}[kind](X, tol)
 
 
 def right_one_function_that_calls_itself(X, kind, tol):
@@ -48,4 +41,4 @@ def is_last_row(T, tol):
 def right_rows_in_place_of_columns(X, kind, tol):
     if kind == "rotation" and X.shape in ((2, 2), (3, 3)):
         return np.abs(np.einsum("ik,jk->ij", X, X) - np.eye(len(X))).max() <= tol and np.linalg.det(X) > 0
-    return np.bool_(_with()(X, kind, tol))
+    return np.bool_(right_three_helpers(X, kind, tol))

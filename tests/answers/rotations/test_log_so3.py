@@ -32,12 +32,6 @@ def right_one_and_zero(log_so3):
     return int(right_exponential_of_the_answer(log_so3))
 
 
-def wrong_no_special_rotations(log_so3):
-    """unnamed"""
-    rng = np.random.default_rng(0)
-    return all(_agrees(log_so3, w) for w in 0.5 * rng.normal(size=(20, 3)))
-
-
 def wrong_length_not_asked(log_so3):
     """unnamed"""
     for a in (0, 1e-3, 1.0, 2.0, 3.0, np.pi):

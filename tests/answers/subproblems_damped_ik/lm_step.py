@@ -31,8 +31,3 @@ def wrong_singular(q, target, alpha, eps):
 def wrong_wrapped(q, target, alpha, eps):
     """the angles are wrapped"""
     return (right_least_squares(q, target, alpha, eps) + np.pi) % (2 * np.pi) - np.pi
-
-
-def wrong_first_joint_fixed(q, target, alpha, eps):
-    """unnamed"""
-    return np.where([1, 0, 0, 0], q, right_least_squares(q, target, alpha, eps))

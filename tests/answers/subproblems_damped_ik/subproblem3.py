@@ -54,9 +54,3 @@ def wrong_negative_distance(k, p, g, d):
 def wrong_a_whole_revolution_more(k, p, g, d):
     """a solution is listed twice"""
     return [t + turns for t in right_by_half_angle_tangent(k, p, g, d) for turns in (0, 2 * np.pi)]
-
-
-def wrong_mean_of_both(k, p, g, d):
-    """unnamed"""
-    found = right_by_half_angle_tangent(k, p, g, d)
-    return [np.mean(found)] if found else []
