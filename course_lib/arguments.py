@@ -1,6 +1,4 @@
-"""Check the arguments of public functions: each returns a usable value, or raises a ValueError that
-names the argument.
-"""
+"""Checks of arguments: each returns a usable value, or raises a ValueError that names the argument."""
 
 from functools import partial
 

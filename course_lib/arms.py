@@ -92,9 +92,7 @@ class SerialArm:
 
         Examples
         --------
-        >>> home = np.eye(4)
-        >>> home[0, 3] = 1.0
-        >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], home)  # one joint about z, one metre long
+        >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], transform(np.eye(3), [1, 0, 0]))  # 1 m long
         >>> print(arm.fk([np.pi / 2])[:3, 3].round(9))
         [0. 1. 0.]
         """

@@ -25,8 +25,7 @@ def pose_distance(T, target):
     Examples
     --------
     >>> from course_lib.rigid import transform
-    >>> from course_lib.rotations import rot_z
-    >>> print(pose_distance(np.eye(4), transform(rot_z(np.pi), [0.3, 0.4, 0])).round(9))  # the root of 0.5^2 + 2
+    >>> print(pose_distance(np.eye(4), transform(np.diag([-1, -1, 1]), [0.3, 0.4, 0])).round(9))  # 2.25 ** 0.5
     1.5
     """
     phi, p = np.split(pose_error(T, target), 2, axis=-1)

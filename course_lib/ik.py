@@ -300,9 +300,8 @@ def pose_error(T, target):
 
     Examples
     --------
-    >>> from course_lib.rigid import transform
-    >>> from course_lib.rotations import rot_z
-    >>> print(pose_error(np.eye(4), transform(rot_z(0.5), [1, 2, 3])))
+    >>> from course_lib import rigid, rotations
+    >>> print(pose_error(np.eye(4), rigid.transform(rotations.rot_z(0.5), [1, 2, 3])))
     [0.  0.  0.5 1.  2.  3. ]
     """
     T, target = checked_pose(T, "T", (4, 4)), checked_pose(target, "target", (4, 4))

@@ -64,9 +64,7 @@ def between(trajectory):
 
     Examples
     --------
-    >>> there = np.zeros((2, 8))
-    >>> there[1, :2] = 1, 0.04
-    >>> between(there)[0]
+    >>> between([[0] * 8, [1, 0.04] + [0] * 6])[0]
     array([0. , 0.5, 1. ])
     """
     trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
@@ -132,9 +130,7 @@ def shares(trajectory):
 
     Examples
     --------
-    >>> there = np.zeros((3, 8))
-    >>> there[:, 0], there[:, 1] = [0, 1, 2], [0, 1, 1]
-    >>> [share.round(2).tolist() for share in shares(there)]
+    >>> [share.round(2).tolist() for share in shares([[t, q] + [0] * 6 for t, q in [(0, 0), (1, 1), (2, 1)]])]
     [[0.46, 0.0, 0.0], [0.07, 0.07, 0.0]]
     """
     trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)

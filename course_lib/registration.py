@@ -28,8 +28,6 @@ def register_points(src, dst, weights=None):
     refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad. Noise does far more than
     rounding: `uncertainty` says how much.
 
-    Source: Umeyama (1991), without the scale.
-
     Parameters
     ----------
     src, dst : array_like (..., n, 3)
@@ -60,11 +58,10 @@ def register_points(src, dst, weights=None):
     batch = broadcast(src=src.shape[:-2], dst=dst.shape[:-2], weights=weights.shape[:-1])
     weights = weights / weights.max(-1, keepdims=True)
     share = (weights / weights.sum(-1, keepdims=True))[..., None]
-    with np.errstate(under="ignore"):
+    with np.errstate(all="ignore"):
         a, mean_a, exponent_a, _ = _centred(src, share, "src")
         b, mean_b, exponent_b, axes = _centred(dst, share, "dst")
         R = _rotation(a, b, share, axes)
-    with np.errstate(all="ignore"):
         mean_src, mean_dst = np.ldexp(mean_a, exponent_a), np.ldexp(mean_b, exponent_b)
         p = mean_dst - (R @ mean_src[..., None])[..., 0]
     return np.broadcast_to(transform(R, finite_result(p, "dst", None)), (*batch, 4, 4))

@@ -328,9 +328,8 @@ def random_rotations(n, rng):
 
     Examples
     --------
-    >>> R = random_rotations(1000, np.random.default_rng(0))
-    >>> R.shape, bool(is_so(R).all())
-    ((1000, 3, 3), True)
+    >>> print(is_so(random_rotations(3, np.random.default_rng(0))))
+    [ True  True  True]
     """
     return quaternion_to_matrix(random_quaternions(n, rng))
 
@@ -353,9 +352,8 @@ def random_quaternions(n, rng):
 
     Examples
     --------
-    >>> q = random_quaternions(1000, np.random.default_rng(0))
-    >>> q.shape, bool(is_quaternion(q).all())
-    ((1000, 4), True)
+    >>> print(is_quaternion(random_quaternions(3, np.random.default_rng(0))))
+    [ True  True  True]
     """
     s, angle1, angle2 = generator(rng).random((3, count(n))) * [[1.0], [2 * np.pi], [2 * np.pi]]
     near, far = np.sqrt(1 - s), np.sqrt(s)

@@ -241,17 +241,12 @@ def _arguments(**arguments):
     """Check vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
     arrays = {name: real_array(value, name, () if name == "d" else (3,)) for name, value in arguments.items()}
     batch = broadcast(**{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()})
-    found = []
-    for name, array in arrays.items():
-        if name == "d":
-            found.append(np.broadcast_to(array, batch))
-            continue
-        size = finite_result(length(array), name, ())
+    for name in [each for each in arrays if each != "d"]:
+        size = finite_result(length(arrays[name]), name, ())
         if name.startswith("k"):
             refuse_first(size == 0, name, "is zero: an axis needs a direction")
-            array = _unit(array)
-        found.append(np.broadcast_to(array, (*batch, 3)))
-    return found
+            arrays[name] = _unit(arrays[name])
+    return [np.broadcast_to(array, batch if name == "d" else (*batch, 3)) for name, array in arrays.items()]
 
 
 def _meeting(heights, radii, cosine, sine):

@@ -80,20 +80,16 @@ def load(path, limits=None, velocities=None, step=None):
         table, places = tables[0], lambda row, column: f"{paths[0].name}: row {row + 1}, column {names[0][column]}"
     else:
         table, places = _joined(paths, tables, limits, positive(step, "step", batched=False))
-    _refuse(places, ~np.isfinite(table), lambda row, column: "is not a finite number")
+    _refuse(places, ~np.isfinite(table), "is not a finite number")
     t, k = table[:, 0], table.shape[1] // 2
     back = np.zeros(table.shape, bool)
     back[1:, 0] = np.diff(t) <= 0
-    _refuse(places, back, lambda row, column: f"is {t[row]:g} s, after {t[row - 1]:g} s: time must increase")
+    _refuse(places, back, "is {:g} s, after {:g} s: time must increase", table, np.roll(table, 1, 0))
+    low, high = np.full(table.shape, -np.inf), np.full(table.shape, np.inf)
     if limits is not None:
-        limits = real_array(limits, "limits", (k, 2), batched=False, infinite=True)
-        outside = np.zeros(table.shape, bool)
-        outside[:, 1 : k + 1] = (table[:, 1 : k + 1] < limits[:, 0]) | (table[:, 1 : k + 1] > limits[:, 1])
-
-        def reason(row, column):
-            return f"is {table[row, column]:.4f} rad, outside {{:.4f}} to {{:.4f}}".format(*limits[column - 1])
-
-        _refuse(places, outside, reason)
+        low[:, 1 : k + 1], high[:, 1 : k + 1] = real_array(limits, "limits", (k, 2), batched=False, infinite=True).T
+    outside = (table < low) | (table > high)
+    _refuse(places, outside, "is {:.4f} rad, outside {:.4f} to {:.4f}", table, low, high)
     return Trajectory(t, table[:, 1 : k + 1], table[:, k + 1 :])
 
 
@@ -125,7 +121,7 @@ def disagreement(trajectory):
     left = np.linalg.norm(moved - factor * expected) / max(np.linalg.norm(moved), 1e-300)
     if left > 0.3 or factor <= 0:
         off = np.abs((moved - expected) / steps[:, None]).max()
-        return f"The velocities are not those of the positions: they differ by up to {off:.3g} rad/s, at any times."
+        return f"The velocities are not those of the positions, whatever the times: off by up to {off:.3g} rad/s."
     if abs(factor - 1) < 0.1:
         return ""
     said = f"The velocities fit times that are {factor:.3g} times as far apart"
@@ -150,9 +146,8 @@ def save(path, trajectory):
     t,q1,qd1
     """
     t, q, qd = _checked(trajectory)
-    names = _names(q.shape[1])
-    table = np.column_stack([t, q, qd])
-    np.savetxt(_path(path), table, fmt="%.10f", delimiter=",", header=",".join(names), comments="")
+    header, table = ",".join(_names(q.shape[1])), np.column_stack([t, q, qd])
+    np.savetxt(_path(path), table, fmt="%.10f", delimiter=",", header=header, comments="")
 
 
 def _checked(trajectory):
@@ -254,8 +249,8 @@ def _is_number(text):
     return True
 
 
-def _refuse(place, bad, reason):
-    """Raise ValueError for the first True in bad, (rows, columns); place(row, column) says where it is."""
+def _refuse(place, bad, reason, *tables):
+    """Raise ValueError for the first True in bad, as refuse_first does; place(row, column) says where it is."""
     if bad.any():
         row, column = np.argwhere(bad)[0]
-        raise ValueError(f"{place(row, column)} {reason(row, column)}")
+        raise ValueError(f"{place(row, column)} {reason.format(*(table[row, column] for table in tables))}")
