@@ -98,18 +98,16 @@ _TWIST_MATRIX = Numbers(
     lambda rng, batch: twist_matrix(rng.normal(size=(*batch, 6))),
     (*map(_block, _NOT_SKEW), _with(1.0, 3, 3), _with(1e-5, 3, 0), _with(-1e300, 3, 1)),
 )
-_TOL = Other(lambda: 1e-6, (None, "1e-6", -1e-300, -1, np.nan, np.inf, True, 1j, [1e-6], [], [[1], [1, 2]], object()))
-_N = Other(
-    lambda: 3, (None, "3", -1, np.int64(-2), 10**30, 2**62, 3.0, np.float64(3), np.nan, True, np.True_, [3], (2, 2), 3j)
-)
+_NO_NUMBER = (None, "1", -1, np.nan, np.inf, True, np.True_, 1j, [1.0], [], [[1], [1, 2]], object())
+_TOL = Other(lambda: 1e-6, (*_NO_NUMBER, -1e-300))
+_N = Other(lambda: 3, (*_NO_NUMBER, np.int64(-2), 10**30, 2**62, 3.0, np.float64(3), (2, 2)))
 _RNG = Other(
     lambda: np.random.default_rng(0),
     (None, 0, "seed", np.random, np.random.RandomState(0), np.random.PCG64(0), np.random.default_rng),
 )
 
 _MANY = Other(lambda: 3, (*_N.invalid, 0, 1))
-_NO_NUMBER = (None, "1", 0, -1, np.nan, np.inf, True, 1j, [1.0], [], [[1], [1, 2]], object())
-_SECONDS = Other(lambda: 0.3, _NO_NUMBER)
+_SECONDS = Other(lambda: 0.3, (*_NO_NUMBER, 0))
 _PLANLESS = (None, 1, [1], ["ab"], [()], [((1, 0, 0),)], [((1, 0, 0), 1, 1)], [(None, 1)], [([1, [2]], 1)], [(1, 1)])
 _NO_DURATION = tuple([((1, 0, 0), 1), ((1, 0, 0), bad)] for bad in (-1e-300, np.nan, np.inf, None, "1", [1], True))
 _VELOCITIES = Other(lambda: [((1, 0, 2), 1), ((0, -1, 0), 0.5)], (*_PLANLESS, *_NO_DURATION))

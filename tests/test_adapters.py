@@ -94,18 +94,13 @@ def test_what_is_no_expression_is_not_asked_what_it_is(wrap):
     assert (error["type"], error["message"]) == ("NotPlain", "a Hostile")
 
 
-@pytest.mark.parametrize("thing", [sp.true, sp.Symbol, sp.S.EmptySet, sp.Eq(sp.Symbol("x"), 1)])
-def test_what_sympy_has_besides_expressions_is_not_plain(thing):
+ENDLESS = []
+ENDLESS.append(ENDLESS)
+
+
+@pytest.mark.parametrize("thing", [sp.true, sp.Symbol, sp.S.EmptySet, sp.Eq(sp.Symbol("x"), 1), ENDLESS], ids=repr)
+def test_what_is_neither_expression_nor_number_is_not_plain(thing):
     assert put(lambda x: [thing], x=0.5)["error"]["type"] == "NotPlain"
-
-
-def test_lists_without_end_are_not_plain():
-    def endless(x):
-        answer = [x]
-        answer.append(answer)
-        return answer
-
-    assert put(endless, x=0.5)["error"]["type"] == "NotPlain"
 
 
 @pytest.mark.parametrize("entry", [sp.Symbol("theta"), sp.Function("f")(1), 2 * sp.Symbol("theta", real=True)])

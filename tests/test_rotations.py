@@ -149,18 +149,12 @@ def test_nearest_quaternion(q, scale):
 @pytest.mark.parametrize(
     ("R", "tol", "expected"),
     [
-        (np.diag([1.0049, 1 / 1.0049, 1]), 0.01, True),
-        (np.diag([1.0049, 1 / 1.0049, 1]), 0.0098, False),
-        (np.diag([1.0051, 1 / 1.0051, 1]), 0.01, False),
         (1.0049 * np.eye(3), 0.01, False),  # R^T R is within 0.01 of I, det R is 1.0148
-        (1.0033 * np.eye(3), 0.01, True),
         (1.0049 * np.eye(2), 0.01, True),
         (np.eye(3), 0, True),
-        (np.eye(2), 0, True),
         (-np.eye(2), 0, True),
         (-np.eye(3), 0.5, False),
         (np.diag([1.0, -1]), 0.5, False),
-        (np.zeros((3, 3)), 0.5, False),
         (np.full((3, 3), 1.7e308), 1e300, False),
     ],
 )
