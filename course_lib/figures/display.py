@@ -103,7 +103,7 @@ def smaller_png(content):
     return min(content, smaller.getvalue(), key=len)
 
 
-def _rounded(node):
+def _rounded(node, decimals=None):
     """The JSON of a figure with every list of numbers rounded, packed ones unpacked, and -0 turned into 0.
 
     Plotly packs numpy arrays into base64. Integers stay so: they have no last bits, and take half the room.
@@ -113,14 +113,13 @@ def _rounded(node):
     if isinstance(node, dict):
         return {key: _rounded(value) for key, value in node.items()}
     if isinstance(node, float):
-        return _round(node, 6)
+        return round(node, 6 if decimals is None else decimals) + 0.0 if math.isfinite(node) else None
     if not isinstance(node, list | tuple):
         return node
-    numbers = [abs(x) for x in _flat(node) if isinstance(x, float) and math.isfinite(x)]
-    largest = max(numbers, default=0)
-    if largest == 0:
-        return [_rounded(item) for item in node]
-    return _round_all(node, 5 - math.floor(math.log10(largest)))
+    if decimals is None:
+        largest = max((abs(x) for x in _flat(node) if isinstance(x, float) and math.isfinite(x)), default=0)
+        decimals = 5 - math.floor(math.log10(largest)) if largest else None
+    return [_rounded(item, decimals) for item in node]
 
 
 def _shape(packed):
@@ -134,13 +133,3 @@ def _flat(node):
             yield from _flat(item)
         else:
             yield item
-
-
-def _round_all(node, decimals):
-    if isinstance(node, list | tuple):
-        return [_round_all(item, decimals) for item in node]
-    return _round(node, decimals) if isinstance(node, float) else _rounded(node)
-
-
-def _round(number, decimals):
-    return round(number, decimals) + 0.0 if math.isfinite(number) else None

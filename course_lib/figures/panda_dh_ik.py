@@ -10,7 +10,7 @@ from matplotlib.collections import PolyCollection
 from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import lines
+from course_lib.figures.plots import in_columns, lines
 from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, link_poses, meshes, scene, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.space import line, points, scene_name
@@ -130,8 +130,8 @@ def pose_errors(T, T_target):
         "body: along its own axes": (T[:2, 3], R @ body[3:5], R),
         "geometric: along the base's axes": (T[:2, 3], straight, np.eye(2)),
     }
-    fig, axes = plane_figure(10.5, 3.7, 3, sharey=True)
-    for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
+    fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
+    for ax, (start, arrow, along) in zip(axes, contents.values(), strict=True):
         for pose, colour in ((T, BLUE), (T_target, GREEN)):
             for k, width in ((0, 3), (1, 1.5)):
                 ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.22 * pose[:2, k]]), color=colour, linewidth=width)
@@ -139,9 +139,8 @@ def pose_errors(T, T_target):
         for part in along.T:
             ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=GREY, linewidth=2)
         ax.annotate("", start + arrow, start, arrowprops={"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5})
-        ax.set(title=title, xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal", xlabel="x (m)")
+        ax.set(xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal")
         ax.text(0.98, 0.04, f"{np.linalg.norm(arrow):.2f} m", transform=ax.transAxes, ha="right", color=CRIMSON)
-    axes[0].set_ylabel("y (m)")
     lengths = ", ".join(f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items())
     return Picture(
         fig,
