@@ -86,9 +86,9 @@ EXERCISE = Exercise(
     ),
     hints=(
         "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the constant, A and B first.",
-        "Then r and phi from A and B, and e from d and the constant. If |e| > r there is no solution: an empty list.",
+        "Then r and phi from A and B. If |d - constant| > r there is no solution: an empty list.",
         "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same distance from it.",
-        "theta = phi + arccos(e / r) and theta = phi - arccos(e / r), with r = np.hypot(A, B).",
+        "theta = phi plus or minus arccos((d - constant) / r), with r = np.hypot(A, B).",
     ),
     forbidden=("course_lib.subproblems.subproblem4",),
 )
