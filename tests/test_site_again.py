@@ -1,13 +1,11 @@
-"""Building a second time, and building each page as one file."""
+"""Building a second time."""
 
 import shutil
 
 import pytest
 from loaded_sphinx import build
 from nbformat.v4 import new_code_cell, new_markdown_cell
-from playwright.sync_api import expect
 from site_notebooks import HELIX, MOVING, NBGRADER, PLOTLY, SOLUTION, TEXT, cell, output, png, write
-from site_visits import Visit, assert_readable
 
 from course_lib.pack.site import SiteError
 
@@ -62,44 +60,13 @@ def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages(made):
 def test_a_second_build_replaces_the_first(notebooks):
     page = notebooks.parent / "html/01_rotations.html"
     assert "BEGIN SOLUTION" in page.read_text("utf-8")
-    assert (page.parent / "_static").exists()
-    built(notebooks, solutions=False, single=True)
+    (page.parent / "of_before.html").touch()
+    built(notebooks, solutions=False)
     assert "BEGIN SOLUTION" not in page.read_text("utf-8")
-    assert not (page.parent / "_static").exists()
+    assert not (page.parent / "of_before.html").exists()
 
 
 def test_a_cell_that_was_changed_and_not_run_stops_the_build(notebooks):
     write(notebooks, "03.ipynb", new_markdown_cell("# New"), cell(output({"text/html": "x"})), new_code_cell("1 + 1"))
     with pytest.raises(SiteError, match=r"03\.ipynb, cell 3 was changed, and not run since"):
         built(notebooks)
-
-
-@pytest.fixture(scope="module")
-def singles(made, tmp_path_factory):
-    """The site whose pages are one file each."""
-    folder = tmp_path_factory.mktemp("singles") / "html"
-    build(made[0], folder, single=True)
-    return folder
-
-
-def test_the_links_of_the_home_page_lead_to_the_pages_beside_it(singles, browser):
-    with Visit(browser, singles / "index.html") as visit:
-        visit.page.locator(".card h2 a").first.click()
-        expect(visit.page.locator("h1").first).to_contain_text("Rotations")
-        assert visit.complaints == []
-
-
-@pytest.mark.parametrize("width", [390, 1280])
-def test_a_single_page_needs_no_other_file(singles, made, browser, tmp_path, width):
-    alone = tmp_path / "alone" / "lesson.html"
-    alone.parent.mkdir()
-    shutil.copy(singles / "01_rotations.html", alone)
-    with Visit(browser, alone, width=width) as visit:
-        assert_readable(visit, made[0] / "01_rotations.ipynb", width)
-        assert [url for url in visit.requests if url.startswith("file:")] == [alone.as_uri()]
-        links = [link.get_attribute("href") for link in visit.page.locator("a[href]").all()]
-        assert {link.split(",")[0] for link in links if not link.startswith("#")} == {
-            "02_rigid_motion.html",
-            "data:application/x-ipynb+json;base64",
-        }
-    assert 'href="https://numpy.org"' in (singles / "02_rigid_motion.html").read_text("utf-8")

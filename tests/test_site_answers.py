@@ -145,28 +145,3 @@ def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answ
     with pytest.raises(SiteError, match=r"01\.ipynb, cell 2: an answer cell without ### BEGIN SOLUTION"):
         build(tmp_path / "notebooks", tmp_path / "html", solutions=False)
     assert not (tmp_path / "html").exists()
-
-
-@pytest.mark.parametrize("solutions", [True, False])
-def test_a_page_offers_its_notebook_as_students_get_it(notebooks, site, browser, tmp_path, solutions):
-    with Visit(browser, site[solutions] / "01.html") as visit:
-        link = visit.page.get_by_role("link", name="Download this notebook, without solutions")
-        with visit.page.expect_download() as started:
-            link.press("Enter")
-        started.value.save_as(tmp_path / "got.ipynb")
-        assert started.value.suggested_filename == "01.ipynb"
-    got, full = (nbformat.read(file, 4) for file in (tmp_path / "got.ipynb", notebooks / "01.ipynb"))
-    nbformat.validate(got)
-    assert [cell.source for cell in got.cells][::3] == [cell.source for cell in full.cells][::3], "not answers"
-    assert "NotImplementedError" in got.cells[1].source
-    assert got.cells[2].source == "*Type your answer here.*"
-    assert not [cell for cell in got.cells if cell.get("outputs")]
-    text = (tmp_path / "got.ipynb").read_text(encoding="utf-8")
-    assert not [words for words in ("gooseberry", "orthogonal", "Rubric") if words in text]
-
-
-def test_a_solution_without_end_stops_the_site_for_its_download(tmp_path):
-    half = cell(output({"text/html": "x"}), source=SOLUTION.split("    ### END")[0], nbgrader=NBGRADER)
-    write(tmp_path / "notebooks", "01.ipynb", new_markdown_cell("# Answers"), half)
-    with pytest.raises(SiteError, match=r"01\.ipynb, cell .*: a BEGIN SOLUTION without END SOLUTION"):
-        build(tmp_path / "notebooks", tmp_path / "html")

@@ -40,6 +40,7 @@ def notebooks(tmp_path_factory):
     )
     plain = "# Rigid motion\n\nIt takes about 2 hours. [There](01_rotations.ipynb#Reproduce)."
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell(plain))
+    (folder / "reports.md").write_text("# The reports", encoding="utf-8")
     return folder
 
 
@@ -121,7 +122,7 @@ def test_the_first_screen_shows_the_figure_before_the_words(visit):
     assert tops[1] < 600
     folded = [line.strip() for line in visit.page.locator("details.hide > summary").all_inner_texts()]
     assert folded[:2] == ["Imports and settings", "The lines that draw it"]
-    assert visit.page.locator("a[download]").bounding_box()["y"] > tops[1]
+    assert visit.page.get_by_role("link", name="What the reports print").bounding_box()["y"] > tops[1]
 
 
 def test_errors_and_remarks_stand_apart_and_their_links_lead_to_the_notebook(site):

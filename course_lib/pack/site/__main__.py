@@ -18,16 +18,11 @@ def main() -> int:
     )
     parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
     parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
-    parser.add_argument("--single", default="no", help="yes: make each page one file")
     chosen = parser.parse_args()
 
-    for name, answer in (("SOLUTIONS", chosen.solutions), ("SINGLE", chosen.single)):
-        if answer not in ("yes", "no"):
-            print(
-                f"No site was built. {name}={answer} is neither yes nor no: write {name}=yes or {name}=no.",
-                file=sys.stderr,
-            )
-            return 1
+    if chosen.solutions not in ("yes", "no"):
+        print(f"No site was built. SOLUTIONS={chosen.solutions} is neither yes nor no.", file=sys.stderr)
+        return 1
 
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if missing:
@@ -43,7 +38,7 @@ def main() -> int:
     try:
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
-        build(chosen.notebooks, output, solutions=solutions, single=chosen.single == "yes")
+        build(chosen.notebooks, output, solutions=solutions)
         if chosen.pdf:
             write_pdf(output, chosen.pdf)
             print(f"Wrote {chosen.pdf}, {chosen.pdf.stat().st_size / 1e6:.1f} MB.")

@@ -19,21 +19,20 @@ from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
 from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.prepare import prepare
-from course_lib.pack.site.single import make_single
 
 HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
 PLOTLY = "plotly.packed.js"
 
 
-def build(notebooks: Path, output: Path, say=print, solutions: bool = True, single: bool = False) -> None:
+def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
     No cell is executed and no notebook is changed.
 
     `output` is empty, absent, or holds a site; `say` is called with a line of text for each notebook and stage. With
-    `solutions` the answers are folded, else left out; with `single` each page is one file that needs no other. Raises
-    SiteError if a notebook cannot be published; `output` then stays as it was.
+    `solutions` the answers are folded, else left out. Raises SiteError if a notebook cannot be published; `output` then
+    stays as it was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
@@ -47,20 +46,16 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True, sing
     output.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
-        release = None if single else students_zip(notebooks.parent, Path(work, ZIP))
+        release = students_zip(notebooks.parent, Path(work, ZIP))
         figures = _gather(sources, pages, solutions, release, say)
         count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
         _copy_libraries(pages / "_static", with_plotly=figures > 0)
         say("Making pages with Sphinx")
-        _run_sphinx(pages, site, Path(work, "doctrees"), single)
-        if not single:
-            search.write(site)
+        _run_sphinx(pages, site, Path(work, "doctrees"))
+        search.write(site)
         finish(site)
         if release:
             release.rename(site / ZIP)
-        if single:
-            make_single(site)
-
         if output.exists():
             shutil.rmtree(output)
         site.rename(output)
@@ -79,7 +74,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
     figures = 0
     for source in sources:
         counts = prepare(source, pages, solutions)
-        offer(source, pages, release)
+        offer(pages / source.name, release)
         figures += counts.figures
         say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
@@ -140,10 +135,10 @@ def _packed(script: bytes) -> str:
     return f'(window.course = window.course || {{ kinds: {{}} }}).plotly = "{content}";\n'
 
 
-def _run_sphinx(pages: Path, site: Path, doctrees: Path, single: bool) -> None:
+def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:
     """Run Sphinx on `pages`; every warning is an error, because readers would see its effect."""
-    settings = ["-q", "-N", "-W", "--keep-going", *["-t", "single"] * single, "-d", doctrees]
-    command = [sys.executable, "-m", "sphinx", "-b", "html", *settings, pages, site]
+    settings = ["-b", "html", "-q", "-N", "-W", "--keep-going", "-d", doctrees]
+    command = [sys.executable, "-m", "sphinx", *settings, pages, site]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         raise SiteError("Sphinx says:\n" + _readable(done.stderr, pages))

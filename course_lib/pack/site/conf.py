@@ -47,11 +47,9 @@ html_theme_options = {
     "navbar_persistent": [],
     # The footer would name an author and a date.
     "footer_content_items": [],
-    # A page that is one file has no links to others.
-    "show_prev_next": not tags.has("single"),  # noqa: F821 (Sphinx puts it here)
 }
 # The title is already the first entry there, and the theme's own title is outside every landmark.
-html_sidebars = {"**": [] if tags.has("single") else ["search-button-field.html", "sbt-sidebar-nav.html"]}  # noqa: F821
+html_sidebars = {"**": ["search-button-field.html", "sbt-sidebar-nav.html"]}
 
 
 def find_dollars(app, document):
@@ -91,13 +89,8 @@ def fold_more(app, document, docname):
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
-    """Add the scripts of the figures, after the text, to the pages that hold a figure.
-
-    figures.js loads plotly.js when a figure comes near the window, but a page that is one file must contain it.
-    """
+    """Add the scripts of the figures, after the text, to the pages that hold a figure."""
     figures = re.findall(r'<div class="plotly-figure"([^>]*)>', context.get("body", ""))
-    if app.tags.has("single") and any("data-without-plotly" not in figure for figure in figures):
-        app.add_js_file("plotly.packed.js", loading_method="defer")
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
@@ -150,9 +143,8 @@ def use_own_search(app):
 
 
 def search_page(app):
-    """Yield the search page, unless each page is one file."""
-    if not app.tags.has("single"):
-        yield "search", {"title": "Search", "body": search.PAGE}, "page.html"
+    """Return the search page."""
+    return [("search", {"title": "Search", "body": search.PAGE}, "page.html")]
 
 
 def setup(app):

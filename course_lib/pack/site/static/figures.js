@@ -111,11 +111,11 @@
   }
 
   // plotly.js is larger than everything else. It is loaded, compressed, when the first figure that needs it comes near.
-  const OWN_URL = document.currentScript.src || location.href;
+  const OWN_URL = document.currentScript.src;
   let plotly = null;
   const loadPlotly = () => (plotly = plotly || unpackPlotly());
   async function unpackPlotly() {
-    if (!window.course.plotly) await addScript(new URL("plotly.packed.js", OWN_URL));
+    await addScript(new URL("plotly.packed.js", OWN_URL));
     const letters = atob(window.course.plotly);
     const packed = new Uint8Array(letters.length);
     for (let i = 0; i < letters.length; i++) packed[i] = letters.charCodeAt(i); // Uint8Array.from takes ten times as long
