@@ -129,6 +129,11 @@ class Visit:
         return traces
 
 
+# How far what stood in the window jumped while the page was loaded (CLS).
+SHIFT = """new Promise((done) => new PerformanceObserver((list) => done(list.getEntries().map((e) => e.value)))
+  .observe({ type: "layout-shift", buffered: true }) || setTimeout(() => done([]), 500))
+  .then((values) => values.reduce((sum, value) => sum + value, 0))"""
+
 # Opens all that is folded shut, and waits until it has come up and has been measured.
 OPEN = """async () => {
   document.querySelectorAll("details").forEach((part) => (part.open = true));
@@ -187,14 +192,9 @@ def assert_readable(visit, notebook, width, draws=True):
 
 # Contrast costs axe-core milliseconds for each text, and a page has ten thousand. So it looks at one text of each look:
 # the same tags, classes, colours and sizes from the text up to the page. Of the words in code and in formulas, which no
-# other rule looks at, the others are taken off the page, and so are the strokes of formulas. On a gradient axe-core
-# decides nothing: where one shows that code goes on beyond the edge, the colour below it stays.
+# other rule looks at, the others are taken off the page, and so are the strokes of formulas.
 ONE_OF_EACH_LOOK = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
-  document.querySelectorAll("article :is(pre, div)").forEach((e) => {
-    if (getComputedStyle(e).backgroundImage.includes("linear-gradient"))
-      e.style.setProperty("background-image", "none", "important");
-  });
   const numbers = new Map(), looks = new Map([[null, 0]]), seen = new Set(), first = [], again = [];
   const look = (e) => {
     if (!looks.has(e)) {

@@ -9,8 +9,6 @@ import nbformat
 import numpy as np
 from matplotlib.image import imread
 
-from course_lib.pack.site.gather import QUESTIONS
-
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -32,13 +30,6 @@ def test_every_command_and_file_it_names_is_there():
         assert re.search(rf"^{target}:.*## ", makefile, re.MULTILINE), target
     for name in re.findall(r"`((?:course_lib|tests|notebooks|\.ci|\.github)/[\w./]+)`", README):
         assert (ROOT / name).exists(), name
-
-
-def test_it_asks_of_each_notebook_what_its_card_on_the_home_page_asks():
-    asked = re.findall(r"^(\d)\. \*\*.+?\*\* (.+?)\n(?=\d\.|\n)", README, re.MULTILINE | re.DOTALL)
-    assert [(number, " ".join(question.split())) for number, question in asked] == [
-        (name[1], question) for name, question in QUESTIONS.items()
-    ]
 
 
 def test_it_is_short():

@@ -1,5 +1,6 @@
 """Answers on the pages: folded shut, or left out."""
 
+import shutil
 from pathlib import Path
 
 import nbformat
@@ -39,16 +40,24 @@ def notebooks(tmp_path_factory):
         cell(output({"image/png": png()}, "A rising line"), source='show(fig, caption="It rises.")'),
         cell(output({"image/png": png()}, "A line"), new_output("stream", text="7"), source="show(fig)\nprint(plums)"),
     )
+    write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
+    (folder / "Marks.md").write_text("# For graders")
     return folder
 
 
 @pytest.fixture(scope="module")
 def site(notebooks):
-    """The site, made with solutions (True) or without (False)."""
-    made = {solutions: notebooks.parent / f"html-{solutions}" for solutions in (True, False)}
-    for solutions, folder in made.items():
-        build(notebooks, folder, solutions=solutions)
-    return made
+    """The site with solutions (True), and the one without (False) that was built in its place."""
+    folder, copy = notebooks.parent / "html", notebooks.parent / "html-with-solutions"
+    build(notebooks, folder)
+    (folder / "of_before.html").touch()
+    shutil.copytree(folder, copy)
+    build(notebooks, folder, solutions=False)
+    return {True: copy, False: folder}
+
+
+def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages_and_none_of_before_stays(site):
+    assert {page.name for page in site[False].glob("*.html")} == {"01.html", "index.html", "search.html"}
 
 
 @pytest.fixture
@@ -104,12 +113,11 @@ def test_the_tab_key_reaches_every_answer_and_nothing_renames_it(visit):
 @wide
 def test_paper_shows_what_is_folded_and_the_screen_does_so_no_longer_afterwards(visit):
     visit.page.emulate_media(media="print")
-    visit.page.evaluate("dispatchEvent(new Event('beforeprint'))")
     for words in ANSWERS.values():
         expect(visit.page.locator("article").get_by_text(words)).to_be_visible()
-    visit.page.evaluate("dispatchEvent(new Event('afterprint'))")
-    assert visit.page.locator("details.hide[open]").count() == 0
     visit.page.emulate_media(media="null")
+    for words in ANSWERS.values():
+        expect(visit.page.locator("article").get_by_text(words)).not_to_be_visible()
 
 
 def test_imports_and_what_only_draws_are_folded_and_nothing_else(page):

@@ -196,7 +196,6 @@ def test_a_live_figure_follows_the_theme_and_back(visit, figures):
     box.keyboard.press("End")
     visit.page.evaluate("document.documentElement.dataset.theme = 'dark'")
     box.wait_for(drawn, "#f2667a #e7eaee #1b1f24")
-    assert box.box.evaluate("box => getComputedStyle(box).backgroundColor") == "rgb(27, 31, 36)"
     assert_shows(box, figures[0], 20)  # drawn anew, and not from the beginning
     visit.page.evaluate("document.documentElement.dataset.theme = 'light'")
     box.wait_for(drawn, light)

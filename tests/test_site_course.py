@@ -6,7 +6,7 @@ from urllib.parse import unquote
 
 import pytest
 from playwright.sync_api import expect
-from site_visits import OPEN, Visit, assert_readable
+from site_visits import OPEN, SHIFT, Visit, assert_readable
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 
@@ -30,9 +30,9 @@ def on_a_desktop(course, browser):
 
 
 HEIGHTS = "() => [...document.querySelectorAll('.plotly-figure')].map((box) => box.getBoundingClientRect().height)"
-RESERVED = """() => [...document.querySelectorAll(".plotly-figure")]
-  .every((box) => box.classList.contains("drawn") || box.style.minHeight)"""
-TAKES_ITS_ROOM = "([box, height]) => !box.style.minHeight && Math.abs(box.getBoundingClientRect().height - height) < 2"
+TOYS_DRAWN = """() => [...document.querySelectorAll('.plotly-figure[data-without-plotly]:not(.drawn)')]
+  .every((toy) => !toy.checkVisibility())"""
+TAKES_ITS_ROOM = "([box, height]) => box.matches('.drawn') && Math.abs(box.getBoundingClientRect().height - height) < 2"
 DRAWN = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
 
 # Stops it at once: each frame in 3D takes a third of a second to draw.
@@ -56,10 +56,17 @@ def assert_figures_keep_their_size_and_play(visit):
         visit.page.wait_for_function(HAS_MOVED, arg=arguments)
 
     visit.page.evaluate(OPEN)
-    visit.page.wait_for_function(RESERVED)
+    visit.page.wait_for_function(TOYS_DRAWN)
     kept = visit.page.evaluate(HEIGHTS)
     visit.draw_figures(examine)
     assert visit.complaints == []
+
+
+def test_nothing_jumps_while_a_page_is_loaded(on_a_phone):
+    page = on_a_phone[1].page
+    page.wait_for_load_state()
+    page.wait_for_function(TOYS_DRAWN)
+    assert page.evaluate(SHIFT) < 0.1
 
 
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(on_a_phone):
@@ -144,7 +151,7 @@ def test_search_finds(course, browser, word, page):
             assert visit.page.evaluate("document.documentElement.scrollWidth") <= 320
         link = visit.page.locator("#search-results a", has_text=page).first
         link.click()
-        visit.page.locator("article mark").first.wait_for()
+        visit.page.locator("article .highlighted").first.wait_for()
         assert page in visit.page.title()
         assert visit.complaints == []
 

@@ -10,6 +10,7 @@ from site_notebooks import MOVING, NBGRADER, PLOTLY, SOLUTION, cell, output, png
 from site_visits import Visit, assert_readable
 
 TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
+HIGH = {**MOVING, "layout": {**MOVING["layout"], "height": 480}}  # as the still picture
 LOOKS = {"390-dark": (390, "dark"), "1280-light": (1280, "light")}  # width in pixels, theme
 
 
@@ -30,7 +31,7 @@ def notebooks(tmp_path_factory):
         more(f"## {TITLE}\n\n{PROMISE}"),
         new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
         cell(source=SOLUTION, nbgrader=NBGRADER),
-        cell(output({PLOTLY: MOVING, "image/png": png()}, "A point that moves to the right")),
+        cell(output({PLOTLY: HIGH, "image/png": png()}, "A point that moves to the right")),
         more("## Appendix: the report\n\nWhat it did."),
         new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
         new_markdown_cell("### Errors in it\n\n#### 1 · A factor\n\n**Printed:** two. See [there](#Three-angles)."),
@@ -88,36 +89,36 @@ def test_a_link_into_a_section_opens_it_at_once_and_a_second_time(visit, site):
 def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, browser):
     with Visit(browser, site / "search.html", query="?q=gooseberry") as visit:
         visit.page.locator("#search-results a").first.click()
-        expect(visit.page.locator("details details mark")).to_be_in_viewport()
+        expect(visit.page.locator("details details .highlighted")).to_be_in_viewport()
         visit.page.goto((site / "search.html").as_uri() + "?q=uniformly")
         expect(visit.page.locator("#search-results a")).to_contain_text([TITLE])
 
 
 def test_a_figure_in_a_section_has_its_place_once_it_is_open(visit):
     box = visit.page.locator(".plotly-figure")
-    visit.page.wait_for_load_state()
-    assert box.get_attribute("style") is None
     visit.page.locator("summary.more").first.click()
-    visit.page.wait_for_function("box => box.style.minHeight || box.matches('.drawn')", arg=box.element_handle())
+    height = box.bounding_box()["height"]
     box.scroll_into_view_if_needed()
     expect(box.locator(".main-svg").first).to_be_visible()
+    assert box.bounding_box()["height"] == height > 400
 
 
 def test_paper_shows_what_is_folded_but_imports(visit):
     page = visit.page
     page.emulate_media(media="print")
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
     for words in ("Haar", "All digits agree"):
         expect(page.get_by_text(words)).to_be_visible()
     expect(page.get_by_text("gooseberry")).to_be_visible()
     expect(page.locator(".tag_not-on-paper summary").first).not_to_be_visible()
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="null")
     expect(page.get_by_text("Haar")).not_to_be_visible()
 
 
 def test_the_first_screen_shows_the_figure_before_the_words(visit):
-    tops = [visit.page.locator(part).first.bounding_box()["y"] for part in ("h1", "article img", "p:has-text('core')")]
+    tops = [
+        visit.page.locator(part).first.bounding_box()["y"]
+        for part in ("article h1", "article img", "p:has-text('core')")
+    ]
     assert tops == sorted(tops)
     assert tops[1] < 600
     folded = [line.strip() for line in visit.page.locator("details.hide > summary").all_inner_texts()]

@@ -130,8 +130,7 @@ def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
 def phone(page, browser):
     with Visit(browser, page, width=390, has_touch=True, is_mobile=True, device_scale_factor=2) as visit:
         # Until each toy has its height, what stands above the window grows and moves what is in it.
-        has_height = "box => box.style.minHeight || box.querySelector('.course-toy')"
-        visit.page.wait_for_function(f"() => [...document.querySelectorAll('.plotly-figure')].every({has_height})")
+        visit.page.wait_for_function("() => !document.querySelector('.plotly-figure:not(.drawn)')")
         yield visit
         assert visit.complaints == []
 

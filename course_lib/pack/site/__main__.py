@@ -1,12 +1,12 @@
 """``python -m course_lib.pack.site``: build the site and say where it is."""
 
 import argparse
-import importlib.util
 import sys
 from pathlib import Path
 
-NEEDED = ["nbformat", "nbclient", "sphinx", "myst_nb", "sphinx_book_theme", "sphinx_copybutton"]
-NEEDED += ["sphinx-mathjax-offline", "py_mini_racer", "plotly", "bs4", "PIL"]
+from course_lib.pack.site import SiteError
+from course_lib.pack.site.build import build
+from course_lib.pack.site.pdf import write_pdf
 
 
 def main() -> int:
@@ -19,23 +19,9 @@ def main() -> int:
     parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
     parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
     chosen = parser.parse_args()
-
-    if chosen.solutions not in ("yes", "no"):
-        print(f"No site was built. SOLUTIONS={chosen.solutions} is neither yes nor no.", file=sys.stderr)
-        return 1
-
-    missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
-    if missing:
-        names = ", ".join(name.removeprefix("py_").replace("_", "-") for name in missing)
-        print(f"The site needs {names}, which this Python lacks. `make html` installs them.", file=sys.stderr)
-        return 1
-
-    # Imported only now, because it needs the packages above.
-    from course_lib.pack.site import SiteError
-    from course_lib.pack.site.build import build
-    from course_lib.pack.site.pdf import write_pdf
-
     try:
+        if chosen.solutions not in ("yes", "no"):
+            raise SiteError(f"SOLUTIONS={chosen.solutions} is neither yes nor no.")
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
         build(chosen.notebooks, output, solutions=solutions)
@@ -45,11 +31,8 @@ def main() -> int:
     except SiteError as error:
         print(f"No site was built. {error}", file=sys.stderr)
         return 1
-    print(
-        "The pages show the solutions: make html SOLUTIONS=no writes them without."
-        if solutions
-        else "Without solutions."
-    )
+    if solutions:
+        print("The pages show the solutions: make html SOLUTIONS=no writes them without.")
     return 0
 
 

@@ -11,6 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 
 import course_lib.figures
 from course_lib.pack.release.bundle import PAGES
@@ -22,17 +23,15 @@ from course_lib.pack.site.prepare import prepare
 
 HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
-PLOTLY = "plotly.packed.js"
 
 
-def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> None:
+def build(notebooks: Path, output: Path, solutions: bool = True) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
     No cell is executed and no notebook is changed.
 
-    `output` is empty, absent, or holds a site; `say` is called with a line of text for each notebook and stage. With
-    `solutions` the answers are folded, else left out. Raises SiteError if a notebook cannot be published; `output` then
-    stays as it was.
+    `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left out. Raises SiteError
+    if a notebook cannot be published; `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
@@ -47,10 +46,9 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
         release = students_zip(notebooks.parent, Path(work, ZIP))
-        figures = _gather(sources, pages, solutions, release, say)
-        count = sum(page.suffix in (".md", ".ipynb") for page in pages.iterdir())
-        _copy_libraries(pages / "_static", with_plotly=figures > 0)
-        say("Making pages with Sphinx")
+        _gather(sources, pages, solutions, release)
+        _copy_libraries(pages / "_static")
+        print(f"Making pages of {len(sources)} notebooks with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"))
         search.write(site)
         finish(site)
@@ -60,70 +58,59 @@ def build(notebooks: Path, output: Path, say=print, solutions: bool = True) -> N
             shutil.rmtree(output)
         site.rename(output)
     size = sum(file.stat().st_size for file in output.rglob("*") if file.is_file()) / 1e6
-    say(f"Wrote {_number(count, 'page')}, {size:.1f} MB. Open {output / 'index.html'}")
+    print(f"Wrote {len(list(output.glob('*.html')))} pages, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None, say) -> int:
+def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None) -> None:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
-    `release` is the students' zip, or None. Returns the number of live figures.
+    `release` is the students' zip, or None.
     """
     # The notebooks' texts link to pictures and data beside them.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
-    figures = 0
     for source in sources:
-        counts = prepare(source, pages, solutions)
+        prepare(source, pages, solutions)
         offer(pages / source.name, release)
-        figures += counts.figures
-        say(f"{source.name}: {_number(counts.figures, 'live figure')}, {_number(counts.pictures, 'picture')}")
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
-    others = _linked(sources, pages)
-    for page in (page for page in others if page.name == PAGES[0]):
-        page.write_text(gather.with_pictures(page.read_text(encoding="utf-8"), notebooks), encoding="utf-8")
+    others = _linked(books, pages)
+    if others and others[0].name == PAGES[0]:
+        text = gather.with_pictures(others[0].read_text(encoding="utf-8"), notebooks)
+        others[0].write_text(text, encoding="utf-8")
     for page in (pages / f"{name}.ipynb" for name in sections.PAGES):
         if sections.write(books, page):
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(gather.home(notebooks, others, living_panda(), offered(release)), encoding="utf-8")
-    return figures
 
 
-def _linked(sources: list[Path], pages: Path) -> list[Path]:
-    """Return the pages of text that the notebooks name, and the course's own; delete the others.
+def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
+    """Return the pages of text that the notebooks name, and the course's own; delete the others, an author's notes.
 
-    Those may be the author's notes, or lead to a notebook that is not published here.
+    Of their links to notebooks that are not among `books` only the text is left.
     """
-    text = "".join(source.read_text(encoding="utf-8") for source in sources)
-    names, found = {source.name for source in sources}, []
+    named = "".join(cell.source for book in books.values() for cell in book.cells)
+    link, found = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)"), []
     for page in sorted(pages.glob("*.md"), key=lambda page: (page.name != PAGES[0], page.name)):
-        links = set(re.findall(r"\]\((\w+\.ipynb)", page.read_text(encoding="utf-8")))
-        if page.name in text or (page.name in PAGES and links <= names):
+        if page.name in named or page.name in PAGES:
+            text = link.sub(lambda it: it[0] if it[2] in books else it[1], page.read_text(encoding="utf-8"))
+            page.write_text(text, encoding="utf-8")
             found.append(page)
-            _without_dead_links(page, names)
         else:
             page.unlink()
     return found
 
 
-def _without_dead_links(page: Path, notebooks: set[str]) -> None:
-    """Replace a page's links to notebooks that are not published here by their text."""
-    link = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)")
-    text = link.sub(lambda it: it[0] if it[2] in notebooks else it[1], page.read_text(encoding="utf-8"))
-    page.write_text(text, encoding="utf-8")
-
-
-def _copy_libraries(static: Path, with_plotly: bool) -> None:
-    """Put our style and scripts and (if a figure needs it) plotly.js into `static`."""
+def _copy_libraries(static: Path) -> None:
+    """Put our style and scripts and plotly.js into `static`."""
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
     (static / "icons.css").write_text(icons.style(), encoding="utf-8")
     (static / "figures").mkdir()
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
-    if with_plotly:
-        plotly = (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
-        (static / PLOTLY).write_text(_packed(plotly), encoding="utf-8")
+    plotly = (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
+    (static / "plotly.packed.js").write_text(_packed(plotly), encoding="utf-8")
 
 
 def _packed(script: bytes) -> str:
@@ -154,8 +141,3 @@ def _readable(messages: str, pages: Path) -> str:
 
     messages = messages.replace(f"{pages.resolve()}/", "").replace(f"{pages}/", "")
     return re.sub(r"(\S+\.ipynb):(\d+):", place, messages).strip()
-
-
-def _number(count: int, name: str) -> str:
-    """Return "1 page", "2 pages"."""
-    return f"{count} {name}" if count == 1 else f"{count} {name}s"

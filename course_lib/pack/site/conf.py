@@ -9,7 +9,8 @@ from sphinx.util import logging
 from course_lib.pack.site import LIVING, formulas, search
 
 project = "Robot kinematics"
-html_title = project
+html_title = ""  # it would follow the title of each page
+html_favicon = "_static/icon.svg"
 language = "en"
 
 extensions = ["myst_nb", "sphinx_copybutton"]
@@ -131,12 +132,6 @@ def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
         context["body"] = letters + body
 
 
-def name_what_is_folded(app, pagename, templatename, context, doctree):
-    """Let a screen reader read the line that the page shows, "Solution", not MyST-NB's name for all folded cells."""
-    if "body" in context:
-        context["body"] = context["body"].replace(' aria-label="Toggle hidden content"', "")
-
-
 def use_own_search(app):
     """Leave out Sphinx's search: it fetches pages for its excerpts, which browsers refuse to pages in a folder."""
     app.builder.search = False
@@ -157,5 +152,4 @@ def setup(app):
     app.add_html_math_renderer("built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None))
     app.connect("html-page-context", set_formulas_in_outputs)
     app.connect("build-finished", lambda app, error: formulas.close())
-    app.connect("html-page-context", name_what_is_folded)
     app.connect("html-page-context", load_scripts_where_needed)

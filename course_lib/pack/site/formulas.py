@@ -69,7 +69,7 @@ def typeset(text: str, display: bool = False) -> str:
     picture = picture.replace(' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"')
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
     mathml = re.sub(r"\n\s*", "", mathml)
-    made = f'{picture}<span class="assistive">{mathml}</span>'
+    made = f'{picture}<span class="visually-hidden">{mathml}</span>'
     if display:
         return f'<div class="math">{made}</div>'
     # On a phone a wide formula scrolls in a box, which then needs the vertical alignment of its letters.
@@ -89,4 +89,4 @@ def letters_of(page: str) -> str:
         return ""
     outlines = dict(re.findall(r'(?=<path id="([^"]+)")(<path .*?</path>)', _mathjax().eval("letters()")))
     paths = "".join(outlines[name] for name in sorted(used))
-    return f'<svg class="letters" aria-hidden="true"><defs>{paths}</defs></svg>'
+    return f'<svg width="0" height="0" style="position: absolute" aria-hidden="true"><defs>{paths}</defs></svg>'

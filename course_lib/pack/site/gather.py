@@ -6,21 +6,11 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-import nbformat
 from nbformat import NotebookNode
 
 from course_lib.pack.site import COVER
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
-# The question that each notebook answers; a notebook's metadata may state another one, as "question".
-QUESTIONS = {
-    "01_rotations": "How do you compute with orientations, and keep them valid?",
-    "02_rigid_motion": "Why does a robot that counts the revolutions of its wheels miss its dock?",
-    "03_subproblems_damped_ik": "What can be solved exactly, and what do you do when nothing can?",
-    "04_poe_kuka_iiwa": "From the drawing of an arm, how do you find joint angles for a pose?",
-    "05_panda_dh_ik": "How does a robot find a mug, grasp it and put it somewhere else?",
-    "06_decomposition_ik": "Can samples replace a formula for inverse kinematics, and with what error?",
-}
 NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 CORE = "The core of all takes about {:g} hours; folded sections, called More, are on request."
@@ -44,6 +34,13 @@ reproduces the numbers of a published homework report, and proves its errors by 
 
 </div>
 
+```{{toctree}}
+:hidden:
+:titlesonly:
+
+{pages}
+```
+
 ## Run it yourself
 
 {zip}With Python 3.11 or newer, in the course's folder,
@@ -65,14 +62,14 @@ python -m venv .venv
 ## Cite
 
 *Robot kinematics in six notebooks*, version {version}, with the date on which you read it.
+"""
+REFERENCE = """## Reference
 
 ```{{toctree}}
-:hidden:
 :titlesonly:
 
-{pages}
-```
-"""
+{}
+```"""
 
 
 @dataclass
@@ -93,7 +90,7 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
     return Notebook(
         name=source.stem,
         title=title[1] if title else source.stem,
-        question=book.metadata.get("question") or QUESTIONS.get(source.stem) or _question(text),
+        question=_question(text),
         hours=_hours(text),
         picture=_cover(book, source.name, pages),
     )
@@ -107,7 +104,6 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     """
     hours = [notebook.hours for notebook in notebooks]
     time = f" {CORE.format(sum(hours))}" if all(hours) else ""
-    more = [f"- [{_heading(page)}]({page.name})" for page in others]
     steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
     pages = {page.name for page in others}
     if "reports.md" in pages:
@@ -119,10 +115,10 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
         version=version("course_lib"),
         living=living,
         zip=f"{offered} and unpack it. " if offered else "",
-        steps="\n".join(f"- {step}" for step in steps),
+        steps="\n".join(steps),
         notebooks="\n\n".join(map(_card, notebooks)),
-        more="## Reference\n\n" + "\n".join(more) if more else "",
-        pages="\n".join([*(notebook.name for notebook in notebooks), *(page.stem for page in others)]),
+        more=REFERENCE.format("\n".join(page.stem for page in others)) if others else "",
+        pages="\n".join(notebook.name for notebook in notebooks),
     )
 
 
@@ -147,11 +143,9 @@ def _card(notebook: Notebook) -> str:
 
 
 def _question(text: str) -> str:
-    """Return the first question of a notebook's introduction, or else its first sentence."""
-    introduction = re.sub(r"^#.*\n", "", text.strip()).strip().split("\n\n")[0]
-    introduction = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", introduction)  # links are relative to it
-    sentences = re.split(r"(?<=[.?!])\s+", " ".join(introduction.split()))
-    return next((sentence for sentence in sentences if sentence.endswith("?")), sentences[0])
+    """Return the last question of a notebook's first cell: the one that the notebook answers; "" without any."""
+    asked = re.findall(r"[^.?!]*\?", re.sub(r"^#.*\n", "", text.strip()))
+    return " ".join(asked[-1].replace("*", "").split()) if asked else ""
 
 
 def _hours(text: str) -> float:
@@ -174,11 +168,3 @@ def _cover(book, name: str, pages: Path) -> str:
                 alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
                 return picture(output, kind, "picture cover", alt, pages, trim=True)
     return ""
-
-
-def _heading(page: Path) -> str:
-    """Return the title of a page of text, or of a notebook."""
-    text = page.read_text(encoding="utf-8")
-    if page.suffix == ".ipynb":
-        text = nbformat.reads(text, as_version=4).cells[0].source
-    return re.search(r"^# (.+)|$", text, re.MULTILINE)[1] or page.stem

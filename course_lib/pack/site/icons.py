@@ -26,7 +26,7 @@ STYLE = """:is(.fa-solid, .fas) {
   vertical-align: -0.15em;
 }
 
-:is(.fa-solid, .fas)::before,
+:is(.fa-solid, .fas, .highlight-link a)::before,
 .admonition-title::after {
   content: none !important;
 }

@@ -51,7 +51,7 @@ def _book(site: Path) -> str:
     title, article = frame.title.string, frame.find("article")
     article.clear()
     contents = frame.new_tag("ol")
-    article.append(frame.new_tag("p", attrs={"class": "print-title"}, string=title))
+    article.append(frame.new_tag("h1", string=title))
     article.append(contents)
     for name in names:
         page = _renamed(_read(site / name).find("article"), name, set(names))

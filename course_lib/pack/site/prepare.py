@@ -6,7 +6,6 @@ import html
 import io
 import json
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
@@ -22,16 +21,8 @@ MORE = "```{rst-class} more\n```\n\n"  # MyST keeps no tags of text; conf.py fol
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 
-@dataclass
-class Counts:
-    """How many live figures and pictures a notebook contains."""
-
-    figures: int = 0
-    pictures: int = 0
-
-
-def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
-    """Write to `folder` a copy of `notebook` with HTML for its figures and pictures, and count them.
+def prepare(notebook: Path, folder: Path, solutions: bool = True) -> None:
+    """Write to `folder` a copy of `notebook` with HTML for its figures and pictures.
 
     Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
 
@@ -46,7 +37,6 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
     if code_cells and not any(cell.outputs for cell in code_cells):
         raise SiteError(f"{notebook.name} holds no outputs. Run it and save it first.")
 
-    counts = Counts()
     for number, cell in enumerate(book.cells, 1):
         place = f"{notebook.name}, cell {number}"
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
@@ -63,23 +53,21 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> Counts:
                 if "raises-exception" not in cell.metadata.get("tags", []):
                     raise SiteError(f"{place} stopped with {output.ename}: {output.evalue}")
             elif output.output_type != "stream":
-                _show(output, place, folder, counts)
+                _show(output, place, folder)
     nbformat.write(book, folder / notebook.name)
-    return counts
 
 
-def _show(output, place: str, folder: Path, counts: Counts) -> None:
+def _show(output, place: str, folder: Path) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if figure := output.data.get(PLOTLY) or output.data.get(TOY):
         alt = alternative(output, place)
-        still = picture(output, image, "plotly-still", alt, folder, _controls(figure)) if image else ""
+        cut = _controls(figure) / figure["layout"].get("height", 450)
+        still = picture(output, image, "plotly-still", alt, folder, cut) if image else ""
         output.data = {"text/html": _captioned(_figure(figure, alt, still), output)}
-        counts.figures += 1
     elif image and "text/html" not in output.data:
         shown = picture(output, image, "picture", alternative(output, place), folder)
         output.data = {"text/html": _captioned(shown, output)}
-        counts.pictures += 1
     elif "text/html" in output.data:
         output.data["text/html"] = mark_dollars(output.data["text/html"])
 
@@ -125,10 +113,36 @@ def alternative(output, place: str) -> str:
 
 
 def _controls(figure: dict) -> float:
-    """Return the share of a figure's height that plotly's own controls take; the page has its own below the figure."""
+    """Return the height (pixels) that plotly's own controls take in a film; the page has its own below the figure."""
     layout = figure.get("layout", {})
-    meta = layout.get("meta") or {}
-    return meta.get("controls", 0) / layout["height"] if layout.get("height") else 0
+    return (layout.get("meta") or {}).get("controls", 0) if figure.get("frames") else 0
+
+
+def _room(figure: dict) -> str:
+    """Return the height of a figure by plotly, in CSS: `--room`, and `--stacked` if its scenes are on a phone.
+
+    A scene in 3D is drawn to the scale of its height: on a narrow page its sides would be cut off. So the figure is
+    made lower there, until every scene has its original shape, or is a square. A square in the plane stays a square.
+    """
+    layout = figure["layout"]
+    width, height = layout.get("width", 700), layout.get("height", 450) - _controls(figure)  # plotly's, if none is set
+    spans = [layout[key].get("domain", {}) for key in layout if re.fullmatch(r"scene\d*", key)]
+    sides = [(span.get("x", [0, 1]), span.get("y", [0, 1])) for span in spans]
+    heights = [_least((x[1] - x[0]) / (y[1] - y[0]), width, height) for x, y in sides]
+    if layout.get("yaxis", {}).get("scaleanchor") and "xaxis2" not in layout:
+        margin = {"l": 80, "r": 80, "t": 100, "b": 80} | layout.get("margin", {})
+        beside = margin["t"] + margin["b"] - _controls(figure) - margin["l"] - margin["r"]
+        heights.append(f"calc(100cqw + {beside}px)")
+    rooms = f"--room:min({', '.join([f'{height}px', *heights])})"
+    n = len(sides)
+    if n > 1 and len({x[0] for x, _ in sides}) == n:  # an eighth is for titles; see stack in figures.js
+        rooms += f";--stacked:min({n * height}px, {_least(n / 0.88, width / n, n * height)})"
+    return rooms
+
+
+def _least(shape: float, width: float, height: float) -> str:
+    """Return the height at which a scene, `shape` times as wide as high in the figure, is as on paper, or a square."""
+    return f"{100 * shape / min(1, width * shape / height):.2f}cqw"
 
 
 def _figure(figure: dict, alt: str, still: str) -> str:
@@ -138,7 +152,7 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     """
     course = figure.get("layout", {}).get("meta", {}).get("course") or {}
     kind = course.get("kind", "")
-    moves = bool(figure.get("frames")) or kind == "film"
+    moves, room = bool(figure.get("frames")), _room(figure)
     if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
         figure = {**figure, "frames": []}
     # "</" would end the script element; in JSON "<\/" is the same string.
@@ -146,11 +160,12 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
     scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
     own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
-    own += " data-without-plotly" if course.get("plotly") is False else ""
+    own += " data-without-plotly" if course.get("plotly") is False else f' style="{room}"'
     own += " data-moves" if moves else ""
+    bar = '<div class="plotly-player"></div>' if moves else ""
     return (
         f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
-        f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
+        f'<div class="plotly-live"></div>{bar}<script type="application/json">{data}</script></div>'
     )
 
 

@@ -7,9 +7,8 @@ from pathlib import Path
 
 NAME = "sections.js"
 PAGE = """<section id="search"><h1>Search</h1>
-<noscript><p>The search needs JavaScript. The pages of the course are listed at the side.</p></noscript>
-<form class="search" role="search"><label for="search-words">Words to find in all sections</label>
-<input type="search" id="search-words" name="q" autocomplete="off" spellcheck="false"></form>
+<form class="bd-search"><input type="search" class="form-control" id="search-words" name="q" autocomplete="off"
+aria-label="Words to find in all sections" spellcheck="false"></form>
 <p id="search-count" aria-live="polite"></p>
 <ol id="search-results"></ol></section>"""
 
