@@ -13,7 +13,7 @@ from course_lib.figures.toys.toy import SCRIPTS
 
 WIDTH, HIGHEST, PATIENCE = 720, 1600, 60  # pixels, pixels, seconds
 _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
-.controls,[aria-label="What to move"]{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
+.controls{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
 const meta = {meta};
 window.course.kinds[meta.kind](document.getElementById("toy"), meta, null);</script>"""
 _OPTIONS = ["--headless", "--no-sandbox", "--hide-scrollbars", "--enable-unsafe-swiftshader"]
