@@ -28,6 +28,7 @@ def fit_sag(q, xy, gap=_gap, wrap=_wrapped, columns=_cosines):
 def _samples(rng, m, sag, noise, low=0.2, high=1.6):
     """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to high."""
     q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
+    q[0] = high, 1.5  # whose tip is beyond 180 degrees if any can be
     taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
     return q, two_link_tip(taken) + noise * rng.normal(size=(m, 2))
 
@@ -37,7 +38,7 @@ def _cases(rng):
     return [
         _samples(rng, 3, [0.1, 0.05], 0),
         _samples(rng, 20, [0.08, 0.0], 0),
-        _samples(rng, 20, drawn[0], 0, 0, 2.9),  # some tips are beyond 180 degrees
+        _samples(rng, 20, drawn[0], 0, 0, 2.9),
         _samples(rng, 40, drawn[1], 0.001),
         _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
     ]
@@ -93,12 +94,7 @@ def another_direction(q, xy, gap):
     return fit_sag(q, xy, gap)
 
 
-@EXERCISE.mistake(
-    columns=(
-        lambda q: np.cos(q),
-        lambda q: np.column_stack([np.sin(q[:, 0]), np.sin(q.sum(axis=1))]),
-    )
-)
+@EXERCISE.mistake(columns=(np.cos, lambda q: np.sin(np.cumsum(q, axis=1))))
 def another_column(q, xy, columns):
     """a column is not the one asked for. To which cosine does each coefficient belong, the first and the second?"""
     return fit_sag(q, xy, columns=columns)
