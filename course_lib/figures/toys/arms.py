@@ -95,7 +95,7 @@ def build_up_toy(arm, *, q):
         Joint angles, in radians.
     """
     model = arm_view(arm, q, f"An arm with {arm.n} joints, factor by factor", np.zeros((1, arm.n)))
-    model |= {"rows": None, "start": min(4, arm.n)}
+    model["start"] = min(4, arm.n)
     alt = (
         "An arm as a translucent body, whose product of exponentials is built up factor by factor. Each screw axis is "
         "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs to it stands out."

@@ -43,4 +43,4 @@ def orientation_toy(mode):
     if mode not in MODES:
         raise ValueError(f"mode must be one of {', '.join(MODES)}; it is {mode!r}")
     alt, caption = MODES[mode]
-    return Toy("orientation", {"modes": [mode], "mode": mode}, alt, caption=caption)
+    return Toy("orientation", {"mode": mode}, alt, caption=caption)
