@@ -65,3 +65,15 @@ def zero_is_negative(q):
 def still_split(q, one_elbow):
     """a cell whose samples have both signs is still split by k-means. What if the two clouds touch?"""
     return one_elbow(q) if _one_elbow(q) else split_branches(q)
+
+
+@EXERCISE.mistake
+def one_elbow_is_branch_0(q):
+    """samples that all have q2 < 0 are in branch 0. Does their label depend on the other samples of the cell?"""
+    return 0 * right(q) if _one_elbow(q) else None
+
+
+@EXERCISE.mistake(middle=(np.mean, np.median))
+def own_middle(q, middle):
+    """the samples are compared with their own mean or median. Where is that in a cell of one elbow?"""
+    return q[:, 1] < middle(q[:, 1]) if len(q) else None

@@ -95,3 +95,9 @@ def another_order(*case, order):
 def wrong_sense(a, alpha, d, theta, signs):
     """a rotation has the wrong sense: theta, alpha, or both. In which row of Rot_z does the minus stand?"""
     return _right(a, signs[0] * alpha, d, signs[1] * theta)
+
+
+@EXERCISE.mistake
+def entry_by_entry(*case):
+    """matrices are multiplied entry by entry. Which operator is the product of SymPy's matrices, and of numpy's?"""
+    return np.prod(_factors(*case), axis=0)

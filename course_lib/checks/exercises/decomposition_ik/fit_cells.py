@@ -70,12 +70,12 @@ def _linear_regression(xy, q):
     return np.column_stack([line.coef_, line.intercept_])
 
 
-def fit_cells(xy, q, cell, count, fit=_linear_regression, least=3):
+def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, least=3):
     """Return the models (count, 2, 2, 3) of the clusters of cells; NaN for those of fewer samples than `least`."""
     models = np.full((count, 2, 2, 3), np.nan)
     for c in range(count):
         own = np.flatnonzero(cell == c)
-        labels = np.asarray(split_branches(q[own]), int)
+        labels = np.asarray(split(q[own]), int)
         for k in (0, 1):
             chosen = own[labels == k]
             if len(chosen) >= least:

@@ -15,10 +15,10 @@ def _least_squares(terms, wanted):
     return np.linalg.lstsq(terms, wanted, rcond=None)[0]
 
 
-def fit_square(terms, q, target=np.square, solve=_least_squares):
+def fit_square(terms, q, target=np.square, extra=lambda q2: q2, solve=_least_squares):
     """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the terms."""
     terms, q = np.asarray(terms, float), np.asarray(q, float)
-    first = solve(np.column_stack([terms, q[:, 1]]), q[:, 0])
+    first = solve(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
     return np.array([first, [*solve(terms, target(q[:, 1])), 0]])
 
 
@@ -90,3 +90,9 @@ def square_by_q2(terms, q):
     """the square of q2 has a term in q2. What does a query know when it computes the square?"""
     columns = np.column_stack([terms, q[:, 1]])
     return np.array([fit_square(terms, q)[0], _least_squares(columns, q[:, 1] ** 2)])
+
+
+@EXERCISE.mistake
+def q1_with_the_square(terms, q):
+    """q1 has a term in the square of q2. Of what is the last entry of row 0 the factor?"""
+    return fit_square(terms, q, extra=np.square)

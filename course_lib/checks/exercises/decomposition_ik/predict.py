@@ -112,3 +112,9 @@ def intercept_forgotten(*case):
 def another_factor(*case, affine):
     """the factors in a model are taken in another order. Which row belongs to q1, which column to x, which to y?"""
     return predict(*case, affine=affine)
+
+
+@EXERCISE.mistake(change=(lambda angles: angles.mT, lambda angles: angles[:, ::-1]))
+def axes(*case, change):
+    """the axes of cluster and angle, or the clusters, have changed places. In [i, k, j], which index is what?"""
+    return change(predict(*case))

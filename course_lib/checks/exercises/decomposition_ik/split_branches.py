@@ -191,6 +191,7 @@ def by_the_sign(q, every):
 @EXERCISE.mistake(
     number=(
         lambda own: own[:, 0].mean(),
+        lambda own: -own[:, 0].mean(),
         lambda own: own[:, 1].sum(),
         lambda own: abs(own[:, 1].mean()),
         len,
@@ -200,3 +201,12 @@ def by_the_sign(q, every):
 def ordered_otherwise(q, number):
     """the clusters are numbered by something else than their mean q2. Which column of q is that, and which function?"""
     return _other(q, number=number)
+
+
+@EXERCISE.mistake(joint=(0, 1))
+def one_angle(q, joint):
+    """only one of the two angles decides. What if the two clouds differ in the other one?"""
+    if not _one_best(q):
+        return None
+    labels = k_means(np.asarray(q)[:, [joint]], 10)
+    return labels if q[labels == 0, 1].mean() > q[labels == 1, 1].mean() else 1 - labels

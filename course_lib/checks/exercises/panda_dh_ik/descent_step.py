@@ -90,3 +90,9 @@ def from_the_end_effector(q, J, T, T_target, step, position):
     R, e = T[:3, :3], pose_error(T, T_target)
     e = np.concatenate([R.T @ e[:3] if position else e[:3], log_so3(R.T @ T_target[:3, :3])])
     return q + step * J.T @ e
+
+
+@EXERCISE.mistake
+def halves_swapped(q, J, T, T_target, step):
+    """phi stands before the difference of the positions. Which three rows of J come first?"""
+    return q + step * J.T @ np.roll(pose_error(T, T_target), 3)

@@ -19,10 +19,10 @@ def _eps(s, near, most):
     return most * (1 - (s / near) ** 2) if s < near else 0.0
 
 
-def _walked(q, v, dt, n, near, most, eps_of=_eps, limits=None):
+def _walked(q, v, dt, n, near, most, eps_of=_eps, step=-1, limits=None):
     path = [q]
     for _ in range(int(n)):
-        J = panda_jacobian(path[-1])
+        J = panda_jacobian(path[step])
         q = damped(path[-1], J, dt * v, eps_of(np.linalg.svd(J, compute_uv=False)[-1], near, most))
         path.append(q if limits is None else np.clip(q, *limits))
     return np.array(path)
@@ -139,3 +139,9 @@ def other_damping(*case, eps_of):
 def clipped(*case):
     """the angles are kept inside the joint limits. Does the task ask for that here?"""
     return _walked(*case, limits=(LOW, HIGH))
+
+
+@EXERCISE.mistake
+def jacobian_of_the_start(*case):
+    """the Jacobian is that of the start in all steps. Where does each step begin?"""
+    return _walked(*case, step=0)

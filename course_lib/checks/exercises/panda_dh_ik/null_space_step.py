@@ -89,3 +89,9 @@ def full_rank(answer, q, J, *rest):
     has more dimensions: does your formula still hold?
     """
     return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
+
+
+@EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
+def towards_zero(q, J, q_middle, gain, direction):
+    """the step goes towards 0, or along q_middle. From where to where should it lead?"""
+    return q + gain * _projector(J) @ direction(q, q_middle)

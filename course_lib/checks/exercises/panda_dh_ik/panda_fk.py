@@ -106,3 +106,9 @@ def flange_misplaced(q, moved):
 def conventions_mixed_up(q, pair):
     """the standard convention, or its table, is used. Which function belongs to modified_table?"""
     return _chain(*steps(q, *pair))
+
+
+@EXERCISE.mistake
+def flange_above(q):
+    """the flange is 0.107 m above frame 7 along the world's z. Along whose z axis does the table move it?"""
+    return np.concatenate([frames(q)[:7], [about_z(0, 0.107) @ frames(q)[6]]])

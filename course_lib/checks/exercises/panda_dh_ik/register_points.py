@@ -202,3 +202,9 @@ def sign_elsewhere(T, *case):
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]
     return any(_has_block(T, block, *case) for block in blocks)
+
+
+@EXERCISE.mistake(power=(2, 0.5), twice=(False, True))
+def power_of_the_weights(src, dst, weights, power, twice):
+    """squares or square roots of the weights stand for the weights. How often does w_i multiply each b_i a_i^T?"""
+    return _fit(src, dst, weights, lambda w: _share(w**power) if twice else _share(w), lambda w: w**power)

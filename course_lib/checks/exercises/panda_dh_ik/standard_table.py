@@ -58,3 +58,9 @@ def other_columns_move(table, shifts):
     x, which to one along z, and which of its neighbours does the step X_1 join, Z_1 or Z_2?
     """
     return np.column_stack([np.roll(table[:, k], shift) for k, shift in enumerate(shifts)])
+
+
+@EXERCISE.mistake
+def last_row_kept(table):
+    """the last row keeps its a and alpha. Is there a step along x after the last joint?"""
+    return np.concatenate([converted(table)[:-1], [[*table[-1, :2], *converted(table)[-1, 2:]]]])

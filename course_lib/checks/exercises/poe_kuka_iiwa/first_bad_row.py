@@ -156,3 +156,9 @@ def rule_by_rule(t, q, limits):
     others = (("time", "low", "high"), ("t", "q", "low", "high"), ("t", "q", "time"))
     rows = [_first(_bad(t, q, limits, ignored)) for ignored in others]
     return next((row for row in rows if row >= 0), -1)
+
+
+@EXERCISE.mistake
+def row_before(t, q, limits):
+    """the row before the fault is named, where time runs backwards. Of which two rows is np.diff(t)[i] made?"""
+    return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))

@@ -158,3 +158,15 @@ def not_added_up(joints, x):
 def parallel_to_the_base():
     """the flange is taken to be parallel to the base. In which directions do the flange's axes point in the drawing?"""
     return _answered(R=np.eye(3))
+
+
+@EXERCISE.mistake(alike=_screws, z=(0.1625, 0.2622))
+def height_of_axis_6(z):
+    """axis 6 is at the height of axes 2 to 4, or above them. Where is it in the side view?"""
+    return _answered(points=[*_POINTS[:5], [*_POINTS[5][:2], z]])
+
+
+@EXERCISE.mistake(alike=_orientation)
+def rows_for_columns():
+    """R is transposed. Each column of R is one axis of the flange, seen from the base."""
+    return _answered(R=_R.T)

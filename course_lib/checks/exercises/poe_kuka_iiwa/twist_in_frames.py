@@ -98,6 +98,8 @@ def other_direction(V_s, T):
         lambda R, P, zero: [[R, zero], [R @ P, R]],
         lambda R, P, zero: [[R, zero], [-P @ R, R]],
         lambda R, P, zero: [[R, zero], [zero, R]],
+        lambda R, P, zero: [[R, zero], [P, R]],
+        lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]],
     ),
 )
 def wrong_adjoint(V_s, T, form):

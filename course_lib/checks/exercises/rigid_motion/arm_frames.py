@@ -113,3 +113,10 @@ def from_the_frame_before(theta, second, third):
     """each frame is seen from the one before it, not from the base. What takes T_12 to T_02?"""
     T = [_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]
     return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
+
+
+@EXERCISE.mistake(angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1]))
+def tip_rotated_again(theta, angle):
+    """the tip's frame is rotated once more. There is no joint at the tip: how is link 2 rotated?"""
+    T = _right(theta)
+    return np.array([*T[:2], T[2] @ _rot(angle(theta))])

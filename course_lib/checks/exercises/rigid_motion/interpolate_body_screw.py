@@ -158,3 +158,10 @@ def wrong_side(start, goal, n, product):
     """the displacement is given in one frame and applied in the other. T_start^-1 T_goal is seen from start: on
     which side of T_start does its exponential stand?"""
     return _by_matrices(start, goal, n, product)
+
+
+@EXERCISE.mistake
+def logarithms_interpolated(start, goal, n):
+    """the logarithms of the two poses are interpolated. Take one logarithm, of the pose of goal in start's frame."""
+    first, last = log_se2(pose_matrix(start)), log_se2(pose_matrix(goal))
+    return _rows(exp_se2(first + np.multiply.outer(scaling(n), last - first)), start, goal, n)

@@ -5,7 +5,14 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rigid_motion.propagate_body import drawn_case
-from course_lib.checks.exercises.rigid_motion.shared import add_step_mistakes, each_step, form, lengths, same_rows
+from course_lib.checks.exercises.rigid_motion.shared import (
+    add_step_mistakes,
+    each_step,
+    follow,
+    form,
+    lengths,
+    same_rows,
+)
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -82,3 +89,9 @@ def assigned(start, plan, dt, time_of):
 
 
 add_step_mistakes(EXERCISE, _step)
+
+
+@EXERCISE.mistake
+def elapsed_twice(start, plan, dt):
+    """the time since the pair began is counted from the row before. Which time belongs to the row before?"""
+    return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)

@@ -173,11 +173,27 @@ def follow(move, lengths=lengths):
 def add_step_mistakes(exercise, move):
     """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
-    @exercise.mistake(count=(lambda ratio: np.ceil(ratio - 1e-6), np.round, np.floor, lambda r: max(1, round(r))))
+    @exercise.mistake(
+        count=(lambda r: np.ceil(r - 1e-6), np.round, lambda r: np.floor(r + 1e-6), lambda r: max(1, round(r)))
+    )
     def not_on_time(start, plan, dt, count):
         """a pair ends too late or too early: its last step is not shortened, or is missing. How much time of its
         duration remains for the last step?"""
         return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(start, plan, dt)
+
+    @exercise.mistake
+    def start_again(start, plan, dt):
+        """each pair begins at start again. Where did the pair before end?"""
+        parts = [follow(move)(start, [pair], dt)[1:] for pair in plan]
+        return np.concatenate([np.array([start], float), *parts])
+
+    @exercise.mistake
+    def row_twice(start, plan, dt):
+        """the row at which a pair begins occurs twice. It is the last row of the pair before."""
+        rows = [np.array([start], float)]
+        for pair in plan:
+            rows.append(follow(move)(rows[-1][-1], [pair], dt))
+        return np.concatenate(rows[1:])
 
     @exercise.mistake
     def one_step_a_pair(start, plan, dt):

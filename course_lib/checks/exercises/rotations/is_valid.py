@@ -201,3 +201,9 @@ def other_length(X, kind, tol, size):
 def errors_added_up(X, kind, tol, size):
     """the errors of all entries of R^T R are added up, in a norm or a mean. The largest error decides."""
     return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _upright(R, tol))
+
+
+@EXERCISE.mistake(shape=[shape for shapes in _SHAPES.values() for shape in shapes])
+def one_shape_alone(X, kind, tol, shape):
+    """one shape alone is accepted. Which shapes does the task name for each kind?"""
+    return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None

@@ -128,3 +128,10 @@ def wrong_length(q, target, alpha, eps, factor):
     """the step has the right direction and a wrong length. Print your step for this input, and alpha: which factor is
     missing, or does not belong?"""
     return step(q, target, factor(alpha), eps)
+
+
+@EXERCISE.mistake
+def share_of_the_diagonal(q, target, alpha, eps):
+    """the damping is eps times the diagonal of J^T J. How does eps stand in J^T J + eps I?"""
+    M = jacobian(q).T @ jacobian(q)
+    return q - alpha * np.linalg.pinv(M + eps * np.diag(np.diag(M))) @ jacobian(q).T @ (tip(q) - target)
