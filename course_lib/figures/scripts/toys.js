@@ -65,7 +65,7 @@ padding:.5rem .7rem;background:var(--numbers);border-radius:.25rem;font-variant-
 .course-toy .numbers>div{display:flex;flex-wrap:wrap;align-items:center;gap:.2rem .5rem;white-space:pre-line}
 .course-toy .matrix{display:inline-grid;gap:0 .7em;padding:.1em .5em;text-align:right;border:solid var(--ink);
 border-width:0 1.5px;border-radius:.6em;font:13px/1.45 system-ui,sans-serif}
-.course-toy .matrix .highlighted{background:var(--pressed);box-shadow:0 0 0 .2em var(--pressed)}
+.course-toy .matrix .chosen{background:var(--pressed);box-shadow:0 0 0 .2em var(--pressed)}
 .course-toy .dim{opacity:.72}.course-toy mark{background:var(--pressed);color:inherit;padding:0 .15em}
 .course-toy p{margin:.4rem 0 0}.course-toy :focus-visible,.course-stage canvas:focus-visible{
 outline:3px solid var(--focus);outline-offset:-3px}
@@ -91,7 +91,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
   // HTML of a matrix, in which a column may be highlighted.
   function matrix(rows, { digits = 3, highlighted = -1 } = {}) {
     const words = rows.map((row) => row.map((x) => number(x, digits)));
-    const cell = (x, j) => `<span${j === highlighted ? " class=highlighted" : ""}>${x}</span>`;
+    const cell = (x, j) => `<span${j === highlighted ? " class=chosen" : ""}>${x}</span>`;
     const cells = words.map((row) => row.map(cell).join(""));
     const look = `grid-template-columns:repeat(${rows[0].length},auto)`, spoken = words.map((row) => row.join(" "));
     return `<span class="matrix" role="img" aria-label="${spoken.join("; ")}" style="${look}">${cells.join("")}</span>`;
