@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from films import Film
 from helpers import FIGURE, stored
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from numpy.testing import assert_allclose
 from site_notebooks import cell, output, write
 from site_visits import Visit
+from sphinx_builds import build
 
 from course_lib import rigid
 from course_lib.arms import iiwa14

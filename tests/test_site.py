@@ -9,7 +9,6 @@ import subprocess
 import sys
 
 import pytest
-from loaded_sphinx import build
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from site_notebooks import (
     CHECK,
@@ -30,6 +29,7 @@ from site_notebooks import (
     write,
 )
 from site_visits import CONTRAST, OPEN, Visit, assert_readable
+from sphinx_builds import build
 
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder

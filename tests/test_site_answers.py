@@ -6,11 +6,11 @@ from pathlib import Path
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
 from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, png, write
 from site_visits import CONTRAST, Visit
+from sphinx_builds import build
 
 from course_lib.pack.site import SiteError
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 from helpers import FIGURE, places, stored
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from numpy.testing import assert_allclose
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
 from site_visits import Visit
+from sphinx_builds import build
 
 from course_lib.figures.rigid_motion import body_movie
 

@@ -75,7 +75,7 @@ def test_the_robot_replaces_its_still_picture_without_a_shift_of_the_layout(cour
         assert visit.page.evaluate(SHIFT) < 0.02
 
 
-def test_it_sways_once_and_not_at_all_with_reduced_motion(course, browser):
+def test_it_moves_by_itself_once_and_not_at_all_with_reduced_motion(course, browser):
     with Visit(browser, course / "index.html") as visit:
         first = visit.page.evaluate(PICTURE)
         visit.page.wait_for_timeout(400)

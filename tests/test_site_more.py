@@ -3,11 +3,11 @@
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
 from site_notebooks import MOVING, NBGRADER, PLOTLY, SOLUTION, cell, output, png, write
 from site_visits import Visit, assert_readable
+from sphinx_builds import build
 
 TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
 HIGH = {**MOVING, "layout": {**MOVING["layout"], "height": 480}}  # as the still picture

@@ -1,11 +1,11 @@
 """Figures with a script of their own: the page loads it, starts it when the figure is near, stops it when it is far."""
 
 import pytest
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import HELIX, PLOTLY, cell, output, write
 from site_visits import Visit
+from sphinx_builds import build
 
 from course_lib.pack.site import build as builder
 

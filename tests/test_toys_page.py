@@ -3,12 +3,12 @@
 import re
 
 import pytest
-from loaded_sphinx import build
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import cell, output, write
 from site_visits import CONTRAST, Visit, violations
 from some_toys import TOYS
+from sphinx_builds import build
 
 from course_lib.figures.display import TOY
 
