@@ -42,7 +42,7 @@ def right(targets, q0, eps, steps):
 def _case(rng, n, q0, eps, steps, spread, limited=False):
     """Return n targets, some of which are reached and some are not, none of them a close call.
 
-    limited: one of those not reached is reached by whoever ignores the limits.
+    limited: one of those not reached is reached by whoever ignores the limits, and clipping at the end only shows too.
     """
     while True:
         targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
@@ -51,8 +51,10 @@ def _case(rng, n, q0, eps, steps, spread, limited=False):
         found = right(targets, q0, eps, steps)
         if len(targets) < n or found.all() or not found.any():
             continue
-        if not limited or (limits_ignored(targets, q0, eps, steps, clip="") & ~found).any():
-            return targets, q0, eps, steps
+        case = targets, q0, eps, steps
+        ignored, late = limits_ignored(*case, clip=""), limits_ignored(*case, clip="end")
+        if not limited or ((ignored & ~found).any() and (late != found).any()):
+            return case
 
 
 def _cases(rng):
