@@ -17,7 +17,7 @@ from course_lib.checks.exercise import RIGHT, Here, judge
 from course_lib.checks.write_test import WriteTest
 
 MOST = 40  # of the mutants of an exercise
-SLOW = {"random_rotations": 16, "panda_ik": 16, "newton_ik": 16, "plan_pick": 16}
+SLOW = {"random_rotations": 16, "panda_ik": 16, "newton_ik": 16}
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 FIRST = 3  # cases that are asked before all of them
 

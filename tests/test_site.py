@@ -262,10 +262,12 @@ def finds_the_section_shows_the_sentence_and_marks_the_word_there(page):
     assert page.url.endswith("01_rotations.html#tables-and-more")
 
 
-def test_cells_follow_their_tags(site):
+def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
+    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.packed.js"]
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 5e6
 
 
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):

@@ -80,3 +80,23 @@ def test_the_pictures_on_the_cards_fill_their_frames(course):
         left, top, right, bottom = image.point(lambda dot: 255 * (dot < 250)).getbbox()
         assert right - left > 0.85 * image.width, cover["alt"]
         assert bottom - top > 0.85 * image.height, cover["alt"]
+
+
+# ---- without JavaScript ----
+
+PRESSED = "button:visible, [role=button]:visible, input:visible, select:visible"
+
+
+@pytest.mark.parametrize("name", ["index", "02"])
+def test_without_javascript_every_control_that_is_shown_works(course, browser, name):
+    with Visit(browser, only(course, name), width=1280, java_script_enabled=False) as visit:
+        link = visit.page.locator(".bd-sidebar-primary a", has_text="Errata")
+        for width in (1280, 390):
+            with visit.at_width(width):
+                assert [each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()] == []
+                start, words = (visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p"))
+                colours = [each.evaluate("e => getComputedStyle(e).color") for each in (start, words)]
+                assert colours[0] != colours[1], "links are seen"
+                assert link.is_visible(), "the other pages are in reach"
+        link.click()
+        assert "errata.html" in visit.page.url

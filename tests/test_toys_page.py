@@ -135,8 +135,8 @@ def phone(page, browser):
         assert visit.complaints == []
 
 
-@pytest.mark.parametrize("name", ["two_poses_toy", "reach"])  # a plane, and space
-def test_a_finger_drags_handles_and_scrolls_the_page_beside_them(phone, name):
+@pytest.mark.parametrize("name", HANDLES)
+def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name):
     touch = phone.page.context.new_cdp_session(phone.page)
 
     def swipe(x, y, dx, dy):
@@ -226,33 +226,67 @@ def test_without_webgl_the_words_or_the_still_stay_and_toys_in_the_plane_live(pa
 
 # ---- colours ----
 
+# From now on every canvas notes the colours of its words, and of its lines that are no grid and part no cells.
+NOTE = """() => {
+  const begun = window.noted;
+  window.noted = { words: new Set(), lines: new Set() };
+  if (begun) return;
+  const context = CanvasRenderingContext2D.prototype, { fillText, stroke } = context, { scene } = window.course;
+  const { draw } = scene;
+  context.fillText = function (...a) { window.noted.words.add(this.fillStyle); fillText.apply(this, a); };
+  context.stroke = function (...a) {
+    if (this.lineWidth >= 1.5 && this.globalAlpha === 1) window.noted.lines.add(this.strokeStyle);
+    stroke.apply(this, a);
+  };
+  scene.draw = (context, what, redraw) => {
+    what.lines.filter(({ layer }) => layer !== "floor").forEach(({ colour }) => window.noted.lines.add(colour));
+    draw(context, what, redraw);
+  };
+}"""
+# The same, with the words that are HTML.
+DRAWN = """(box) => {
+  const style = (e) => getComputedStyle(e), words = [...box.querySelectorAll(".word")].map((e) => style(e).color);
+  const ground = style(box.querySelector("canvas")).backgroundColor;
+  return [ground, [...words, ...window.noted.words], [...window.noted.lines]];
+}"""
 STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
-GROUND = "box => getComputedStyle(box.querySelector('canvas')).backgroundColor"
-# How much the colours of toys stand out from the ground of a stage, {name: [as a line, as a word]}.
-CONTRASTS = f"""(box) => {{
-  const {{ COLOURS, tint, wordTint }} = window.course.parts, element = document.createElement("p");
-  const contrast = (colour) => {{ element.style.color = colour; return ({CONTRAST})(element); }};
-  element.style.backgroundColor = ({GROUND})(box);
-  box.append(element);
-  const measured = Object.entries(COLOURS).map(([name, c]) => [name, [contrast(tint(c)), contrast(wordTint(c))]]);
-  element.remove();
+# How much each of some colours stands out from the ground, as {colour: contrast}.
+CONTRASTS = f"""([ground, colours]) => {{
+  const there = document.body.appendChild(document.createElement("p"));
+  there.style.backgroundColor = ground;
+  const measured = colours.map((colour) => {{
+    there.style.color = colour;
+    return [colour, ({CONTRAST})(there)];
+  }});
+  there.remove();
   return Object.fromEntries(measured);
 }}"""
-SURFACES = {"ground", "grid", "floor", "lines", "shade", "pale"}  # on which words and lines stand
-ONLY_LINES = {"steel", "link", "dark"}
 
 
-def test_colours_of_words_and_lines_have_enough_contrast_in_both_themes(visit):
-    box = figure_of(visit, "circles_toy")
-    assert box.evaluate(GROUND) == STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
-    contrasts = box.evaluate(CONTRASTS)
-    assert {name for name, (line, _) in contrasts.items() if line < 3} <= SURFACES
-    assert {name for name, (_, word) in contrasts.items() if word < 4.5} <= SURFACES | ONLY_LINES
+@pytest.mark.parametrize("name", TOYS)
+def test_text_and_lines_have_enough_contrast_in_both_themes(visit, name):
+    box = figure_of(visit, name)
+    visit.page.evaluate(NOTE)
+    before = picture(box)
+    one = box.locator("canvas[tabindex], .handle, input").first
+    one.focus()
+    visit.page.keyboard.press("ArrowLeft")
+    wait_for_another_picture(visit, box, before)
+    ground, words, lines = box.evaluate(DRAWN)
+    assert ground == STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
+    assert words or name in ("belt", "reach", "eight", "fly")
+    assert lines or name in ("belt", "panda_toy", "reach", "eight")
+    contrasts = visit.page.evaluate(CONTRASTS, [ground, words + lines])
+    assert [colour for colour in words if contrasts[colour] < 4.5] == []
+    assert [colour for colour in lines if contrasts[colour] < 3] == []
+    parts = f"(box, parts) => parts.flatMap((part) => [...box.querySelectorAll(part)]).map({CONTRAST})"
+    assert min(box.evaluate(parts, [".course-toy", ".numbers", "button", "label", "p"])) > 4.5
 
 
 @pytest.mark.parametrize("name", ["circles_toy", "planar_arm_toy"])
 def test_a_toy_follows_a_change_of_theme_and_keeps_its_configuration(visit, name):
     box = figure_of(visit, name)
+    visit.page.evaluate(NOTE)
     slider, before = box.get_by_role("slider").first, picture(box)
     slider.focus()
     visit.page.keyboard.press("ArrowRight")
@@ -262,7 +296,7 @@ def test_a_toy_follows_a_change_of_theme_and_keeps_its_configuration(visit, name
     theme = visit.page.evaluate("document.documentElement.dataset.theme")
     for shown in ({"light": "dark", "dark": "light"}[theme], theme):
         visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", shown)
-        wait_until(visit, f"(box, ground) => ({GROUND})(box) === ground", box, STAGES[shown])
+        wait_until(visit, f"(box, ground) => ({DRAWN})(box)[0] === ground", box, STAGES[shown])
         sign = "===" if shown == theme else "!=="
         wait_until(visit, f"(box, before) => ({PICTURE})(box) {sign} before", box, before)
         expect(slider).to_have_value(value)

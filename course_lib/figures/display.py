@@ -65,7 +65,7 @@ def show(fig, *, alt="", caption=""):
     if not isinstance(caption, str):
         raise ValueError(f"caption must be a sentence that says what to notice; it is {caption!r}")
     if hasattr(fig, "to_plotly_json"):
-        data = {PLOTLY: _rounded(fig.to_plotly_json()), "text/plain": alt}
+        data = {PLOTLY: rounded(fig.to_plotly_json()), "text/plain": alt}
         metadata = {"image/png": {"alt": alt}}  # for the still that is put beside it
     elif hasattr(fig, "savefig"):
         width, height = (round(96 * inches) for inches in fig.get_size_inches())
@@ -103,7 +103,7 @@ def smaller_png(content):
     return min(content, smaller.getvalue(), key=len)
 
 
-def _rounded(node, decimals=None):
+def rounded(node, decimals=None):
     """The JSON of a figure with every list of numbers rounded, packed ones unpacked, and -0 turned into 0.
 
     Plotly packs numpy arrays into base64. Integers stay so: they have no last bits, and take half the room.
@@ -111,7 +111,7 @@ def _rounded(node, decimals=None):
     if isinstance(node, dict) and "bdata" in node and node["dtype"][0] == "f":
         node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(_shape(node)).tolist()
     if isinstance(node, dict):
-        return {key: _rounded(value) for key, value in node.items()}
+        return {key: rounded(value, decimals) for key, value in node.items()}
     if isinstance(node, float):
         return round(node, 6 if decimals is None else decimals) + 0.0 if math.isfinite(node) else None
     if not isinstance(node, list | tuple):
@@ -119,7 +119,7 @@ def _rounded(node, decimals=None):
     if decimals is None:
         largest = max((abs(x) for x in _flat(node) if isinstance(x, float) and math.isfinite(x)), default=0)
         decimals = 5 - math.floor(math.log10(largest)) if largest else None
-    return [_rounded(item, decimals) for item in node]
+    return [rounded(item, decimals) for item in node]
 
 
 def _shape(packed):

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from course_lib.figures.display import TOY, show_caption
+from course_lib.figures.display import TOY, rounded, show_caption
 from course_lib.figures.solids.model import PALETTE, coordinates
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
@@ -82,7 +82,8 @@ class Toy:
     """
 
     def __init__(self, name, model, alt, answer=None, caption=""):
-        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **_rounded(model)}
+        model = rounded(model, 12)  # the last digits differ between processors
+        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **model}
         self.alt = alt
         self.answer = answer
         self.caption = caption
@@ -117,15 +118,6 @@ class Toy:
             widget.answers = True
             widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
         return widget
-
-
-def _rounded(value):
-    """Return a model with its floats rounded to 12 decimals: the last digits differ between processors."""
-    if isinstance(value, dict):
-        return {key: _rounded(each) for key, each in value.items()}
-    if isinstance(value, list | tuple):
-        return [_rounded(each) for each in value]
-    return round(value, 12) + 0.0 if isinstance(value, float) else value
 
 
 def _key(figure):
