@@ -150,6 +150,7 @@ def test_answer_too_large_for_a_float(name, argument, value):
 
 # Any value for any argument -------------------------------------------------------------------------------------------
 
+
 class Unreadable:
     """Raises whatever is asked of it."""
 

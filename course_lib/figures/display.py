@@ -104,9 +104,10 @@ def smaller_png(content):
 
 
 def rounded(node, decimals=None):
-    """The JSON of a figure with every list of numbers rounded, packed ones unpacked, and -0 turned into 0.
+    """Return the JSON of a figure with its numbers rounded, packed lists unpacked, and -0 turned into 0.
 
-    Plotly packs numpy arrays into base64. Integers stay so: they have no last bits, and take half the room.
+    decimals: how many stay; None for six digits of the largest number of each list. Plotly packs arrays into base64;
+    packed integers stay so: they have no last bits, and take half the room.
     """
     if isinstance(node, dict) and "bdata" in node and node["dtype"][0] == "f":
         node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(_shape(node)).tolist()
