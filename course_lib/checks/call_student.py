@@ -65,8 +65,10 @@ def reply(function, questions, consult=None):
     through, names = ADAPTERS[asked["through"]], asked["names"]
     answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
     with contextlib.suppress(TimeUp), _quiet(), _put_back(), _taken_away(asked["forbidden"], function) as refused:
-        with _clock(asked["seconds"]):
+        with _clock(asked["seconds"]) as start_again:
             for case in cases:
+                if any(isinstance(argument, Candidate) for argument in case):
+                    start_again()  # a test has its time for each candidate, as in grading
                 answers.append(refused or _answer(function, case, through, names, consult))
                 if answers[-1].get("error", {}).get("type") in ("TimeUp", "NotAllowed", "KeyboardInterrupt"):
                     last = answers[-1]
@@ -225,18 +227,21 @@ def _too_long(seconds):
 
 @contextlib.contextmanager
 def _clock(seconds):
-    """Raise TimeUp in the main thread after so many CPU seconds, and each second from then on."""
+    """Raise TimeUp in the main thread after so many CPU seconds, and each second from then on.
+
+    Yields a function that starts the clock again.
+    """
 
     def ring(signum, frame):
         raise TimeUp(_too_long(seconds))
 
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
-        yield  # no such clock (Windows): the student can interrupt the kernel
+        yield lambda: None  # no such clock (Windows): the student can interrupt the kernel
         return
     earlier = signal.signal(signal.SIGPROF, ring)
     try:
         signal.setitimer(signal.ITIMER_PROF, seconds, 1)
-        yield
+        yield lambda: signal.setitimer(signal.ITIMER_PROF, seconds, 1)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, earlier)

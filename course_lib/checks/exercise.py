@@ -16,7 +16,7 @@ from course_lib.checks.wire import NotPlain, from_json, write
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
-UNCHANGED = "the bug is still there"
+UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
 
 FORGOTTEN_RETURN = Mistake(
     "the function returns None: a return is missing, or returns nothing for this input",

@@ -194,8 +194,8 @@ def _gap(value, other):
 
 
 def _telling(numbers):
-    """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is."""
-    return np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
+    """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so is nan."""
+    return np.isfinite(numbers).all() and (np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all())
 
 
 def _close(value, right):
@@ -330,6 +330,7 @@ _RADIANS = "Angles are in radians throughout."
 _SIGN = "Compare the sign with an example that you can do by hand."
 _ROWS = "Rows and columns have changed places."
 _FACTOR = "Look for a factor 2."
+_UNIT = "In which unit is it asked for?"
 _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
@@ -360,7 +361,8 @@ _OF_THE_ANSWER = (
     ("True and False have changed places", "What does True mean in the task?", _negated_bits),
     ("each item is the last one", _COPIES, lambda x: x[[-1] * len(x)]),
     ("the answer is the square of what it should be", "Where does a root belong?", np.square),
-    ("the answer is 1000 times what it should be", "In which unit is it asked for?", lambda x: 1000 * x),
+    ("the answer is 100 times what it should be", _UNIT, lambda x: 100 * x),
+    ("the answer is 1000 times what it should be", _UNIT, lambda x: 1000 * x),
 )
 
 _OF_A_CHANGE = (  # of an argument, to which the answer adds something

@@ -233,7 +233,10 @@ def describe(verdict):
     if verdict.state == NOT_ATTEMPTED:
         return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
     if verdict.state == UNCHANGED:
-        return f"{mark} {exercise.name}: {UNCHANGED}. Run it on an example whose answer you know."
+        return (
+            f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an example whose "
+            "answer you know."
+        )
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
     lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
     if verdict.blames:

@@ -147,6 +147,7 @@ def edge_taken_for_outside(*case, below):
         lambda parts, n: (parts < 0).any(axis=1, keepdims=True),
         lambda parts, n: (parts > n).any(axis=1, keepdims=True),
         lambda parts, n: ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True),
+        lambda parts, n: ((parts <= -1) | (parts > n)).any(axis=1, keepdims=True),
     ),
     edge=_EDGES,
     to_whole=(np.floor, np.trunc),

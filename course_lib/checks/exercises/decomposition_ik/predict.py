@@ -118,3 +118,9 @@ def another_factor(*case, affine):
 def axes(*case, change):
     """the axes of cluster and angle, or the clusters, have changed places. In [i, k, j], which index is what?"""
     return change(predict(*case))
+
+
+@EXERCISE.mistake
+def cell_zero_left_out(models, cell, xy):
+    """cell 0 is taken for none. From which number on are the cells counted?"""
+    return predict(models, np.where(cell == 0, -1, cell), xy)

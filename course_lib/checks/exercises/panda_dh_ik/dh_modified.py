@@ -70,10 +70,13 @@ def _orders():
     return orders
 
 
-@EXERCISE.mistake
-def other_convention(*row):
-    """this is the pose by the other convention. Which pair of steps comes first here, that of x or that of z?"""
-    return standard(*row)
+@EXERCISE.mistake(columns=(slice(4), slice(3), slice(3, 4)))
+def other_convention(*row, columns):
+    """this is the pose by the other convention, or its rotation or position is. Which pair of steps comes first here,
+    that of x or that of z?"""
+    T = modified(*row)
+    T[:, columns] = standard(*row)[:, columns]
+    return T
 
 
 @EXERCISE.mistake(order=_orders())

@@ -106,10 +106,12 @@ def other_column(frames, axis):
     return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
 
 
-@EXERCISE.mistake(z=(np.s_[:-1], np.s_[1:]))
-def next_frame(frames, z):
-    """the origin, or the axis too, is that of the next frame. On which joint's axis does frame i lie here?"""
-    return _jacobian(frames[z, :3, 2], frames[1:, :3, 3], frames[-1, :3, 3])
+@EXERCISE.mistake(z=(0, 1), step=(1, -1))
+def another_frame(frames, z, step):
+    """the origin, or the axis too, is that of the next frame, or of the one before. On which joint's axis does frame i
+    lie here?"""
+    others = frames[1:] if step > 0 else np.concatenate([[np.eye(4)], frames[:-2]])
+    return _jacobian((frames[:-1], others)[z][:, :3, 2], others[:, :3, 3], frames[-1, :3, 3])
 
 
 @EXERCISE.mistake

@@ -95,3 +95,9 @@ def full_rank(answer, q, J, *rest):
 def towards_zero(q, J, q_middle, gain, direction):
     """the step goes towards 0, or along q_middle. From where to where should it lead?"""
     return q + gain * _projector(J) @ direction(q, q_middle)
+
+
+@EXERCISE.mistake
+def one_for_identity(q, J, q_middle, gain):
+    """1 stands for the identity matrix. What does numpy subtract from in 1 - A?"""
+    return q + gain * (1 - np.linalg.pinv(J) @ J) @ (q_middle - q)

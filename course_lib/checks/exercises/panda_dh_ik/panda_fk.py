@@ -112,3 +112,16 @@ def conventions_mixed_up(q, pair):
 def flange_above(q):
     """the flange is 0.107 m above frame 7 along the world's z. Along whose z axis does the table move it?"""
     return np.concatenate([frames(q)[:7], [about_z(0, 0.107) @ frames(q)[6]]])
+
+
+@EXERCISE.mistake
+def base_for_flange(q):
+    """the first pose is the base, and the flange is missing. Which frame is the first of the eight?"""
+    return np.concatenate([[T_W0], frames(q)[:7]])
+
+
+@EXERCISE.mistake
+def multiplied_from_the_left(q):
+    """each step is multiplied from the left. On which side stands a motion along the axes that the others have made?"""
+    each = np.swapaxes(steps(q), 1, 2)
+    return T_W0 @ np.swapaxes(products(each)[1:], 1, 2)

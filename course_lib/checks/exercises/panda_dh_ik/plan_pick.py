@@ -16,6 +16,7 @@ _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step o
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake("the times are missing", "In each row the time stands before the seven angles.")
+_TWICE = Mistake("a row stands twice, or the time goes back", "Is the last row of one leg also the first of the next?")
 _SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
 
 
@@ -51,11 +52,11 @@ def right(q0, T_grasp):
 
 def _cases(rng):
     cases = []
-    for side in rng.permutation([-1, 1, 1]):
+    for side, yaw in zip(rng.permutation([-1, 1, 1]), (0.1, 0.4, 0.8), strict=True):
         bearing, aside = rng.uniform(-0.4, 0.4), side * rng.uniform(0.6, 0.8)
         grasp, start = (_at(rng.uniform(0.42, 0.52), angle) @ IN_MUG for angle in (bearing, bearing + aside))
         start[2, 3] += rng.uniform(0.03, 0.05)
-        twist = transform(rot_z(rng.uniform(-0.3, 0.3)), np.zeros(3))
+        twist = transform(rot_z(-side * (yaw + rng.uniform(-0.1, 0.1))), np.zeros(3))
         cases.append((solved(start @ inverse(IN_FLANGE), READY), grasp @ twist))
     return cases
 
@@ -120,7 +121,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS, _other_form),
     properties=(
-        Property("the times increase from row to row", lambda x, *case: _ordered(x)),
+        Property("the times increase from row to row", lambda x, *case: _ordered(x), mistake=_TWICE),
         Property(
             "the first row is the time 0 and q0",
             lambda x, q0, T: abs(x[0, 0]) < 1e-9 and np.abs(x[0, 1:] - q0).max() < 1e-6,

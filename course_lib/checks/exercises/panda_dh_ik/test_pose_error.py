@@ -79,6 +79,7 @@ EXERCISE = WriteTest(
         _version(_SUBTRACTED, _with_phi(lambda R, R_target: roll_pitch_yaw(R_target) - roll_pitch_yaw(R))),
         _version(_ANGLE, _stretched(np.sin)),
         _version(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
+        _version(_ANGLE, _stretched(lambda angle: np.minimum(angle, np.pi - angle))),
         _version("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
         _version("that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))),
         _version("in degrees", _scaled(1, 180 / np.pi)),

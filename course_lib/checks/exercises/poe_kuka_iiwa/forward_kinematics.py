@@ -1,5 +1,7 @@
 """forward_kinematics: the pose of the end-effector, by the product of exponentials."""
 
+import numpy as np
+
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
@@ -83,3 +85,9 @@ def reverse_order(screws, M, q, times_M):
 def twists_added_up(screws, M, q):
     """the twists are added up. What is one motion after another, for matrices?"""
     return exp_se3(q @ screws) @ M
+
+
+@EXERCISE.mistake(joint=(0, -1))
+def joint_left_out(screws, M, q, joint):
+    """the first or the last joint is left out. How many exponentials does your loop multiply?"""
+    return products(np.delete(exponentials(screws, q), joint, axis=0))[-1] @ M

@@ -96,3 +96,9 @@ def two_frames(screws, M, q, mass, center, body_jacobian):
     back, F = adjoint(inverse(tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
     J = jacobian(screws, q)
     return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
+
+
+@EXERCISE.mistake
+def order_of_the_wrench(*case):
+    """the wrench is in the order (f, m). The twist has omega first: which half of the wrench does work with it?"""
+    return _by(*case, lambda p, T, f: (f, np.cross(p, f)))

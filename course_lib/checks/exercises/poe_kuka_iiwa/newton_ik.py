@@ -49,10 +49,12 @@ def _cases(rng):
     elsewhere = _UR5E[0] @ adjoint(base).T, base @ _UR5E[1]
     kuka, bent = (KUKA, KUKA_HOME), np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2])
     here = tool_pose(*_UR5E, _BENT)
-    hardly = here @ exp_se3([0, 9e-7, 9e-7, 0, -9e-7, 9e-7])  # who stops too early answers q0
+    hardly = here @ exp_se3([0, 9e-7, 9e-7, 0, -9e-7, 9e-7])  # an answer that stops too early is q0
+    converged = here @ exp_se3([0, 3e-10, 0, 0, 0, 3e-10])  # for a stricter tolerance than the task's too
     return [
         _near(_UR5E, _BENT, rng),
         (*_UR5E, here, _BENT),
+        (*_UR5E, converged, _BENT),
         (*_UR5E, hardly, _BENT),
         (*_UR5E, here @ pose(np.eye(3), [0.05, -0.04, 0.03]), _BENT),
         (*_UR5E, here @ exp_se3([0.2, -0.1, 0.3, 0, 0, 0]), _BENT),
@@ -81,6 +83,8 @@ def _gaps(q, screws, M, T_target, q0):
 def _off(q, *case):
     return "At your angles the end-effector is {:.2g} rad and {:.2g} m away.".format(*_gaps(q, *case))
 
+
+_INVERTED = Mistake("the Jacobian is inverted", "With seven joints it has seven columns. What stands for its inverse?")
 
 EXERCISE = Exercise(
     name="newton_ik",
@@ -117,6 +121,12 @@ EXERCISE = Exercise(
             where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-5,
         ),
         Property(
+            "a q0 that has converged is returned unchanged",
+            lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 1e-12,
+            where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-9,
+            mistake=Mistake("a step is made before the first test", "What does your loop do first?"),
+        ),
+        Property(
             "for a target out of reach (3 m away) nan is returned",
             lambda q, *case: not _found(q),
             where=_out_of_reach,
@@ -129,6 +139,7 @@ EXERCISE = Exercise(
         "If its angular and its linear part are small, return q. Else add np.linalg.pinv(J) @ twist to q. After the "
         "last step, np.full(len(q0), np.nan).",
     ),
+    errors=(("LinAlgError", "must be square", _INVERTED),),
     forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),
 )
 
@@ -152,7 +163,9 @@ def no_step(screws, M, T_target, q0, nothing):
     return q0 if np.allclose(tool_pose(screws, M, q0), T_target, rtol=0, atol=2e-6) else nothing(q0)
 
 
-@EXERCISE.mistake(part_of=([0, 1], [1, 0]))
+@EXERCISE.mistake(
+    part_of=([0, 1], [1, 0]), seen=lambda q, *case: _gaps(q, *case).min() < _CLOSE < _gaps(q, *case).max()
+)
 def half_of_the_error(screws, M, T_target, q0, part_of):
     """either the position or the orientation is ignored. How many numbers has the error?"""
     if _out_of_reach(screws, M, T_target, q0):

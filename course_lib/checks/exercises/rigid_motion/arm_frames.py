@@ -120,3 +120,10 @@ def tip_rotated_again(theta, angle):
     """the tip's frame is rotated once more. There is no joint at the tip: how is link 2 rotated?"""
     T = _right(theta)
     return np.array([*T[:2], T[2] @ _rot(angle(theta))])
+
+
+@EXERCISE.mistake
+def reverse_order(theta):
+    """the chain is multiplied in the reverse order. T_02 = T_01 T_12: which letters stand next to each other?"""
+    T_01, T_12, T_23 = _rot(theta[0]), _trans() @ _rot(theta[1]), _trans()
+    return np.array([T_01, T_12 @ T_01, T_23 @ T_12 @ T_01])

@@ -105,3 +105,9 @@ def sinc(twist, across):
 def order_of_the_twist(twist):
     """the twist is read as (vx, vy, omega). A twist is (omega, vx, vy): the angular velocity comes first."""
     return exp_se2(twist[[2, 0, 1]])
+
+
+@EXERCISE.mistake
+def other_side(twist):
+    """the arc bends to the wrong side. If a body drives ahead and rotates counter-clockwise, does y grow or shrink?"""
+    return _arc(twist, lambda omega: np.sinc(omega / np.pi), lambda omega: -omega / 2 * np.sinc(omega / 2 / np.pi) ** 2)

@@ -18,7 +18,7 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     timed,
 )
 from course_lib.checks.exercises.rigid_motion.shared import change as right_change
-from course_lib.planar import interpolate_body
+from course_lib.planar import interpolate_body, wrap_angle
 
 
 def between(rng, first, last, n):
@@ -100,8 +100,14 @@ def an_end_missing(start, goal, n, u):
     return _path(start, goal, n, s=cubic(u(n)))
 
 
-@EXERCISE.mistake
-def not_wrapped(start, goal, n):
+@EXERCISE.mistake(
+    difference=(
+        lambda a, b: b - a,
+        lambda a, b: wrap_angle(b) - wrap_angle(a),
+        lambda a, b: b - a - REVOLUTION * (b - a > np.pi) + REVOLUTION * (b - a < -np.pi),
+    )
+)
+def not_wrapped(start, goal, n, difference):
     """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap the difference of
     the two angles, and only that, before it is scaled."""
-    return _angle_changes(start, goal, n, goal[2] - start[2])
+    return _angle_changes(start, goal, n, difference(start[2], goal[2]))

@@ -95,12 +95,12 @@ def straight_steps(start, plan, dt, share):
     return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
 
 
-def _by(step):
+def _by(step, angle_of=lambda T, theta: theta):
     """Return the answer of somebody whose pose after a step is step(pose as a matrix, velocity, h)."""
 
     def move(pose, velocity, h):
         T = step(pose_matrix(pose), velocity, h)
-        return np.array([T[0, 2], T[1, 2], pose[2] + velocity[2] * h])
+        return np.array([T[0, 2], T[1, 2], angle_of(T, pose[2] + velocity[2] * h)])
 
     return follow(move)
 
@@ -111,10 +111,10 @@ def on_the_left(*case):
     return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
 
 
-@EXERCISE.mistake
-def order_of_the_twist(*case):
+@EXERCISE.mistake(angle_of=(lambda T, theta: theta, lambda T, theta: np.arctan2(T[1, 0], T[0, 0])))
+def order_of_the_twist(*case, angle_of):
     """the twist is in the order (vx, vy, omega). rigid.exp_se2 takes the angular velocity first."""
-    return _by(lambda T, velocity, h: T @ exp_se2(velocity * h))(*case)
+    return _by(lambda T, velocity, h: T @ exp_se2(velocity * h), angle_of)(*case)
 
 
 @EXERCISE.mistake

@@ -107,3 +107,11 @@ def inside_the_triangle(tip, theta1_too):
     stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
     return angles if theta1_too else np.column_stack([two_link_angles(tip)[:, 0], angles[:, 1]])
+
+
+@EXERCISE.mistake(row=(0, 1))
+def both_signs_changed(tip, row):
+    """the second solution is the first with both signs changed: its arm is the mirror image about the x axis. About
+    which line are the two elbows mirror images?"""
+    angles = two_link_angles(tip)[row]
+    return np.array([angles, -angles])

@@ -52,8 +52,7 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def world_and_body_swapped(R, step, frame):
-    """world and body are swapped. The factor next to the point acts first, about the axes in which the point is
-    given."""
+    """world and body are swapped. In `step @ R @ p`, which rotation acts last, and about whose axes?"""
     return R @ step if frame == "world" else step @ R
 
 

@@ -85,3 +85,11 @@ def square_entry_by_entry(w):
     """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
     a, N = np.linalg.norm(w), hat(w / np.linalg.norm(w))
     return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N
+
+
+@EXERCISE.mistake
+def two_forms_mixed(w):
+    """two forms of Rodrigues' formula are mixed: I with [n]^2, or cos(a) I with n n^T. Which of the two do you use?"""
+    a = np.linalg.norm(w)
+    n = w / a
+    return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * np.outer(n, n)

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import any_rotation, near, orthogonality_error
 from course_lib.rotations import exp_so3, hat, rot_z
 
@@ -30,12 +30,18 @@ def _is_straight(R_0, log, dt, R_bs):
     return np.array_equal(R_bs, np.eye(3))
 
 
+def _one_too_few(array, R_0, log, dt, R_bs):
+    if array.shape != (len(log), 3, 3):
+        return None
+    return Mistake("R_0, or the last orientation, is missing", "Is R_0 the first, and does one follow each sample?")
+
+
 EXERCISE = Exercise(
     name="gyroscope",
     points=3,
     arguments=("R_0", "log", "dt", "R_bs"),
     cases=_cases,
-    returns=numbers(lambda R_0, log, dt, R_bs: (len(log) + 1, 3, 3)),
+    returns=numbers(lambda R_0, log, dt, R_bs: (len(log) + 1, 3, 3), _one_too_few),
     library=_right,
     properties=(
         Property("the first orientation is R_0", lambda R, R_0, log, dt, R_bs: near(R[0], R_0)),
@@ -82,6 +88,14 @@ def taken_for_spatial(R_0, log, dt, R_bs, mounted):
 def of_the_sensor(R_0, log, dt, R_bs):
     """these are the orientations of the sensor. Asked for are those of the body, which starts at R_0."""
     return _flown(R_0 @ R_bs, dt * log)
+
+
+@EXERCISE.mistake(
+    next_one=(lambda R, step, R_bs: R @ exp_so3(step) @ R_bs, lambda R, step, R_bs: R @ R_bs @ exp_so3(step))
+)
+def mounting_in_each_step(R_0, log, dt, R_bs, next_one):
+    """R_bs is multiplied into the orientation with each step. Which coordinates does it change, from which frame?"""
+    return _flown(R_0, dt * log, lambda R, step: next_one(R, step, R_bs))
 
 
 @EXERCISE.mistake

@@ -207,3 +207,9 @@ def errors_added_up(X, kind, tol, size):
 def one_shape_alone(X, kind, tol, shape):
     """one shape alone is accepted. Which shapes does the task name for each kind?"""
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
+
+
+@EXERCISE.mistake
+def determinant_left_out(X, kind, tol):
+    """the determinant is not looked at. For which matrices is R^T R = I, although they are no rotations?"""
+    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol)

@@ -21,7 +21,8 @@ def _cases(rng):
     half += [2 * np.outer(n, n) - np.eye(3) for n in (leaning(), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))]
     # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is not quite symmetric.
     rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
-    rotating = [exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0, 3.0)]
+    n = leaning()
+    rotating = [*(exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0)), exp_so3(3.0 * n), exp_so3(-3.0 * n)]
     rotating += [exp_so3(a * leaning()) for a in (*small, *nearly_half)]
     return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
 

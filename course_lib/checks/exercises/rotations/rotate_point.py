@@ -59,3 +59,9 @@ def new_x_used(p, a):
     """the new x is used to compute the new y. Both new coordinates come from the old ones."""
     x = np.cos(a) * p[0] - np.sin(a) * p[1]
     return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])
+
+
+@EXERCISE.mistake
+def arctan(p, a):
+    """the direction of p comes from arctan(y / x), which is the same for p and -p. Which function tells them apart?"""
+    return np.sign(p[0] or 1) * _right(p, a)

@@ -48,7 +48,9 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(square=(lambda s: s[1] ** 2, lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2)))
+@EXERCISE.mistake(
+    square=(lambda s: s[-2] ** 2, lambda s: s[1] ** 2, lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2))
+)
 def another_singular_value(J, eps, square):
     """another singular value than the largest decides. The factor must stay above -1 in every direction: in which
     direction does it reach -1 first?"""
