@@ -3,6 +3,8 @@
 import ast
 import builtins
 import contextlib
+import importlib
+import math
 import warnings
 from dataclasses import dataclass
 from functools import cache
@@ -33,6 +35,7 @@ OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
 BLIND_TO_SIGNS = ("len", "abs", "np.abs", "np.linalg.norm")
 SIGNED = (ast.Name, ast.BinOp, ast.Call, ast.Subscript, ast.Attribute)
 TYPES = ("float", "int", "bool")
+MOST_ENTRIES = 10**6  # of an answer
 
 
 @dataclass(frozen=True)
@@ -207,18 +210,23 @@ def _is_partial(node):
 
 @cache
 def solved(name):
-    """What a notebook's solutions are called in, as {name: value}, and their sources, as {exercise: source}."""
+    """What a notebook's solutions are called in, as {name: value}, and their sources, as {exercise: source}.
+
+    A solution that calls another one gets the library's function instead, which is faster.
+    """
     cells = [cell for cell in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if cell.cell_type == "code"]
     own = [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
     sources = {cell.metadata.nbgrader.grade_id: cell.source for cell in own}
     given = [statement for cell in cells[1:] if cell not in own for statement in ast.parse(cell.source).body]
-    space = {"__name__": name}
+    space = {"__name__": name, "passes": Passes()}
     with contextlib.chdir(NOTEBOOKS):  # where the notebooks find their data
         exec(cells[0].source, space)
         wanted = set().union(*(_read(ast.parse(source).body[0]) for source in sources.values())) - set(space)
         for part in [*sources.values(), *map(ast.unparse, _needed(given, wanted, set(space)))]:
             exec(part, space)
-    return space, sources
+    checks = importlib.import_module(f"course_lib.checks.{name.partition('_')[2]}").CHECKS
+    right = {check.exercise.name: check.exercise.library for check in checks if check.exercise.library}
+    return space | right, sources
 
 
 def _needed(statements, wanted, known):
@@ -247,32 +255,50 @@ def _defined(statement):
     return {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
 
 
-MOST_PASSES = 100_000  # of the loops of one mutant together
+class TooMany(Exception):
+    """More passes through loops than are allowed: a mutant may never end."""
+
+
+class Passes:
+    """Counts the passes through the loops of a function, and ends a call that makes too many."""
+
+    def __init__(self):
+        self.made, self.most, self.allowed = 0, 0, math.inf  # in this call, in any call, at most
+
+    def count(self):
+        self.made += 1
+        self.most = max(self.most, self.made)
+        if self.made > self.allowed:
+            raise TooMany
 
 
 class _Counted(ast.NodeTransformer):
-    """Takes a number from `passes` at each pass of a while loop, which ends at the latest when there are none left."""
+    """Counts each pass of a loop."""
 
     def visit_While(self, node):
         self.generic_visit(node)
-        node.body[:0] = ast.parse("next(passes)").body
+        node.body[:0] = ast.parse("passes.count()").body
         return node
 
-
-GUARDED = """
-def guarded(*arguments):
-    value = {name}(*arguments)
-    if getattr(value, "size", 0) > {most}:
-        raise OverflowError("an answer of this size takes long to write down")
-    return value
-"""
+    visit_For = visit_While
 
 
 def made(source, name, space):
-    """Return the function of that name which the source defines, among the names of a notebook."""
-    own = space | {"passes": iter(range(MOST_PASSES))}
+    """Return the function of that name which the source defines, among the names of a notebook.
+
+    Each call counts its passes anew. An answer of more than a million entries is refused: it takes long to write down.
+    """
+    own = dict(space)
+    tree = ast.fix_missing_locations(_Counted().visit(ast.parse(source)))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of the compiler, for what no person would write
-        tree = _Counted().visit(ast.parse(source + GUARDED.format(name=name, most=10**6)))
-        exec(compile(ast.fix_missing_locations(tree), "<mutant>", "exec"), own)
-    return own["guarded"]
+        exec(compile(tree, "<mutant>", "exec"), own)
+
+    def guarded(*arguments):
+        space["passes"].made = 0
+        value = own[name](*arguments)
+        if getattr(value, "size", 0) > MOST_ENTRIES:
+            raise OverflowError("an answer of this size takes long to write down")
+        return value
+
+    return guarded

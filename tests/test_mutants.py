@@ -4,22 +4,23 @@ A mutant that the check accepts answers as the solution does on wider inputs (se
 AS_RIGHT because the task accepts its answer too. The summary of the test run shows the counts.
 """
 
-import time
+import math
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
 from test_bank import FILES, exercise_of
 
-from course_lib.checks.exercise import RIGHT, Here, judge
+from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
 from course_lib.checks.write_test import WriteTest
 
 MOST = 40  # of the mutants of an exercise
 SLOW = {"random_rotations": 16, "panda_ik": 16, "newton_ik": 16}
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
-FIRST = 3  # cases that are asked before all of them
+ENOUGH = 1000  # passes through loops of one call, besides five times as many as the solution makes
 
 # {exercise: mutants whose answers differ from the solution's, and are right}
 AS_RIGHT = {
@@ -39,28 +40,38 @@ class Judge:
     """Says of a mutant whether it lives. Neither the name of its mistake nor what it calls matters here."""
 
     def __init__(self, exercise, space):
-        self.exercise, self.space = replace(exercise, mistakes=[], forbidden=()), space
-        self.seconds = 60
+        exercise = replace(exercise, mistakes=[], forbidden=())
+        self.name, self.passes, self.parts, self.space = exercise.name, space["passes"], list(parts(exercise)), space
 
-    def bounded_by(self, source):
-        """Allow a mutant many times the processor time of this source, since it may never end; say whether it lives."""
-        begin = time.process_time()
-        said = self.lives(source)
-        self.seconds = 1 + 5 * (time.process_time() - begin)
+    def accepts(self, solution):
+        """Say whether the solution passes; from then on, allow a call of a mutant some times its passes of loops."""
+        self.passes.most, self.passes.allowed = 0, math.inf
+        said = self.lives(solution)
+        self.passes.allowed = ENOUGH + 5 * self.passes.most
         return said
 
-    def lives(self, source):
-        student = Here(made(source, self.exercise.name, self.space))
-        return all(judge(asked, student, seconds=self.seconds).state == RIGHT for asked in self._asked())
+    def lives(self, mutant):
+        """Say whether the check accepts a mutant. The part that refuses it is asked first of the next one."""
+        student = Here(made(mutant, self.name, self.space))
+        refusing = next((part for part in self.parts if judge(part, student).state != RIGHT), None)
+        if refusing:
+            self.parts.remove(refusing)
+            self.parts.insert(0, refusing)
+        return refusing is None
 
-    def _asked(self):
-        """A part of the exercise, which is enough to refuse most mutants, and then the whole exercise."""
-        if isinstance(self.exercise, WriteTest):
-            both = [next(v for v in self.exercise.versions if v.right is right) for right in (True, False)]
-            yield replace(self.exercise, versions=tuple(both))
-        elif not any(wanted.across for wanted in self.exercise.properties):
-            yield replace(self.exercise, cases=lambda rng: self.exercise.cases(rng)[:FIRST], broken=None)
-        yield self.exercise
+
+def parts(exercise):
+    """Yield exercises that together ask what this one asks, one case each as far as cases are judged by themselves."""
+    if isinstance(exercise, WriteTest):
+        both = [next(v for v in exercise.versions if v.right is right) for right in (True, False)]
+        yield replace(exercise, versions=tuple(both))
+        yield exercise
+        return
+    alone = tuple(wanted for wanted in exercise.properties if not wanted.across)
+    for case in exercise.cases(np.random.default_rng(PUBLIC_SEED)):
+        yield replace(exercise, cases=lambda rng, case=case: [case], properties=alone, broken=None)
+    if exercise.broken or alone != exercise.properties:
+        yield exercise
 
 
 # The interrupt for processor time may come while a mutant's objects are deleted, where nothing can catch it.
@@ -71,7 +82,7 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     (notebook,) = (found.stem for found in NOTEBOOKS.glob(f"[0-9][0-9]_{path.parent.name}.ipynb"))
     space, sources = solved(notebook)
     judge_of, solution = Judge(exercise, space), Solution(exercise, space, sources)
-    assert judge_of.bounded_by(sources[name])
+    assert judge_of.accepts(sources[name])
     every = mutants(sources[name])
     tried = [mutant for mutant in spread(every, SLOW.get(name, MOST)) if TOO_LARGE not in mutant.source]
     alive = [mutant for mutant in tried if judge_of.lives(mutant.source)]
