@@ -2,7 +2,7 @@
 
 In the mathematics, arrays are batched on the left: a function of one (3, 3) matrix takes (..., 3, 3). Angles are in
 radians, lengths in metres. Public functions raise ValueError, naming the argument, for one that is not as described:
-for a wrong shape, for entries that are not finite real numbers, and for some so large that the result overflows.
+for a wrong shape, for entries that are not finite real numbers, or larger than 1e100.
 """
 
 __version__ = "0.1.0"

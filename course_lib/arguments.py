@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+_LARGEST = 1e100  # of an entry, so that products of three do not overflow
 _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
 
 
@@ -29,14 +30,14 @@ def real_array(value, name, *shapes, batched=True, copy=True, infinite=False):
     if array.ndim > _MOST_AXES:
         raise ValueError(f"{name} must have at most {_MOST_AXES} axes; it has {array.ndim}")
     if array.dtype != np.float64:
-        with np.errstate(over="ignore"):  # a long double beyond float64 becomes inf, and is named below
-            array = array.astype(np.float64)
+        array = array.astype(np.float64)
     elif copy:
         array = array.copy()
-    finite = ~np.isnan(array) if infinite else np.isfinite(array)
-    if np.count_nonzero(finite) < array.size:  # a third of the time of finite.all() for a small array
-        first = tuple(np.argwhere(~finite)[0])
-        raise ValueError(f"{name} must be finite; {entry(name, first)} is {array[first]}")
+    usable = ~np.isnan(array) if infinite else np.abs(array) <= _LARGEST
+    if np.count_nonzero(usable) < array.size:  # a third of the time of usable.all() for a small array
+        first = tuple(np.argwhere(~usable)[0])
+        wanted = f"at most {_LARGEST:g}, of either sign" if np.isfinite(array[first]) else "finite"
+        raise ValueError(f"{name} must be {wanted}; {entry(name, first)} is {array[first]}")
     return array
 
 
@@ -88,17 +89,6 @@ def refuse_first(bad, name, reason, *values):
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(f"{entry(name, index)} {reason.format(*(value[index] for value in values))}")
-
-
-def finite_result(result, name, item_axes=-1):
-    """Return a result if it is finite; otherwise the error names the argument to which that is due.
-
-    item_axes are the axes of one item; None if the result's batch is not the argument's: then no index is named.
-    """
-    finite = np.isfinite(result)
-    if np.count_nonzero(finite) < finite.size:
-        refuse_first(~finite.all(item_axes), name, "is too large: the result exceeds the largest number")
-    return result
 
 
 def entry(name, index):

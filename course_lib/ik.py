@@ -97,9 +97,8 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     best, iterations = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
     for first in range(0, len(poses), CHUNK):
         chunk = slice(first, first + CHUNK)
-        with np.errstate(all="ignore"):  # squared errors overflow for a target far beyond any arm
-            search = _Search(arm, poses[chunk], rng, starts, steps)
-            best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
+        search = _Search(arm, poses[chunk], rng, starts, steps)
+        best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
     q = best.reshape(*batch, arm.n)
     error = _pose_error(arm.fk(q), targets)
     residual = np.stack([length(error[..., 3:]), length(error[..., :3])], -1)
@@ -155,7 +154,7 @@ class _Search:
                 T, J = self.arm.pose_and_geometric_jacobian(q)
                 error = _error_by_entries(T[:3].T, goal)
                 cost, reached = _cost(error)
-                if cost <= self.least[0]:  # <= also holds if both overflow
+                if cost < self.least[0]:
                     self.best[0], self.least[0] = q, cost
                 moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
                 ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)

@@ -6,11 +6,9 @@ differentiated. A plan is a sequence of pairs (velocities, duration).
 Source: Lynch and Park, Modern Robotics (2017), called MR below: section 9.2 for interpolation, 3.3.3 for twists.
 """
 
-from contextlib import contextmanager
-
 import numpy as np
 
-from course_lib.arguments import broadcast, count, finite_result, positive, real_array, refuse_first, tolerance
+from course_lib.arguments import broadcast, count, positive, real_array, refuse_first, tolerance
 from course_lib.rigid import exp_se2, log_se2
 
 _MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
@@ -63,10 +61,8 @@ def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
     """
     t, T, s0, s1, v0, v1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1)
     u = t / T
-    with np.errstate(all="ignore"):
-        change, d0, d1 = s1 - s0, v0 * T, v1 * T
-        s = s0 + u * (d0 + u * (3 * change - 2 * d0 - d1 + u * (d0 + d1 - 2 * change)))
-    return finite_result(s, "s1", None)
+    change, d0, d1 = s1 - s0, v0 * T, v1 * T
+    return s0 + u * (d0 + u * (3 * change - 2 * d0 - d1 + u * (d0 + d1 - 2 * change)))
 
 
 def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
@@ -91,13 +87,11 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
     """
     t, T, s0, s1, v0, v1, a0, a1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1, a0=a0, a1=a1)
     u = t / T
-    with np.errstate(all="ignore"):
-        change, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
-        third = 10 * change - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
-        fourth = -15 * change + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
-        fifth = 6 * change - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
-        s = s0 + u * (d0 + u * (c0 / 2 + u * (third + u * (fourth + u * fifth))))
-    return finite_result(s, "s1", None)
+    change, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
+    third = 10 * change - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
+    fourth = -15 * change + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
+    fifth = 6 * change - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
+    return s0 + u * (d0 + u * (c0 / 2 + u * (third + u * (fourth + u * fifth))))
 
 
 def interpolate_body(start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling):
@@ -183,11 +177,10 @@ def interpolate_body_screw(start, goal, n):
     start, goal = real_array(start, "start", (3,)), real_array(goal, "goal", (3,))
     broadcast(start=start.shape[:-1], goal=goal.shape[:-1])
     s = cubic_time_scaling(np.linspace(0, 1, count(n, least=2)), 1.0)
-    with _blaming("goal"):
-        change = goal - start
-        in_body = _rotated(-start[..., 2], change[..., :2])
-        twist = log_se2(pose_matrix(np.concatenate([in_body, change[..., 2:]], -1)))
-        return _along_twist(start, twist, s)
+    change = goal - start
+    in_body = _rotated(-start[..., 2], change[..., :2])
+    twist = log_se2(pose_matrix(np.concatenate([in_body, change[..., 2:]], -1)))
+    return _along_twist(start, twist, s)
 
 
 def propagate_body(start, plan, dt):
@@ -218,11 +211,10 @@ def propagate_body(start, plan, dt):
     poses = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, 3):
         step = np.diff(elapsed, prepend=0.0)
-        with np.errstate(all="ignore"):
-            theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
-            rate = np.concatenate([_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
-            poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2)
-    return finite_result(poses, "plan", None)
+        theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
+        rate = np.concatenate([_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
+        poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2)
+    return poses
 
 
 def propagate_body_exact(start, plan, dt):
@@ -250,8 +242,7 @@ def propagate_body_exact(start, plan, dt):
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, 3):
-        with _blaming("plan"):
-            poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
+        poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
     return poses
 
 
@@ -282,9 +273,8 @@ def propagate_arm(start, plan, dt):
     start = real_array(start, "start", ("n",))
     angles = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, start.shape[-1]):
-        with np.errstate(all="ignore"):
-            angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
-    return finite_result(angles, "plan", None)
+        angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
+    return angles
 
 
 def plan_times(plan, dt):
@@ -307,9 +297,8 @@ def plan_times(plan, dt):
     """
     times = np.zeros(1)
     for _, elapsed in _segments(plan, dt, "n"):
-        with np.errstate(over="ignore"):
-            times = np.append(times, times[-1] + elapsed)
-    return finite_result(times, "plan", None)
+        times = np.append(times, times[-1] + elapsed)
+    return times
 
 
 def pose_matrix(pose):
@@ -338,8 +327,7 @@ def _scaling_arguments(**values):
     arrays = {name: real_array(value, name, ()) for name, value in values.items()}
     broadcast(**{name: array.shape for name, array in arrays.items()})
     t, T = arrays["t"], positive(arrays["T"], "T")
-    with np.errstate(over="ignore"):
-        outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
+    outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
     refuse_first(outside, "t", "must lie between 0 and T")
     return [np.clip(t, 0, T), *list(arrays.values())[1:]]
 
@@ -353,10 +341,9 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     T = positive(T, "T", batched=False)
     t = np.linspace(0, T, count(n, least=2))[:, None]
     try:
-        with _blaming("goal"):
-            change = goal - start
-            ends = (start, start + np.where(is_angle, wrap_angle(change), change), v_start, v_goal)
-            return scaling(t, T, *(end[..., None, :] for end in ends))
+        change = goal - start
+        ends = (start, start + np.where(is_angle, wrap_angle(change), change), v_start, v_goal)
+        return scaling(t, T, *(end[..., None, :] for end in ends))
     except TypeError as other:
         raise ValueError(f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}") from other
 
@@ -372,7 +359,7 @@ def _along_twist(start, twist, s):
     scaled = s[:, None] * twist[..., None, :]
     p = start[..., None, :2] + _rotated(start[..., None, 2], exp_se2(scaled)[..., :2, 2])
     theta = start[..., None, 2] + scaled[..., 0]
-    return finite_result(np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1), "twist", None)
+    return np.concatenate([p, np.broadcast_to(theta, p.shape[:-1])[..., None]], -1)
 
 
 def _segments(plan, dt, k):
@@ -394,13 +381,3 @@ def _segments(plan, dt, k):
         elapsed = np.append(dt * np.arange(1, int(n)), duration)  # the last step ends on time
         segments.append((velocities, elapsed[: int(n)]))
     return segments
-
-
-@contextmanager
-def _blaming(name):
-    """Let a ValueError from a function below name the argument that the caller gave, without a warning before it."""
-    try:
-        with np.errstate(all="ignore"):
-            yield
-    except ValueError as too_large:
-        raise ValueError(f"{name} is too large: {too_large}") from too_large

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course_lib.arguments import broadcast, finite_result, positive, real_array, refuse_first
+from course_lib.arguments import broadcast, positive, real_array, refuse_first
 from course_lib.rigid import transform
 from course_lib.rotations import nearest_so
 
@@ -64,7 +64,7 @@ def register_points(src, dst, weights=None):
         R = _rotation(a, b, share, axes)
         mean_src, mean_dst = np.ldexp(mean_a, exponent_a), np.ldexp(mean_b, exponent_b)
         p = mean_dst - (R @ mean_src[..., None])[..., 0]
-    return np.broadcast_to(transform(R, finite_result(p, "dst", None)), (*batch, 4, 4))
+    return np.broadcast_to(transform(R, p), (*batch, 4, 4))
 
 
 @dataclass(frozen=True)
@@ -121,10 +121,9 @@ def uncertainty(points, noise, weights=None):
     with np.errstate(all="ignore"):
         centred = np.where(w[:, None] > 0, points - (w / w.sum()) @ points, 0.0)
         size = np.abs(centred).max()
-        refuse_first(~np.isfinite(size), "points", "is too large: its spread overflows")
         moments, axes = np.linalg.eigh((w[:, None] * centred / size).T @ (centred / size))
         angles = noise / size / np.sqrt(heaviest) / np.sqrt(moments.sum() - moments)
-    angles = finite_result(angles, "noise", None)
+    refuse_first(~np.isfinite(angles).all(), "noise", "is too large beside the points: the angles overflow")
     return Uncertainty(angles[::-1], axes.T[::-1])
 
 

@@ -8,7 +8,7 @@ Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; fo
 
 import numpy as np
 
-from course_lib.arguments import broadcast, finite_result, real_array, refuse_first, tolerance
+from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
 from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
 
@@ -114,9 +114,7 @@ def inverse(T):
      [ 0.  0.  1.]]
     """
     T = checked_pose(T, "T", (3, 3), (4, 4))
-    T_inverse = by_entries(_inverse, T.shape[-2:], T, batch=T.shape[:-2])
-    finite_result(T_inverse[..., :-1, -1], "T")
-    return T_inverse
+    return by_entries(_inverse, T.shape[-2:], T, batch=T.shape[:-2])
 
 
 def adjoint(T):
@@ -145,8 +143,7 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    moments = by_entries(lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2])  # p x R[:, j]
-    Ad[..., 3:, :3] = finite_result(moments, "T", item_axes=(-2, -1))
+    Ad[..., 3:, :3] = by_entries(lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2])  # p x R[:, j]
     return Ad
 
 
@@ -224,8 +221,7 @@ def exp_se3(twist):
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    p = finite_result(by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]), "twist")
-    return _assemble(exp_so3(omega), p)
+    return _assemble(exp_so3(omega), by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]))
 
 
 def log_se3(T):
@@ -250,7 +246,7 @@ def log_se3(T):
     T = checked_pose(T, "T", (4, 4))
     omega = log_so3(T[..., :3, :3])
     v = by_entries(_velocity, (3,), omega, length(omega), T[..., :3, 3], batch=T.shape[:-2])
-    return np.concatenate([omega, finite_result(v, "T")], -1)
+    return np.concatenate([omega, v], -1)
 
 
 def exp_se2(twist):
@@ -274,10 +270,9 @@ def exp_se2(twist):
     omega, v = twist[..., 0], twist[..., 1:]
     along = np.sinc(omega / np.pi)[..., None]  # sin(omega) / omega
     across = (omega * _one_minus_cos(omega))[..., None]
-    with np.errstate(all="ignore"):
-        p = along * v + across * _perpendicular(v)
+    p = along * v + across * _perpendicular(v)
     c, s = np.cos(omega), np.sin(omega)
-    return _assemble(np.stack([c, -s, s, c], -1).reshape(*omega.shape, 2, 2), finite_result(p, "twist"))
+    return _assemble(np.stack([c, -s, s, c], -1).reshape(*omega.shape, 2, 2), p)
 
 
 def log_se2(T):
@@ -301,9 +296,8 @@ def log_se2(T):
     p = T[..., :2, 2]
     omega = np.arctan2(T[..., 1, 0], T[..., 0, 0])
     omega = np.where(omega == -np.pi, np.pi, omega)  # arctan2(-0.0, -1) is -pi
-    with np.errstate(all="ignore"):
-        v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _perpendicular(p)
-    return np.concatenate([omega[..., None], finite_result(v, "T")], -1)
+    v = _half_cot(omega)[..., None] * p - omega[..., None] / 2 * _perpendicular(p)
+    return np.concatenate([omega[..., None], v], -1)
 
 
 def _assemble(R, p):

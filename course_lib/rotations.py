@@ -7,7 +7,7 @@ Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; oth
 
 import numpy as np
 
-from course_lib.arguments import count, finite_result, generator, real_array, refuse_first, tolerance
+from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
 
 # The tolerance (see is_so and is_quaternion) within which the functions below accept a rotation. Wide enough for
@@ -55,8 +55,7 @@ def vee(W):
     [1. 2. 3.]
     """
     W = real_array(W, "W", (3, 3), copy=False)
-    with np.errstate(over="ignore"):  # only if W is not skew-symmetric
-        sums = W + np.swapaxes(W, -1, -2)
+    sums = W + np.swapaxes(W, -1, -2)
     off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
     refuse_first(off > limit, "W", "is not skew-symmetric: W + W^T has an entry of size {:.2g}", off)
@@ -128,7 +127,7 @@ def exp_so3(w):
     [0. 1. 0.]
     """
     w = real_array(w, "w", (3,), copy=False)
-    angle = finite_result(length(w), "w", ())
+    angle = length(w)
     return by_entries(_matrix_of_vector, (3, 3), w, angle, batch=angle.shape)
 
 
@@ -205,8 +204,7 @@ def nearest_so(M):
      [ 0.  0.  1.]]
     """
     M = real_array(M, "M", (2, 2), (3, 3), copy=False)
-    largest = np.abs(M).max((-2, -1), keepdims=True)
-    U, _, Vt = np.linalg.svd(M / np.where(largest > 0, largest, 1.0))  # the scale does not matter, overflow would
+    U, _, Vt = np.linalg.svd(M)
     U[..., -1] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))[..., None]
     return U @ Vt
 
@@ -251,7 +249,7 @@ def nearest_quaternion(q):
     q = real_array(q, "q", (4,), copy=False)
     largest = np.abs(q).max(-1, keepdims=True)
     refuse_first(largest[..., 0] == 0, "q", "is zero: every unit quaternion is equally near")
-    q = q / largest  # so that squares neither overflow nor underflow
+    q = q / largest  # so that squares do not underflow
     return q / np.linalg.norm(q, axis=-1, keepdims=True)
 
 
@@ -306,11 +304,9 @@ def matrix_to_quaternion(R):
     """
     R = real_array(R, "R", (3, 3), copy=False)
     error = by_entries(_error_as_rotation, (), R, batch=R.shape[:-2])
-    if not np.all(error <= TOLERANCE):
-        with np.errstate(all="ignore"):  # enormous entries give inf or nan
-            determinant = np.linalg.det(R)
+    if np.any(error > TOLERANCE):
         reason = "is not a rotation: R^T R or det R is off by {:.2g}, det R = {:.7g} (nearest_so gives the nearest)"
-        refuse_first(~(error <= TOLERANCE), "R", reason, error, determinant)
+        refuse_first(error > TOLERANCE, "R", reason, error, np.linalg.det(R))
     return by_entries(_quaternion_of, (4,), R, batch=R.shape[:-2])
 
 
@@ -361,15 +357,14 @@ def random_quaternions(n, rng):
 
 
 def length(v):
-    """Return the lengths of a float array (..., n) of vectors, exact to rounding even if squares over- or underflow."""
-    with np.errstate(all="ignore"):  # a length above the largest number is inf
-        squared = (v * v) @ np.ones(v.shape[-1])  # twice as fast as a sum over short rows
-        size = np.sqrt(squared)
-        rough = ~((squared > 1e-280) & (squared < np.inf))  # squares that overflowed, or may have lost digits
-        if np.count_nonzero(rough):
-            exponent = np.frexp(np.abs(v).max(-1))[1]
-            scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
-            size = np.where(rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size)[()]
+    """Return the lengths of a float array (..., n) of vectors, exact to rounding even if squares underflow."""
+    squared = (v * v) @ np.ones(v.shape[-1])  # twice as fast as a sum over short rows
+    size = np.sqrt(squared)
+    rough = squared < 1e-280  # these may have lost digits
+    if np.count_nonzero(rough):
+        exponent = np.frexp(np.abs(v).max(-1))[1]
+        scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
+        size = np.where(rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size)[()]
     return size
 
 
@@ -377,7 +372,7 @@ def length(v):
 
 
 def _error_as_rotation(R):
-    """Return the largest of the entries of |R^T R - I| and |det R - 1|; NaN if they overflow."""
+    """Return the largest of the entries of |R^T R - I| and |det R - 1|."""
     gram = np.einsum("ki...,kj...->ij...", R, R)
     diagonal = np.einsum("ii...->i...", gram)  # a view
     diagonal -= 1

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course_lib.arguments import broadcast, finite_result, real_array, refuse_first
+from course_lib.arguments import broadcast, real_array, refuse_first
 from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
 
 EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
@@ -241,11 +241,9 @@ def _arguments(**arguments):
     """Check vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
     arrays = {name: real_array(value, name, () if name == "d" else (3,)) for name, value in arguments.items()}
     batch = broadcast(**{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()})
-    for name in [each for each in arrays if each != "d"]:
-        size = finite_result(length(arrays[name]), name, ())
-        if name.startswith("k"):
-            refuse_first(size == 0, name, "is zero: an axis needs a direction")
-            arrays[name] = _unit(arrays[name])
+    for name in [each for each in arrays if each.startswith("k")]:
+        refuse_first(length(arrays[name]) == 0, name, "is zero: an axis needs a direction")
+        arrays[name] = _unit(arrays[name])
     return [np.broadcast_to(array, batch if name == "d" else (*batch, 3)) for name, array in arrays.items()]
 
 
@@ -309,7 +307,7 @@ def _unit(v):
 
 
 def _to_scale(p, q):
-    """Divide both vectors by the length of the longer, so that squares neither overflow nor underflow."""
+    """Divide both vectors by the length of the longer, so that squares do not underflow."""
     largest = np.maximum(length(p), length(q))[..., None]
     safe = np.where(largest > 0, largest, 1.0)
     return p / safe, q / safe

