@@ -8,9 +8,11 @@ is to be claimed. The mistakes of the exercise itself, which stand below its che
 SEEDS=50 in the environment tries fifty seeds of the cases instead of two.
 """
 
+import copy
 import importlib
 import importlib.util
 import os
+import pickle
 import textwrap
 from dataclasses import replace
 from functools import cache
@@ -33,10 +35,18 @@ each_exercise = pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}
 
 @cache
 def exercise_of(path):
-    """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be changed."""
-    module = importlib.import_module(f"course_lib.checks.exercises.{path.parent.name}.{path.stem}")
-    exercise = module.EXERCISE
-    return exercise if exercise.cases is None else replace(exercise, cases=_drawn_once(exercise.cases))
+    """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be changed.
+
+    What its library and its mistakes answer to a case is computed once, for all the answers that are judged.
+    """
+    exercise = importlib.import_module(f"course_lib.checks.exercises.{path.parent.name}.{path.stem}").EXERCISE
+    if exercise.cases is None:
+        return exercise
+    mistakes = [copy.copy(mistake) for mistake in exercise.mistakes]
+    for mistake in mistakes:
+        mistake.answers = tuple(map(_remembering, mistake.answers))
+    library = exercise.library and _remembering(exercise.library)
+    return replace(exercise, cases=_drawn_once(exercise.cases), mistakes=mistakes, library=library)
 
 
 def _drawn_once(cases):
@@ -52,6 +62,27 @@ def _drawn_once(cases):
         return list(drawn[state])
 
     return draw
+
+
+def _remembering(function):
+    """Return a function with a memory of its answers and errors; with a random generator it is called anew."""
+    memory = {}
+
+    def answer(*case):
+        if any(isinstance(argument, np.random.Generator) for argument in case):
+            return function(*case)
+        key = pickle.dumps(case)
+        if key not in memory:
+            try:
+                memory[key] = function(*case), None
+            except Exception as error:
+                memory[key] = None, error
+        value, error = memory[key]
+        if error is not None:
+            raise error
+        return value
+
+    return answer
 
 
 @cache
