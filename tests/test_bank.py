@@ -94,6 +94,11 @@ def answers(path):
     return {name: value for name, value in vars(module).items() if name.startswith(("right_", "wrong_"))}
 
 
+@cache
+def verdict_on(path, name, seed=PUBLIC_SEED):
+    return judge(exercise_of(path), Here(answers(path)[name]), seed)
+
+
 def called(verdict):
     """Return the words by which a verdict calls the mistake; for an error in the code, the words that describe it."""
     if verdict.state == ERROR:
@@ -126,8 +131,7 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
     exercise, found = exercise_of(path), []
     for name, function in answers(path).items():
         for seed in SEEDS:
-            verdict = judge(exercise, Here(function), seed)
-            found += [f"seed {seed}: {complaint}" for complaint in complaints(name, function, verdict)]
+            found += [f"seed {seed}: {c}" for c in complaints(name, function, verdict_on(path, name, seed))]
     assert not found, "\n".join(found)
     right = sum(name.startswith("right_") for name in answers(path))
     counts = (right, len(answers(path)) - right, len(exercise.mistakes))
@@ -176,9 +180,9 @@ def test_each_mistake_is_refused_and_called_by_its_name(path):
 
 @each_exercise
 def test_a_mistake_that_no_function_predicts_is_met_by_an_answer(path):
-    exercise = exercise_of(path)
-    met = [judge(exercise, Here(f)).mistake for name, f in answers(path).items() if name.startswith("wrong_")]
-    never = [known.name for known in exercise.mistakes if known.seen and not known.answers and known not in met]
+    met = [verdict_on(path, name).mistake for name in answers(path) if name.startswith("wrong_")]
+    mistakes = exercise_of(path).mistakes
+    never = [known.name for known in mistakes if known.seen and not known.answers and known not in met]
     assert not never, f"no answer of tests/answers/{path.parent.name}/{path.name} is called: {'; '.join(never)}"
 
 

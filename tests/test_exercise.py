@@ -40,42 +40,20 @@ def _all(answer):
     return json.dumps({"answers": [answer] * N, "calls": []})
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        None,
-        "",
-        "null",
-        "[]",
-        "1",
-        wire.write("right"),
-        wire.write([]),
-        json.dumps({i: {} for i in range(N)}),
-        wire.write(np.zeros(N)),
-        json.dumps({"answers": "x" * N, "calls": []}),
-        json.dumps({"answers": [{"value": 1, "changed": []}] * N, "calls": 7}),
-        "[" * 5000,
-        _all({}),
-        _all("right"),
-        _all(None),
-        _all({"value": 1, "changed": []}),
-        _all({"value": None, "changed": []}),
-        _all({"value": "nonsense", "changed": []}),
-        _all({"value": wire.to_json(np.eye(2))}),
-        _all({"value": wire.to_json(np.eye(2)), "changed": [99]}),
-        _all({"value": wire.to_json(np.eye(2)), "changed": ["M"]}),
-        _all({"value": wire.to_json(np.eye(2)), "changed": [0.0, 0.0]}),
-        _all({"value": wire.to_json(np.eye(2)), "changed": 1}),
-        _all({"value": wire.to_json(np.eye(2)), "changed": [], "warning": [0.0, 0.0]}),
-        _all({"error": None}),
-        _all({"error": "right"}),
-        _all({"error": {}}),
-        _all({"error": {"type": "right"}}),
-        _all({"error": {"type": [0.0, 0.0], "message": [], "line": {}, "source": None, "state": "right"}}),
-        _all({"error": {"type": "x" * 10**6, "message": "x" * 10**6, "line": 0, "source": "x" * 10**6}}),
-    ],
-    ids=lambda text: repr(text)[:80],
-)
+RIGHT_VALUE = {"value": wire.to_json(np.eye(2)), "changed": []}
+ANSWERS = [{}, "right", None, {"value": 1, "changed": []}, {"value": None, "changed": []}]
+ANSWERS += [{"value": "nonsense", "changed": []}, {"value": RIGHT_VALUE["value"]}]
+ANSWERS += [RIGHT_VALUE | {"changed": changed} for changed in ([99], ["M"], [0.0, 0.0], 1)]
+ANSWERS += [RIGHT_VALUE | {"warning": [0.0, 0.0]}]
+ANSWERS += [{"error": error} for error in (None, "right", {}, {"type": "right"})]
+ANSWERS += [{"error": {"type": [0.0, 0.0], "message": [], "line": {}, "source": None, "state": "right"}}]
+ANSWERS += [{"error": {"type": "x" * 10**6, "message": "x" * 10**6, "line": 0, "source": "x" * 10**6}}]
+FORGED = [None, "", "null", "[]", "1", "[" * 5000, wire.write("right"), wire.write([]), wire.write(np.zeros(N))]
+FORGED += [json.dumps({i: {} for i in range(N)}), json.dumps({"answers": "x" * N, "calls": []})]
+FORGED += [json.dumps({"answers": [{"value": 1, "changed": []}] * N, "calls": 7}), *map(_all, ANSWERS)]
+
+
+@pytest.mark.parametrize("text", FORGED, ids=lambda text: repr(text)[:80])
 def test_a_forged_reply_earns_nothing_and_stops_nothing(text):
     verdict = judge(NEAREST_SO, Forged(text))
     assert verdict.state in (WRONG, ERROR)
@@ -168,25 +146,16 @@ def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
         assert consult is not None
 
 
-@pytest.mark.parametrize(
-    "request_",
-    [
-        "",
-        "[]",
-        "{}",
-        json.dumps({"candidate": 99, "arguments": [wire.to_json(np.eye(3))]}),
-        json.dumps({"candidate": -1, "arguments": [wire.to_json(np.eye(3))]}),
-        json.dumps({"candidate": "0", "arguments": [wire.to_json(np.eye(3))]}),
-        json.dumps({"candidate": 0, "arguments": []}),
-        json.dumps({"candidate": 0, "arguments": [10**6]}),
-        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.zeros((3, 4)))]}),
-        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.full((3, 3), np.nan))]}),
-        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.eye(3).astype(complex))]}),
-        json.dumps({"candidate": 0, "arguments": [wire.to_json(np.eye(60))]}),
-        "[" * 9000,
-    ],
-    ids=lambda text: text[:60],
-)
+def _request(candidate, *arguments):
+    return json.dumps({"candidate": candidate, "arguments": [wire.to_json(argument) for argument in arguments]})
+
+
+BAD = [np.zeros((3, 4)), np.full((3, 3), np.nan), np.eye(3).astype(complex), np.eye(60), 10**6]
+REQUESTS = ["", "[]", "{}", "[" * 9000, _request(0), *(_request(0, argument) for argument in BAD)]
+REQUESTS += [_request(number, np.eye(3)) for number in (99, -1, "0")]
+
+
+@pytest.mark.parametrize("request_", REQUESTS, ids=lambda text: text[:60])
 def test_a_call_that_no_test_makes_is_answered_with_an_error(request_):
     _, consult = TEST_LOG.questions(np.random.default_rng(0))
     assert "error" in json.loads(consult(request_))

@@ -1,8 +1,8 @@
-"""What the checks of random rotations test: each property tells uniform rotations from others."""
+"""Random rotations and quaternions are uniform, and each property that their checks test tells them from others."""
 
 import numpy as np
 import pytest
-from scipy.stats import kstest
+from scipy.stats import chisquare, kstest
 
 from course_lib import rotations
 from course_lib.checks import rotations as check
@@ -55,3 +55,32 @@ def test_p_values_of_uniform_rotations_are_uniform():
     drawn = [_haar(np.random.default_rng(seed)) for seed in range(60)]
     for p_value in [angle_p_value, trace_p_value, *(lambda R, k=k: axis_p_value(R, k) for k in range(3))]:
         assert kstest([p_value(R) for R in drawn], "uniform").pvalue > 1e-3
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_quaternions_lie_on_the_whole_sphere_and_have_these_matrices(seed):
+    """Every entry of a point on S^3 has the density (2 / pi) sqrt(1 - t^2), and all signs are equally likely."""
+    q = rotations.random_quaternions(MANY, np.random.default_rng(seed))
+    assert rotations.is_quaternion(q, 1e-14).all()
+    for entry in q.T:
+        p = kstest(entry, lambda t: 0.5 + (t * np.sqrt(1 - t**2) + np.arcsin(t)) / np.pi).pvalue
+        assert p > 1e-6
+    assert chisquare(np.bincount((q > 0) @ [1, 2, 4, 8], minlength=16)).pvalue > 1e-6
+    R = rotations.random_rotations(MANY, np.random.default_rng(seed))
+    assert rotations.is_so(R, 1e-14).all()
+    assert np.array_equal(R, rotations.quaternion_to_matrix(q))
+
+
+def global_state():
+    return np.random.get_state()[1:]  # noqa: NPY002
+
+
+@pytest.mark.parametrize("draw", [rotations.random_rotations, rotations.random_quaternions])
+def test_the_seed_alone_decides(draw):
+    before = global_state()
+    first = draw(5, np.random.default_rng(7))
+    assert all(np.array_equal(a, b) for a, b in zip(global_state(), before, strict=True))
+    rng = np.random.default_rng(7)
+    assert np.array_equal(draw(5, rng), first)
+    assert not np.isclose(draw(5, rng), first).all(axis=tuple(range(1, first.ndim))).any()
+    assert len(np.unique(first.round(9), axis=0)) == 5
