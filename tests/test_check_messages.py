@@ -56,24 +56,23 @@ def test_markup_in_a_message_is_shown_as_it_is(shown):
     assert "<b>" not in shown[0]["text/html"]
 
 
-def test_an_exercise_not_attempted_has_a_state_of_its_own(shown):
-    each = Check(NEAREST_SO)
-    each(_not_begun)
-    assert each.verdict.state == NOT_ATTEMPTED
-    assert [words(bundle) for bundle in shown] == ["○ nearest_so: not attempted yet"]
-
-
 @pytest.mark.parametrize(
-    ("unwritten", "said"), [("inverse", "it calls inverse, which is"), ("nearest_so", "not attempted")]
+    ("message", "said"),
+    [
+        ("", "not attempted yet"),
+        ("Write nearest_so here.", "not attempted yet"),
+        ("Write inverse here.", "it calls inverse, which is not written yet"),
+    ],
 )
-def test_an_exercise_that_calls_one_not_attempted_names_it(shown, unwritten, said):
-    def calls_it(M):
-        raise NotImplementedError(f"Write {unwritten} here.")
+def test_an_exercise_not_attempted_has_a_state_of_its_own_and_names_an_unwritten_one(shown, message, said):
+    def unwritten(M):
+        raise NotImplementedError(message)
 
     each = Check(NEAREST_SO)
-    each(calls_it)
+    each(unwritten)
     assert each.verdict.state == NOT_ATTEMPTED
-    assert words(shown[0]).startswith(f"○ nearest_so: {said}")
+    (text,) = map(words, shown)
+    assert text.startswith(f"○ nearest_so: {said}")
 
 
 def test_a_tiny_argument_is_not_shown_as_zero():

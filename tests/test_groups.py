@@ -15,6 +15,7 @@ from course_lib import rigid, rotations
 ANGLES = [1e-300, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.1, 0.29, 0.2999999, 0.3, 0.3000001, 1.0, np.pi / 2, 2.0]
 ANGLES += [3.0, np.pi - 1e-3, np.pi - 1e-7, np.pi - 1e-12, np.pi]
 BATCHES = [(), (0,), (1,), (3, 1, 2)]
+SEVERAL = [call for call in BATCHED if sum(isinstance(kind, Numbers) for kind in call[1].values()) > 1]
 AXES = np.array([[1, 0, 0], [0, -1, 0], [0, 0, 1], [1, 1, 1], [0.6, 0, -0.8], [-0.3, 0.5, 0.2], [-1, 1e-6, 1e-9]])
 GROUPS = {  # entries of rotation and of translation, exp, log, and the matrix whose exponential is the element
     "SO(3)": (3, 0, rotations.exp_so3, rotations.log_so3, cross_matrix),
@@ -86,6 +87,21 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
         for part, one in parts(FUNCTIONS[name](**item)).items():
             close = 1e-13 if name == "damped_path" else 1e-15  # its steps carry the last bits on
             assert_allclose(got[part][index], one, rtol=close, atol=close)
+
+
+@pytest.mark.parametrize("call", SEVERAL, ids=call_name)
+def test_the_batches_of_all_arguments_are_broadcast(call):
+    name, kinds = call
+    rng, arrays = np.random.default_rng(12), [argument for argument, kind in kinds.items() if isinstance(kind, Numbers)]
+    batches = dict.fromkeys(arrays, (2,)) | {arrays[0]: (3, 1), arrays[-1]: ()}
+    arguments = valid_arguments(kinds, rng)
+    arguments |= {argument: kinds[argument].sample(rng, batch) for argument, batch in batches.items()}
+    batch = np.broadcast_shapes(*batches.values())
+    whole = {a: np.broadcast_to(arguments[a], batch + arguments[a].shape[len(batches[a]) :]) for a in arrays}
+    got = parts(FUNCTIONS[name](**arguments))
+    for part, expected in parts(FUNCTIONS[name](**(arguments | whole))).items():
+        assert got[part].shape == expected.shape
+        assert_allclose(got[part], expected, rtol=1e-15, atol=1e-15)
 
 
 @pytest.mark.parametrize("call", BATCHED, ids=call_name)

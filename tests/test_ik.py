@@ -46,17 +46,6 @@ def test_published_runs():
     close(FOUR.fk(far[-1])[:2, 3], [2.40006024, 3.1994807], 5e-9)
 
 
-def test_a_batch_is_the_single_paths():
-    rng = np.random.default_rng(3)
-    q0, target = rng.uniform(-2, 2, (3, 1, 1, 4)), rng.uniform(-3, 3, (2, 1, 2))
-    alpha, eps = np.array([0.1, 0.5, 1.0, 0.2]), np.array([0.5, 2.0, 1.0, 10.0])
-    got = damped_path(FOUR, q0, target, alpha, eps, 30)
-    assert got.shape == (3, 2, 4, 31, 4)
-    for i, j, k in np.ndindex(3, 2, 4):
-        close(got[i, j, k], damped_path(FOUR, q0[i, 0, 0], target[j, 0], alpha[k], eps[k], 30), 1e-12)
-    assert damped_path(FOUR, np.zeros(4), target[:0], 1, 1, 5).shape == (0, 1, 6, 4)
-
-
 def test_a_target_reached_and_no_steps():
     q0 = np.array([0.3, -0.5, 1.0, 0.2])
     assert np.array_equal(damped_path(FOUR, q0, [1, 1], 1, 1, 0), [q0])

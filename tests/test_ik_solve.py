@@ -152,18 +152,6 @@ def test_more_targets_than_are_stepped_together():
     np.testing.assert_allclose(there.q, q0, atol=1e-12)
 
 
-def test_targets_far_beyond_any_arm():
-    targets = np.tile(np.eye(4), (3, 1, 1))
-    targets[:, 0, 3] = [1e9, 1e50, -1e99]
-    found = solve(panda(), targets, np.random.default_rng(0), starts=3)
-    alone = [solve(panda(), target, np.random.default_rng(0), starts=3).q for target in targets]
-    for q in (found.q, alone):
-        assert ((q >= panda().limits[:, 0]) & (q <= panda().limits[:, 1])).all()
-    assert np.isfinite(found.q).all()
-    assert np.isfinite(found.residual).all()
-    assert not found.success.any()
-
-
 def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     rng = np.random.default_rng(6)
     J, error, q = rng.normal(size=(6, 7, 1)), rng.normal(size=(6, 1)), np.zeros((7, 1))
@@ -174,12 +162,6 @@ def test_a_joint_at_its_limit_is_held_and_the_others_do_its_part():
     expected, _ = ik._damped_step(J[:, 1:], error, ik._DAMPING * (error**2).sum(0) + ik._LEAST_DAMPING)
     assert moved[0] == 0
     close(moved[1:], expected[:, 0], 1e-12)
-
-
-def test_an_arm_so_long_that_the_damping_is_lost_in_rounding_ends_without_success():
-    found = solve(planar_arm([1e60, 1e60]), np.eye(4), np.random.default_rng(0), q0=[0.3, 0.5], starts=2)
-    assert np.isfinite(found.q).all()
-    assert not found.success
 
 
 def test_a_start_that_no_longer_moves_ends():
