@@ -256,7 +256,7 @@ def _defined(statement):
 
 
 class TooMany(Exception):
-    """More passes through loops than are allowed: a mutant may never end."""
+    """A call has made more passes through loops than allowed; it may never end."""
 
 
 class Passes:
@@ -286,7 +286,7 @@ class _Counted(ast.NodeTransformer):
 def made(source, name, space):
     """Return the function of that name which the source defines, among the names of a notebook.
 
-    Each call counts its passes anew. An answer of more than a million entries is refused: it takes long to write down.
+    Each call counts its passes anew, and raises for an answer of more than a million entries, which is slow to write.
     """
     own = dict(space)
     tree = ast.fix_missing_locations(_Counted().visit(ast.parse(source)))

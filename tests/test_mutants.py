@@ -20,7 +20,7 @@ from course_lib.checks.write_test import WriteTest
 MOST = 40  # of the mutants of an exercise
 SLOW = {"random_rotations": 16, "panda_ik": 16, "newton_ik": 16}
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
-ENOUGH = 1000  # passes through loops of one call, besides five times as many as the solution makes
+ENOUGH = 1000  # passes through loops that a call may make, besides five times those of the solution
 
 # {exercise: mutants whose answers differ from the solution's, and are right}
 AS_RIGHT = {
@@ -37,21 +37,21 @@ AS_RIGHT = {
 
 
 class Judge:
-    """Says of a mutant whether it lives. Neither the name of its mistake nor what it calls matters here."""
+    """Asks a check about mutants. Neither the name of a mistake nor the functions that are called matter here."""
 
     def __init__(self, exercise, space):
         exercise = replace(exercise, mistakes=[], forbidden=())
         self.name, self.passes, self.parts, self.space = exercise.name, space["passes"], list(parts(exercise)), space
 
     def accepts(self, solution):
-        """Say whether the solution passes; from then on, allow a call of a mutant some times its passes of loops."""
+        """Return whether the check accepts the solution, and bound the passes through loops by those that it makes."""
         self.passes.most, self.passes.allowed = 0, math.inf
         said = self.lives(solution)
         self.passes.allowed = ENOUGH + 5 * self.passes.most
         return said
 
     def lives(self, mutant):
-        """Say whether the check accepts a mutant. The part that refuses it is asked first of the next one."""
+        """Return whether the check accepts a mutant. The part that refuses it comes first for the next mutant."""
         student = Here(made(mutant, self.name, self.space))
         refusing = next((part for part in self.parts if judge(part, student).state != RIGHT), None)
         if refusing:
@@ -61,7 +61,7 @@ class Judge:
 
 
 def parts(exercise):
-    """Yield exercises that together ask what this one asks, one case each as far as cases are judged by themselves."""
+    """Yield exercises that together ask what this one asks: one for each case, then what holds across the cases."""
     if isinstance(exercise, WriteTest):
         both = [next(v for v in exercise.versions if v.right is right) for right in (True, False)]
         yield replace(exercise, versions=tuple(both))
