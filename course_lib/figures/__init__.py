@@ -12,8 +12,7 @@ from course_lib.figures.plots import lines
 _TOYS = {  # by the module of course_lib.figures.toys in which they are
     "alive": ("alive", "drive", "fly", "reach", "table"),
     "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
-    "circles": ("circles_toy",),
-    "orientation": ("orientation_toy",),
+    "orientation": ("circles_toy", "orientation_toy"),
     "plane": ("bent_arm_toy", "cells_toy", "dead_reckoning_toy", "planar_arm_toy", "two_poses_toy"),
 }
 

@@ -23,9 +23,8 @@ from course_lib.rotations import rot_x, rot_z
 def through_the_table(q):
     """Return the Panda on its table at joint angles q, shape (7,), with its flange below the top."""
     height = panda().fk(q)[2, 3]
-    edge = scene.table(0, np.zeros(2), 0.5)
     return Picture(
-        draw(panda(), q, extra=edge, view=[-1.5, 0.7, 0.3], base_frame=False),
+        draw(panda(), q, extra=[scene.table(np.zeros(2), 0.5)], view=[-1.5, 0.7, 0.3], base_frame=False),
         f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top.",
         "The arm bends down beside its base, through the table.",
     )
@@ -309,7 +308,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
     pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
     poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
     vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
-    edge = Model.of(scene.table(0, *scene.floor_size(vertices), base[2]))
+    edge = Model.of([scene.table(*scene.floor_size(vertices), base[2])])
     lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
     body = Model.of([Part(0, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(0, STEEL, lens)])
     still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash"), body.trace([camera])]

@@ -176,11 +176,11 @@ def triad(body, pose, size, radius=None):
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]
 
 
-def table(body, centre, radius, height=0.0, thickness=0.03):
-    """Return the edge of a round table under the floor of that size: a Part of a body that stands."""
-    low, high, r = -thickness, -0.006 * radius, radius
-    edge = [(0.97 * r, low), (r, low + 0.2 * thickness), (r, high), (0.99 * r, high)]
-    return [Part(body, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))]
+def table(centre, radius, height=0.0):
+    """Return the edge of a round table under the floor of that size: a Part of body 0."""
+    low, high, r = -0.03, -0.006 * radius, radius
+    edge = [(0.97 * r, low), (r, 0.8 * low), (r, high), (0.99 * r, high)]
+    return Part(0, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))
 
 
 def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.05):

@@ -192,19 +192,12 @@ def _of_screws(arm):
     points = np.concatenate([p, end[None]])
     spans = np.linalg.norm(np.diff(points, axis=0), axis=1)
     size = max(spans.sum(), np.linalg.norm(points - points[0], axis=1).max(), 1e-9)
-    planar = np.ptp(np.abs(w @ w[0])) < 1e-9 and np.allclose(np.cross(w, w[0]), 0)
-    n, parts = len(p), []
+    n = len(p)
     radii = size * np.linspace(0.05, 0.035, n) / (1 + 0.12 * max(n - 3, 0))
-    if planar:
-        axis = w[0]
-        parts.append(Part(0, STEEL, drum(p[0] - 1.35 * radii[0] * axis, axis, 1.8 * radii[0], 0.3 * radii[0], 18)))
-    else:
-        if p[0] @ _Z > 0.1 * size or abs(w[0] @ _Z) < 0.9:
-            high = p[0][2] > 0.02 * size
-            column = capsule([*p[0][:2], 0], p[0], 0.9 * radii[0]) if high else ball(p[0], radii[0])
-            parts.append(Part(0, STEEL, column))
-        foot = [(2 * radii[0], 0), (2 * radii[0], 0.3 * radii[0]), (1.3 * radii[0], 0.6 * radii[0])]
-        parts.append(Part(0, STEEL, revolve([*p[0][:2], min(0, p[0][2])], _Z, foot, 16)))
+    foot = [(2 * radii[0], 0), (2 * radii[0], 0.3 * radii[0]), (1.3 * radii[0], 0.6 * radii[0])]
+    parts = [Part(0, STEEL, revolve([*p[0][:2], min(0, p[0][2])], _Z, foot, 16))]
+    if p[0][2] > 0.05 * size:
+        parts.append(Part(0, STEEL, capsule([*p[0][:2], 0], p[0], 0.9 * radii[0])))
     for i in range(n):
         r = radii[i]
         parts.append(Part(i + 1, ORANGE if i % 2 == 0 else BLACK, drum(p[i], w[i], 1.2 * r, 1.25 * r)))

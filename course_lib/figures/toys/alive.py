@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from course_lib.arguments import real_array
-from course_lib.figures.toys.answers import Answers
 from course_lib.figures.toys.arms import arm_view
-from course_lib.figures.toys.toy import Toy, is_live
+from course_lib.figures.toys.toy import Answers, Toy, is_live
 from course_lib.planar import propagate_body_exact
 from course_lib.rotations import is_so, matrix_to_quaternion, quaternion_to_matrix
 

@@ -1,12 +1,13 @@
 """The toys of notebooks 4 and 5: the iiwa, the Panda, and any arm moved by the student's own forward kinematics."""
 
+import inspect
+
 import numpy as np
 
 from course_lib.arguments import real_array
 from course_lib.arms import iiwa14, panda
 from course_lib.figures.solids import arm_model, link_poses
-from course_lib.figures.toys.answers import Answers, positional
-from course_lib.figures.toys.toy import Toy, solid
+from course_lib.figures.toys.toy import Answers, Toy, solid
 from course_lib.rigid import inverse, is_se
 
 _IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
@@ -79,7 +80,7 @@ def jog(arm, fk=None, *, q, base=None):
     alt = (
         f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
     )
-    answer = None if fk is None else Answers(fk, _moved_by(arm, inverse(base), positional(fk) >= 3))
+    answer = None if fk is None else Answers(fk, _moved_by(arm, inverse(base), _positional(fk) >= 3))
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
     caption = "Which of the dashed axes move with a joint, and which stay?"
     return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
@@ -102,6 +103,15 @@ def build_up_toy(arm, *, q):
     )
     caption = "A factor moves everything after it; the axes before it stay where they are."
     return Toy("build_up", model, alt, caption=caption)
+
+
+def _positional(function):
+    """Return how many positional arguments a function takes; 1 where it does not say."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return 1
+    return sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty for p in parameters)
 
 
 def _moved_by(arm, to_base, takes_screws):
