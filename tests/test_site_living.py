@@ -73,19 +73,3 @@ def test_the_robot_replaces_its_still_picture_without_a_shift_of_the_layout(cour
         height = min(len(live), len(still))
         assert np.abs(live[:height] - still[:height]).mean() < 4, "the same robot in the same place"
         assert visit.page.evaluate(SHIFT) < 0.02
-
-
-def test_it_moves_by_itself_once_and_not_at_all_with_reduced_motion(course, browser):
-    with Visit(browser, course / "index.html") as visit:
-        first = visit.page.evaluate(PICTURE)
-        visit.page.wait_for_timeout(400)
-        assert visit.page.evaluate(PICTURE) == first
-        visit.page.emulate_media(reduced_motion="no-preference")
-        visit.page.reload()
-        visit.page.wait_for_function(f"before => {PICTURE} !== before", arg=first)
-        visit.page.wait_for_function(
-            "() => { const now = "
-            + PICTURE
-            + "; const same = now === window.before; window.before = now; return same; }",
-            polling=1000,
-        )

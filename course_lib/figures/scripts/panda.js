@@ -1,18 +1,16 @@
-// The Panda of the home page: the reader rotates the view, drags the gripper, or moves joints by sliders. At first it
-// moves by itself for a few seconds, which shows that it can be moved, unless the reader does something or prefers
-// reduced motion. Its data are in the page as JSON (see course_lib/pack/site/living.py), as is the picture shown before.
+// The Panda of the home page: the reader rotates the view, drags the gripper, or moves joints by sliders. Its data are
+// in the page as JSON (see course_lib/pack/site/living.py), as is the picture shown before.
 (() => {
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene;
   const JOINTS = [["Base", 0], ["Shoulder", 1], ["Elbow", 3], ["Wrist", 5]], TIP = [0, 0, 0.08];
-  const DEMONSTRATION = 4.8; // seconds
 
   function start(host) {
     const model = JSON.parse(host.querySelector("script").textContent), still = host.querySelector("img");
     const { arm, limits } = model, n = arm.screws.length, solid = S.unpack(model.solid), draw = P.once(() => paint());
     const stage = P.element("div", { class: "stage" }, host);
-    let q = [...model.q], isUntouched = true;
-    const gripper = () => M.move(M.frames(arm, q)[n], TIP), touch = () => (isUntouched = false);
+    let q = [...model.q];
+    const gripper = () => M.move(M.frames(arm, q)[n], TIP);
     const view = P.space(stage, { ...model.view, meta: {}, label: still.alt.replace(/\.$/, ""), redraw: draw });
     view.handle({
       name: "Gripper", colour: P.COLOURS.blue, at: gripper,
@@ -22,7 +20,7 @@
     const ranges = JOINTS.map(([name, joint]) => {
       const label = P.element("label", {}, panel, name), [min, max] = limits[joint];
       const input = P.element("input", { type: "range", min, max, step: 0.01 }, label);
-      input.addEventListener("input", () => { touch(); q[joint] = Number(input.value); draw(); });
+      input.addEventListener("input", () => { q[joint] = Number(input.value); draw(); });
       return () => {
         input.value = q[joint];
         input.setAttribute("aria-valuetext", P.degrees(q[joint]));
@@ -30,7 +28,6 @@
     });
     const words = P.element("p", {}, host);
     still.remove();
-    ["pointerdown", "keydown"].forEach((kind) => stage.addEventListener(kind, touch));
     P.onTheme(draw);
 
     function paint() {
@@ -42,20 +39,7 @@
       const [x, y, z] = gripper().map((value) => P.number(value));
       words.textContent = `Drag the gripper, or rotate the view. The gripper is at x = ${x}, y = ${y}, z = ${z} m.`;
     }
-    function demonstrate() { // it ends where it began
-      const begun = performance.now();
-      const step = (now) => {
-        const t = Math.min(1, (now - begun) / 1000 / DEMONSTRATION);
-        if (!isUntouched) return;
-        [[0, 0.35], [3, 0.2], [5, -0.25]].forEach(([joint, size]) =>
-          (q[joint] = model.q[joint] + size * Math.sin(2 * Math.PI * t)));
-        draw();
-        if (t < 1) requestAnimationFrame(step);
-      };
-      requestAnimationFrame(step);
-    }
     paint();
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) demonstrate();
   }
   if (S.start()) document.querySelectorAll(".living").forEach(start);
 })();
