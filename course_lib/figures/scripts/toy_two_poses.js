@@ -10,11 +10,10 @@
     const label = "Two poses, the motions between them and the pole";
     const plane = card.map({ half, step: half > 6 ? 2 : 1, label, proportion: 0.8 });
     [["start", "Start", COLOURS.blue], ["goal", "Goal", COLOURS.green]].forEach(([name, title, colour]) => {
-      const rotate = (d) => () => (state[name][2] += d), position = () => state[name].slice(0, 2);
+      const position = () => state[name].slice(0, 2);
       plane.handle({
         name: `${title}, position`, colour, at: position, moved: ([x, y]) => (state[name] = [x, y, state[name][2]]),
         describe: () => `${P.metres(position())}, ${P.degrees(state[name][2])}`,
-        keys: { "[": rotate(Math.PI / 36), "]": rotate(-Math.PI / 36) },
       });
       plane.handle({
         name: `${title}, direction`, colour, small: true, at: () => place(state[name], [1.15, 0]),

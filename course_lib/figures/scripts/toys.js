@@ -13,7 +13,7 @@ globalThis.course.parts = (() => {
   const IN_DARK = {
     "#0072b2": "#56a8de", "#b87a00": "#e69f00", "#009e73": "#33c79c", "#9b4f7f": "#d08ab5", "#d55e00": "#f0863a",
     "#6b7177": "#b3bac1", "#222222": "#e7eaee", "#b2182b": "#f2667a", "#7f8891": "#8d959e", "#d96a12": "#f07818",
-    "#f7f8fa": "#14171b", "#dde1e6": "#2a3037", "#ffffff": "#14171b", "#2f3338": "#69727c", "#5b6168": "#7d858e",
+    "#f7f8fa": "#14171b", "#dde1e6": "#2a3037", "#2f3338": "#69727c", "#5b6168": "#7d858e",
     "#e4e7ea": "#4a535d", "#2166ac": "#4393d0", "#b01a2a": "#d6404f", "#e9ecef": "#2a3037", "#c9ced4": "#414a54",
     "#1a1f26": "#000000",
   };
@@ -298,7 +298,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       },
       // A handle to drag, or to move by the arrow keys (Shift: larger steps). at() -> its position; moved(position) is
       // called with another, `stride` is a step of the keys; toPixels and fromPixels are the stage's.
-      handle({ name, colour, small, at, moved, describe, stride, keys = {} }, toPixels, fromPixels, step) {
+      handle({ name, colour, small, at, moved, describe, stride }, toPixels, fromPixels, step) {
         const node = element("div", {
           class: `handle${small ? " small" : ""}`, tabindex: 0, role: "application", "aria-roledescription": "handle",
         }, box);
@@ -309,7 +309,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
           node.style.setProperty("--colour", tint(colour));
           node.setAttribute("aria-label", `${name}: ${describe ? describe() : metres(at())}`);
         };
-        const change = (act) => { act(); place(); redraw(); };
+        const change = (position) => { moved(position); place(); redraw(); };
         const where = (event) => {
           const { left, top } = box.getBoundingClientRect();
           return [event.clientX - left, event.clientY - top];
@@ -324,13 +324,12 @@ outline:3px solid var(--focus);outline-offset:-3px}
           if (!grip) return;
           const [x, y] = M.add(where(event), grip);
           const inside = [Math.min(made.width, Math.max(0, x)), Math.min(made.height, Math.max(0, y))];
-          change(() => moved(fromPixels(inside, at())));
+          change(fromPixels(inside, at()));
         });
         onRelease(node, () => (grip = null));
-        onKeys(node, (direction, { key, shiftKey }) => {
-          if (direction) change(() => moved(step(at(), M.scale(direction, (shiftKey ? 5 : 1) * stride))));
-          else if (keys[key]) change(keys[key]);
-          return direction || keys[key];
+        onKeys(node, (direction, { shiftKey }) => {
+          if (direction) change(step(at(), M.scale(direction, (shiftKey ? 5 : 1) * stride)));
+          return direction;
         });
         handles.push(place);
       },
