@@ -21,13 +21,18 @@ N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
 NODE = Path(compute_driver_executable()[0])  # the one that playwright brings
 
 
-def js(name, *columns):
-    """What one function of the scripts answers to cases: its arguments one after the other, each as a column."""
-    cases = list(zip(*columns, strict=True))
-    asked = [[name, [np.asarray(x).tolist() if isinstance(x, np.ndarray) else x for x in case]] for case in cases]
+@pytest.fixture(scope="module")
+def js():
+    """A function: what one of the scripts answers to cases, its arguments one after the other, each as a column."""
     command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js"]
-    done = subprocess.run(command, input=json.dumps(asked), capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+
+        def ask(name, *columns):
+            question = [name, list(zip(*columns, strict=True))]
+            print(json.dumps(question, default=lambda array: array.tolist()), file=process.stdin, flush=True)
+            return json.loads(process.stdout.readline())
+
+        yield ask
 
 
 @pytest.fixture
@@ -53,7 +58,7 @@ def twists(rng):
     return np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1)
 
 
-def test_exponential_and_logarithm_are_the_librarys(rng):
+def test_exponential_and_logarithm_are_the_librarys(js, rng):
     xi = twists(rng)
     poses = rigid.exp_se3(xi)
     assert_allclose(js("exp", xi), poses, rtol=0, atol=1e-12)
@@ -66,7 +71,7 @@ def test_exponential_and_logarithm_are_the_librarys(rng):
         assert_allclose(rigid.exp_se3(np.array(js("log", [T])[0])), T, **CLOSE)
 
 
-def test_the_motion_between_two_poses_is_the_librarys(rng):
+def test_the_motion_between_two_poses_is_the_librarys(js, rng):
     A, B = rigid.exp_se3(twists(rng)), rigid.exp_se3(twists(rng))
     between = A @ rigid.exp_se3(0.3 * rigid.log_se3(rigid.inverse(A) @ B))
     assert_allclose(js("interpolate", A, B, N * [0.3]), between, **CLOSE)
@@ -75,7 +80,7 @@ def test_the_motion_between_two_poses_is_the_librarys(rng):
 # ---- rotations ----
 
 
-def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(rng):
+def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(js, rng):
     few = [0.0, 1e-12, 1e-8, 1e-4, 1e-3, np.pi, np.pi - 1e-9, -np.pi, 2 * np.pi]
     axes, angles = unit_axes(rng), np.r_[few, rng.uniform(-7, 7, N - len(few))]
     R, q = (np.array(js(name, axes, angles)) for name in ("rotation", "quaternion"))
@@ -84,14 +89,14 @@ def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sig
     assert_allclose(js("quaternion", axes, angles + 2 * np.pi), -q, **CLOSE)
 
 
-def test_a_product_of_quaternions_is_that_of_their_rotations(rng):
+def test_a_product_of_quaternions_is_that_of_their_rotations(js, rng):
     p, q = rotations.random_quaternions(N, rng), rotations.random_quaternions(N, rng)
     product = np.array(js("multiply", p, q))
     matrices = rotations.quaternion_to_matrix(p) @ rotations.quaternion_to_matrix(q)
     assert_allclose(rotations.quaternion_to_matrix(product), matrices, **CLOSE)
 
 
-def test_euler_angles_convert_to_rotations_and_back_also_in_gimbal_lock(rng):
+def test_euler_angles_convert_to_rotations_and_back_also_in_gimbal_lock(js, rng):
     R = rotations.random_rotations(N, rng)
     R[:4] = rotations.rot_z(0.4) @ rotations.rot_y(np.array([1, -1, 1, -1]) * np.pi / 2) @ rotations.rot_x(0.3)
     found = np.array(js("toEuler", R))
@@ -108,7 +113,7 @@ def planar_poses(rng):
     return A, B
 
 
-def test_the_twist_between_two_poses_leads_from_one_to_the_other(rng):
+def test_the_twist_between_two_poses_leads_from_one_to_the_other(js, rng):
     A, B = planar_poses(rng)
     twists = np.array(js("logPlanar", A, B))
     assert_allclose(twists, rigid.log_se2(np.linalg.inv(pose_matrix(A)) @ pose_matrix(B)), **CLOSE)
@@ -118,7 +123,7 @@ def test_the_twist_between_two_poses_leads_from_one_to_the_other(rng):
     assert_allclose(pose_matrix(half), pose_matrix(interpolate_body_screw(A, B, 3)[:, 1]), **CLOSE)
 
 
-def test_the_pole_is_a_fixed_point_and_a_translation_has_none(rng):
+def test_the_pole_is_a_fixed_point_and_a_translation_has_none(js, rng):
     A, B = planar_poses(rng)
     A, B = A[5:], B[5:]
     poles = np.array(js("pole", A, js("logPlanar", A, B)))
@@ -128,7 +133,7 @@ def test_the_pole_is_a_fixed_point_and_a_translation_has_none(rng):
     assert js("pole", [[0, 0, 1]], [[0, 1, 2]]) == [None]
 
 
-def test_dead_reckoning_by_euler_and_exactly(rng):
+def test_dead_reckoning_by_euler_and_exactly(js, rng):
     plans = [[[rng.normal(size=3).tolist(), t] for t in rng.uniform(0.1, 2, 3)] for _ in range(N)]
     starts, steps = rng.normal(size=(N, 3)), rng.uniform(0.05, 0.6, N).tolist()
     plans[0], steps[0] = [[[1, 0, 0], 2.1]], 0.3  # 2.1 / 0.3 is slightly above 7
@@ -140,7 +145,7 @@ def test_dead_reckoning_by_euler_and_exactly(rng):
 # ---- circles ----
 
 
-def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(rng):
+def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(js, rng):
     k1, k2, p1, p2 = (unit_axes(rng) for _ in range(4))
     found = js("meetings", k1, k2, p1, p2)
     right = subproblem2(k1, k2, p1, p2)
@@ -160,7 +165,7 @@ def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(rng):
 
 
 @pytest.mark.parametrize("which", ["panda", "random", "planar"])
-def test_frames_and_jacobian_of_an_arm(which, rng):
+def test_frames_and_jacobian_of_an_arm(which, js, rng):
     home = rigid.transform(rotations.random_rotations(1, rng)[0], rng.normal(size=3))
     some = SerialArm.from_screws(rng.normal(size=(5, 3)), rng.normal(size=(5, 3)), home)
     arm = {"panda": panda(), "random": some, "planar": planar_arm([1, 0.5])}[which]
@@ -174,28 +179,26 @@ def test_frames_and_jacobian_of_an_arm(which, rng):
     assert_allclose(np.array(js("bodies", *cases))[:, 1:], moved, **CLOSE)
 
 
-def test_a_planar_arms_points_and_jacobian(rng):
+def test_a_planar_arms_points_and_jacobian(js, rng):
     lengths, q = rng.uniform(0.3, 2, (N, 3)), rng.uniform(-4, 4, (N, 3))
-    points, jacobians = (js(name, lengths, q) for name in ("planarPoints", "planarJacobian"))
-    for row, angles, P, J in zip(lengths, q, points, jacobians, strict=True):
-        arm = planar_arm(row)
-        assert_allclose(P, arm.frames(angles)[:, :2, 3], **CLOSE)
-        assert_allclose(J, arm.position_jacobian(angles)[:2], **CLOSE)
+    arms = [(planar_arm(row), angles) for row, angles in zip(lengths, q, strict=True)]
+    assert_allclose(js("planarPoints", lengths, q), [arm.frames(angles)[:, :2, 3] for arm, angles in arms], **CLOSE)
+    jacobians = [arm.position_jacobian(angles)[:2] for arm, angles in arms]
+    assert_allclose(js("planarJacobian", lengths, q), jacobians, **CLOSE)
 
 
-def test_the_two_link_arm_reaches_exactly_the_positions_within_reach(rng):
+def test_the_two_link_arm_reaches_exactly_the_positions_within_reach(js, rng):
     lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
-    found = js("twoLink", lengths, points)
     r = np.linalg.norm(points, axis=-1)
     within = (np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))
-    assert [theta is not None for theta in found] == within.tolist()
-    for row, point, theta in zip(lengths, points, found, strict=True):
-        if theta is not None:
+    for row, point, theta, reaches in zip(lengths, points, js("twoLink", lengths, points), within, strict=True):
+        assert (theta is not None) == reaches
+        if reaches:
             assert theta[1] >= 0
             assert_allclose(planar_arm(row).fk(theta)[:2, 3], point, **CLOSE)
 
 
-def test_a_damped_step_is_that_of_least_squares(rng):
+def test_a_damped_step_is_that_of_least_squares(js, rng):
     J, e, damping = rng.normal(size=(N, 2, 4)), rng.normal(size=(N, 2)), rng.uniform(0.01, 3, N)
     J[:10, 1] = 2 * J[:10, 0]  # singular
     for j, error, eps, step in zip(J, e, damping, js("dampedStep", J, e, damping), strict=True):
@@ -203,7 +206,7 @@ def test_a_damped_step_is_that_of_least_squares(rng):
         assert_allclose(step, np.linalg.lstsq(stacked, np.r_[error, np.zeros(4)])[0], **CLOSE)
 
 
-def test_eigenvalues_and_vectors_of_symmetric_matrices(rng):
+def test_eigenvalues_and_vectors_of_symmetric_matrices(js, rng):
     A = rng.normal(size=(N, 3, 5))
     A[:5, 2] = A[:5, 1]  # a flat ellipsoid
     A = A @ np.swapaxes(A, 1, 2)
@@ -214,7 +217,7 @@ def test_eigenvalues_and_vectors_of_symmetric_matrices(rng):
         assert_allclose(V @ V.T, np.eye(3), **CLOSE)
 
 
-def test_the_null_vector_is_a_unit_vector_in_the_null_space_of_the_pandas_jacobian(rng):
+def test_the_null_vector_is_a_unit_vector_in_the_null_space_of_the_pandas_jacobian(js, rng):
     arm = panda()
     q = rng.uniform(*arm.limits.T, (N, 7))
     J = arm.geometric_jacobian(q)
@@ -223,14 +226,14 @@ def test_the_null_vector_is_a_unit_vector_in_the_null_space_of_the_pandas_jacobi
     assert_allclose(np.linalg.norm(found, axis=-1), 1, **CLOSE)
 
 
-def test_a_pose_error_agrees_with_the_library(rng):
+def test_a_pose_error_agrees_with_the_library(js, rng):
     R = rotations.random_rotations(2 * N, rng)
     T = rigid.transform(R, rng.normal(size=(2 * N, 3)))
     T[N, :3, :3] = T[0, :3, :3]
     assert_allclose(js("poseError", T[:N], T[N:]), ik.pose_error(T[:N], T[N:]), **CLOSE)
 
 
-def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(rng):
+def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(js, rng):
     arm = panda()
     q = np.array([0.2, -0.6, 0.1, -2.0, 0.3, 1.6, 0.5])
     targets = arm.fk(np.clip(q + rng.uniform(-0.25, 0.25, (20, 7)), *arm.limits.T))
@@ -248,7 +251,7 @@ def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(rng):
 # ---- the bent arm ----
 
 
-def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(rng):
+def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(js, rng):
     low = rng.uniform(0, 1.8, N)
     high, degrees = low + rng.uniform(0.1, 1, N) * (2 - low), rng.integers(1, 4, N).tolist()
     low[0], high[0], degrees[0] = 1.75, 2.0, 1

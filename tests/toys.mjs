@@ -1,9 +1,11 @@
-// Answers on stdout (JSON) what the toys' scripts compute for the questions on stdin: [[function, arguments], ...].
+// Answers what the toys' scripts compute: for each line of stdin, a JSON [function, [arguments, ...]], one of stdout.
 import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
 import vm from "node:vm";
 
-globalThis.window = globalThis; // of which the scripts know when they run in a page
 process.argv.slice(2).forEach((file) => vm.runInThisContext(readFileSync(file, "utf-8")));
 const M = globalThis.course.motion;
-const asked = JSON.parse(readFileSync(0, "utf-8"));
-process.stdout.write(JSON.stringify(asked.map(([name, args]) => M[name](...args))));
+createInterface({ input: process.stdin }).on("line", (line) => {
+  const [name, cases] = JSON.parse(line);
+  console.log(JSON.stringify(cases.map((args) => M[name](...args))));
+});

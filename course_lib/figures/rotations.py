@@ -9,7 +9,7 @@ from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks, 
 from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, ball, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.space import fixed_frame, line, points, scene_name, segments, sphere
+from course_lib.figures.space import fixed_frame, line, points, scene_name, sphere
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.rigid import transform
 from course_lib.rotations import random_rotations, rot_y
@@ -279,7 +279,8 @@ def on_sphere(samples):
         scenes.append(scene.column(reach, (1.2, -1.0, -1.1), i, len(samples), height=height)[0])
         foot = R[:, :, 0]
         drawn += [go.Surface(**sphere(0.97), scene=name), *fixed_frame(name, 1.3)]
-        drawn += [segments(foot, foot + 0.1 * R[:, :, 1], BLUE, 3, name), points(foot, 0.9, BLACK, name)]
+        short = np.stack([foot, foot + 0.1 * R[:, :, 1], np.full_like(foot, np.nan)], 1).reshape(-1, 3)
+        drawn += [line(short, BLUE, 3, name), points(foot, 0.9, BLACK, name)]
         up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
         said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     layout = scene.layout(scenes, height=height, titles=list(samples))

@@ -37,12 +37,6 @@ def fixed_frame(scene, size):
     return [*axes, words_at(1.08 * size * np.eye(3), "xyz", GREY, scene, 14)]
 
 
-def segments(starts, ends, colour, width, scene="scene"):
-    """Return one trace of many separate segments, from `starts` to `ends`, each of shape (n, 3)."""
-    gap = np.full_like(starts, np.nan)
-    return line(np.stack([starts, ends, gap], 1).reshape(-1, 3), colour, width, scene)
-
-
 def sphere(radius):
     """Return the arguments of a plotly surface: a pale sphere about the origin."""
     polar, around = np.meshgrid(np.linspace(0, np.pi, 17), np.linspace(0, 2 * np.pi, 33))

@@ -163,15 +163,12 @@ class _View:
 def _in_words(arm, data):
     """The drawing in words: the arm's path from the base to the flange, its dimensions and arrows."""
     steps = np.diff(np.array(data["corners"]), axis=0)
-    parts = []
-    for step in steps:
-        axis = int(np.abs(step).argmax())
-        parts.append(f"{1000 * abs(step[axis]):g} along {'-' if step[axis] < 0 else '+'}{'xyz'[axis]}")
+    path = ", then ".join(f"{1000 * np.abs(step).max():g} along {direction(step)}" for step in steps)
     arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
     axes = ", ".join(f"{'xyz'[k]} along {direction(arm.home[-1, :3, k])}" for k in range(3))
     return (
         f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in millimetres. From the "
-        f"base the arm goes {', then '.join(parts)}. The arrows of the joint axes point along: {arrows}. The "
+        f"base the arm goes {path}. The arrows of the joint axes point along: {arrows}. The "
         f"flange's frame b has {axes} of the base frame s."
     )
 
