@@ -110,7 +110,8 @@ def rounded(node, decimals=None):
     packed integers stay so: they have no last bits, and take half the room.
     """
     if isinstance(node, dict) and "bdata" in node and node["dtype"][0] == "f":
-        node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(_shape(node)).tolist()
+        shape = [int(n) for n in str(node.get("shape", -1)).split(",")]  # "3, 4" for two axes, absent for one
+        node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(shape).tolist()
     if isinstance(node, dict):
         return {key: rounded(value, decimals) for key, value in node.items()}
     if isinstance(node, float):
@@ -121,11 +122,6 @@ def rounded(node, decimals=None):
         largest = max((abs(x) for x in _flat(node) if isinstance(x, float) and math.isfinite(x)), default=0)
         decimals = 5 - math.floor(math.log10(largest)) if largest else None
     return [rounded(item, decimals) for item in node]
-
-
-def _shape(packed):
-    """The shape of a packed array: "3, 4" for two axes, absent for one."""
-    return [int(n) for n in str(packed.get("shape", -1)).split(",")]
 
 
 def _flat(node):

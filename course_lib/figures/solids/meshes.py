@@ -83,9 +83,9 @@ def capsule(start, end, radius, n=12):
     return tube([start, end], radius, 2, n)
 
 
-def box(low, high, bevel=0.15, power=4, n=12):
-    """Return a box between two corners whose vertical edges are rounded: a superellipse of that power, upright."""
-    low, high = np.asarray(low, float), np.asarray(high, float)
+def box(one, other, bevel=0.15, power=4, n=12):
+    """Return a box between opposite corners whose vertical edges are rounded: a superellipse of that power, upright."""
+    low, high = np.minimum(one, other), np.maximum(one, other)
     centre, half = (low + high) / 2, (high - low) / 2
     t = 2 * np.pi * (np.arange(n) + 0.5) / n
     section = np.sign([np.cos(t), np.sin(t)]) * np.abs([np.cos(t), np.sin(t)]) ** (2 / power)

@@ -42,13 +42,9 @@ def gripper(body, tip, length=0.1034):
 def finger(body, side, length=0.1034):
     """Return a finger whose pad lies at the origin of its frame, with the gripped object at its `side`: 1 for y > 0."""
     s = length / 1.06
-    block = _between([-0.11 * s, 0, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s])
-    pad = _between([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s])
+    block = box([-0.11 * s, 0, -0.5 * s], [0.11 * s, -0.2 * s * side, -0.26 * s], n=8)
+    pad = box([-0.1 * s, 0, -0.28 * s], [0.1 * s, -0.12 * s * side, 0.06 * s], n=8)
     return [Part(body, DARK, block), Part(body, BLACK, pad)]
-
-
-def _between(one, other):
-    return box(np.minimum(one, other), np.maximum(one, other), 0.15, n=8)
 
 
 def _iiwa(arm):
