@@ -116,6 +116,8 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
             "e => { e.focus(); return [e.labels[0].textContent.trim(), e.ariaValueText, e.max - e.value]; }"
         )
         assert label
+        if re.match("Joint [2-6]", label):  # made as the first and the last are
+            continue
         before = picture(box)
         visit.page.keyboard.press("PageUp" if room > 0 else "PageDown")
         wait_for_another_picture(visit, box, before)
@@ -256,23 +258,21 @@ NOTE = """() => {
     draw(context, what, redraw);
   };
 }"""
-# The same, with the words that are HTML.
-DRAWN = """(box) => {
-  const style = (e) => getComputedStyle(e), words = [...box.querySelectorAll(".word")].map((e) => style(e).color);
-  const ground = style(box.querySelector("canvas")).backgroundColor;
-  return [ground, [...words, ...window.noted.words], [...window.noted.lines]];
-}"""
 STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
-# How much each of some colours stands out from the ground, as {colour: contrast}.
-CONTRASTS = f"""([ground, colours]) => {{
+# Of what was noted, and of the words that are HTML, {colour: its contrast with the ground}; and the least contrast of
+# the text below the drawing.
+CONTRASTS = f"""(box) => {{
+  const style = (e) => getComputedStyle(e), all = (part) => [...box.querySelectorAll(part)];
   const there = document.body.appendChild(document.createElement("p"));
-  there.style.backgroundColor = ground;
-  const measured = colours.map((colour) => {{
+  there.style.backgroundColor = style(box.querySelector("canvas")).backgroundColor;
+  const measured = (colours) => Object.fromEntries([...colours].map((colour) => {{
     there.style.color = colour;
     return [colour, ({CONTRAST})(there)];
-  }});
+  }}));
+  const words = measured([...all(".word").map((e) => style(e).color), ...window.noted.words]);
+  const lines = measured(window.noted.lines), text = [".course-toy", ".numbers", "button", "label", "p"].flatMap(all);
   there.remove();
-  return Object.fromEntries(measured);
+  return [words, lines, Math.min(...text.map({CONTRAST}))];
 }}"""
 
 
@@ -285,35 +285,34 @@ def test_text_and_lines_have_enough_contrast_in_both_themes(visit, name):
     one.focus()
     visit.page.keyboard.press("ArrowLeft")
     wait_for_another_picture(visit, box, before)
-    ground, words, lines = box.evaluate(DRAWN)
-    assert ground == STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
+    ground = STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
+    expect(box.locator("canvas").first).to_have_css("background-color", ground)
+    words, lines, text = box.evaluate(CONTRASTS)
     assert words or name in ("belt", "reach", "eight", "fly")
     assert lines or name in ("belt", "panda_toy", "reach", "eight")
-    contrasts = visit.page.evaluate(CONTRASTS, [ground, words + lines])
-    assert [colour for colour in words if contrasts[colour] < 4.5] == []
-    assert [colour for colour in lines if contrasts[colour] < 3] == []
-    parts = f"(box, parts) => parts.flatMap((part) => [...box.querySelectorAll(part)]).map({CONTRAST})"
-    assert min(box.evaluate(parts, [".course-toy", ".numbers", "button", "label", "p"])) > 4.5
+    assert [colour for colour, contrast in words.items() if contrast < 4.5] == []
+    assert [colour for colour, contrast in lines.items() if contrast < 3] == []
+    assert text > 4.5
 
 
 @once
-@pytest.mark.parametrize("name", ["circles_toy", "planar_arm_toy"])
-def test_a_toy_follows_a_change_of_theme_and_keeps_its_configuration(visit, name):
-    box = figure_of(visit, name)
-    visit.page.evaluate(NOTE)
-    slider, before = box.get_by_role("slider").first, picture(box)
-    slider.focus()
-    visit.page.keyboard.press("ArrowRight")
-    wait_for_another_picture(visit, box, before)
-    visit.page.wait_for_timeout(500)  # the last picture of a movement is finer
-    value, before = slider.input_value(), picture(box)
+def test_toys_follow_a_change_of_theme_and_keep_their_configuration(visit):
+    before = {}
+    for box in (figure_of(visit, "circles_toy"), figure_of(visit, "planar_arm_toy")):
+        slider, at_first = box.get_by_role("slider").first, picture(box)
+        slider.focus()
+        visit.page.keyboard.press("ArrowRight")
+        wait_for_another_picture(visit, box, at_first)
+        visit.page.wait_for_timeout(500)  # the last picture of a movement is finer
+        before[box] = slider, slider.input_value(), picture(box)
     theme = visit.page.evaluate("document.documentElement.dataset.theme")
     for shown in ({"light": "dark", "dark": "light"}[theme], theme):
         visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", shown)
-        wait_until(visit, f"(box, ground) => ({DRAWN})(box)[0] === ground", box, STAGES[shown])
         sign = "===" if shown == theme else "!=="
-        wait_until(visit, f"(box, before) => ({PICTURE})(box) {sign} before", box, before)
-        expect(slider).to_have_value(value)
+        for box, (slider, value, seen) in before.items():
+            expect(box.locator("canvas").first).to_have_css("background-color", STAGES[shown])
+            wait_until(visit, f"(box, seen) => ({PICTURE})(box) {sign} seen", box, seen)
+            expect(slider).to_have_value(value)
 
 
 # ---- what they are for ----

@@ -244,10 +244,8 @@ def _grid(centre, radius, height):
         for t in step * np.arange(np.ceil((centre[c] - radius) / step), np.floor((centre[c] + radius) / step) + 1):
             half = np.sqrt(max((0.99 * radius) ** 2 - (t - centre[c]) ** 2, 0))
             if half > 0.15 * radius:
-                ends = np.array([[t, centre[1] - half], [t, centre[1] + half]])
-                if c:
-                    ends = np.array([[centre[0] - half, t], [centre[0] + half, t]])
-                lines += [[*end, height] for end in ends] + [[np.nan] * 3]
+                ends = [(t, centre[1 - c] - half), (t, centre[1 - c] + half)]  # x and y, or y and x
+                lines += [[end[c], end[1 - c], height] for end in ends] + [[np.nan] * 3]
     return line(lines, _GRID, 1.5)
 
 

@@ -81,14 +81,11 @@ def reach(arm, target, *, q, says=None):
     title = f"An arm with {arm.n} joints and a target"
     alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "
     alt += "angles that a function returns; if there are several solutions, the others are translucent."
-    model = {"figure": "reach", "goal": target.tolist()}
+    model, others = {"figure": "reach", "goal": target.tolist()}, []
     if np.ndim(q) == 2:
         q, *others = np.round(real_array(q, "q", (arm.n,)), 6)
         model["starts"] = [angles.tolist() for angles in (q, *others)]
-        view = arm_view(arm, q, title, others)
-    else:
-        view = arm_view(arm, q, title)
-    return Figure(view | model, alt, "Drag the target.", ask)
+    return Figure(arm_view(arm, q, title, others) | model, alt, "Drag the target.", ask)
 
 
 def fly(start, goal, *, quaternions=False):
