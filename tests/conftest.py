@@ -130,8 +130,19 @@ def course_without_answers(tmp_path_factory):
     return built_once(tmp_path_factory, solutions=False)
 
 
+@pytest.fixture(scope="session")
+def isolated():
+    """For tests that run a submission: they need a bubblewrap that works."""
+    from helpers import unavailable
+
+    from course_lib.pack.grade import isolation
+
+    if problem := isolation.problem():
+        unavailable(f"bubblewrap: {problem}")
+
+
 @pytest.fixture
-def few(monkeypatch, solutions):
+def few(isolated, monkeypatch, solutions):
     """The cell with the imports and those with right answers; the notebook has no other exercises."""
     from hostile.build import answers, few_exercises
 

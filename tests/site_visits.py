@@ -6,9 +6,9 @@ from contextlib import contextmanager
 from weakref import WeakKeyDictionary
 
 import nbformat
-import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 from axe_playwright_python.sync_playwright import Axe
+from helpers import unavailable
 from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
 
@@ -37,8 +37,7 @@ def open_browser():
     names = ("chromium", "chromium-browser", "google-chrome")
     path = os.environ.get("BROWSER_PATH") or next(filter(None, map(shutil.which, names)), None)
     if path is None:
-        message = f"no browser is installed ({', '.join(names)})"
-        pytest.fail(message) if "CI" in os.environ else pytest.skip(message)
+        unavailable(f"no browser is installed ({', '.join(names)})")
     with sync_playwright() as playwright:
         # Machines without a graphics card draw 3D in software, which Chromium wants to be asked for.
         arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]

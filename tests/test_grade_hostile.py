@@ -13,7 +13,6 @@ from hostile.build import (
     answers,
     book,
     few_exercises,
-    isolated,
     left_over,
     processes,
     said,
@@ -23,7 +22,7 @@ from hostile.build import (
 
 from course_lib.pack.grade.submission import grade
 
-pytestmark = isolated
+pytestmark = pytest.mark.usefixtures("isolated")
 
 
 @pytest.fixture(autouse=True)

@@ -273,7 +273,7 @@ def test_the_seed_is_drawn_once_and_kept(place):
 # ---- all of it ----
 
 
-def test_a_notebook_is_graded_by_make_grades_command(place):
+def test_a_notebook_is_graded_by_make_grades_command(isolated, place):
     cells = ["def is_valid(X, kind, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
     (place / "in/anna").mkdir()

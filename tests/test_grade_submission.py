@@ -13,6 +13,8 @@ from course_lib.pack.grade.submission import grade
 from course_lib.pack.release import PROMPT
 from course_lib.pack.release.stubs import students_copy
 
+pytestmark = pytest.mark.usefixtures("isolated")
+
 
 def states(result):
     return {row["exercise"]: row["state"] for row in result["exercises"]}

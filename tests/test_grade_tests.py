@@ -7,6 +7,7 @@ from toy_exercises import DOUBLE, TEST_LOG
 from course_lib.pack.grade import notebook_file, submission
 from course_lib.pack.grade.notebook_file import Course
 
+pytestmark = pytest.mark.usefixtures("isolated")
 IMPORTS = "import numpy as np\nfrom course_lib import rotations"
 THOROUGH = """
 def test_log(log):

@@ -25,7 +25,7 @@ def copy(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def followed(copy, solutions):
+def followed(copy, solutions, isolated):
     """Follow the guide; return {command: the process that ended}."""
     first = solutions(NOTEBOOK)[0]
     whole = nbformat.read(ROOT / "notebooks" / f"{NOTEBOOK}.ipynb", 4).cells

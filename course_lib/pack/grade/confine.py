@@ -66,16 +66,11 @@ def confine(limits, uid=0):
         filter_calls(program(platform.machine()))
 
 
-def call(name, *arguments):
-    """Call a function of the C library; raise OSError if it fails."""
-    if getattr(LIBC, name)(*arguments) != 0:
+def control(option, *values):
+    """Set a property of this process by prctl; raise OSError if that fails."""
+    if LIBC.prctl(option, *map(ctypes.c_ulong, [*values, 0, 0, 0, 0][:4])) != 0:
         number = ctypes.get_errno()
-        raise OSError(number, f"{name}: {os.strerror(number)}")
-
-
-def control(option, value):
-    """Set a property of this process by prctl."""
-    call("prctl", option, ctypes.c_ulong(value), 0, 0, 0)
+        raise OSError(number, f"prctl: {os.strerror(number)}")
 
 
 def die_with_parent():
@@ -90,7 +85,8 @@ def filter_calls(code):
     class Program(ctypes.Structure):
         _fields_ = (("length", ctypes.c_ushort), ("filter", ctypes.c_char_p))
 
-    call("prctl", SET_SECCOMP, SECCOMP_FILTER, ctypes.byref(Program(len(code) // 8, code)), 0, 0)
+    program = Program(len(code) // 8, code)
+    control(SET_SECCOMP, SECCOMP_FILTER, ctypes.addressof(program))
 
 
 def program(machine):

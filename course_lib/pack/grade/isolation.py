@@ -1,6 +1,7 @@
-"""How submissions are kept apart from the machine: by bubblewrap, else by namespaces that enter.py makes, else not.
+"""How submissions are kept apart from the machine: by bubblewrap, or, if the instructor asks for that, not at all.
 
-Both show a submission only Python and its packages, give it no network, and end all its processes with the first one.
+Bubblewrap shows a submission only Python and its packages, gives it no network, and ends all its processes with the
+first one.
 """
 
 import functools
@@ -14,55 +15,49 @@ import tempfile
 import time
 from pathlib import Path
 
-from course_lib.pack.grade import GradingStopped, enter
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.visible import DEVICES, LIBRARIES, PYTHON, mounts, packages
 
-BUBBLEWRAP, NAMESPACES, NONE = "bubblewrap", "namespaces", "none"
+NONE = "none"  # what ISOLATION= may be
 FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
 HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
-submissions and the grades, and use the network. {tried} Install bubblewrap: `sudo apt install bubblewrap` on Debian and
-Ubuntu, `sudo dnf install bubblewrap` on Fedora. On macOS, grade in a Linux virtual machine; on Windows, in WSL
+submissions and the grades, and use the network. Bubblewrap: {problem}. Install bubblewrap: `sudo apt install
+bubblewrap` on Debian and Ubuntu, `sudo dnf install bubblewrap` on Fedora. Ubuntu since 24.04 also needs `sudo sysctl
+-w kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
 (`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --security-opt
 seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none runs them as
 yourself, with limits only; never as root.""".replace("\n", " ")
 
 
-def kind(wanted=""):
-    """Return the kind of isolation to use. wanted: NONE if the instructor asked for none."""
+def isolated(wanted=""):
+    """Return whether submissions are isolated; raise GradingStopped if that is impossible.
+
+    wanted: NONE if the instructor asked for no isolation.
+    """
     if wanted != NONE:
-        return _best()
+        if reason := problem():
+            raise GradingStopped(HELP.format(problem=reason))
+        return True
     if os.geteuid() == 0:
         raise GradingStopped("ISOLATION=none runs submissions as yourself, and you are root: be another user for that.")
-    return NONE
+    return False
 
 
 @functools.cache
-def _best():
-    tried = []
-    for each in (BUBBLEWRAP, NAMESPACES):
-        problem = problem_with(each)
-        if not problem:
-            return each
-        tried.append(f"{each.capitalize()}: {problem}.")
-    raise GradingStopped(HELP.format(tried=" ".join(tried)))
-
-
-@functools.cache
-def problem_with(each):
-    """Return why this kind of isolation does not work here, or "": a process with numpy and a child is tried."""
+def problem():
+    """Return why bubblewrap does not work here, or "": a process with numpy and a child is tried."""
     if sys.platform != "linux":
         return "it needs Linux"
-    if each == BUBBLEWRAP and shutil.which("bwrap") is None:
+    if shutil.which("bwrap") is None:
         return "it is not installed"
     with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
-        course = Path(folder, "course")
-        confine = Path(enter.__file__).with_name("confine.py").read_bytes()
+        confine = Path(__file__).with_name("confine.py").read_bytes()
         write_files(Path(folder), {"runner.py": TRIAL, "confine.py": confine})
-        wanted = {"memory": 4 * 10**9, "file": 10**6, "files": 64, "processes": 10, "scratch": 10**6}
+        limits = {"memory": 4 * 10**9, "file": 10**6, "files": 64, "processes": 10, "scratch": 10**6}
         try:
-            command = start(each, course, wanted)
+            command = start(Path(folder, "course"), limits)
             done = subprocess.run(
-                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env=environment(each)
+                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env=environment()
             )
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)
@@ -85,7 +80,7 @@ print("fine")
 def write_files(folder, contents):
     """Write the files for a sandbox into folder/course, readable for every user, and its other folders."""
     folder.chmod(0o711)
-    for name in ("course", "root", "scratch"):
+    for name in ("course", "scratch"):
         (folder / name).mkdir()
     for path, content in contents.items():
         file = folder / "course" / path
@@ -95,31 +90,31 @@ def write_files(folder, contents):
         path.chmod(0o755 if path.is_dir() else 0o644)
 
 
-def start(each, course, limits, hidden=()):
-    """Return the command that runs course/runner.py with this kind of isolation, and these Limits as a dict.
+def start_unisolated(course, limits):
+    """Return the command that runs course/runner.py as the instructor, with these Limits as a dict."""
+    settings = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
+    return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(settings)]
+
+
+def start(course, limits, hidden=()):
+    """Return the command that runs course/runner.py in bubblewrap, with these Limits as a dict.
 
     course: the folder that write_files made. hidden: folders to hide wherever they are.
     """
-    if each == NONE:
-        settings = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
-        return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(settings)]
     uid = FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8 if os.getuid() == 0 else 0
     settings = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
-    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
     rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4))
     shown, covered = mounts(hidden)
-    shown = [*shown, (str(course), "/course")]
-    if each == BUBBLEWRAP:
-        return [*_bubblewrap(shown, covered, rooms), *command]
-    wanted = {"mounts": shown, "covered": covered, "rooms": rooms, "root": str(course.parent / "root")}
-    return [sys.executable, "-I", "-S", enter.__file__, json.dumps(wanted | {"command": command})]
+    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
+    return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]
 
 
-def environment(each, scratch="/scratch"):
-    """Return the environment of a submission's processes."""
-    found = {"HOME": scratch, "TMPDIR": scratch, "USER": "student", "LANG": "C.UTF-8", "MPLCONFIGDIR": scratch}
-    found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg"}
-    return found | ({} if each == NONE else {"LD_LIBRARY_PATH": LIBRARIES})
+def environment(scratch=""):
+    """Return the environment of a submission's processes. scratch: its folder if it is not isolated."""
+    found = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR"), scratch or "/scratch")
+    found |= {"USER": "student", "LANG": "C.UTF-8", "MPLBACKEND": "Agg"}
+    found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    return found if scratch else found | {"LD_LIBRARY_PATH": LIBRARIES}
 
 
 def _processes(limits, uid):

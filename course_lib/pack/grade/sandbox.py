@@ -69,20 +69,21 @@ class Sandbox:
 
     def __init__(self, contents, limits, hidden=(), wanted=""):
         self._contents, self._limits, self._hidden = contents, limits, hidden
-        self._kind = isolation.kind(wanted)
+        self._isolated = isolation.isolated(wanted)
         self._left, self._over, self._excess, self._ended = bytearray(), "", "", threading.Event()
 
     def __enter__(self):
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
         try:
             isolation.write_files(self._folder, self._contents)
-            limits = dataclasses.asdict(self._limits)
-            command = isolation.start(self._kind, self._folder / "course", limits, self._hidden)
-            alone = self._kind == isolation.NONE
-            environment = isolation.environment(self._kind, *([str(self._folder / "scratch")] if alone else []))
+            course, limits = self._folder / "course", dataclasses.asdict(self._limits)
+            if self._isolated:
+                command, scratch = isolation.start(course, limits, self._hidden), ""
+            else:
+                command, scratch = isolation.start_unisolated(course, limits), str(self._folder / "scratch")
             pipe = {name: subprocess.PIPE for name in ("stdin", "stdout", "stderr")}
-            where = self._folder / "scratch" if alone else "/"
-            self._process = subprocess.Popen(command, **pipe, start_new_session=True, cwd=where, env=environment)
+            place = {"cwd": scratch or "/", "env": isolation.environment(scratch)}
+            self._process = subprocess.Popen(command, **pipe, start_new_session=True, **place)
         except BaseException:
             remove_tree(self._folder)
             raise
@@ -94,7 +95,7 @@ class Sandbox:
     def __exit__(self, *raised):
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
-        left = self._processes() if self._kind == isolation.NONE else []
+        left = [] if self._isolated else self._processes()
         self._kill()
         for process in left:
             with contextlib.suppress(psutil.Error):
@@ -136,7 +137,7 @@ class Sandbox:
         """Return the processor time of everything in the sandbox, in seconds; None if the system does not report it."""
         if sys.platform != "linux":
             return None
-        seconds, first = 0, 0 if self._kind == isolation.NONE else WATCHERS
+        seconds, first = 0, WATCHERS if self._isolated else 0
         for number, process in enumerate(self._processes()):
             with contextlib.suppress(psutil.Error):
                 times = process.cpu_times()

@@ -120,7 +120,7 @@ class Grader:
 
     def prepare(self):
         """Load the course and try the isolation once, for all processes forked from this one."""
-        if isolation.kind(self.wanted) != isolation.NONE:
+        if isolation.isolated(self.wanted):
             isolation.mounts()
         _load()
 
