@@ -48,7 +48,7 @@ def _parser():
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
     parser.add_argument("submissions", help="folder that holds what was handed in")
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
-    parser.add_argument("--jobs", default="-1", help="how many at once; one for each processor if not given")
+    parser.add_argument("--jobs", default="0", help="how many at once; one for each processor if not given")
     parser.add_argument(
         "--lms",
         default="",
@@ -78,7 +78,7 @@ def _grade(chosen, grade):
             grade.prepare()
             how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
             print(f"Each submission runs {how}.", flush=True)
-        outcomes = grade_all(submissions, output / "results", seed, grade, jobs or 1)
+        outcomes = grade_all(submissions, output / "results", seed, grade, jobs)
         _write(output, outcomes, deadline, weight, chosen.lms.replace("none", ""), roster)
 
 

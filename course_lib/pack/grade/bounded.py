@@ -7,7 +7,6 @@ process of its own, and within it a deadline ends an exercise that takes too lon
 import contextlib
 import json
 import multiprocessing
-import os
 import resource
 import signal
 import sys
@@ -20,6 +19,7 @@ CPU_SECONDS = 300  # of the grader's own process, for all of a submission; a rig
 CLOCK_SECONDS = 4 * 3600  # far longer than the bounds of everything inside: it ends only what hangs
 MEMORY = 3 * 10**9  # of address space, in addition to that at the start of the process
 LARGEST_RESULT = 50_000_000  # bytes
+FORK = multiprocessing.get_context("fork")  # the course is loaded once, before
 
 
 class OutOfBounds(Exception):
@@ -52,58 +52,71 @@ def cpu_deadline(seconds):
         signal.signal(signal.SIGPROF, earlier)
 
 
-def call_bounded(function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=CLOCK_SECONDS):
-    """Return function(*arguments), plain data, from a process of its own with bounded resources.
+class Bounded:
+    """function(*arguments) at work in a process of its own, with bounded resources.
 
-    memory: bytes of address space, in addition to that at the start. Raises OutOfBounds if the function exceeded a
-    bound or ended its process, and RuntimeError with the type and message of an exception that it raised.
+    pipe: can be read when the work has ended. memory: bytes of address space, in addition to that at the start.
     """
-    there, here = multiprocessing.Pipe(duplex=False)
-    with warnings.catch_warnings():
-        # Python 3.12 warns of forks in a process with threads. The child only computes, and needs none of their locks.
-        warnings.simplefilter("ignore", DeprecationWarning)
-        child = os.fork()
-    if child == 0:
+
+    def __init__(self, function, *arguments, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=CLOCK_SECONDS):
+        self._ends = {
+            -signal.SIGXCPU: f"grading it took more than {cpu_seconds} seconds of computing",
+            -signal.SIGALRM: f"grading it was not done after {clock_seconds} seconds",
+        }
+        self.pipe, there = FORK.Pipe(duplex=False)
+        bounds = cpu_seconds, memory, clock_seconds
+        self._process = FORK.Process(target=_work, args=(there, function, arguments, *bounds), daemon=True)
+        with warnings.catch_warnings():
+            # Python 3.12 warns of forks in a process with threads. The child only computes, and needs none of their
+            # locks.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            self._process.start()
         there.close()
-        _in_child(here, function, arguments, cpu_seconds, memory)
-    here.close()
-    text, late = b"", False
-    try:
-        late = not there.poll(clock_seconds)
-        text = b"" if late else there.recv_bytes(LARGEST_RESULT)
-    except (EOFError, OSError):  # it ended, or wrote too much
-        pass
-    finally:
-        there.close()
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(child, signal.SIGKILL)  # also if the run is being stopped: the child must not outlive it
-        _, status, usage = os.wait4(child, 0)
-    try:
-        outcome = json.loads(text)
-    except ValueError:
-        used = usage.ru_utime + usage.ru_stime
-        raise OutOfBounds(_why_it_ended(status, used, late, cpu_seconds, clock_seconds)) from None
-    if "raised" in outcome:
-        raise RuntimeError(outcome["raised"])
-    return outcome["value"]
+
+    def result(self):
+        """Wait for the end of the work and return what the function returned, plain data.
+
+        Raises OutOfBounds if the function exceeded a bound or ended its process, and RuntimeError with the type and
+        message of an exception that it raised.
+        """
+        outcome = {}
+        with contextlib.suppress(EOFError, OSError):  # it ended, or wrote too much
+            outcome = json.loads(self.pipe.recv_bytes(LARGEST_RESULT))
+        self.end()
+        if "raised" in outcome:
+            raise RuntimeError(outcome["raised"])
+        if "value" not in outcome:
+            status = self._process.exitcode
+            raise OutOfBounds(self._ends.get(status, f"the process that graded it ended (exit status {status})"))
+        return outcome["value"]
+
+    def end(self):
+        """End the process, whatever it does."""
+        self.pipe.close()
+        self._process.kill()
+        self._process.join()
 
 
-def _in_child(pipe, function, arguments, cpu_seconds, memory):
-    """Compute, write the outcome to the pipe, and end this process in any case."""
+def call_bounded(function, *arguments, **bounds):
+    """Return function(*arguments) from a process of its own; see Bounded."""
+    return Bounded(function, *arguments, **bounds).result()
+
+
+def _work(pipe, function, arguments, cpu_seconds, memory, clock_seconds):
+    """Compute within bounds, and write the outcome to the pipe."""
+    die_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the run says a sentence when it is interrupted, and this nothing
+    signal.alarm(clock_seconds)
+    _limit(resource.RLIMIT_CPU, cpu_seconds)
+    _limit(resource.RLIMIT_CORE, 0)
+    if sys.platform == "linux":  # on other systems the address space is no measure of memory
+        with open("/proc/self/statm") as file:
+            _limit(resource.RLIMIT_AS, int(file.read().split()[0]) * resource.getpagesize() + memory)
     try:
-        die_with_parent()
-        _limit(resource.RLIMIT_CPU, int(cpu_seconds) + 1)
-        _limit(resource.RLIMIT_CORE, 0)
-        if sys.platform == "linux":  # on other systems the address space is no measure of memory
-            with open("/proc/self/statm") as file:
-                _limit(resource.RLIMIT_AS, int(file.read().split()[0]) * resource.getpagesize() + memory)
-        try:
-            data = json.dumps({"value": function(*arguments)}).encode()
-        except Exception as error:
-            data = json.dumps({"raised": f"{type(error).__name__}: {error}"[:500]}).encode()
-        pipe.send_bytes(data)
-    finally:
-        os._exit(0)
+        data = json.dumps({"value": function(*arguments)}).encode()
+    except Exception as error:
+        data = json.dumps({"raised": f"{type(error).__name__}: {error}"[:500]}).encode()
+    pipe.send_bytes(data)
 
 
 def _limit(kind, most):
@@ -111,11 +124,3 @@ def _limit(kind, most):
     _, hard = resource.getrlimit(kind)
     with contextlib.suppress(ValueError, OSError):
         resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
-
-
-def _why_it_ended(status, used, late, cpu_seconds, clock_seconds):
-    if late:
-        return f"grading it was not done after {clock_seconds} seconds"
-    if used >= cpu_seconds:
-        return f"grading it took more than {cpu_seconds} seconds of computing"
-    return f"the process that graded it ended (exit status {os.waitstatus_to_exitcode(status)})"
