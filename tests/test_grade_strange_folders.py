@@ -13,7 +13,7 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import collect
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import MAX_COPIES, MAX_DEPTH, MAX_LISTED, find
+from course_lib.pack.grade.collect import MAX_DEPTH, MAX_LISTED, find
 from course_lib.pack.grade.jobs import grade_all
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
@@ -64,28 +64,12 @@ def test_a_folder_with_too_many_files_is_searched_in_part(handed_in, monkeypatch
     assert len([each for each in find(handed_in, NOTEBOOKS) if each.student == "eve"]) <= MAX_LISTED + 1
 
 
-def test_only_the_newest_copies_of_a_notebook_are_graded(handed_in):
-    for i in range(6):
-        path = hand_in(handed_in / "eve", f"01_rotations ({i}).ipynb", points=[2])
-        os.utime(path, (1000 * i, 1000 * i))
-    its = {each.path.stem: each.refused for each in find(handed_in, NOTEBOOKS) if each.student == "eve"}
-    assert sorted(stem for stem, refused in its.items() if not refused) == [f"01_rotations ({i})" for i in (3, 4, 5)]
-    assert its["01_rotations (0)"] == f"Only the {MAX_COPIES} newest of 6 copies are graded."
-
-
 def test_a_folder_whose_name_begins_with_a_dot_has_a_line(handed_in):
     hand_in(handed_in, ".hidden/01_rotations.ipynb")
     hand_in(handed_in, ".more/report.pdf")
     hand_in(handed_in, "eve/.work/01_rotations.ipynb")
     hand_in(handed_in, "eve/.ipynb_checkpoints/01_rotations-checkpoint.ipynb")
     assert lines(handed_in) == {"innocent": "graded", ".hidden": "graded", ".more": "refused", "eve": "graded"}
-
-
-def test_names_that_print_alike_stay_two_submissions(handed_in):
-    for name in ("a\nb", "a\\x0ab"):
-        hand_in(handed_in, f"{name}/01_rotations.ipynb")
-    places = [each.place for each in find(handed_in, NOTEBOOKS)]
-    assert len(set(places)) == len(places) == 3
 
 
 def test_unreadable_files_are_reported_in_the_student_s_line(handed_in, monkeypatch):

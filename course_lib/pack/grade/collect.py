@@ -20,8 +20,7 @@ from course_lib.pack.grade.zips import Refused
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
 MAX_DEPTH = 20  # folders in folders, of one student
 MAX_ENTRIES = 20_000  # files and folders of one student that are looked at
-MAX_LISTED = 50  # notebooks and links of one student that get a line of their own
-MAX_COPIES = 3  # of one student's notebook that are graded: the newest ones
+MAX_LISTED = 20  # notebooks and links of one student that are graded and get a line of their own
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"  # "01_rotations (1)", "01_rotations-Copy2"
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
 CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode", "__macosx", "__pycache__"}
@@ -34,7 +33,7 @@ class Submission:
     """A file that was handed in. A text that does not apply is "".
 
     student: whose it is. notebook: the course's name for it if the file's name contains one, else the file's own.
-    place: the path below the folder of submissions, unique, for messages and hashes. member: the file's name in the
+    place: the path below the folder of submissions, for messages and hashes. member: the file's name in the
     zip at `path`. refused: why it is not graded. modified: seconds since 1970. platform_id: the learning platform's
     number in the file's name; user_id: the same if its gradebook has it too. late: whether the platform says so.
     in_folder: whether a folder bears the student's name.
@@ -82,7 +81,7 @@ def find(folder, notebooks, platform=None):
             refused = f"It cannot be read: {reason}."
             found.append(Submission(name.student, "", printable(path.name), path, refused=refused, **name.about()))
     found = [replace(each, modified=_modified(each.path)) for each in found]
-    return sorted(_newest_copies(_unique_places(_one_name_each(found))), key=lambda submission: submission.place)
+    return sorted(_one_name_each(found), key=lambda submission: submission.place)
 
 
 def platform_of(folder):
@@ -133,12 +132,14 @@ def _in_folder(top, folder, notebooks, platform):
     whole = Submission(name.student or place, "", place, top, in_folder=True, **name.about())
     files, others, problems = _walk(top)
     found = []
-    for path, is_link in files[:MAX_LISTED]:
+    for path in files[:MAX_LISTED]:
         each = replace(whole, place=printable(path.relative_to(folder)), path=path)
         ending, stem = path.suffix.lower(), printable(path.stem)
-        named = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
-        single = replace(each, notebook=named, refused=LINK if is_link else "")
-        found += _in_zip(each, notebooks) if ending == ".zip" and not is_link else [single]
+        if ending == ".zip" and not path.is_symlink():
+            found += _in_zip(each, notebooks)
+        else:
+            named = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
+            found.append(replace(each, notebook=named, refused=LINK if path.is_symlink() else ""))
     if len(files) > MAX_LISTED:
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
     if not found and not problems:
@@ -172,32 +173,29 @@ def _in_zip(whole, notebooks):
 def _walk(top):
     """Search a student's folder within bounds.
 
-    Returns the notebooks, zips and links, sorted, as [(path, whether it is a link)], the names of the other files, and
-    sentences on what could not be searched.
+    Returns the sorted paths of notebooks, zips and linked folders, the names of the other files, and sentences on what
+    could not be searched.
     """
-    files, others, problems, seen = [], [], [], 0
+    files, others, problems, seen = [], [], set(), 0
 
     def unread(error):
-        problems.append(f"A folder in it cannot be read: {error.strerror or error}.")
+        problems.add(f"A folder in it cannot be read: {error.strerror or error}.")
 
-    for place, folders, names in os.walk(top, onerror=unread):
+    for place, folders, names in os.walk(top, onerror=unread):  # which enters no link
         seen += len(folders) + len(names)
-        inner = [Path(place, name) for name in folders if not _is_clutter(name)]
-        folders[:] = [path.name for path in inner if not path.is_symlink()]
-        files += [(path, True) for path in inner if path.is_symlink()]
-        for path in (Path(place, name) for name in names if not _is_clutter(name)):
-            if path.name.lower().endswith(READ):
-                files.append((path, path.is_symlink()))
-            elif not path.is_symlink():
-                others.append(printable(path.name))
+        folders[:] = [name for name in folders if not _is_clutter(name)]
+        names = [name for name in names if not _is_clutter(name)]
+        wanted = [name for name in names if name.lower().endswith(READ)]
+        links = [name for name in folders if os.path.islink(os.path.join(place, name))]
+        files += [Path(place, name) for name in wanted + links]
+        others += [printable(name) for name in names if name not in wanted]
         if seen > MAX_ENTRIES:
-            problems.append(f"It holds more than {MAX_ENTRIES} files: the others were not looked at.")
+            problems.add(f"It holds more than {MAX_ENTRIES} files: the others were not looked at.")
             break
-        if folders and len(Path(place).relative_to(top).parts) + 1 >= MAX_DEPTH:
+        if len(Path(place).relative_to(top).parts) + 1 >= MAX_DEPTH and len(folders) > len(links):
             folders.clear()
-            sentence = f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into."
-            problems += [] if sentence in problems else [sentence]
-    return sorted(files), others, problems[:5]
+            problems.add(f"It holds folders nested more than {MAX_DEPTH} deep: those were not looked into.")
+    return sorted(files), others, sorted(problems)
 
 
 def _one_name_each(found):
@@ -210,27 +208,6 @@ def _one_name_each(found):
     shared = [each for each in found if each.student in double and each.platform_id]
     names = {each: f"{each.student} {each.platform_id}" for each in shared}
     return [replace(each, student=names.get(each, each.student)) for each in found]
-
-
-def _unique_places(found):
-    """Add a hash to the places of two paths that print alike."""
-    counts = collections.Counter(each.place for each in found)
-    alike = [each for each in found if counts[each.place] > 1]
-    marks = {each: f" [{_digest(os.fsdecode(each.path) + each.member + each.refused)}]" for each in alike}
-    return [replace(each, place=each.place + marks.get(each, "")) for each in found]
-
-
-def _newest_copies(found):
-    """Refuse all but the newest copies of one student's notebook, to bound the work."""
-    groups = collections.defaultdict(list)
-    for each in found:
-        if each.student and each.notebook and not each.refused:
-            groups[each.student, each.notebook].append(each)
-    older = {}
-    for group in groups.values():
-        group.sort(key=lambda each: (-(each.modified or 0), each.place))
-        older |= dict.fromkeys(group[MAX_COPIES:], f"Only the {MAX_COPIES} newest of {len(group)} copies are graded.")
-    return [replace(each, refused=older.get(each, each.refused)) for each in found]
 
 
 def split(stem, notebooks):
@@ -281,19 +258,12 @@ def file_names(names):
     """Return {name: file name}, all different, also on file systems that ignore case."""
     plain = {name: _plain(name) for name in names}
     taken = collections.Counter(text.casefold() for text in plain.values())
-    return {
-        name: text if taken[text.casefold()] == 1 and text == name else f"{text}-{_digest(name)}"
-        for name, text in plain.items()
-    }
+    unchanged = {name for name, text in plain.items() if text == name and taken[text.casefold()] == 1}
+    hashes = {name: hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()[:8] for name in names}
+    return {name: text if name in unchanged else f"{text}-{hashes[name]}" for name, text in plain.items()}
 
 
 def _plain(name):
     """Return the name without characters that have a meaning in paths, cut to a moderate length."""
     text = "".join(c if c.isalnum() or unicodedata.combining(c) or c in " _-.@+,()'" else "_" for c in name[:60])
-    text = text.encode()[:180].decode("utf-8", "ignore").strip(" .")
-    reserved = re.fullmatch(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text, re.IGNORECASE)
-    return f"_{text}" if reserved or not text else text
-
-
-def _digest(name):
-    return hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()[:8]
+    return text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"
