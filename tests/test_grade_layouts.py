@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 import pytest
-from hostile.build import FULL, NAME, SEED, book
+from hostile.build import NAME, SEED, book
 from IPython.core.inputtransformer2 import TransformerManager
 from jupyter_client.manager import start_new_kernel
 
@@ -51,7 +51,6 @@ LAYOUTS = {
     "a magic in a block": lambda source: source + "\nif True:\n    %precision 3\n    done = 1\n",
     "commands in brackets": lambda source: source + "\nprint('%s'\n% 'x')\nfound = !echo\n",
     "an empty cell magic": lambda source: "%%script false\nnot Python",
-    "a line that is broken": lambda source: source + "\n\nfor x in:\n    pass\n",
     "signs in a comment": lambda source: f"# pasted {SIGNS} text\n{source}",
 }
 
@@ -91,11 +90,8 @@ def test_a_layout_earns_when_graded_what_is_right_in_a_kernel(few, layout, kerne
     states = in_a_kernel(kernel, cells)
     result = grade(book(*cells), NAME, SEED)
     graded = {row["exercise"]: row["state"] for row in result["exercises"]}
-    if layout == "a line that is broken":  # nothing of such a cell runs in Jupyter; its other statements count
-        assert sum(row["points"] for row in result["exercises"]) == FULL
-    else:
-        assert graded == states
-        assert set(states.values()) == {"not attempted yet" if layout == "an empty cell magic" else "right"}
+    assert graded == states
+    assert set(states.values()) == {"not attempted yet" if layout == "an empty cell magic" else "right"}
 
 
 def every_answer(solutions):
@@ -118,7 +114,7 @@ def test_every_answer_is_read_as_ipython_reads_it(solutions, layout):
             wanted = ast.parse(body).body if "script" not in cell[:9] else []
         compared += 1
         assert [ast.dump(tree) for tree in parsed(cell)] == [ast.dump(tree) for tree in wanted], cell
-    assert compared > (50 if layout != "a line that is broken" else -1)
+    assert compared > 50
 
 
 def test_what_the_transformer_cannot_read_is_left_as_it_is():

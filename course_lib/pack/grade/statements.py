@@ -135,27 +135,9 @@ def tree_of(source):
 
 
 def parsed(source):
-    """Return the statements of a cell; if the cell is not valid Python, those of its statements that are."""
+    """Return the statements of a cell; none if the cell is not valid Python."""
     tree = tree_of(plain(source))
-    return tree.body if tree else [tree for piece in _pieces(plain(source)) for tree in _parsed_alone(*piece)]
-
-
-def _pieces(source):
-    """Return (lines before, text) of the pieces that may be statements: each begins at the left edge."""
-    pieces, after_decorator = [], False
-    for number, line in enumerate(source.split("\n")):
-        begins = re.match(r"[A-Za-z_@(\[{]", line) and not re.match(r"(else|elif|except|finally|case)\b", line)
-        if begins and not after_decorator:
-            pieces.append((number, line))
-        elif pieces:
-            pieces[-1] = (pieces[-1][0], f"{pieces[-1][1]}\n{line}")
-        after_decorator = line.startswith("@")
-    return pieces
-
-
-def _parsed_alone(before, text):
-    tree = tree_of(text)
-    return ast.increment_lineno(tree, before).body if tree else []
+    return tree.body if tree else []
 
 
 def no_python(sources, name):

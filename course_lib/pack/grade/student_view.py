@@ -27,26 +27,7 @@ def {name}(*arguments, **named):
 {name}.taken_away = True
 '''
 
-FIGURES = '''"""In the place of the figures: nothing is drawn."""
-
-
-class Quiet:
-    def __call__(self, *arguments, **named):
-        return self
-
-    def __getattr__(self, name):
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return self
-
-
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    return Quiet()
-'''
-
-CHECKS = '''"""In the place of the checks: nothing is judged here."""
+QUIET = '''"""In the place of the checks and figures: nothing is judged or drawn here."""
 
 import importlib
 
@@ -55,14 +36,13 @@ class Quiet:
     def __init__(self, library=""):
         self.library = library
 
-    def __call__(self, *arguments):
-        pass
+    def __call__(self, *arguments, **named):
+        return self
 
-    def hint(self):
-        pass
-
-    def predict(self, *choice):
-        pass
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self
 
     def use(self, students):
         """Return the library's function if this process has it, so that a wrong answer affects no other exercise."""
@@ -103,10 +83,10 @@ def contents(checks, forbidden):
         dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))
         files[f"course_lib/{path.name}"] = without(path, dotted)
     for path in (PACKAGE / "figures").rglob("*.py"):
-        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = FIGURES.encode()
+        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = QUIET.format(library={}).encode()
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
-        files[f"course_lib/checks/{package}/__init__.py"] = CHECKS.format(library=library).encode()
+        files[f"course_lib/checks/{package}/__init__.py"] = QUIET.format(library=library).encode()
     modules = {path: source for path, source in files.items() if path.endswith(".py") and path != SCRIPTS[0]}
     return files | {importlib.util.cache_from_source(path): compiled(source) for path, source in modules.items()}
 
