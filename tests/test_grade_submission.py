@@ -8,6 +8,7 @@ import nbformat
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
+from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
 from course_lib.pack.grade.submission import grade
 from course_lib.pack.release import PROMPT
@@ -55,16 +56,10 @@ def split(first, rest):
     return [line for source in [first, *rest] for line in source.partition("\n\n")[::2]]
 
 
-def in_an_order(seed):
-    return lambda first, rest: random.Random(seed).sample([first, *rest], len(rest) + 1)
-
-
 CHANGES = {
-    "as they are": lambda first, rest: [first, *rest],
     "merged into one": lambda first, rest: ["\n\n".join([first, *rest])],
     "split": split,
-    "moved": in_an_order(1),
-    "moved otherwise": in_an_order(2),
+    "moved": lambda first, rest: random.Random(1).sample([first, *rest], len(rest) + 1),
     "duplicated": lambda first, rest: [first, *rest, *rest],
     "stubs left below": lambda first, rest: [first, *rest, "def nearest_so(M):\n    raise NotImplementedError\n"],
     "an earlier attempt": lambda first, rest: [first, "def nearest_so(M):\n    return M\n", *rest],
@@ -100,11 +95,13 @@ WRITTEN = {
 
 
 @pytest.mark.parametrize("written", WRITTEN)
-def test_a_file_from_any_program_keeps_its_points_under_any_name(few, written):
-    cells = [cell(source) for source in [few[0], *few[1]]]
+def test_a_file_from_any_program_is_read_under_any_name(few, written):
+    sources = [few[0], *few[1]]
+    cells = [cell(source) for source in sources]
     text = book(**{"cells": cells} | WRITTEN[written](cells)).decode()
-    result = grade(text.encode(written if written in ("utf-8-sig", "utf-16") else "utf-8"), "Untitled (1)", SEED)
-    assert (points(result), result["notebook"]) == (FULL, NAME), result
+    found, _ = notebook_file.read(text.encode(written if written in ("utf-8-sig", "utf-16") else "utf-8"))
+    assert notebook_file.code(found) == sources
+    assert notebook_file.course_of("Untitled (1)", found).name == NAME
 
 
 def test_a_notebook_without_a_known_name_or_function_is_not_of_the_course():
@@ -113,45 +110,48 @@ def test_a_notebook_without_a_known_name_or_function_is_not_of_the_course():
     assert "not one of the course's notebooks" in result["problems"][0]
 
 
-def test_correct_work_that_warns_and_writes_to_stderr_keeps_its_points(few):
-    line = "    import sys, warnings; warnings.warn('odd'); print(1 / np.zeros(2), file=sys.stderr)\n"
-    loud = few[1][0].replace("):\n", "):\n" + line, 1)
-    assert loud != few[1][0]
-    assert points(grade(book(few[0], loud, *few[1][1:]), NAME, SEED)) == FULL
+def answer(few, name):
+    return next(source for source in few[1] if f"def {name}(" in source)
 
 
-def test_metadata_and_stored_outputs_earn_no_points():
+def test_each_exercise_of_a_notebook_is_judged_for_itself(few):
+    loud = answer(few, "matrix_to_quaternion").replace(
+        "):\n", "):\n    import sys, warnings; warnings.warn('odd'); print(1 / np.zeros(2), file=sys.stderr)\n", 1
+    )
+    uses = answer(few, "nearest_so").replace("return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @")
+    assert {"warn(", "nearest_quaternion("} <= {word for text in (loud, uses) for word in re.findall(r"\w+\(", text)}
+    rude = "def is_valid(X, kind, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + chr(0x202e))"
+    result = grade(book(few[0], loud, uses, rude), NAME, SEED)
+    wanted = {"matrix_to_quaternion": "right", "nearest_so": "right", "is_valid": "error in your code"}
+    assert states(result) == wanted | {"nearest_se": "not attempted yet"}
+    message = messages(result)["is_valid"]
+    assert "[2J" in message
+    assert not {"\x1b", "\ud800", "\u202e"} & set(message)
+
+
+def test_metadata_and_stored_outputs_earn_no_points_and_what_is_not_python_is_an_error(few):
     about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
     said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]
-    cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=said)]
-    row = next(r for r in grade(book(cells=cells), NAME, SEED)["exercises"] if r["exercise"] == "nearest_so")
+    broken = answer(few, "nearest_se").replace("return ", "return @", 1)
+    cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=said), cell(broken)]
+    rows = {row["exercise"]: row for row in grade(book(cells=cells), NAME, SEED)["exercises"]}
+    row = rows["nearest_so"]
     assert (row["points"], row["of"], row["state"]) == (0, 3, "wrong")
+    assert rows["nearest_se"]["state"] == "error in your code"
+    said = rows["nearest_se"]["message"]
+    assert re.search(r"Code cell \d+ is not Python: invalid syntax, in line \d+, `return @", said)
 
 
-def test_the_library_may_be_used_unless_an_exercise_forbids_it(few):
-    own = next(source for source in few[1] if "def nearest_so" in source)
-    uses = own.replace("return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @")
-    assert uses != own
-    result = grade(book(few[0], uses), NAME, SEED)
-    assert states(result)["nearest_so"] == "right"
-
-
-def test_the_same_file_gives_the_same_grade(few):
-    guess = "def is_valid(X, kind, tol):\n    return bool(np.random.random() < 0.5)"
-    results = [grade(book(few[0], *few[1], guess), NAME, SEED) for _ in range(2)]
-    assert results[0] == results[1]
-
-
-def test_the_seed_chooses_the_cases(few):
-    right = next(source for source in few[1] if "def nearest_so" in source)
-    tells = right.replace("def nearest_so", "def rightly") + (
+def test_the_seed_chooses_the_cases_and_the_same_seed_gives_the_same_grade(few):
+    tells = answer(few, "nearest_so").replace("def nearest_so", "def rightly") + (
         "\ndef nearest_so(M):\n"
         "    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n"
         "    return rightly(M)\n"
     )
-    said = [messages(grade(book(few[0], tells), NAME, seed))["nearest_so"] for seed in (1, 1, 2)]
-    assert said[0] == said[1]
-    assert said[0] != said[2]
+    guess = "def is_valid(X, kind, tol):\n    return bool(np.random.random() < 0.5)"
+    results = [grade(book(few[0], tells, guess), NAME, seed) for seed in (1, 1, 2)]
+    assert results[0] == results[1]
+    assert messages(results[0])["nearest_so"] != messages(results[2])["nearest_so"]
 
 
 def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few):
@@ -160,29 +160,6 @@ def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
     assert "computed nothing for 2 seconds" in messages(result)["nearest_so"]
     assert "not graded" in messages(result)["nearest_se"]
-
-
-def test_messages_contain_no_control_characters(few):
-    rude = "def is_valid(X, kind, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + chr(0x202e))"
-    message = messages(grade(book(few[0], rude), NAME, SEED))["is_valid"]
-    assert "[2J" in message
-    assert not {"\x1b", "\ud800", "\u202e"} & set(message)
-
-
-def test_an_exercise_whose_cells_were_deleted_is_not_attempted_and_the_others_are_graded(few):
-    kept = [source for source in few[1] if "def nearest_so" not in source]
-    result = grade(book(few[0], *kept), NAME, SEED)
-    assert states(result)["nearest_so"] == "not attempted yet"
-    assert points(result) == FULL - 3
-
-
-def test_an_answer_that_is_not_python_is_an_error_and_not_missing(few):
-    broken = [s.replace("return ", "return @", 1) if "def nearest_so" in s else s for s in few[1]]
-    result = grade(book(few[0], *broken), NAME, SEED)
-    assert states(result)["nearest_so"] == "error in your code"
-    said = messages(result)["nearest_so"]
-    assert re.search(r"Code cell \d+ is not Python: invalid syntax, in line \d+, `return @", said)
-    assert points(result) == FULL - 3
 
 
 # ---- files that are none ----
@@ -215,29 +192,27 @@ def test_a_file_that_is_not_a_notebook_gives_the_reason_for_every_exercise(conte
 SOURCES = ["\ud800", "(" * 10_000, "-" * 200_000 + "1", "x = " + "[" * 5000, "\0", "def f(:\n" * 5000]
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=["surrogate", "round", "minus", "square", "zero", "def"])
-def test_sources_that_cannot_be_parsed_affect_no_other_exercise(few, source):
-    assert points(grade(book(few[0], source, *few[1]), NAME, SEED, SHORT)) == FULL
+def test_sources_that_cannot_be_parsed_affect_no_other_exercise(few):
+    assert points(grade(book(few[0], *SOURCES, *few[1]), NAME, SEED, SHORT)) == FULL
 
 
 # ---- written answers ----
 
 
-def test_written_answers_are_found_by_name_by_id_and_by_their_task():
+@pytest.mark.parametrize("without", [[], ["metadata"], ["metadata", "id"]])
+def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
     notebook = nbformat.read(NOTEBOOKS / f"{NAME}.ipynb", 4)
     wanted = ["explain_torch", "explain_weights", "explain_tolerance"]
-    for change in (lambda c: None, lambda c: c.metadata.clear(), lambda c: (c.metadata.clear(), c.pop("id", None))):
-        answers = [c for c in notebook.cells if c.metadata.get("nbgrader", {}).get("grade_id") in wanted]
-        for number, each in enumerate(answers):
-            each.source = f"because {number}"
-        for each in notebook.cells:
-            change(each)
-        cells = [dict(c) for c in notebook.cells if c.cell_type == "markdown"]
-        found = {q["question"]: q["text"] for q in grade(book(cells=cells), NAME, SEED)["questions"]}
-        assert list(found) == wanted
-        assert all(text.startswith("because") for text in found.values()), found
+    for each in notebook.cells:
+        if each.metadata.get("nbgrader", {}).get("grade_id") in wanted:
+            each.source = f"because of {each.metadata.nbgrader.grade_id}"
+        each |= {key: {} for key in without}
+    found, _ = notebook_file.read(book(cells=[dict(each) for each in notebook.cells]))
+    answers = {each.name: notebook_file.answer(each, found) for each in courses()[NAME].questions}
+    assert answers == {name: f"because of {name}" for name in wanted}
 
 
 def test_the_prompt_of_a_written_answer_is_not_an_answer():
     cells = [cell(PROMPT, "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})]
-    assert grade(book(cells=cells), NAME, SEED)["questions"][-1]["text"] == ""
+    found, _ = notebook_file.read(book(cells=cells))
+    assert notebook_file.answer(courses()[NAME].questions[-1], found) == ""
