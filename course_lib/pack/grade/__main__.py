@@ -137,7 +137,7 @@ def _alone(path):
     """Keep a second run from writing to the same folder. The lock is released when this process ends."""
     with path.open("w") as file:
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # which children do not inherit
         except BlockingIOError as error:
             raise GradingStopped(f"Another run is writing to {path.parent}.") from error
         for part in path.parent.rglob(f".*{PART}"):  # of a run that was killed

@@ -105,6 +105,8 @@ def call_bounded(function, *arguments, **bounds):
 def _work(pipe, function, arguments, cpu_seconds, memory, clock_seconds):
     """Compute within bounds, and write the outcome to the pipe."""
     die_with_parent()
+    if not multiprocessing.parent_process().is_alive():  # it was killed just before
+        return
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # the run says a sentence when it is interrupted, and this nothing
     signal.alarm(clock_seconds)
     _limit(resource.RLIMIT_CPU, cpu_seconds)
