@@ -24,9 +24,9 @@ HELP = """Submissions cannot be kept apart from this machine, so none was run: t
 submissions and the grades, and use the network. Bubblewrap: {problem}. Install bubblewrap: `sudo apt install
 bubblewrap` on Debian and Ubuntu, `sudo dnf install bubblewrap` on Fedora. Ubuntu since 24.04 also needs `sudo sysctl
 -w kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
-(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --security-opt
-seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none runs them as
-yourself, with limits only; never as root.""".replace("\n", " ")
+(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --cap-add NET_ADMIN
+--security-opt seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none
+runs them as yourself, with limits only; never as root.""".replace("\n", " ")
 
 
 def isolated(wanted=""):
