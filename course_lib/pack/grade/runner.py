@@ -4,6 +4,7 @@ All its output is only a claim, because the student's code runs in the same proc
 object with the cells, and runs them. Then it reads requests {"ask": name, ...} until the end, and answers each in a
 child process, so that a crash in one answer affects no other. If the object says "each", no student's code runs in this
 process: each request is answered by a child that runs the cells for itself, and of which nothing is left afterwards.
+What can be done without running the cells is done before.
 """
 
 import ast
@@ -47,12 +48,10 @@ def main():
         return json.loads(requests.readline())["answer"]
 
     order = json.loads(requests.readline())
-    run = functools.partial(
-        run_whole if order["whole"] else run_needed,
-        *(order["cells"], order["names"], {tuple(place) for place in order["without"]}),
-    )
-    if order["each"]:
-        preload(order["cells"])
+    each = order.get("each", False)
+    plan = whole if order["whole"] else needed_only
+    run = plan(order["cells"], order["names"], {tuple(place) for place in order["without"]}, each)
+    if each:
         space, defined, alike = {}, order["names"], []
     else:
         space, defined, alike = run(say)
@@ -62,29 +61,26 @@ def main():
         name = asked["ask"]
 
         def answer(consult, name=name, asked=asked):
-            if not order["each"]:
+            if not each:
                 return call_student.reply(space.get(name), asked["questions"], consult)
             os.close(requests.fileno())  # what is said to this child, or by it, goes through its own pipes
             os.close(replies)
             return call_student.reply(run(lambda **message: None)[0].get(name), asked["questions"], consult)
 
         say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
-        if order["each"] and settings["apart"]:
+        if each and settings["apart"]:
             leave_nothing()
 
 
-def preload(sources):
-    """Import what the cells import, from packages only, so that each child finds it loaded."""
-    from statements import statements
-
-    for each in statements(sources):
-        for node in ast.walk(each.tree):
-            names = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
-            if isinstance(node, ast.ImportFrom):
-                names = [] if node.level else [node.module, *(f"{node.module}.{name}" for name in names)]
-            for name in names:
-                with contextlib.suppress(BaseException):
-                    importlib.import_module(name)
+def preload(trees):
+    """Import what these statements import, from packages only, so that each child finds it loaded."""
+    for node in (node for tree in trees for node in ast.walk(tree)):
+        names = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
+        if isinstance(node, ast.ImportFrom):
+            names = [] if node.level else [node.module, *(f"{node.module}.{name}" for name in names)]
+        for name in names:
+            with contextlib.suppress(BaseException):
+                importlib.import_module(name)
 
 
 def leave_nothing():
@@ -122,56 +118,74 @@ def empty(room):
 # ---- cells ----
 
 
-def run_whole(sources, names, without, say):
-    """Run the cells as Jupyter does, but continue after errors; return the same as run_needed."""
+def whole(sources, names, without, each):
+    """Return a function that runs the cells as Jupyter does, but continues after errors; see needed_only.
+
+    each: whether to load beforehand what the cells import.
+    """
     from IPython.core.interactiveshell import InteractiveShell
-    from statements import without_stubs
+    from statements import statements, without_stubs
     from traitlets.config import Config
 
-    shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
-    for number, source in enumerate(without_stubs(sources)):
-        if (number, 0) in without:
-            continue
-        say(running=[number, 0])
-        with contextlib.suppress(BaseException):
-            done = shell.run_cell(source, store_history=False)
-            error = done.error_before_exec or done.error_in_exec
-            if error is not None:
-                say(failed=number, error=words(error))
-    return shell.user_ns, shell.user_ns, []
+    cells = without_stubs(sources)
+    if each:
+        preload([found.tree for found in statements(sources)])
+
+    def run(say):
+        shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
+        for number, source in enumerate(cells):
+            if (number, 0) in without:
+                continue
+            say(running=[number, 0])
+            with contextlib.suppress(BaseException):
+                done = shell.run_cell(source, store_history=False)
+                error = done.error_before_exec or done.error_in_exec
+                if error is not None:
+                    say(failed=number, error=words(error))
+        return shell.user_ns, shell.user_ns, []
+
+    return run
 
 
-def run_needed(sources, names, without, say):
-    """Run only the statements that the functions of these names need, one after the other.
+def needed_only(sources, names, without, each):
+    """Return a function that runs only the statements that the functions of these names need, one after the other.
 
-    Returns their namespace, all names that the cells bind, and the names of functions that would behave the same if
-    only the statements that they themselves need had been run.
+    It returns their namespace, all names that the cells bind, and the names of functions that would behave the same if
+    only the statements that they themselves need had been run. each: whether to load beforehand what they import.
     """
     from statements import alike_alone, needed, statements
 
-    module = types.ModuleType("__main__")
-    space = vars(module)
-    space["display"] = print
-    sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
     for number, source in enumerate(sources):
         text = [f"{line}\n" for line in source.split("\n")]
         linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
     found = statements(sources)
-    left = [each for each in needed(found, names) if (each.cell, each.tree.lineno) not in without]
-    alike = [] if without else alike_alone(found, names)
-    for _ in range(2):  # twice, for cells that a student moved before those that they need
-        failed = []
-        for each in left:
-            say(running=[each.cell, each.tree.lineno])
-            try:
-                exec(compile(ast.Module([each.tree], []), f"<cell {each.cell}>", "exec"), space)
-            except NameError:
-                failed.append(each)
-            except BaseException as error:
-                alike = []
-                say(failed=each.cell, error=words(error))
-        left = failed
-    return space, {name for each in found for name in each.binds}, [] if left else alike
+    chosen = [one for one in needed(found, names) if (one.cell, one.tree.lineno) not in without]
+    bound = {name for one in found for name in one.binds}
+    alone = [] if without or each else alike_alone(found, names)
+    if each:
+        preload([one.tree for one in chosen])
+
+    def run(say):
+        module = types.ModuleType("__main__")
+        space = vars(module)
+        space["display"] = print
+        sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
+        left, alike = chosen, alone
+        for _ in range(2):  # twice, for cells that a student moved before those that they need
+            failed = []
+            for one in left:
+                say(running=[one.cell, one.tree.lineno])
+                try:
+                    exec(compile(ast.Module([one.tree], []), f"<cell {one.cell}>", "exec"), space)
+                except NameError:
+                    failed.append(one)
+                except BaseException as error:
+                    alike = []
+                    say(failed=one.cell, error=words(error))
+            left = failed
+        return space, bound, [] if left else alike
+
+    return run
 
 
 def words(error):

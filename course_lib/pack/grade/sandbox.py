@@ -6,6 +6,7 @@ import json
 import math
 import os
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -85,7 +86,7 @@ class Sandbox:
             place = {"cwd": scratch or "/", "env": isolation.environment(scratch)}
             self._process = subprocess.Popen(command, **pipe, start_new_session=True, **place)
         except BaseException:
-            remove_tree(self._folder)
+            shutil.rmtree(self._folder, ignore_errors=True)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
         self._watcher = threading.Thread(target=self._watch_memory, daemon=True)
@@ -105,7 +106,7 @@ class Sandbox:
         self._process.wait()
         self._process.stdout.close()
         self._process.stderr.close()
-        remove_tree(self._folder)
+        shutil.rmtree(self._folder, ignore_errors=True)
 
     def send(self, message, seconds=30):
         """Send a message, anything that JSON can hold."""
@@ -249,14 +250,9 @@ def _wait_for(pipe, event, seconds):
     return bool(waiting.poll(1000 * seconds))
 
 
-def remove_tree(folder):
-    """Remove a folder. Not by shutil.rmtree, which recurses: a submission may nest folders very deep."""
-    subprocess.run(["rm", "-rf", "--", str(folder)], stderr=subprocess.DEVNULL, env={"PATH": os.defpath})
-
-
 def remove_old_folders():
     """Remove the folders of sandboxes whose grader was killed."""
     for folder in Path(tempfile.gettempdir()).glob("grade-*-*"):
         number = folder.name.split("-")[1]
         if number.isdigit() and not psutil.pid_exists(int(number)):
-            remove_tree(folder)
+            shutil.rmtree(folder, ignore_errors=True)

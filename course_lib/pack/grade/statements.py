@@ -52,13 +52,13 @@ def without_stubs(sources):
 
 
 def needed(found, names):
-    """Return the Statements that functions of these names need: all imports, and whatever affects what they read.
+    """Return the Statements that functions of these names need: those that affect what they read.
 
-    A function reads names when it is called, so the search begins before the statement that mentions the function.
+    A function reads names when it is called, so the search begins before the statement that mentions the function. Of a
+    package that is needed all imports are, because each may load another part of it.
     """
-    imported = {name for each in found for name in each.binds if isinstance(each.tree, IMPORTS)}
-    kept = [isinstance(each.tree, IMPORTS) for each in found]
-    left, seen = [(name, len(found)) for name in names], set()
+    imported = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
+    kept, left, seen = set(), [(name, len(found)) for name in [*names, "*"]], set()
     while left:
         name, end = left.pop()
         if (name, end) in seen:
@@ -68,12 +68,20 @@ def needed(found, names):
             each = found[position]
             if name not in each.binds and (name in imported or name not in each.changes):
                 continue
-            kept[position] = True
+            kept.add(position)
             later = end if isinstance(each.tree, FUNCTIONS) else position
             left += [(read, later) for read in each.reads]
             if name in each.binds and isinstance(each.tree, SIMPLE):
                 break
-    return [each for each, keep in zip(found, kept, strict=True) if keep]
+    packages = {package for position in kept for package in _packages(found[position].tree)}
+    return [each for i, each in enumerate(found) if i in kept or packages & _packages(each.tree)]
+
+
+def _packages(tree):
+    """Return the packages that a statement imports from."""
+    if isinstance(tree, ast.ImportFrom):
+        return {(tree.module or "").partition(".")[0]}
+    return {alias.name.partition(".")[0] for alias in tree.names} if isinstance(tree, ast.Import) else set()
 
 
 def alike_alone(found, names):

@@ -39,8 +39,10 @@ class Quiet:
     def __call__(self, *arguments, **named):
         return self
 
+    hint = predict = __call__
+
     def __getattr__(self, name):
-        if name.startswith("_"):
+        if LIBRARY or name.startswith("_"):  # a figure has any attribute, a check has none but these
             raise AttributeError(name)
         return self
 

@@ -122,16 +122,11 @@ class Grader:
         """Load the course and try the isolation once, for all processes forked from this one."""
         if isolation.isolated(self.wanted):
             isolation.mounts()
-        _load()
+        for course in courses().values():
+            _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
 
     def __call__(self, content, notebook, seed):
         return grade(content, notebook, seed, hidden=self.hidden, wanted=self.wanted)
-
-
-@functools.cache
-def _load():
-    for course in courses().values():
-        _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
 
 
 def _files(forbidden):
@@ -169,7 +164,6 @@ def attempt(run, exercises, forbidden, whole):
         if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
         order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
-        order |= {"each": False}
         with run.sandbox(files) as sandbox:
             guilty, end, report = run_cells(sandbox, order, run)
             if not end:
