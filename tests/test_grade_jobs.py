@@ -9,7 +9,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import nbformat
 import psutil
 import pytest
 from grade_stand_in import TABLES, grade, hand_in, wait_for
@@ -260,28 +259,3 @@ def test_the_seed_is_drawn_once_and_kept(place):
     assert seeds[0] == seeds[1] != seeds[2]
     assert seeds[3] == 7
     assert int((place / "out/seed").read_text()) == seeds[0]
-
-
-# ---- all of it ----
-
-
-def test_a_notebook_is_graded_by_make_grades_command(isolated, place):
-    cells = ["def is_valid(X, kind, tol):\n    raise NotImplementedError", "def wrap_angle(a):\n    return a"]
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
-    (place / "in/anna").mkdir()
-    nbformat.write(notebook, place / "in/anna/01_rotations.ipynb")
-    (place / "in/bob_01_rotations.ipynb").write_text("no JSON")
-    (place / "in/carl_01_rotations.ipynb").symlink_to("anna/01_rotations.ipynb")
-    command = [sys.executable, "-m", "course_lib.pack.grade", str(place / "in"), "--output", str(place / "out")]
-    done = subprocess.run([*command, "--jobs", "1"], cwd=ROOT, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    assert "grading: 100%" in done.stderr
-    grades = (place / "out/grades.csv").read_text()
-    assert ",is_valid,0,3,not attempted," in grades
-    assert "bob,01_rotations,more,is_valid,0,3," in grades
-    assert 'carl,01_rotations,,,0,,refused,"carl_01_rotations.ipynb: It is a link' in grades
-    assert sorted(path.name for path in (place / "out").iterdir() if not path.name.startswith(".")) == sorted(
-        [*TABLES, "class.html", "feedback", "results", "seed"]
-    )
-    kept = [json.loads(path.read_text()) for path in (place / "out/results").iterdir()]
-    assert sorted(len(result["exercises"]) for result in kept) == [16, 16]

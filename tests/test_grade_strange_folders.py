@@ -45,7 +45,7 @@ def handed_in():
     subprocess.run(["rm", "-rf", str(root)], check=True)
 
 
-@pytest.mark.parametrize("depth", [MAX_DEPTH, 1500, 3000])
+@pytest.mark.parametrize("depth", [MAX_DEPTH, 3000])
 def test_deeply_nested_folders_affect_only_their_student(handed_in, depth):
     nested(handed_in / "mallory", depth)
     assert lines(handed_in) == {"innocent": "graded", "mallory": "refused"}

@@ -7,6 +7,7 @@ import subprocess
 import nbformat
 import pytest
 from course_copy import ROOT, copied
+from grade_stand_in import TABLES
 from hostile.build import book, cell
 
 GUIDE = ROOT / "course_lib/pack/README.md"
@@ -38,6 +39,8 @@ def followed(copy, solutions, isolated):
         file = copy / "handed_in" / path
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(book(cells=[cell(source) for source in sources] + [written]))
+    (copy / "handed_in/cy_01_rotations.ipynb").write_text("no JSON")
+    (copy / "handed_in/di_01_rotations.ipynb").symlink_to("cy_01_rotations.ipynb")
     (copy / "roster.csv").write_text(
         'Student,ID,SIS User ID,SIS Login ID,Section\n"Doe, Jane",1234,u1,jane,A\n"Bo, Al",1235,u2,al,A\n'
     )
@@ -75,6 +78,16 @@ def test_the_guide_names_the_commands_of_a_course(followed):
 
 def test_the_release_is_there(copy, followed):
     assert (copy / "build/student.zip").stat().st_size > 10_000
+
+
+def test_every_file_has_its_lines(copy, followed):
+    grades = (copy / "build/grades/grades.csv").read_text(encoding="utf-8-sig")
+    assert "al bo,01_rotations,more,is_valid,0,3,not attempted," in grades
+    assert "cy,01_rotations,more,is_valid,0,3,cannot be read," in grades
+    assert 'di,01_rotations,,,0,,refused,"di_01_rotations.ipynb: It is a link' in grades
+    files = {path.name for path in (copy / "build/grades").iterdir() if not path.name.startswith(".")}
+    assert files == {*TABLES, "canvas.csv", "class.html", "feedback", "results", "seed"}
+    assert "grading: 100%" in followed["make grade SUBMISSIONS=handed_in"].stderr
 
 
 def test_marks_typed_between_two_runs_count(copy, followed):
