@@ -220,8 +220,8 @@ def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--jobs", "two"), "JOBS=two is not a whole number."),
-        (("--seed", "two"), "SEED=two is not a whole number."),
+        (("--jobs", "two"), "JOBS=two is not a whole number, 0 or more."),
+        (("--seed", "-2"), "SEED=-2 is not a whole number, 0 or more."),
         (("--isolation", "weak"), "ISOLATION=weak is not none, the only choice to make."),
         (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
         (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),

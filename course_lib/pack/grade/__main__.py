@@ -29,9 +29,8 @@ MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines 
 
 def main(arguments=None, grade=None):
     """Grade; return an exit code, with a plain sentence if grading fails. grade: replaces the Grader in tests."""
-    chosen = _parser().parse_args(arguments)
     try:
-        _grade(chosen, grade)
+        _grade(_parser().parse_args(arguments), grade)
     except GradingStopped as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
@@ -48,7 +47,9 @@ def _parser():
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
     parser.add_argument("submissions", help="folder that holds what was handed in")
     parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
-    parser.add_argument("--jobs", default="0", help="how many at once; one for each processor if not given")
+    parser.add_argument(
+        "--jobs", type=_whole_number("JOBS"), default=0, help="how many at once; one for each processor if not given"
+    )
     parser.add_argument(
         "--lms",
         default="",
@@ -57,20 +58,21 @@ def _parser():
     parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
     parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
     parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
-    parser.add_argument("--more", default="1", help="what the points of More count: from 0 (or no) to 1")
+    parser.add_argument("--more", type=_weight, default=1, help="what the points of More count: from 0 (or no) to 1")
     parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
-    parser.add_argument("--seed", help="of the cases that are asked; drawn once and kept if not given")
+    parser.add_argument(
+        "--seed", type=_whole_number("SEED"), help="of the cases that are asked; drawn once and kept if not given"
+    )
     return parser
 
 
 def _grade(chosen, grade):
     output, submissions = chosen.output, _submissions(chosen)
-    jobs, given = _whole_number("JOBS", chosen.jobs), _whole_number("SEED", chosen.seed)
-    deadline, roster, weight = read_deadline(chosen.deadline, chosen.late), _roster(chosen), _weight(chosen.more)
+    deadline, roster = read_deadline(chosen.deadline, chosen.late), _roster(chosen)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
-        seed = _seed(output / "seed", given)
+        seed = _seed(output / "seed") if chosen.seed is None else chosen.seed
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
         grade = grade or Grader(hidden, chosen.isolation)
         remove_old_folders()
@@ -78,8 +80,8 @@ def _grade(chosen, grade):
             grade.prepare()
             how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
             print(f"Each submission runs {how}.", flush=True)
-        outcomes = grade_all(submissions, output / "results", seed, grade, jobs)
-        _write(output, outcomes, deadline, weight, chosen.lms.replace("none", ""), roster)
+        outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs)
+        _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
 
 
 def _submissions(chosen):
@@ -113,12 +115,15 @@ def _roster(chosen):
     return read_roster(Path(chosen.roster)) if chosen.roster else None
 
 
-def _whole_number(name, typed):
-    """Return the value typed for one of make's settings as a number; None if there is none."""
-    try:
-        return None if typed is None else int(typed)
-    except ValueError:
-        raise GradingStopped(f"{name}={typed} is not a whole number.") from None
+def _whole_number(name):
+    """Return a function that reads the number typed for one of make's settings."""
+
+    def read(typed):
+        if not typed.isdecimal():
+            raise GradingStopped(f"{name}={typed} is not a whole number, 0 or more.")
+        return int(typed)
+
+    return read
 
 
 def _weight(typed):
@@ -145,20 +150,14 @@ def _alone(path):
         yield
 
 
-def _seed(path, given):
-    """The seed of the cases: the one given, or else the one kept beside the grades, drawn by the first run."""
-    if given is not None:
-        if given < 0:
-            raise GradingStopped("The seed is a whole number, 0 or more.")
-        return given
+def _seed(path):
+    """Return the seed of the cases that is kept beside the grades, drawn by the first run."""
     if not path.exists():
         write_atomically(path, f"{secrets.randbits(62)}\n")
-    try:
-        return int(path.read_text())
-    except ValueError as error:
-        raise GradingStopped(
-            f"{path} does not hold a whole number: correct it, or delete it to draw a new one."
-        ) from error
+    text = path.read_text().strip()
+    if not text.isdecimal():
+        raise GradingStopped(f"{path} does not hold a whole number: correct it, or delete it to draw a new one.")
+    return int(text)
 
 
 # ---- the output files ----

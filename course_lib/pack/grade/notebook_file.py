@@ -19,8 +19,7 @@ from course_lib.pack.release import PROMPT
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"
 MOST_CELLS = 5_000
-MOST_BRACKETS = 500_000  # dicts and lists of a file: a notebook with large figures has some ten thousand
-MOST_COMMAS = 5_000_000  # numbers of its figures
+MOST_PARTS = 5_000_000  # dicts, lists and commas of a file: a notebook with large figures has some hundred thousand
 MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
 
@@ -69,7 +68,7 @@ def read(content):
     """Return the Cells of a submitted file, and the release that it names, or "". Raises Unreadable."""
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
-    if content.count(b"{") + content.count(b"[") > MOST_BRACKETS or content.count(b",") > MOST_COMMAS:
+    if sum(map(content.count, (b"{", b"[", b","))) > MOST_PARTS:
         raise Unreadable("It holds far more than a notebook does. Clear its outputs and hand it in again.")
     try:
         # No number in a notebook is needed. Kept as text, even a very long one can be read.
@@ -115,7 +114,8 @@ def code(cells):
 
 def defines(sources, name):
     """Return whether a cell seems to define a function of this name: a quick guess from its text."""
-    return any(re.match(rf"(def[ \t]+{name}\b|{name}[ \t]*=[^=])", line) for line in _lines_with(sources, name))
+    begins = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*=[^=])", re.MULTILINE)
+    return any(map(begins.search, sources))
 
 
 DYNAMIC = (
@@ -132,18 +132,13 @@ def may_bind(sources, name):
         return False
     if any(re.search(DYNAMIC, source) for source in sources):
         return True
-    for line in _lines_with(sources, name):
+    for line in (line for source in sources if name in source for line in source.split("\n") if name in line):
         first, last = re.search(rf"\b{name}\b", line), line.rfind(name)
         if first and "=" in line[first.end() :]:
             return True
         if first and re.search(r"\b(import|as|for|def|class|with|global)\b", line[:last]):
             return True
     return False
-
-
-def _lines_with(sources, name):
-    """Return the lines that contain a name, without leading blanks."""
-    return (line.lstrip() for source in sources if name in source for line in source.split("\n") if name in line)
 
 
 # ---- the course's notebooks ----
