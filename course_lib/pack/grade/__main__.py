@@ -119,7 +119,7 @@ def _whole_number(name):
     """Return a function that reads the number typed for one of make's settings."""
 
     def read(typed):
-        if not typed.isdecimal():
+        if not typed.strip().isdecimal():
             raise GradingStopped(f"{name}={typed} is not a whole number, 0 or more.")
         return int(typed)
 
