@@ -3,7 +3,6 @@
 import contextlib
 import io
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -65,23 +64,6 @@ def test_files_that_were_graded_are_not_graded_again(place):
     assert tables(place) != first
     run(place, "--jobs", "1", "--seed", "5")
     assert calls(place) == 13
-
-
-def test_what_all_submissions_need_is_loaded_before_their_processes_are_forked(place):
-    class Prepared:
-        prepared_in = None
-
-        def prepare(self):
-            self.prepared_in = os.getpid()
-
-        def __call__(self, content, notebook, seed):
-            assert self.prepared_in == os.getppid()
-            return grade(content, notebook, seed)
-
-    fill(place, 2)
-    assert run(place, "--jobs", "1", grade=Prepared()) == 0
-    assert calls(place) == 2
-    assert "failed" not in tables(place)[0].decode()
 
 
 def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_again(place, monkeypatch):

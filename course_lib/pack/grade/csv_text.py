@@ -15,10 +15,11 @@ MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 MARK = "\ufeff"  # without it Excel on Windows shows accents wrongly; Canvas and Moodle import a file that has it
 
 
-def table_text(columns, rows):
-    """Return a table as CSV text. columns, rows: lists of texts made by `cell`."""
+def table_text(columns, rows, lines=False):
+    """Return a table as CSV text in which no value is a formula. lines: see cell."""
     file = io.StringIO(newline="")
-    csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+    table = [[cell(value, lines) for value in row] for row in (columns, *rows)]
+    csv.writer(file, lineterminator="\n").writerows(table)
     return MARK + file.getvalue()
 
 

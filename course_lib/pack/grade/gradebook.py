@@ -13,7 +13,7 @@ import re
 import unicodedata
 
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.csv_text import cell, cell_text, read_table, table_text
+from course_lib.pack.grade.csv_text import cell_text, read_table, table_text
 
 IDENTITY = {
     "canvas": ("Student", "ID", "SIS User ID", "SIS Login ID", "Section"),
@@ -92,12 +92,10 @@ def gradebook_text(platform, totals, roster=None):
     for notebook in totals.of:
         more = [f"{notebook} - Max Points", f"{notebook} - Lateness (H:M:S)"] if platform == "gradescope" else []
         columns += [notebook, *more]
-    written = [[cell(value) for value in row] for row in rows]
     if platform == "canvas":
-        of = [cell(points) for points in totals.of.values()]
-        written.insert(0, [f"    {POINTS_POSSIBLE}", *[""] * (len(IDENTITY[platform]) - 1), *of])
-    text = table_text([cell(name) for name in columns], written)
-    return text, missing, [students for students in lines.values() if len(students) > 1]
+        rows.insert(0, [f"    {POINTS_POSSIBLE}", *[""] * (len(IDENTITY[platform]) - 1), *totals.of.values()])
+    shared = [students for students in lines.values() if len(students) > 1]
+    return table_text(columns, rows, lines=True), missing, shared
 
 
 def _identity(platform, student, user_id, look):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.csv_text import answer_text, cell, cell_text, read_table, table_text
+from course_lib.pack.grade.csv_text import answer_text, cell_text, read_table, table_text
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.release import PROMPT
 
@@ -96,4 +96,4 @@ def marks_text(listed, rows):
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):
             table.append([row[name] if name != "state" else OLDER for name in COLUMNS])
-    return table_text(COLUMNS, [[cell(value, lines=True) for value in row] for row in table])
+    return table_text(COLUMNS, table, lines=True)

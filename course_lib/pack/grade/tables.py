@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
-from course_lib.pack.grade.csv_text import cell, count_noun, table_text
+from course_lib.pack.grade.csv_text import count_noun, table_text
 from course_lib.pack.grade.marks import mark_answer
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
@@ -147,7 +147,7 @@ def grades_text(everything):
     rows = []
     for each in everything:
         rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each)]
-    return table_text(GRADES, [[cell(value) for value in row] for row in rows])
+    return table_text(GRADES, rows)
 
 
 def _lines(each):
@@ -218,4 +218,4 @@ def totals_text(found):
         core = abs(round(total - more, 2))  # abs, because rounding may leave -0
         rows.append([student, *each, core, more, total, of, found.waiting[student]])
     columns = ["student", *found.of, "core", "more", "total", "of", "to be read"]
-    return table_text([cell(name) for name in columns], [[cell(value) for value in row] for row in rows])
+    return table_text(columns, rows)
