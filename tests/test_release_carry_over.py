@@ -8,15 +8,24 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from course_lib.pack.release.bundle import STUDENTS
+from course_lib.pack.release.stubs import students_copy
+
 ROOT = Path(__file__).parents[1]
 NAME = "02_rigid_motion.ipynb"
 CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far\n'
 
 
 @pytest.fixture
-def folders(unpacked, tmp_path):
-    """An older release and a newer one, both as they come."""
-    return shutil.copytree(unpacked, tmp_path / "old one"), shutil.copytree(unpacked, tmp_path / "new")
+def folders(tmp_path):
+    """An older release and a newer one, both as they come, with one notebook."""
+    text = (ROOT / "notebooks" / NAME).read_text(encoding="utf-8")
+    folders = tmp_path / "old one", tmp_path / "new"
+    for folder in folders:
+        (folder / "notebooks").mkdir(parents=True)
+        (folder / "notebooks" / NAME).write_text(students_copy(text, NAME, "1"), encoding="utf-8")
+        shutil.copy(STUDENTS / "carry_over.py", folder)
+    return folders
 
 
 def cell_of(notebook, name):

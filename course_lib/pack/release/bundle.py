@@ -2,7 +2,6 @@
 
 import contextlib
 import hashlib
-import importlib.metadata
 import io
 import os
 import re
@@ -11,9 +10,6 @@ import time
 import tomllib
 import zipfile
 from pathlib import Path
-
-from packaging.requirements import Requirement
-from packaging.utils import canonicalize_name
 
 from course_lib.pack.files import write_atomically
 from course_lib.pack.release import ReleaseError
@@ -24,7 +20,8 @@ RELEASE = "@RELEASE@"  # a placeholder until the contents, and so the release, a
 STUDENTS = Path(__file__).parent / "students"  # what only students have
 PAGES = ("reports.md", "places.md", "changes.md")  # beside the notebooks, and the text pages that they name
 SET_UP = "course_lib/pack/environment.sh"
-LOCK_SAYS = "# The versions of all packages that this release was made with.\n"
+LOCK = "lock.txt"
+LOCKED = f"# What to install; {LOCK} has the versions that this release was made with.\n-c {LOCK}\n"
 
 
 # ---- the files ----
@@ -41,8 +38,8 @@ def collect(root, more=True):
     files |= _as_they_are(root, _read_by(files, root, PAGES if more else PAGES[1:]) + _package(root) + [root / SET_UP])
     files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
     files["pyproject.toml"] = reduced_project(project).encode()
-    lock = (root / "environment.txt").read_text(encoding="utf-8")
-    files["environment.txt"] = reduced_lock(lock, wanted(project)).encode()
+    files["environment.txt"] = (LOCKED + "\n".join(wanted(project)) + "\n").encode()
+    files[LOCK] = (root / "environment.txt").read_bytes()
     return files
 
 
@@ -89,39 +86,6 @@ def wanted(project):
     """Return the requirements of a pyproject.toml that students need: to run the package, and to install it."""
     tables = tomllib.loads(project)
     return [*tables["project"]["dependencies"], *tables["dependency-groups"]["build"]]
-
-
-def reduced_lock(lock, requirements):
-    """Return the lines of a lock that the requirements need, and what those need in turn.
-
-    Environment markers are ignored, except for extras, because the lines of the lock have markers of their own.
-    """
-    lines = [line for line in lock.splitlines() if not line.startswith("#")]
-    pinned = {Requirement(line).name for line in lines}
-    left, seen = [Requirement(text) for text in requirements], set()
-    while left:
-        asked = left.pop()
-        name = canonicalize_name(asked.name)
-        for extra in {"", *asked.extras}:
-            if name in pinned and (name, extra) not in seen:
-                seen.add((name, extra))
-                left += [need for need in _needs(name) if _extra(need) == extra]
-    names = {name for name, _ in seen}
-    return LOCK_SAYS + "".join(f"{line}\n" for line in lines if Requirement(line).name in names)
-
-
-def _needs(name):
-    """Return the requirements of a package; none if it is not installed because it is for another system."""
-    try:
-        return [Requirement(text) for text in importlib.metadata.requires(name) or []]
-    except importlib.metadata.PackageNotFoundError:
-        return []
-
-
-def _extra(requirement):
-    """Return the extra that a requirement belongs to, or ""."""
-    found = re.search(r"extra == ['\"]([\w.-]+)", str(requirement.marker or ""))
-    return found[1] if found else ""
 
 
 # ---- the zip ----
