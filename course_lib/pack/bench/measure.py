@@ -1,9 +1,10 @@
 """Check that several functions agree, measure them alternately, and compare their times."""
 
-import gc
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from timeit import Timer
 
 import numpy as np
 
@@ -50,22 +51,11 @@ def shares(task, repeats=5):
             if not gap <= AGREE:
                 raise ValueError(f"{task.title}: the answers of {other.name} differ by {gap:.1g}")
     runs = [(task.library, task.items), *((other.run, task.items[: other.items]) for other in task.others)]
-    often = [1 + int(LEAST / max(_seconds(run, items, 1), 1e-6)) for run, items in runs]
+    # Processor time: other programs on the machine affect it less than the clock.
+    timers = [Timer(partial(run, items), timer=time.process_time) for run, items in runs]
+    often = [1 + int(LEAST / max(timer.timeit(1), 1e-6)) for timer in timers]
     best = np.full(len(runs), np.inf)
     for _ in range(repeats):
-        taken = [_seconds(run, items, n) / n / len(items) for (run, items), n in zip(runs, often, strict=True)]
+        taken = [timer.timeit(n) / n / len(items) for timer, n, (_, items) in zip(timers, often, runs, strict=True)]
         best = np.minimum(best, taken)
     return best[0], {other.name: best[0] / one for other, one in zip(task.others, best[1:], strict=True)}
-
-
-def _seconds(run, items, often):
-    """Return the processor time of `often` runs: other programs on the machine affect it less than the clock."""
-    gc.collect()
-    gc.disable()
-    try:
-        start = time.process_time()
-        for _ in range(often):
-            run(items)
-        return time.process_time() - start
-    finally:
-        gc.enable()
