@@ -1,38 +1,76 @@
-"""The students' zip, unpacked, runs: every notebook from top to bottom, with the package that came with it."""
+"""The students' zip, unpacked, runs with the package that came with it: with unwritten and with broken answers."""
 
+import ast
 import importlib
 import os
+import re
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from nbformat.v4 import new_code_cell
 
 from course_lib.checks.exercise import UNCHANGED
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-WHICH = nbformat.v4.new_code_cell("import course_lib\nprint(course_lib.__file__)")
+WHICH = "import course_lib\nprint(course_lib.__file__)"
+SLOWEST = "wrong-reset"  # a third of its notebook's time; it uses the library only, so that nbval runs it as it is
+BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return "forty-two"', "raise SystemExit"]
+
+
+def points(cell):
+    return cell.metadata.get("nbgrader", {}).get("points")
+
+
+def broken(stub, line):
+    """An answer whose function does this first."""
+    (function,) = (each for each in ast.parse(stub).body if isinstance(each, ast.FunctionDef))
+    lines = stub.splitlines()
+    lines.insert(function.body[0].lineno - 1, f"    {line}")
+    return "\n".join(lines)
+
+
+def with_broken_answers(cells):
+    """The cells, and behind each check: a broken answer, the check again, and the stub again."""
+    stubs = {}
+    for cell in cells:
+        yield cell
+        about = cell.metadata.get("nbgrader", {})
+        if about.get("solution"):
+            stubs[about.grade_id] = cell.source
+        elif points(cell):
+            stub = stubs[about.grade_id.removeprefix("check_")]
+            yield new_code_cell(broken(stub, BROKEN[len(stubs) % len(BROKEN)]))
+            yield new_code_cell(cell.source, metadata={"tags": ["again"]})
+            yield new_code_cell(stub)
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
-def test_every_cell_runs_and_every_check_says_not_attempted_yet(unpacked, name):
+def test_every_cell_runs_and_checks_say_not_attempted_yet_and_later_what_is_wrong(unpacked, name):
     notebook = nbformat.read(unpacked / "notebooks" / name, 4)
-    notebook.cells.append(WHICH.copy())
+    cells = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.id != SLOWEST]
+    notebook.cells = [*with_broken_answers(cells), new_code_cell(WHICH)]
     client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(unpacked / "notebooks")}})
     client.execute(env={**os.environ, "PYTHONPATH": str(unpacked)})  # raises where a cell does
     assert notebook.cells[-1].outputs[0].text.strip() == str(unpacked / "course_lib" / "__init__.py")
+    outputs = [output for cell in notebook.cells for output in cell.outputs]
+    assert [output.text for output in outputs if output.get("name") == "stderr"] == []
 
-    outputs = [(cell, output) for cell in notebook.cells for output in cell.get("outputs", [])]
-    assert [output.text for _, output in outputs if output.get("name") == "stderr"] == []
-    checks = [cell for cell in notebook.cells if cell.metadata.get("nbgrader", {}).get("points") and "outputs" in cell]
-    said = [output.data["text/plain"] for cell, output in outputs if cell in checks]
-    assert said != []
     package = importlib.import_module(f"course_lib.checks.{name[3:].removesuffix('.ipynb')}")
     exercises = [check.exercise for check in package.CHECKS]
-    bug = (UNCHANGED, "it calls ")  # another exercise, which is not written yet
+    checks = [cell for cell in notebook.cells if points(cell)]
     assert [cell.metadata.nbgrader.grade_id for cell in checks] == [f"check_{each.name}" for each in exercises]
-    for text, each in zip(said, exercises, strict=True):
-        name, _, rest = text.removeprefix("○ ").partition(": ")
+    again = [cell for cell in notebook.cells if "again" in cell.metadata.get("tags", [])]
+    bug = (UNCHANGED, "it calls ")  # another exercise, which is not written yet
+    for cell, later, each in zip(checks, again, exercises, strict=True):
+        (said,) = cell.outputs
+        name, _, rest = said.data["text/plain"].removeprefix("○ ").partition(": ")
         assert name == each.name
-        assert rest.startswith(bug) if each.broken else rest == "not attempted yet", text
+        assert rest.startswith(bug) if each.broken else rest == "not attempted yet", rest
+        (said,) = later.outputs
+        text = said.data["text/plain"]
+        assert re.match(rf"[✗!] {each.name}: (not right yet|error in your code)\n", text), text
+        assert "Traceback" not in text
+        assert len(text.splitlines()) <= 24
