@@ -1,4 +1,4 @@
-"""Pictures of what scripts draw, taken in a headless browser, for places that run no script."""
+"""What a headless browser makes of pages: pictures of what scripts draw, for places that run no script, and PDFs."""
 
 import io
 import json
@@ -11,7 +11,7 @@ from PIL import Image
 
 from course_lib.figures.toys.toy import SCRIPTS
 
-WIDTH, HIGHEST, PATIENCE = 720, 1600, 60  # pixels, pixels, seconds
+WIDTH, HIGHEST, PATIENCE = 720, 1600, 600  # pixels, pixels, seconds
 _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
 .controls{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
 const meta = {meta};
@@ -42,16 +42,30 @@ def screenshot(body: str, width: int, height: int) -> Image.Image:
     TimeoutError
         If there is no browser, or it takes no picture.
     """
-    from choreographer.browsers.chromium import Chromium
-
-    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
     with tempfile.TemporaryDirectory() as folder:
         page, shot = Path(folder, "page.html"), Path(folder, "page.png")
         page.write_text(f'<!doctype html><meta charset="utf-8"><style>body{{margin:0}}</style>{body}', encoding="utf-8")
-        options = [*_OPTIONS, f"--window-size={width},{height}", f"--user-data-dir={folder}/profile"]
-        command = [str(browser), *options, f"--screenshot={shot}", page.as_uri()]
+        headless(page, f"--window-size={width},{height}", f"--screenshot={shot}")
+        try:
+            return Image.open(io.BytesIO(shot.read_bytes())).convert("RGBA")
+        except OSError as error:
+            raise TimeoutError(f"the browser took no picture: {error}") from error
+
+
+def headless(page: Path, *options: str) -> None:
+    """Open a page in a browser without a window, which then does what the options say.
+
+    Raises
+    ------
+    TimeoutError
+        If there is no browser, or it fails.
+    """
+    from choreographer.browsers.chromium import Chromium
+
+    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
+    with tempfile.TemporaryDirectory() as profile:
+        command = [str(browser), *_OPTIONS, f"--user-data-dir={profile}", *options, page.resolve().as_uri()]
         try:
             subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
-            return Image.open(io.BytesIO(shot.read_bytes())).convert("RGBA")
         except (subprocess.SubprocessError, OSError) as error:
-            raise TimeoutError(f"no picture by the browser {browser}: {error}") from error
+            raise TimeoutError(f"the browser {browser} failed: {error}") from error

@@ -1,44 +1,29 @@
 """The pages of a site as one PDF: a title, contents, and the articles, printed by a browser without a window."""
 
-import os
-import shutil
-import subprocess
 from pathlib import Path
 
 from bs4 import BeautifulSoup
 
+from course_lib.pack.photograph import headless
 from course_lib.pack.site import SiteError
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 NEEDED = "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
 
 
 def write_pdf(site: Path, file: Path) -> None:
     """Print a site to `file`; raises SiteError if there is no browser, or it prints nothing."""
-    browser = os.environ.get("BROWSER_PATH") or next(filter(None, map(shutil.which, BROWSERS)), None)
-    if not browser:
-        raise SiteError(NEEDED)
     book = site / "book.html"  # beside the pictures that it shows
     book.write_text(_book(site), encoding="utf-8")
     file.parent.mkdir(parents=True, exist_ok=True)
     file.unlink(missing_ok=True)
-    # Page numbers are the style sheet's; --no-sandbox, because root has none, and the pages are our own.
-    settings = [
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--no-pdf-header-footer",
-        "--generate-pdf-document-outline",
-    ]
-    command = [browser, *settings, f"--print-to-pdf={file.resolve()}", book.resolve().as_uri()]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True)
-    except OSError as error:
+    try:  # page numbers are the style sheet's
+        headless(book, "--no-pdf-header-footer", "--generate-pdf-document-outline", f"--print-to-pdf={file.resolve()}")
+    except TimeoutError as error:
         raise SiteError(f"{NEEDED} ({error})") from error
     finally:
         book.unlink()
     if not file.is_file():
-        raise SiteError(f"{browser} printed nothing: {done.stderr.strip()[-300:]}")
+        raise SiteError("The browser printed nothing.")
 
 
 def _book(site: Path) -> str:
