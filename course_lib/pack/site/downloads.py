@@ -5,7 +5,7 @@ from pathlib import Path
 import nbformat
 
 from course_lib.pack.release import ReleaseError
-from course_lib.pack.release.bundle import PAGES, collect, named, release_date, write_zip
+from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.prepare import OPENING
 
@@ -13,7 +13,6 @@ ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
 RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make,
 follow its README. Then open <code>notebooks/{name}</code>.</p>"""
-REPORTS = '\n<p><a href="reports.html">What the reports print, beside our numbers</a>.</p>'
 
 
 def students_zip(root: Path, path: Path) -> Path | None:
@@ -32,16 +31,9 @@ def offered(release: Path | None) -> str:
     return LINK.format(name=ZIP, size=release.stat().st_size / 1e6) if release else ""
 
 
-def offer(notebook: Path, release: Path | None) -> None:
-    """Put links to the zip and to the page of reports, those that exist, below the first figure of a prepared notebook.
-
-    Below the first text if nothing is shown in the opening cells.
-    """
-    words = RUN.format(link=offered(release), name=notebook.name) if release else ""
-    if (notebook.parent / PAGES[0]).exists():
-        words += REPORTS
-    if not words:
-        return
+def offer(notebook: Path, release: Path) -> None:
+    """Put a link to the zip below the first figure of a prepared notebook, else below its first text."""
+    words = RUN.format(link=offered(release), name=notebook.name)
     book = nbformat.read(notebook, as_version=4)
     shown = next((cell for cell in book.cells[:OPENING] if cell.get("outputs")), None)
     if shown:  # no cell is added, for Sphinx's messages name cells by their numbers

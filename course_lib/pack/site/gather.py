@@ -11,7 +11,7 @@ from nbformat import NotebookNode
 from course_lib.pack.site import COVER
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
-NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 CORE = "The core of all takes about {:g} hours; folded sections, called More, are on request."
 
@@ -122,16 +122,6 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     )
 
 
-def with_pictures(text: str, notebooks: list[Notebook]) -> str:
-    """Return a page of text with the picture of a notebook below each heading whose section links to the notebook."""
-    parts = re.split(r"^(?=## )", text, flags=re.MULTILINE)
-    for number, part in enumerate(parts[1:], 1):
-        heading, _, words = part.partition("\n")
-        shown = next((notebook.picture for notebook in notebooks if f"({notebook.name}.ipynb" in words), "")
-        parts[number] = f"{heading}\n\n{shown}\n{words}"
-    return "".join(parts)
-
-
 def _card(notebook: Notebook) -> str:
     """Return a notebook's card on the home page: its picture, its title, the question it answers, its hours."""
     hours = f"About {notebook.hours:g} hours." if notebook.hours else ""
@@ -150,11 +140,8 @@ def _question(text: str) -> str:
 
 def _hours(text: str) -> float:
     """Return the number in "It takes about five hours" or "about five and a half hours", or 0."""
-    found = re.search(r"It takes about (\w+)( and a half)? hours?", text)
-    if not found:
-        return 0
-    whole = int(found[1]) if found[1].isdigit() else NUMBERS.index(found[1]) + 1 if found[1] in NUMBERS else 0
-    return whole + (0.5 if found[2] else 0)
+    found = re.search(rf"It takes about ({'|'.join(NUMBERS)})( and a half)? hours?", text)
+    return NUMBERS.index(found[1]) + (0.5 if found[2] else 0) if found else 0
 
 
 def _cover(book, name: str, pages: Path) -> str:
@@ -166,5 +153,5 @@ def _cover(book, name: str, pages: Path) -> str:
             if kind:
                 # The card shows a still, even if the notebook's figure moves.
                 alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
-                return picture(output, kind, "picture cover", alt, pages, trim=True)
+                return picture(output, kind, "picture cover", alt, pages)
     return ""

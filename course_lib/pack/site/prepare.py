@@ -169,29 +169,16 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     )
 
 
-def _trimmed(image: Image.Image) -> Image.Image:
-    """Return a picture with narrow white margins."""
-    ink = image.convert("L").point(lambda dot: 255 * (dot < 250)).getbbox()
-    if not ink:
-        return image
-    left, top, right, bottom = ink
-    edge = image.width // 50
-    box = (max(0, left - edge), max(0, top - edge), min(image.width, right + edge), min(image.height, bottom + edge))
-    return image.crop(box)
-
-
-def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0, trim: bool = False) -> str:
+def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0) -> str:
     """Store an image beside the pages and return the element that shows it.
 
-    `cut` is the share of its height to leave out at the bottom; with `trim` its white margins go too.
+    `cut` is the share of its height to leave out at the bottom.
     """
     text, ending, size, wide = output.data[kind], IMAGES[kind], "", False
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind == "image/png":
         image = Image.open(io.BytesIO(content))
         image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
-        if trim:
-            image = _trimmed(image)
         # Known beforehand, so that the text below does not jump when the picture arrives.
         shown = output.metadata.get(kind, {}).get("width", image.width)
         size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'

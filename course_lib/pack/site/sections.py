@@ -17,8 +17,8 @@ PAGES = {
     "errata": (
         """# Errata
 
-Errors in the published reports, and remarks on them. A notebook's title links to the notebook, which has the functions
-and exercises that are named here.""",
+Errors in the published reports, and remarks on them, from the notebooks' appendices. A title links to its notebook,
+which has the functions and exercises that are named here. *Above* and *this notebook* refer to it.""",
         {
             "### Errors in it": """## Errors
 
@@ -36,38 +36,6 @@ The books, articles and reports that each notebook uses.""",
     ),
 }
 
-# Phrases that make sense only inside a notebook, and what the page of errata says instead.
-THERE = {
-    r"\babove\b(?!,? (?:all|\d|[$]))": "in [the notebook]({link})",
-    r"\bthis notebook\b": "[the notebook]({link})",
-    r"\bYou (?:found|corrected) it in (`\w+`)": r"The notebook's exercise on it is \1",
-    r"\bThe table of the ([\d,]+) targets": r"[The notebook's]({link}) table of the \1 targets",
-    r"\bYou met this line as a bug to find": "The notebook sets this line as a bug to find",
-}
-
-# The words of a source that become a link, and where it leads.
-DOI = "https://doi.org/"
-LINKS = {
-    "*Modern Robotics*": f"{DOI}10.1017/9781316661239",
-    "*State Estimation for Robotics*": f"{DOI}10.1017/9781316671528",
-    "*A Mathematical Introduction to Robotic Manipulation*": f"{DOI}10.1201/9781315136370",
-    "*Robotics*": f"{DOI}10.1007/978-1-84628-642-1",
-    "*Stable Mappings and Their Singularities*": f"{DOI}10.1007/978-1-4615-7904-5",
-    "A generalized solution of the orthogonal Procrustes problem": f"{DOI}10.1007/BF02289451",
-    "*IEEE PAMI* 13": f"{DOI}10.1109/34.88573",
-    "Quaternion from rotation matrix": f"{DOI}10.2514/3.55767b",
-    "Animating rotation with quaternion curves": f"{DOI}10.1145/325334.325242",
-    "Effective sampling and distance metrics for 3D rigid body path planning": f"{DOI}10.1109/ROBOT.2004.1308895",
-    "IK-Geo: unified robot inverse kinematics using subproblem decomposition": "https://arxiv.org/abs/2211.05737",
-    "Inverse kinematic solutions with singularity robustness for robot manipulator control": f"{DOI}10.1115/1.3143764",
-    "*Journal of Applied Mechanics* 22": f"{DOI}10.1115/1.4011045",
-    "*IEEE Transactions on Robotics* 27": f"{DOI}10.1109/TRO.2011.2148230",
-    "*Acta Crystallographica* A32": f"{DOI}10.1107/S0567739476001873",
-    "Least squares quantization in PCM": f"{DOI}10.1109/TIT.1982.1056489",
-    "Locally weighted learning for control": f"{DOI}10.1023/A:1006511328852",
-    "Learning inverse kinematics": f"{DOI}10.1109/IROS.2001.973374",
-}
-
 
 def write(books: dict[str, NotebookNode], path: Path) -> bool:
     """Write the page that `path` names, a notebook, from {file name: notebook}; return whether it has any contents."""
@@ -80,22 +48,9 @@ def write(books: dict[str, NotebookNode], path: Path) -> bool:
         return False
     for number, cell in enumerate(cells):
         cell.id = f"{path.stem}-{number}"  # else random, and no two builds the same
-        if path.stem == "sources":
-            cell.source = _linked(cell.source)
     metadata = next(iter(books.values())).metadata
     nbformat.write(new_notebook(cells=cells, metadata=metadata), path)
     return True
-
-
-def _linked(text: str) -> str:
-    """Return the lines of sources with links to the works, unless a line holds a link already."""
-    lines = text.splitlines()
-    for number, line in enumerate(lines):
-        if line.startswith("- ") and "](" not in line:
-            for words, link in LINKS.items():
-                line = line.replace(words, f"[{words}]({link})")
-            lines[number] = line
-    return "\n".join(lines)
 
 
 def _titled(heading: str, name: str, book: NotebookNode) -> list:
@@ -105,18 +60,11 @@ def _titled(heading: str, name: str, book: NotebookNode) -> list:
     cells = section(book, heading)
     for cell in cells:
         if cell.cell_type == "markdown":
-            cell.source = _from_elsewhere(cell.source, name)
+            cell.source = cell.source.replace("](#", f"]({name}#")
     if cells:
         level = heading.partition(" ")[0]
         cells[0].source = cells[0].source.replace(heading, f"{level} [{title}]({name})", 1)
     return cells
-
-
-def _from_elsewhere(text: str, link: str) -> str:
-    """Return a notebook's text for another page: references to itself and to its exercises are reworded."""
-    for words, instead in THERE.items():
-        text = re.sub(words, instead.format(link=link), text)
-    return text.replace("](#", f"]({link}#")
 
 
 def section(book, heading: str) -> list:
