@@ -1,6 +1,5 @@
 """The site as readers see it: in a browser, from a folder, without a network."""
 
-import json
 import os
 import re
 import runpy
@@ -35,7 +34,6 @@ from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
-SLOW = json.loads(json.dumps(MOVING).replace('"duration": 20', '"duration": 500'))  # time to press Pause
 CAPTION = "Both helices wind the same way."
 
 
@@ -57,7 +55,7 @@ def notebooks(tmp_path_factory):
         ),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
         *[new_markdown_cell("Words. " * 400) for _ in range(3)],
-        cell(output({PLOTLY: SLOW, "text/plain": "A point that moves to the right"})),
+        cell(output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
         cell(source="hidden_input = 1", tags=["hide-input"]),
         cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
@@ -85,30 +83,6 @@ def reader(site, browser):
         assert visit.complaints == []
 
 
-def assert_the_page_is_as_it_should_be(visit, notebooks, width, theme):
-    facts = assert_readable(visit, notebooks / "01_rotations.ipynb", width)
-    assert facts["theme"] == theme
-    captions = visit.page.locator("figure figcaption")
-    assert captions.all_inner_texts() == [CAPTION]
-    assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
-    assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
-    live = visit.page.locator(".plotly-live").first
-    visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
-    live.locator(".main-svg").first.wait_for()
-    size = live.bounding_box()
-    assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
-    for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
-        assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
-    style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
-    dimmed = "brightness(0.88)" if theme == "dark" else "none"
-    assert visit.page.locator("img.picture").first.evaluate(style) == ["rgb(255, 255, 255)", dimmed]
-
-
-def test_page_works_offline_on_a_phone(site, notebooks, browser):
-    with Visit(browser, site / "01_rotations.html", width=390) as visit:
-        assert_the_page_is_as_it_should_be(visit, notebooks, 390, "light")
-
-
 def test_a_figure_can_be_rotated_and_keeps_its_view(reader):
     eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
     page = reader.page
@@ -133,26 +107,6 @@ def test_a_figure_can_be_rotated_and_keeps_its_view(reader):
     box.scroll_into_view_if_needed()
     box.locator("canvas").first.wait_for()
     assert page.evaluate(eye) == pytest.approx(rotated, abs=1e-6)
-
-
-def test_frames_play_from_the_keyboard(reader):
-    page = reader.page
-    page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
-    player = page.locator(".plotly-player")
-    button, slider = player.get_by_role("button"), player.get_by_role("slider")
-    drawn = "() => document.querySelectorAll('.plotly-live')[1].data[0].x[0]"
-    button.focus()
-    page.keyboard.press("Enter")
-    page.wait_for_function(f"({drawn})() > 0")
-    page.keyboard.press("Enter")
-    assert button.inner_text() == "Play"
-    page.keyboard.press("Tab")
-    page.keyboard.press("End")
-    page.wait_for_function(f"({drawn})() === 39")
-    page.keyboard.press("ArrowLeft")
-    page.wait_for_function(f"({drawn})() === 38")
-    assert slider.get_attribute("aria-valuetext") == "time 3.8 s"
-    assert page.locator(".updatemenu-button, .slider-container").count() == 0
 
 
 def test_a_block_of_code_is_copied_by_its_button(reader):
@@ -217,10 +171,22 @@ def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader
     page.set_viewport_size({"width": 1280, "height": 844})
 
 
-def test_page_works_offline_in_the_dark(reader, notebooks):
-    assert_the_page_is_as_it_should_be(
-        reader, notebooks, 1280, "dark"
-    )  # the last to look: it leaves the page thinned out
+def test_page_works_offline_on_a_phone_in_the_dark(site, notebooks, browser):
+    with Visit(browser, site / "01_rotations.html", theme="dark", width=390) as visit:
+        facts = assert_readable(visit, notebooks / "01_rotations.ipynb", 390)
+        assert facts["theme"] == "dark"
+        assert visit.page.locator("figure figcaption").all_inner_texts() == [CAPTION]
+        assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
+        assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
+        live = visit.page.locator(".plotly-live").first
+        visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
+        live.locator(".main-svg").first.wait_for()
+        size = live.bounding_box()
+        assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
+        for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
+            assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
+        style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
+        assert visit.page.locator("img.picture").first.evaluate(style) == ["rgb(255, 255, 255)", "brightness(0.88)"]
 
 
 def test_still_pictures_are_shown_without_scripts(site, browser):

@@ -16,19 +16,6 @@ TIMES = np.linspace(0, 1, 21)
 POSES = np.stack([np.linspace(-6, 6, 21), np.linspace(-5, 2, 21), np.linspace(0, 2, 21)], -1)
 OWN = ".updatemenu-container, .updatemenu-button, .slider-container"  # what plotly draws
 
-# A slider that drives no frames: it changes a colour. The margins at the sides are plotly's own.
-STEPS = [{"label": colour, "method": "restyle", "args": [{"marker.color": colour}]} for colour in ("red", "blue")]
-COLOURED = {
-    "data": [{"type": "scatter", "mode": "markers", "x": [0], "y": [0]}],
-    "layout": {
-        "sliders": [{"steps": STEPS}],
-        "height": 500,
-        "margin": {"b": 180},
-        "meta": {"controls": 100},
-        "yaxis": {"scaleanchor": "x"},
-    },
-}
-
 # Two scenes beside each other, with their titles.
 CUBE = {"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1]}
 TITLE = {"xref": "paper", "yref": "paper", "y": 1, "showarrow": False}
@@ -46,18 +33,21 @@ BESIDE = {
 
 @pytest.fixture(scope="module")
 def figures():
-    return stored(body_movie("body", POSES, TIMES).fig), COLOURED, BESIDE
+    return stored(body_movie("body", POSES, TIMES).fig), BESIDE
 
 
 @pytest.fixture(scope="module")
 def page(figures, tmp_path_factory):
-    """A page with a movie, a figure with a slider of another kind and one of two scenes, far from each other."""
+    """A page with a movie and a figure of two scenes, far from each other."""
     folder = tmp_path_factory.mktemp("controls")
-    movie, other, beside = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
-    begin, *words = [new_markdown_cell(text) for text in ("# Controls", *["Words. " * 1200] * 2)]
-    write(folder / "notebooks", "01.ipynb", begin, movie, words[0], other, words[1], beside)
+    movie, beside = (cell(output({FIGURE: figure, "text/plain": "What it shows"})) for figure in figures)
+    begin, words = new_markdown_cell("# Controls"), new_markdown_cell("Words. " * 2400)
+    write(folder / "notebooks", "01.ipynb", begin, movie, words, beside)
     build(folder / "notebooks", folder / "html")
     return folder / "html/01.html"
+
+
+on_a_desktop = pytest.mark.parametrize("opened", [1280], indirect=True)
 
 
 @pytest.fixture(scope="module", params=[1280, 390], ids=["desktop", "phone"])
@@ -136,6 +126,7 @@ def test_a_movie_has_one_button_and_one_range_and_no_space_for_others(visit, fig
     assert_shows(box, figures[0], 0)
 
 
+@on_a_desktop
 def test_the_keyboard_moves_the_range_and_the_drawing_follows(visit, figures):
     box = Box(visit, 0)
     box.ranges.focus()
@@ -144,6 +135,7 @@ def test_the_keyboard_moves_the_range_and_the_drawing_follows(visit, figures):
         assert_shows(box, figures[0], i)
 
 
+@on_a_desktop
 def test_play_runs_to_the_end_and_restarts_and_moving_the_range_stops_it(visit, figures):
     box = Box(visit, 0)
     button = box.box.get_by_role("button").and_(visit.page.locator(".plotly-player button"))
@@ -160,33 +152,23 @@ def test_play_runs_to_the_end_and_restarts_and_moving_the_range_stops_it(visit, 
     assert_shows(box, figures[0], 0)
 
 
+@on_a_desktop
 def test_a_movie_that_leaves_the_window_returns_at_the_same_frame(visit, figures):
     box = Box(visit, 0)
     box.ranges.focus()
     for _ in range(7):
         box.keyboard.press("ArrowRight")
     assert_shows(box, figures[0], 7)
-    box.leave(1)  # not 2, whose two scenes take a second to draw
+    box.leave(1)
     box.come()
     assert_shows(box, figures[0], 7)
     assert_no_space_left(box, lambda wide: min(560, wide - 80 + 70), 50)
 
 
-# ---- other sliders ----
-
-
-def test_a_slider_without_frames_stays_plotlys_own_and_keeps_its_space(visit):
-    box = Box(visit, 1)
-    assert box.ranges.count() == 0
-    assert box.live.locator(".slider-container").count() == 1
-    wide = box.box.bounding_box()["width"]
-    assert box.live.evaluate("live => live.layout.margin.b") == 180
-    assert box.live.bounding_box()["height"] == pytest.approx(min(500, wide - 160 + 280), abs=1), "a square, no wider"
-
-
 # ---- colours, and room ----
 
 
+@on_a_desktop
 def test_a_live_figure_follows_the_theme_and_back(visit, figures):
     box = Box(visit, 0)
     drawn = "live => live.data[2].line.color + ' ' + live._fullLayout.font.color + ' ' + live._fullLayout.plot_bgcolor"
@@ -202,7 +184,7 @@ def test_a_live_figure_follows_the_theme_and_back(visit, figures):
 
 
 def test_on_a_phone_scenes_are_stacked_each_under_its_title(visit):
-    box = Box(visit, 2)
+    box = Box(visit, 1)
     layout = box.live.evaluate("""live => ({
       x: [live._fullLayout.scene.domain.x, live._fullLayout.scene2.domain.x],
       y: [live._fullLayout.scene.domain.y, live._fullLayout.scene2.domain.y],

@@ -75,7 +75,8 @@ def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(on_a_ph
 
 def test_a_notebooks_page_works_offline_on_a_phone(on_a_phone):
     notebook, visit = on_a_phone
-    assert_readable(visit, notebook, 390)
+    # What differs on a phone in the dark: test_site_looks.py applies all rules to the same pages on a desktop.
+    assert_readable(visit, notebook, 390, rules=["color-contrast", "scrollable-region-focusable"])
 
 
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_desktop(on_a_desktop):
