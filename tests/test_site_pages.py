@@ -118,9 +118,11 @@ def test_errata_name_their_notebooks_in_headings_that_skip_no_level(course):
     assert max(after - before for before, after in pairwise(levels)) == 1, "no level is left out"
 
 
-def test_each_report_links_to_the_cells_that_compute_its_numbers(course):
+def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(course):
     article = BeautifulSoup((course / "reports.html").read_text("utf-8"), "html.parser").find("article")
-    links = [part.select_one("a[href*=html]")["href"] for part in article.select("section section")]
+    parts = article.select("section section")
+    assert [len(part.select("img")) for part in parts] == [1] * len(NOTEBOOKS)
+    links = [part.select_one("a[href*=html]")["href"] for part in parts]
     assert links == [f"{notebook.stem}.html#reproduce" for notebook in NOTEBOOKS]
 
 

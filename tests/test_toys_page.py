@@ -168,7 +168,7 @@ def phone(page, browser):
 
 
 @pytest.mark.parametrize("name", HANDLES)
-def test_a_finger_drags_a_handle_and_scrolls_the_page_beside_it(phone, name):
+def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name):
     touch = phone.page.context.new_cdp_session(phone.page)
 
     def swipe(x, y, dx, dy):
@@ -179,13 +179,14 @@ def test_a_finger_drags_a_handle_and_scrolls_the_page_beside_it(phone, name):
         phone.page.wait_for_timeout(60)  # a finger that leaves at rest: the page does not scroll on
         touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
-    box, handle = figure_of(phone, name), figure_of(phone, name).locator(".handle").first
-    handle.evaluate("e => e.closest('.course-stage').scrollIntoView({ block: 'center' })")
-    (x, y), scrolled = centre(handle), phone.page.evaluate("scrollY")
-    swipe(x, y, 40 if x < 195 else -40, 32)
-    assert phone.page.evaluate("scrollY") == scrolled, "the handle moves, not the page"
-    moved = "([e, x, y], b = e.getBoundingClientRect()) => Math.hypot(b.x + 22 - x, b.y + 22 - y) > 10"
-    phone.page.wait_for_function(moved, arg=[handle.element_handle(), x, y])
+    box = figure_of(phone, name)
+    for handle in box.locator(".handle").all():
+        handle.evaluate("e => e.closest('.course-stage').scrollIntoView({ block: 'center' })")
+        (x, y), scrolled = centre(handle), phone.page.evaluate("scrollY")
+        swipe(x, y, 40 if x < 195 else -40, 32)
+        assert phone.page.evaluate("scrollY") == scrolled, "the handle moves, not the page"
+        moved = "([e, x, y], b = e.getBoundingClientRect()) => Math.hypot(b.x + 22 - x, b.y + 22 - y) > 10"
+        phone.page.wait_for_function(moved, arg=[handle.element_handle(), x, y])
     stage, before = box.locator(".course-stage").first.bounding_box(), phone.page.evaluate("scrollY")
     swipe(stage["x"] + 8, stage["y"] + stage["height"] - 8, 0, -120)
     phone.page.wait_for_function("before => scrollY > before + 60", arg=before)

@@ -122,6 +122,16 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
     )
 
 
+def with_pictures(text: str, notebooks: list[Notebook]) -> str:
+    """Return a page of text with the picture of a notebook below each heading whose section links to the notebook."""
+    parts = re.split(r"^(?=## )", text, flags=re.MULTILINE)
+    for number, part in enumerate(parts[1:], 1):
+        heading, _, words = part.partition("\n")
+        shown = next((notebook.picture for notebook in notebooks if f"({notebook.name}.ipynb" in words), "")
+        parts[number] = f"{heading}\n\n{shown}\n{words}"
+    return "".join(parts)
+
+
 def _card(notebook: Notebook) -> str:
     """Return a notebook's card on the home page: its picture, its title, the question it answers, its hours."""
     hours = f"About {notebook.hours:g} hours." if notebook.hours else ""
