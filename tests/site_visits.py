@@ -31,13 +31,16 @@ CONTRAST = """element => {
 }"""
 
 
-@contextmanager
-def open_browser():
-    """A Chromium; without one the test is skipped, or fails where all is to be tested."""
+def find_browser():
+    """Return the path of a Chromium; without one the test is skipped, or fails where all is to be tested."""
     names = ("chromium", "chromium-browser", "google-chrome")
     path = os.environ.get("BROWSER_PATH") or next(filter(None, map(shutil.which, names)), None)
-    if path is None:
-        unavailable(f"no browser is installed ({', '.join(names)})")
+    return path or unavailable(f"no browser is installed ({', '.join(names)})")
+
+
+@contextmanager
+def open_browser():
+    path = find_browser()
     with sync_playwright() as playwright:
         # Machines without a graphics card draw 3D in software, which Chromium wants to be asked for.
         arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]

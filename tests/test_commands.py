@@ -18,6 +18,7 @@ from course_copy import ROOT, copied, fold_a_section, made, run
 from helpers import FIGURE, stored
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
+from site_visits import find_browser
 
 from course_lib.figures import rigid_motion
 
@@ -93,6 +94,7 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
 
 
 def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
+    find_browser()
     path = "notebooks/01_small.ipynb"
     first, second = new_markdown_cell("# Small\n\nSee [there](#Further)."), new_markdown_cell("## Further\n\nWords.")
     write(course / "notebooks", "01_small.ipynb", first, cell(output({"text/html": "x"})), second)
