@@ -165,10 +165,11 @@ FACTS = r"""() => {
 }"""
 
 
-def assert_readable(visit, notebook, width, draws=True):
+def assert_readable(visit, notebook, width, draws=True, rules=None):
     """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from.
 
-    draws: whether these are drawn. Otherwise their still pictures stand where the page was not scrolled to.
+    draws: whether these are drawn. Otherwise their still pictures stand where the page was not scrolled to. rules: as
+    `violations` takes them.
     """
     facts = visit.page.evaluate(FACTS)
     assert not facts["tex"]
@@ -187,7 +188,7 @@ def assert_readable(visit, notebook, width, draws=True):
         assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
     assert len(facts["groups"]) == len(figures)
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
-    assert violations(visit) == []
+    assert violations(visit, rules=rules) == []
     assert visit.complaints == []
     return facts
 
@@ -223,16 +224,16 @@ ONE_OF_EACH_LOOK = """() => {
 LOOKS_AT_THESE = 'axe.configure({ rules: [{ id: "color-contrast", selector: "[data-first-of-its-look]" }] });'
 
 
-def violations(visit, within=None):
+def violations(visit, within=None, rules=None):
     """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
 
-    After a whole page was searched it is of no other use.
+    rules: the names of the rules to apply, or None for all. After a whole page was searched it is of no other use.
     """
     if within is None:
         visit.page.evaluate(OPEN)
         visit.page.evaluate(ONE_OF_EACH_LOOK)
     # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
-    options = {"preload": False, "resultTypes": ["violations"]}
+    options = {"preload": False, "resultTypes": ["violations"]} | ({"runOnly": rules} if rules else {})
     axe = Axe() if within else Axe(f"{AXE_SCRIPT};\n{LOOKS_AT_THESE}")
     found = axe.run(visit.page, context=within, options=options).response["violations"]
     return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]
