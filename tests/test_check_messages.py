@@ -2,6 +2,7 @@
 
 import html
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -241,8 +242,8 @@ def test_an_unmade_prediction_shows_its_choices_and_folds_their_answers(shown):
     assert "right acts first" not in shown[-1]["text/plain"]
 
 
-def test_progress_counts_predictions(shown):
-    predictions = [Predict(ORDER), Predict(ORDER)]
+def test_progress_counts_the_predictions_of_the_core(shown):
+    predictions = [Predict(ORDER), Predict(ORDER), Predict(replace(ORDER, more=True))]
     predictions[0].predict("a")
     Progress([Check(IS_SMALL)], predictions)()
     assert "Predictions made: 1 of 2" in words(shown[-1])

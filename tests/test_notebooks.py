@@ -127,3 +127,10 @@ def test_no_picture_is_cut_off_at_an_edge(path):
             picture = Image.open(io.BytesIO(base64.b64decode(output.data["image/png"]))).convert("L")
             grey = np.asarray(picture)
             assert min(grey[0].min(), grey[-1].min(), grey[:, 0].min(), grey[:, -1].min()) > 250, cell
+
+
+def test_predictions_of_more_are_known_as_such(path):
+    notebook, asked = nbformat.read(path, 4), {}
+    for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True):
+        asked |= {name: more for name in re.findall(r"check\.(\w+)\.predict\(\.\.\.\)", cell.source)}
+    assert asked == {each.name: each.more for each in checks_of(path).PREDICTIONS}

@@ -48,6 +48,7 @@ PREDICTIONS = (
             "c": "The error of q2 falls like the root of h only, and near the stretched arm the position follows "
             "with the square of that: like h.",
         },
+        more=True,
     ),
     Prediction(
         "average",
@@ -69,6 +70,7 @@ PREDICTIONS = (
             "0.003 squared is about 1e-5 m.",
             "c": "One step inverts a linear function exactly, and the forward kinematics is not linear.",
         },
+        more=True,
     ),
 )
 

@@ -360,6 +360,7 @@ _OF_THE_ANSWER = (
     ("0 stands where nan is asked for", "Could 0 be a right answer? What would it say here?", np.nan_to_num),
     ("True and False have changed places", "What does True mean in the task?", _negated_bits),
     ("each item is the last one", _COPIES, lambda x: x[[-1] * len(x)]),
+    ("each item after the first is the last one", _COPIES, lambda x: x[[0] + [-1] * (len(x) - 1)]),
     ("the answer is the square of what it should be", "Where does a root belong?", np.square),
     ("the answer is 100 times what it should be", _UNIT, lambda x: 100 * x),
     ("the answer is 1000 times what it should be", _UNIT, lambda x: 1000 * x),

@@ -195,9 +195,9 @@ class Progress:
         lines = [_bar("Core", core), *map(_line, core)]
         if any(v.state != NOT_ATTEMPTED for v in more):  # whoever leaves More out reads nothing of it
             lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
-        if self.predictions:
-            made = sum(each.choice is not None for each in self.predictions)
-            lines.append(f"Predictions made: {made} of {len(self.predictions)}")
+        choices = [each.choice for each in self.predictions if not each.prediction.more]
+        if choices:
+            lines.append(f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}")
         following = next((v.exercise.name for v in core if v.state != RIGHT), None)
         lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
         _show("\n".join(lines), _MARKS[RIGHT][1])

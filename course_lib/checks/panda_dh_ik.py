@@ -64,6 +64,7 @@ PREDICTIONS = (
             "steps follow the wrong direction far.",
             "c": "Both methods use the error as a direction. Which of them trusts it over a longer distance?",
         },
+        more=True,
     ),
     Prediction(
         "near_and_far",
@@ -73,6 +74,7 @@ PREDICTIONS = (
             "b": "The method is the same, but on the path to a far target it meets more limits and local minima.",
             "c": "Near targets need few small steps. What should stop a descent there?",
         },
+        more=True,
     ),
     Prediction(
         "singular",
@@ -83,6 +85,7 @@ PREDICTIONS = (
             "c": "Yes: 1 / s grows without bound. Damping replaces it by s / (s^2 + eps), and pays by leaving "
             "the path.",
         },
+        more=True,
     ),
     Prediction(
         "two_outliers",
@@ -93,6 +96,7 @@ PREDICTIONS = (
             "fit.",
             "c": "Least squares weighs large residuals most: it does not average wrong matches away.",
         },
+        more=True,
     ),
 )
 

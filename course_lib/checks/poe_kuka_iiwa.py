@@ -70,6 +70,7 @@ PREDICTIONS = (
             "b": "At each instant the smallest joint velocity is chosen. Nothing makes these choices add up to zero.",
             "c": "The joint velocities are continuous, and so are the angles: nothing jumps.",
         },
+        more=True,
     ),
 )
 

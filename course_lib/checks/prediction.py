@@ -17,6 +17,8 @@ class Prediction:
         The letter of the right choice.
     replies : dict of str to str
         The reply to each letter; for a wrong choice, what it overlooks.
+    more : bool
+        Whether the question stands in More, not in the core.
 
     Examples
     --------
@@ -28,6 +30,7 @@ class Prediction:
     name: str
     right: str
     replies: dict[str, str]
+    more: bool = False
 
     def __post_init__(self):
         if self.right not in self.replies or not 2 <= len(self.replies) <= 4:

@@ -35,6 +35,7 @@ PREDICTIONS = (
             "b": "That adds the errors up, 1 + 1000 * 0.0049. But each factor multiplies the length reached so far.",
             "c": "1.0049 to the power 1000 is 133: errors of factors multiply.",
         },
+        more=True,
     ),
     Prediction(
         "order",
@@ -84,6 +85,7 @@ PREDICTIONS = (
             "b": "That is the share of a cap of 10 degrees on an ordinary sphere. Rotations have one dimension more.",
             "c": "There is little room near the identity: the share grows as the third power of the angle.",
         },
+        more=True,
     ),
 )
 

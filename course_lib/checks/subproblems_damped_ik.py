@@ -57,6 +57,7 @@ PREDICTIONS = (
             "c": "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate, and most of their "
             "motion cancels.",
         },
+        more=True,
     ),
     Prediction(
         "paths",
@@ -67,6 +68,7 @@ PREDICTIONS = (
             "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
             "measure.",
         },
+        more=True,
     ),
 )
 

@@ -190,8 +190,8 @@ def pinhole(K, T_cm, key_points):
     faces = PolyCollection(outline[mug.faces[far_first]], facecolor="#e6e2de", edgecolor="#c9c4bf", linewidth=0.3)
     image.add_collection(faces)
     image.plot(*pixels.T, "o", color=CRIMSON, markersize=6)
-    for k, (a, b) in enumerate(pixels):
-        image.annotate(str(k), (a, b), (6, 4), textcoords="offset points", fontsize=12)
+    for i, (a, b) in enumerate(pixels):
+        image.annotate(str(i), (a, b), (6, 4), textcoords="offset points", fontsize=12)
     image.plot(*K[:2, 2], "+", color=GREY, markersize=14)
     image.set(xlim=(0, 640), ylim=(480, 0), aspect="equal", xlabel="u (pixels)", ylabel="v (pixels)")
     image.set_title("the picture: v grows downwards")
@@ -200,7 +200,7 @@ def pinhole(K, T_cm, key_points):
         f"Left, a camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a depth of "
         f"{z:.2f} m, is seen {abs(u - K[0, 2]):.0f} pixels beside the principal point. Right, the picture of the mug "
         f"with {len(seen)} numbered key points.",
-        "Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to $z$.",
+        "The blue line is the image plane. Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to $z$.",
     )
 
 

@@ -63,7 +63,7 @@ def _in_order(q, xy):
 
 def _tell_tip(q, xy):
     if np.isnan(q).any():
-        return f"This position is {np.linalg.norm(xy):.6g} m from the base. Your answer holds NaN."
+        return f"This position is {np.linalg.norm(xy):.16g} m from the base. Your answer holds NaN."
     row = int(np.argmax(np.linalg.norm(two_link_tip(q) - xy, axis=-1)))
     return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(two_link_tip(q[row]), 6))}."
 

@@ -67,6 +67,15 @@ def every_solution(equation, misses, tell, solutions):
             where=lambda *case: len(solutions(*case)) > 0,
         ),
         Property(
+            "the list is not empty, for the target is within reach",
+            lambda found, *case: len(found) > 0,
+            where=lambda *case: len(solutions(*case)) > 0,
+            mistake=Mistake(
+                "a point, or an argument of a subproblem, is wrong",
+                "Try the home pose, where all angles are 0: what should each line give there?",
+            ),
+        ),
+        Property(
             "the list holds every solution",
             lambda found, *case: different(found) == len(solutions(*case)),
             lambda found, *case: f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}.",

@@ -24,7 +24,7 @@ def off_axis(k, rng):
 def _cases(rng):
     plain = [(Z, X, Y), (Z, Y, X), (Z, X, X), (Z, X, 0 - X), (Y, Z, X), (0 - X, Y, Z)]
     there = 2 * X + 3 * Y  # |there|^2 / (|there| |there|) comes out above 1
-    heights = [(Z, there, there), (Z, X + 2 * Z, Y + 2 * Z)]
+    heights = [(Z, X + 2 * Z, Y + 2 * Z), (Z, there, there)]
     reached = []
     for angle in (some_angle(rng, 1), np.pi - some_angle(rng, 1), some_angle(rng, -1), some_angle(rng, 1) - np.pi):
         k = unit(rng)

@@ -48,7 +48,6 @@ def _quarter(pairs):
 
 _COUNT = "that does not return every solution, or returns one twice"
 _SIGN = "with a wrong sign"
-_NONE = "that returns a pair where there is none"
 
 EXERCISE = WriteTest(
     name="test_subproblem2",
@@ -77,8 +76,11 @@ EXERCISE = WriteTest(
         Version("whose angles belong to different solutions", _pairs(_crossed)),
         Version("that is right only for angles up to 90 degrees", _pairs(_quarter)),
         Version("in degrees", _pairs(np.rad2deg)),
-        Version(_NONE, _nearest),
-        Version(_NONE, lambda k1, k2, p1, p2: solutions(k1, k2, p1, _unit(p2) * np.linalg.norm(p1))),
+        Version("that returns a pair if the circles miss", _nearest),
+        Version(
+            "that returns pairs if the points differ in length",
+            lambda k1, k2, p1, p2: solutions(k1, k2, p1, _unit(p2) * np.linalg.norm(p1)),
+        ),
         Version("that is right only for some angles between the axes", _perpendicular),
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),
