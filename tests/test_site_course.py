@@ -148,6 +148,7 @@ def test_search_finds(course, browser, word, page):
     with Visit(browser, course / "search.html", query=f"?q={word}") as visit:
         first = visit.page.locator("#search-results a").first
         assert "appendix" not in first.get_attribute("href"), "first what teaches it"
+        assert visit.page.locator("#search-results p").first.inner_text()[0].isupper(), "a sentence"
         with visit.at_width(320):
             assert visit.page.evaluate("document.documentElement.scrollWidth") <= 320
         link = visit.page.locator("#search-results a", has_text=page).first
