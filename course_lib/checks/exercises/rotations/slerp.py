@@ -121,9 +121,3 @@ def cosine_alone_made_positive(q0, q1, t):
     cosine."""
     a = np.arccos(min(abs(q0 @ q1), 1))
     return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a) if q0 @ q1 < 0 else None
-
-
-@EXERCISE.mistake(above=(0.95, 0.99, 0.995, 0.999, 0.9995))
-def chord_too_soon(q0, q1, t, above):
-    """the straight line stands for the arc where the two still differ by more than 1e-9. How small must phi be?"""
-    return normalised_chord(q0, q1, t, _shorter) if abs(q0 @ q1) > above else slerp(q0, q1, t)
