@@ -47,12 +47,12 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
 		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules $(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)
 
-html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/
+html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/; SOLUTIONS=model with the answers to the written questions
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)")
 
 pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no for students, build/course-students.pdf
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") \
-		--pdf build/course$(if $(filter no,$(SOLUTIONS)),-students).pdf
+		--pdf build/course$(if $(filter no model,$(SOLUTIONS)),-students).pdf
 
 student: environment ## write the release to students, without solutions, build/student.zip; MORE=no without More
 	@$(PY) -m course_lib.pack.release $(if $(MORE),--more "$(MORE)")

@@ -120,6 +120,16 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     assert words(shown[-1]).endswith("All exercises of the core are done.")
 
 
+def test_progress_tells_the_two_sittings_apart_and_where_the_second_begins(shown):
+    progress = Progress([Check(NEAREST_SO), Check(DOUBLE)], stop=("nearest_so", "A test"))
+    progress()
+    assert words(shown[-1]).splitlines()[2] == "Second sitting, from the section “A test”:"
+    assert words(shown[-1]).endswith("Next: nearest_so")
+    progress.checks[0](right)
+    progress()
+    assert words(shown[-1]).endswith("Next: double\nYou can stop here; next time begin at “A test”.")
+
+
 def test_progress_tells_core_from_more_once_more_is_begun(shown):
     core, more = Check(NEAREST_SO), Check(IS_SMALL)
     more.more = True

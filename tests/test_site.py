@@ -287,7 +287,7 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
     assert run() == f"No site was built. There are no notebooks in {books}.\n"
     with monkeypatch.context() as typed:
         typed.setattr(sys, "argv", [*sys.argv, "--solutions", "1"])
-        assert run() == "No site was built. SOLUTIONS=1 is neither yes nor no.\n"
+        assert run() == "No site was built. SOLUTIONS=1 is neither yes nor no nor model.\n"
     write(books, "01.ipynb", cell())
     assert "01.ipynb holds no outputs" in run()
     (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")

@@ -115,6 +115,14 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site
     assert "orthogon" not in (site[False] / "_static/sections.js").read_text(encoding="utf-8")
 
 
+def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks, tmp_path):
+    build(notebooks, tmp_path / "html", solutions=False, model=True)
+    text = (tmp_path / "html" / "01.html").read_text(encoding="utf-8")
+    assert "stay orthogonal" in BeautifulSoup(text, "html.parser").select_one("article details.hide").get_text()
+    assert "NotImplementedError" in text
+    assert "gooseberry" not in text
+
+
 def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):
     bare = cell(source="def turn():\n    return 42", nbgrader=NBGRADER)
     write(tmp_path / "notebooks", "01.ipynb", new_markdown_cell("# Answers"), bare, cell(output({"text/html": "x"})))

@@ -15,7 +15,7 @@ _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
 
 
-def namespace(module, exercises, predictions, more=()):
+def namespace(module, exercises, predictions, more=(), stop=None):
     """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list, "progress": Progress}.
 
     Parameters
@@ -28,6 +28,8 @@ def namespace(module, exercises, predictions, more=()):
     predictions : tuple of Prediction
     more : tuple of str, optional
         The names of the exercises of More, in the order of the notebook.
+    stop : tuple of str, optional
+        The last exercise of the first sitting, and the title of the section at which the second one begins.
 
     Returns
     -------
@@ -40,7 +42,7 @@ def namespace(module, exercises, predictions, more=()):
         check.more = check.exercise.name in more
     names = {check.exercise.name: check for check in checks}
     asked = {prediction.name: Predict(prediction) for prediction in predictions}
-    progress = Progress(checks, list(asked.values()))
+    progress = Progress(checks, list(asked.values()), stop)
     return names | asked | {"CHECKS": checks, "progress": progress}
 
 
@@ -184,15 +186,20 @@ class Progress:
     ----------
     checks : list of Check
     predictions : list of Predict, optional
+    stop : tuple of str, optional
+        The last exercise of the first sitting, and the title of the section at which the second one begins.
     """
 
-    def __init__(self, checks, predictions=()):
-        self.checks, self.predictions = checks, predictions
+    def __init__(self, checks, predictions=(), stop=None):
+        self.checks, self.predictions, self.stop = checks, predictions, stop
 
     def __call__(self):
         core = [check.verdict for check in self.checks if not check.more]
         more = [check.verdict for check in self.checks if check.more]
+        names, last, section = [v.exercise.name for v in core], *(self.stop or (None, None))
         lines = [_bar("Core", core), *map(_line, core)]
+        if last:
+            lines.insert(names.index(last) + 2, f"Second sitting, from the section “{section}”:")
         if any(v.state != NOT_ATTEMPTED for v in more):  # whoever leaves More out reads nothing of it
             lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
         choices = [each.choice for each in self.predictions if not each.prediction.more]
@@ -200,6 +207,8 @@ class Progress:
             lines.append(f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}")
         following = next((v.exercise.name for v in core if v.state != RIGHT), None)
         lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
+        if last and following in names[names.index(last) + 1 :][:1]:
+            lines.append(f"You can stop here; next time begin at “{section}”.")
         _show("\n".join(lines), _MARKS[RIGHT][1])
 
 

@@ -16,15 +16,15 @@ def main() -> int:
     parser.add_argument(
         "--output", type=Path, help="folder to write; build/html, or build/html-students without solutions"
     )
-    parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out")
+    parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out; model: only text")
     parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
     chosen = parser.parse_args()
     try:
-        if chosen.solutions not in ("yes", "no"):
-            raise SiteError(f"SOLUTIONS={chosen.solutions} is neither yes nor no.")
+        if chosen.solutions not in ("yes", "no", "model"):
+            raise SiteError(f"SOLUTIONS={chosen.solutions} is neither yes nor no nor model.")
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
-        build(chosen.notebooks, output, solutions=solutions)
+        build(chosen.notebooks, output, solutions=solutions, model=chosen.solutions == "model")
         if chosen.pdf:
             write_pdf(output, chosen.pdf)
             print(f"Wrote {chosen.pdf}, {chosen.pdf.stat().st_size / 1e6:.1f} MB.")

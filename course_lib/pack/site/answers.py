@@ -23,7 +23,7 @@ def fold(cell) -> None:
     """Let the page show an answer cell as one line that opens."""
     if not _is_answer(cell):
         return
-    if cell.cell_type == "markdown":
+    if is_written(cell):
         # The line that opens it already says "Model answer".
         cell.source = FOLDED.format(words=cell.source.removeprefix("**Model answer.** "))
     else:
@@ -86,6 +86,11 @@ def leave_out(cell, place: str) -> None:
             if output.output_type == "stream":
                 output.text = OWN.sub("", output.text)
         cell.outputs = [output for output in cell.outputs if output.get("text") != ""]
+
+
+def is_written(cell) -> bool:
+    """Return whether a cell is the model answer to a written question."""
+    return cell.cell_type == "markdown" and _is_answer(cell)
 
 
 def _is_answer(cell) -> bool:

@@ -25,13 +25,14 @@ HERE = Path(__file__).parent
 SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
 
 
-def build(notebooks: Path, output: Path, solutions: bool = True) -> None:
+def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = False) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
     No cell is executed and no notebook is changed.
 
-    `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left out. Raises SiteError
-    if a notebook cannot be published; `output` then stays as it was.
+    `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left out; with `model`
+    those to written questions are folded. Raises SiteError if a notebook cannot be published; `output` then stays as it
+    was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
@@ -46,7 +47,7 @@ def build(notebooks: Path, output: Path, solutions: bool = True) -> None:
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
         release = students_zip(notebooks.parent, Path(work, ZIP))
-        _gather(sources, pages, solutions, release)
+        _gather(sources, pages, solutions, model, release)
         _copy_libraries(pages / "_static")
         print(f"Making pages of {len(sources)} notebooks with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"))
@@ -61,7 +62,7 @@ def build(notebooks: Path, output: Path, solutions: bool = True) -> None:
     print(f"Wrote {len(list(output.glob('*.html')))} pages, {size:.1f} MB. Open {output / 'index.html'}")
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | None) -> None:
+def _gather(sources: list[Path], pages: Path, solutions: bool, model: bool, release: Path | None) -> None:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
     `release` is the students' zip, or None.
@@ -70,7 +71,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, release: Path | N
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
     for source in sources:
-        prepare(source, pages, solutions)
+        prepare(source, pages, solutions, model)
         if release:
             offer(pages / source.name, release)
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}

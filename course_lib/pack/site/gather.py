@@ -149,9 +149,11 @@ def _question(text: str) -> str:
 
 
 def _hours(text: str) -> float:
-    """Return the number in "It takes about five hours" or "about five and a half hours", or 0."""
-    found = re.search(rf"It takes about ({'|'.join(NUMBERS)})( and a half)? hours?", text)
-    return NUMBERS.index(found[1]) + (0.5 if found[2] else 0) if found else 0
+    """Return the sum of the numbers in "It takes two sittings of about two and a half and two hours", or 0."""
+    number = rf"({'|'.join(NUMBERS)})( and a half)?"
+    found = re.search(rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text)
+    parts = found.groups() if found else ()
+    return sum(0.5 if part.startswith(" ") else NUMBERS.index(part) for part in parts if part)
 
 
 def _cover(book, name: str, pages: Path) -> str:

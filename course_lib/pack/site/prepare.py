@@ -14,20 +14,20 @@ from PIL import Image
 from course_lib.figures.display import PLOTLY, TOY
 from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
-from course_lib.pack.site.answers import fold, fold_what_serves, leave_out
+from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
 
 OPENING = 4  # cells, with the first figure among them
 MORE = "```{rst-class} more\n```\n\n"  # MyST keeps no tags of text; conf.py folds the sections of this class
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 
-def prepare(notebook: Path, folder: Path, solutions: bool = True) -> None:
+def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = False) -> None:
     """Write to `folder` a copy of `notebook` with HTML for its figures and pictures.
 
     Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
 
-    With `solutions` the answers are folded, else left out. Raises SiteError, which names notebook and cell, for what
-    must not be published.
+    With `solutions` the answers are folded, else left out; with `model` those to written questions are folded. Raises
+    SiteError, which names notebook and cell, for what must not be published.
     """
     try:
         book = nbformat.read(notebook, as_version=4)
@@ -41,7 +41,7 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True) -> None:
         place = f"{notebook.name}, cell {number}"
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
             raise SiteError(f"{place} was changed, and not run since. Run the notebook and save it.")
-        fold(cell) if solutions else leave_out(cell, place)
+        fold(cell) if solutions or (model and is_written(cell)) else leave_out(cell, place)
         if TAG in cell.metadata.get("tags", []) and heading_level(cell):
             cell.source = MORE + cell.source
         if cell.cell_type == "code":
