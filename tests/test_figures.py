@@ -17,6 +17,7 @@ from course_lib.figures import rigid_motion as nb2
 from course_lib.figures import rotations as nb1
 from course_lib.figures import subproblems_damped_ik as nb3
 from course_lib.figures.display import Picture
+from course_lib.figures.plots import velocities_of_the_tip
 from course_lib.figures.three_views import three_views
 
 X, Y, Z = np.eye(3)
@@ -105,9 +106,11 @@ PICTURES = [
      "B: the gripper moves by 40 cm. No path touches the table."),
     (nb4.digits_lost, (lambda a: (1 - np.cos(a)) / a, lambda a: 0.55 * a), "in the library at most 1e-16."),
     (nb4.screw_motion, (SCREW, np.zeros(3), Z), "rises by 0.60 m."),
+    (nb4.arc_of_a_twist, (np.pi / 3,), "from (0, 0) to (0.866, 0.5) m."),
+    (velocities_of_the_tip, ({"bent": np.array([[0, 0], [2, 0], [2, 1]])},), "1: (-1, 2) m/s; bent, joint 2: (-1, 0)"),
     (nb4.arm_with_axes, (arms.planar_arm([1, 1]),), "2 joints, which point along 1 +z, 2 +z."),
     (nb4.arm_movie, (IIWA, trajectory.Trajectory(T, T[:, None] * GENERIC, 0 * T[:, None] * GENERIC)), "2.0 s: the"),
-    (nb4.plane_projections, (SCREW[:, :3, 3],), "it crosses itself: x-y"),
+    (nb4.plane_projections, (SCREW[:, :3, 3],), "in the first round: x-y"),
     (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}), "space up to 0.00 m/s, body up to 1.00"),
     (nb4.velocities_against_each_other, ({"space": R[0], "body": R[1]},), "a row for each of: space, body."),
     (nb4.manipulability, ([0, 1], [0.1, 0.2]), "over time, between 0.100 and 0.200."),

@@ -5,7 +5,8 @@ from fractions import Fraction
 import numpy as np
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
-from course_lib.figures.style import BLUE, CRIMSON, GREY, plane_figure
+from course_lib.figures.display import Picture
+from course_lib.figures.style import BLUE, CRIMSON, FRAME_COLOURS, GREY, PURPLE, plane_figure
 
 STYLES = ("-", "--", ":", "-.")
 
@@ -73,6 +74,35 @@ def draw_arms(contents, every, window=None):
         low, high = [[-half] * 2, [half] * 2] if window is None else np.asarray(window)
         ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     return fig
+
+
+def velocities_of_the_tip(contents):
+    """Return planar arms with the velocity that each joint gives the tip, at 1 rad/s about an axis out of the page.
+
+    contents: {title: points (n + 1, 2)}, the joints from the base on, and the tip, in metres, along x and y of the
+    frame that is drawn at the origin.
+    """
+    fig, axes = in_columns(contents, 4.4, 3.6, xlabel="x (m)", ylabel="y (m)")
+    said = []
+    for ax, (title, points) in zip(axes, contents.items(), strict=True):
+        tip = points[-1]
+        ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
+        for i, (joint, colour) in enumerate(zip(points[:-1], (BLUE, PURPLE), strict=False), 1):
+            velocity = np.array([[0, -1], [1, 0]]) @ (tip - joint)
+            ax.plot(*np.transpose([joint, tip]), "--o", color=colour, linewidth=1.5, markersize=10, markevery=[0])
+            ax.annotate("", tip + velocity, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
+            words = f"joint {i}: ({velocity[0]:g}, {velocity[1]:g})"
+            ax.plot(*np.transpose([tip, tip + velocity]), color=colour, linewidth=2)
+            beside = velocity[::-1] * [12, -12] / np.linalg.norm(velocity)
+            look = {"color": colour, "va": "center", "ha": "left" if beside[0] > 3 else "center"}
+            ax.annotate(words, tip + velocity, beside, textcoords="offset points", **look)
+            said.append(f"{title}, {words} m/s")
+        for end, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
+            ax.plot(*np.transpose([(0, 0), end]), color=colour, linewidth=3)
+        ax.set_aspect("equal", adjustable="datalim")
+        ax.margins(0.3, 0.15)
+    alt = f"Planar arms, and the velocity that each joint gives the tip at 1 rad/s: {plain('; '.join(said))}."
+    return Picture(fig, alt, "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long.")
 
 
 def in_columns(titles, width, height, *, xlabel, ylabel):

@@ -13,7 +13,7 @@ from course_lib.figures.solids import Model, Part, arm_model, draw, film, link_p
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
 from course_lib.figures.space import line
-from course_lib.figures.style import BLUE, COLOURS, CRIMSON, FRAME_COLOURS, plane_figure
+from course_lib.figures.style import BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
 from course_lib.figures.three_views import direction
 
 
@@ -58,6 +58,25 @@ def digits_lost(textbook, with_series):
         f"The relative error over the angle, both logarithmic: {plain(said)}.",
         "Below an angle of about $10^{-8}$ the formula has no correct digit.",
     )
+
+
+def arc_of_a_twist(a):
+    """Return the arc of an origin that moves with |v| = a m/s and rotates by a rad in a second, and its two legs."""
+    fig, (ax,) = plane_figure(5.2, 3.6)
+    t, (x, y) = np.linspace(0, a, 60), (np.sin(a), 1 - np.cos(a))
+    ax.plot(np.sin(t), 1 - np.cos(t), color=GREY, linewidth=3)
+    ax.plot([0, 0, x], [0, 1, y], "--", color=GREY, linewidth=1)
+    ax.plot(0, 1, "+", color=GREY, markersize=12)
+    ax.text(0.04, 1.04, "the axis, radius $|v|/a = 1$", color=GREY)
+    for start, end, words, colour in (
+        ((0, 0), (x, 0), f"forward: $\\sin a = {x:.3g}$", BLUE),
+        ((x, 0), (x, y), f"sideways: $1 - \\cos a = {y:.3g}$", CRIMSON),
+    ):
+        ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
+        ax.text((start[0] + end[0]) / 2 + 0.05, (start[1] + end[1]) / 2 - 0.1, words, color=colour)
+    in_metres(ax, xlim=(-0.2, 1.9), ylim=(-0.2, 1.2))
+    alt = f"A quarter of a circle of radius 1 m about (0, 1), from (0, 0) to ({x:.3g}, {y:.3g}) m."
+    return Picture(fig, alt, "The origin runs along an arc: forward along $v$, and sideways along $n \\times v$.")
 
 
 def screw_motion(poses, through, axis):
@@ -121,9 +140,9 @@ def plane_projections(path):
         ax.plot(*path[0, [i, j]], "o", color=CRIMSON, label="start")
         in_metres(ax, xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
         ax.margins(0.15)
-        crossings.append(f"{'xyz'[i]}-{'xyz'[j]} {_crossings(_first_round(path)[:, [i, j]])} times")
+        crossings.append(f"{'xyz'[i]}-{'xyz'[j]} {_crossings(_first_round(path)[:, [i, j]])}")
     legend_above(fig, 1, axes[0])
-    said = f"In the first round it crosses itself: {', '.join(crossings)}."
+    said = f"How often it crosses itself in the first round: {', '.join(crossings)}."
     alt = f"The path of the end-effector in the three coordinate planes. {said}"
     return Picture(fig, alt, f"One path in space, three projections. {said}")
 
