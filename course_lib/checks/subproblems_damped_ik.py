@@ -6,11 +6,9 @@ from course_lib.checks.prediction import Prediction
 EXERCISES = (
     "subproblem1",
     "subproblem2",
-    "test_subproblem2",
-    "subproblem4",
-    "subproblem3",
     "arm_angles",
     "six_axis_ik",
+    "test_subproblem2",
     "planar_jacobian",
     "lm_step",
     "step_limit",
@@ -29,10 +27,12 @@ PREDICTIONS = (
     ),
     Prediction(
         "race",
-        "b",
+        "a",
         {
-            "a": "It takes few steps once it is near. But what does its first step do from here, with s2 near zero?",
-            "b": "Yes: it is the only one of the three whose step is bounded and that is fast in both directions.",
+            "a": "Yes: its first step of 122 radians throws the arm to where s2 is larger, and there it converges "
+            "fast. But no motor can follow it.",
+            "b": "It takes a few steps more, each of which a motor can follow. With a singular value away from zero, "
+            "which method is faster near the target?",
             "c": "Its step size has to suit the largest singular value; in the direction of the smallest one it is "
             "then slow.",
         },
@@ -44,8 +44,8 @@ PREDICTIONS = (
             "a": "Overshooting by less than the error itself would converge. Here each step overshoots by more.",
             "b": "Yes: near the target each step overshoots by more than the error was. That cannot go on forever: the "
             "tip stays within 4 m of the base.",
-            "c": "The damping bounds each step, so the joint angles do not grow without bound. But bounded steps need "
-            "not converge.",
+            "c": "That would take steps in one direction. Look at the sign: each step overshoots, so the next one goes "
+            "back.",
         },
     ),
     Prediction(
@@ -72,6 +72,7 @@ PREDICTIONS = (
     ),
 )
 
-MORE = ("euler_yxy", "rate_matrix")
+MORE = ("subproblem4", "subproblem3", "euler_yxy", "rate_matrix")
+STOP = ("six_axis_ik", "A test for two circles")
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))

@@ -201,6 +201,46 @@ def _count(theta):
 # ---- arms ----
 
 
+def arm_by_hand():
+    """Return how an arm with links of 3 m and 4 m brings its wrist center from (4, 0, 3) to (3, 4, 0)."""
+    fig, (side, top) = plane_figure(8.4, 4.2, 2)
+    drawn = [(side, [[0, 0], [0, 3], [4, 3]], GREY, "$p = (4, 0, 3)$", (-40, 8))]
+    drawn += [(side, [[0, 0], [1.8, 2.4], [5, 0]], CRIMSON, "$q_2$: height 0", (-92, -14))]
+    drawn += [(top, [[0, 0], [5, 0]], CRIMSON, "$(5, 0, 0)$", (-50, 10))]
+    drawn += [(top, [[0, 0], [3, 4]], BLUE, "$q_1$: $(3, 4, 0)$", (-82, -4))]
+    for ax, corners, colour, words, aside in drawn:
+        ax.plot(*np.transpose(corners), "-o", color=colour, linewidth=4, markersize=7)
+        ax.plot(*np.transpose([corners[0], corners[-1]]), ":", color=colour)
+        ax.annotate(words, corners[-1], xytext=aside, textcoords="offset points", color=colour)
+    window = {"xlim": (-0.6, 5.6), "ylim": (-0.8, 4.6)}
+    in_metres(side, title="seen from the side", **window | {"ylabel": "z (m)"})
+    in_metres(top, title="seen from above", **window)
+    alt = "Seen from the side, an arm with links of 3 and 4 m at a right angle; rotated down, its wrist center goes "
+    alt += "from (4, 3) to (5, 0). Seen from above, the wrist center goes from (5, 0) to (3, 4)."
+    return Picture(fig, alt, "The dotted lines are 5 m long, like the distance from the shoulder to the goal.")
+
+
+def motion_from_home():
+    """Return a flange in the plane with its wrist center, one metre behind it: at home M, after M^-1, and at T."""
+    fig, (ax,) = plane_figure(6.8, 4.0)
+    at, behind = np.array([[2.0, 0], [0, 0], [3, 3]]), np.array([[1, 0], [1, 0], [0, 1]])
+    words = [("home, $M$", (-16, -18)), ("after $M^{-1}$", (-28, -18)), ("goal, $T$", (12, 0))]
+    for flange, x_axis, colour, (name, aside) in zip(at, behind, (GREY, BLUE, CRIMSON), words, strict=True):
+        ax.plot(*np.transpose([flange - x_axis, flange]), "-o", color=colour, linewidth=4, markersize=8)
+        look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", flange + 0.7 * x_axis, flange, arrowprops=look)
+        ax.annotate(name, flange, xytext=aside, textcoords="offset points", color=colour)
+    arrows = ("$M^{-1}$", *at[:2], 0.45, (0.75, 0.65)), ("$T$", *at[1:], -0.3, (0.75, 2.1))
+    for name, start, end, bow, aside in arrows:
+        look = {"arrowstyle": "->", "linestyle": "--", "color": BLACK, "connectionstyle": f"arc3,rad={bow}"}
+        ax.annotate("", end, start, arrowprops=look | {"shrinkA": 7, "shrinkB": 7})
+        ax.annotate(name, aside, color=BLACK)
+    in_metres(ax, xlim=(-1.6, 4.4), ylim=(-0.9, 4.1))
+    alt = "A flange with its wrist center one metre behind it, three times: at home, (2, 0) and (1, 0); "
+    alt += "after M^-1, (0, 0) and (-1, 0); at the goal T, (3, 3) and (3, 2). Dashed arrows: M^-1 first, then T."
+    return Picture(fig, alt, "Whatever is fixed to the flange moves with it, so the wrist center stays behind it.")
+
+
 def six_axis_arm(arm, q):
     """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,)."""
     return Picture(

@@ -45,11 +45,11 @@ EXERCISE = Exercise(
     properties=every_solution("each triple brings the wrist center to `center`", _misses, _tell, arm_solutions),
     hints=(
         "First q3 alone: joints 1 and 2 do not change how far the wrist center is from the shoulder. Joint 3 has to "
-        "make that distance right: subproblem 3, with all points measured from the elbow, which lies on axis 3.",
+        "make that distance right: to_distance, with all points measured from the elbow, which lies on axis 3.",
         "For each q3, compute p, the wrist center measured from the shoulder after joint 3 has moved. Then "
         "R(z, q1) R(y, q2) p = center - SHOULDER.",
         "Bring R(z, q1) to the other side: R(y, q2) p = R(z, -q1) (center - SHOULDER). That is subproblem 2.",
-        "for q3 in subproblem3(ey, WRIST - ELBOW, SHOULDER - ELBOW, distance), and inside it "
+        "for q3 in to_distance(ey, WRIST - ELBOW, SHOULDER - ELBOW, distance), and inside it "
         "for q2, back in subproblem2(ey, ez, p, center - SHOULDER), with q1 = -back.",
     ),
 )
