@@ -3,6 +3,7 @@
 import csv
 import io
 import os
+import time
 from datetime import datetime
 
 import pytest
@@ -10,7 +11,7 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.deadline import DAY, Deadline, read_deadline
+from course_lib.pack.grade.deadline import DAY, Deadline, begun_days, read_deadline
 from course_lib.pack.grade.gradebook import Roster, gradebook_text, read_roster
 from course_lib.pack.grade.tables import Totals
 
@@ -18,7 +19,7 @@ POINTS = Totals(
     of={"01_rotations": 12, "02_rigid_motion": 15},
     students={"doejane_1234": {"01_rotations": 7.5}, "al": {"01_rotations": 12, "02_rigid_motion": 0}},
     waiting={"doejane_1234": 0, "al": 0},
-    late={("doejane_1234", "01_rotations"): 2, ("al", "01_rotations"): 0, ("al", "02_rigid_motion"): 0},
+    late={("doejane_1234", "01_rotations"): 2 * 86_400, ("al", "01_rotations"): 0, ("al", "02_rigid_motion"): 0},
     user_ids={"doejane_1234": "1234"},
 )
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
@@ -149,12 +150,19 @@ def test_a_roster_with_a_cell_of_any_length_is_refused_in_a_sentence(roster):
 # ---- deadlines ----
 
 
-def test_days_count_from_the_moment_after_the_deadline():
+def test_begun_days_count_from_the_moment_after_the_deadline():
     deadline = Deadline(1000 * DAY, percent=20)
-    late = [deadline.days_late(1000 * DAY + seconds) for seconds in (-5, 0, 1, DAY, DAY + 1, 9 * DAY)]
-    assert late == [0, 0, 1, 1, 2, 9]
-    assert [deadline.share_left(days) for days in (0, 1, 5, 9)] == [1, 0.8, 0, 0]
-    assert deadline.days_late(None) == 0
+    assert [begun_days(seconds) for seconds in (0, 1, DAY, DAY + 1, 9 * DAY, None)] == [0, 1, 1, 2, 9, 1]
+    assert [deadline.share_left(seconds) for seconds in (0, 1, 5 * DAY, 9 * DAY)] == [1, 0.8, 0, 0]
+
+
+def test_the_deadline_names_its_time_zone(monkeypatch):
+    for zone, said in {"Asia/Kolkata": "IST (UTC+0530)", "America/New_York": "EST (UTC-0500)"}.items():
+        monkeypatch.setenv("TZ", zone)
+        time.tzset()
+        assert f"Monday, 30 November 2026, 18:00:00 {said}" in str(read_deadline("2026-11-30 18:00", ""))
+    monkeypatch.undo()
+    time.tzset()
 
 
 def test_a_date_counts_to_its_end_and_a_time_to_the_second():
@@ -185,6 +193,9 @@ def written(folder, *options):
     return folder / "out"
 
 
+DEADLINE = ("--deadline", "2026-11-30 18:00", "--late", "10%")
+
+
 def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
     late = hand_in(tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""])
     hand_in(tmp_path / "in", "bo_1235_98_01_rotations.ipynb", points=[2, 2])
@@ -197,7 +208,7 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     assert "1234,,,,4" in (out / "canvas.csv").read_text()
     assert "late,The learning platform marked it as late." in (out / "grades.csv").read_text()
     out = written(tmp_path, *("--lms", "canvas", "--roster", str(tmp_path / "roster.csv")),
-                  *("--deadline", "2026-11-30 18:00", "--late", "10%"))  # fmt: skip
+                  *DEADLINE, "--times", "files")  # fmt: skip
     assert {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()} == first
     assert '"Doe, Jane",1234,u-1,jane,Kinematics,3.2' in (out / "canvas.csv").read_text()
     assert '"Bo, Al",1235,u-2,al,Kinematics,4' in (out / "canvas.csv").read_text()
@@ -205,6 +216,55 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     page = (out / "feedback/doejane_1234/01_rotations.html").read_text()
     assert "<strong>3.2 of 6 points</strong>" in page
     assert "Handed in 2 days late. 20 % of its points are taken off." in page
+    assert "Late: 1 of 2 notebooks, 1 by up to 2 days." in capsys.readouterr().out
+
+
+def totals_in(out):
+    return {row[0]: row[-3] for row in rows((out / "totals.csv").read_text())[1:]}
+
+
+def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp_path, capsys):
+    """Canvas adds LATE to the name and gives each file the time of the export (lib/content_zipper.rb)."""
+    for name in ("doejane_LATE_1234_99", "bo_1235_98", "eve_LATE_1236_97"):
+        path = hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2, 2])
+        os.utime(path, (4e9, 4e9))
+    (tmp_path / "more.csv").write_text("student,notebook,deadline\n1236,01_rotations,2026-12-04\nUma Ab,,2026-12-01\n")
+    out = written(tmp_path, *DEADLINE, "--extensions", str(tmp_path / "more.csv"))
+    assert totals_in(out) == {"bo_1235": "4", "doejane_1234": "3.6", "eve_1236": "4"}
+    said = capsys.readouterr().out
+    assert "Marked LATE by the platform: 1, which count as one day late" in said
+    assert "With an extension: 1 notebook. Their marks LATE do not count, because no time is known: eve_1236." in said
+    assert "Nobody of this name, whom EXTENSIONS= names, handed in: ab uma." in said
+
+
+WORKSHEET = """Identifier,"Full name","Email address",Status,Grade,"Maximum grade","Grade can be changed",\
+"Last modified (submission)","Last modified (grade)","Feedback comments"
+"Participant 42","Jane Doe",jane@example.org,"Submitted for grading - 5 mins late",,100.00,Yes,\
+"Monday, 30 November 2026, 6:05 PM",-,
+"Participant 43","Al Bö",al@example.org,"Submitted for grading",,100.00,Yes,"Monday, 30 November 2026, 6:00 PM",-,
+"Participant 44","Eve Ce",eve@example.org,"No submission",,100.00,Yes,-,-,
+""".replace("\\\n", "")
+
+
+def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
+    """The columns and texts that mod/assign/gradingtable.php writes (col_recordid, col_status, col_timesubmitted)."""
+    for name in ("Jane Doe_42", "Al Bö_43", "Eve Ce_44"):
+        hand_in(tmp_path / "in", f"{name}_assignsubmission_file/01_rotations.ipynb", points=[2, 2])
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *DEADLINE], grade=grade) == 1
+    assert "The zips of Moodle and Canvas carry no times." in capsys.readouterr().err
+    (tmp_path / "worksheets").mkdir()
+    (tmp_path / "worksheets/1.csv").write_text(WORKSHEET)
+    out = written(tmp_path, *DEADLINE, "--times", str(tmp_path / "worksheets/1.csv"))
+    assert totals_in(out) == {"Al Bö": "4", "Eve Ce": "4", "Jane Doe": "3.6"}
+    said = capsys.readouterr().out
+    assert "Late: 1 of 3 notebooks, 1 by up to an hour." in said
+    assert "Without a time in TIMES=: 1 notebook, for example of Eve Ce." in said
+    (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;2026-11-30 18:05\n")
+    more = "--extensions", str(tmp_path / "more.csv")
+    assert totals_in(written(tmp_path, *DEADLINE, *more, "--times", str(tmp_path / "worksheets")))["Jane Doe"] == "4"
+    (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;soon\n")
+    assert main([str(tmp_path / "in"), *DEADLINE, *more, "--times", "files"], grade=grade) == 1
+    assert "soon, for Doe, Jane, is not a time" in capsys.readouterr().err
 
 
 def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
@@ -229,6 +289,7 @@ def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
         (("--more", "2"), "MORE=2 is neither a number from 0 to 1, nor yes or no."),
         (("--more", "half"), "MORE=half is neither a number from 0 to 1, nor yes or no."),
         (("--more", "nan"), "MORE=nan is neither a number from 0 to 1, nor yes or no."),
+        (("--times", "files"), "TIMES=files has no meaning without DEADLINE=."),
         (("--deadline", "soon"), "DEADLINE=soon is not a date: write 2026-11-30 or '2026-11-30 18:00'."),
     ],
 )

@@ -14,7 +14,7 @@ from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find, platform_of
 from course_lib.pack.grade.csv_text import count_noun
-from course_lib.pack.grade.deadline import read_deadline
+from course_lib.pack.grade.deadline import read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import IDENTITY, gradebook_text, read_roster
 from course_lib.pack.grade.isolation import NONE
@@ -58,6 +58,8 @@ def _parser():
     parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
     parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
     parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
+    parser.add_argument("--times", default="", help="times of submission: files, or a table or folder of tables")
+    parser.add_argument("--extensions", default="", help="CSV of other deadlines: student, notebook, deadline")
     parser.add_argument("--more", type=_weight, default=1, help="what the points of More count: from 0 (or no) to 1")
     parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
     parser.add_argument(
@@ -67,12 +69,14 @@ def _parser():
 
 
 def _grade(chosen, grade):
-    output, submissions = chosen.output, _submissions(chosen)
-    deadline, roster = read_deadline(chosen.deadline, chosen.late), _roster(chosen)
+    deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
+    output, submissions, roster = chosen.output, _submissions(chosen), _roster(chosen)
+    if deadline:
+        print(deadline)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
-        seed = _seed(output / "seed") if chosen.seed is None else chosen.seed
+        seed = _seed(output / "seed", chosen.seed)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
         grade = grade or Grader(hidden, chosen.isolation)
         remove_old_folders()
@@ -97,8 +101,14 @@ def _submissions(chosen):
         raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
     if chosen.isolation not in ("", NONE):
         raise GradingStopped(f"ISOLATION={chosen.isolation} is not none, the only choice to make.")
-    if not chosen.lms and (platform := platform_of(folder)):
+    platform = chosen.lms or platform_of(folder)
+    if platform and not chosen.lms:
         print(f"The names are read as {platform.capitalize()} exports them; LMS=none if they are the students' own.")
+    if chosen.deadline and not chosen.times and platform != "canvas":
+        raise GradingStopped(
+            "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, or a table, "
+            "TIMES=worksheet.csv. The zips of Moodle and Canvas carry no times."
+        )
     found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")), chosen.lms or None)
     if not found:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
@@ -150,10 +160,10 @@ def _alone(path):
         yield
 
 
-def _seed(path):
-    """Return the seed of the cases that is kept beside the grades, drawn by the first run."""
-    if not path.exists():
-        write_atomically(path, f"{secrets.randbits(62)}\n")
+def _seed(path, chosen=None):
+    """Return the seed of the cases, which is kept beside the grades: the chosen one, or drawn by the first run."""
+    if chosen is not None or not path.exists():
+        write_atomically(path, f"{secrets.randbits(62) if chosen is None else chosen}\n")
     text = path.read_text().strip()
     if not text.isdecimal():
         raise GradingStopped(f"{path} does not hold a whole number: correct it, or delete it to draw a new one.")
@@ -177,7 +187,7 @@ def _write(output, outcomes, deadline, weight, platform, roster):
         write_atomically(output / f"{platform}.csv", text)
     write_feedback(output / "feedback", everything)
     write_atomically(output / "class.html", class_page(everything))
-    print(_summary(output, everything, listed))
+    print("\n".join([*(summary(everything, deadline) if deadline else ()), _summary(output, everything, listed)]))
     if missing:
         print(f"Not in the roster, and so not in {output / f'{platform}.csv'}: {', '.join(missing)}.")
     for students in shared:

@@ -3,6 +3,7 @@
 import csv
 import io
 import re
+import unicodedata
 
 from course_lib.pack.grade import GradingStopped
 
@@ -83,6 +84,12 @@ def clean(text):
     """Return a text without lone surrogates and control characters, which cannot be stored or shown."""
     text = str(text).encode("utf-8", "replace").decode()
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", "", text.replace("\r\n", "\n").replace("\r", "\n"))
+
+
+def words(name):
+    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe"."""
+    plain = unicodedata.normalize("NFKD", name).casefold()
+    return " ".join(sorted(re.findall(r"\w+", "".join(c for c in plain if not unicodedata.combining(c)))))
 
 
 def answer_text(text):

@@ -9,11 +9,10 @@ Gradescope imports no totals: the file has the columns of its own export, "<name
 (H:M:S)" beside each score, for programs that read those.
 """
 
-import re
-import unicodedata
+import math
 
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.csv_text import cell_text, read_table, table_text
+from course_lib.pack.grade.csv_text import cell_text, read_table, table_text, words
 
 IDENTITY = {
     "canvas": ("Student", "ID", "SIS User ID", "SIS Login ID", "Section"),
@@ -48,14 +47,14 @@ class Roster:
             for column in KEYS & row.keys():
                 if row[column]:
                     self._keys.setdefault(cell_text(row[column]).casefold(), []).append(row)
-            self._names.setdefault(_words(_full_name(row)), []).append(row)
+            self._names.setdefault(words(_full_name(row)), []).append(row)
 
     def find(self, student, user_id=""):
         """Return the row, or None if there is none or more than one."""
         for found in (
             self._ids.get(user_id, []) if user_id else [],
             self._keys.get(student.casefold(), []),
-            self._names.get(_words(student), []),
+            self._names.get(words(student), []),
         ):
             if len({id(row) for row in found}) == 1:
                 return found[0]
@@ -64,12 +63,6 @@ class Roster:
 
 def _full_name(row):
     return " ".join(row[name] for name in (*NAMES, "Name") if row.get(name))
-
-
-def _words(name):
-    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe"."""
-    plain = unicodedata.normalize("NFKD", name).casefold()
-    return tuple(sorted(re.findall(r"\w+", "".join(c for c in plain if not unicodedata.combining(c)))))
 
 
 def gradebook_text(platform, totals, roster=None):
@@ -117,4 +110,5 @@ def _points(platform, totals, students):
         yield "" if best is None else totals.students[best][notebook]
         if platform == "gradescope":
             yield of
-            yield "" if best is None else f"{24 * totals.late.get((best, notebook), 0):02}:00:00"
+            minutes, seconds = divmod(math.ceil(totals.late.get((best, notebook), 0)), 60)
+            yield "" if best is None else f"{minutes // 60:02}:{minutes % 60:02}:{seconds:02}"

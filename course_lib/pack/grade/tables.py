@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import count_noun, table_text
+from course_lib.pack.grade.deadline import begun_days
 from course_lib.pack.grade.marks import mark_answer
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
@@ -16,15 +17,15 @@ PART = {False: "core", True: "more"}
 class GradedFile:
     """A submission with its result, as `submission.grade` returns it, and its MarkedAnswers.
 
-    superseded_by: the place of the file that counts instead of it, or "". share: of its points that a late file keeps.
-    weight: of the points of More.
+    superseded_by: the place of the file that counts instead of it, or "". late: by how many seconds, None if only
+    the platform says so. share: of its points that a late file keeps. weight: of the points of More.
     """
 
     submission: Submission
     result: dict
     answers: tuple = ()
     superseded_by: str = ""
-    days_late: int = 0
+    late: float | None = 0.0
     share: float = 1.0
     weight: float = 1.0
 
@@ -110,9 +111,9 @@ def graded_files(outcomes, rows, deadline=None, weight=1.0):
 
 
 def _graded_file(submission, result, rows, deadline, weight):
-    days = deadline.days_late(submission.modified) if deadline else 0
-    share = deadline.share_left(days) if deadline else 1.0
-    each = GradedFile(submission, result, days_late=days, share=share, weight=weight)
+    each = GradedFile(submission, result, weight=weight)
+    late = deadline.late(each) if deadline else None if submission.late else 0.0
+    each = replace(each, late=late, share=deadline.share_left(late) if deadline else 1.0)
     read = (question for question in result["questions"] if weight or not question.get("more"))
     return replace(each, answers=tuple(mark_answer(question, each.student, each.notebook, rows) for question in read))
 
@@ -133,10 +134,10 @@ def sharing(everything):
 
 def lateness(each):
     """Return a sentence on how late a file was and how many points it lost, or ""."""
-    if each.days_late:
-        lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
-        return f"Handed in {count_noun(each.days_late, 'day')} late.{lost}"
-    return "The learning platform marked it as late." if each.submission.late else ""
+    lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
+    if each.late:
+        return f"Handed in {count_noun(begun_days(each.late), 'day')} late.{lost}"
+    return f"The learning platform marked it as late.{lost}" if each.late is None else ""
 
 
 # ---- the tables ----
@@ -175,8 +176,8 @@ class Totals:
     """The points of a class.
 
     of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those of More}. waiting:
-    {student: number of answers still to be read}. late: {(student, notebook): days}. user_ids: {student: the number by
-    which the platform's gradebook knows them}.
+    {student: number of answers still to be read}. late: {(student, notebook): seconds}. user_ids: {student: the number
+    by which the platform's gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
@@ -198,7 +199,7 @@ def totals(everything):
         found.more[each.student] = found.more.get(each.student, 0) + _rounded(each.of_more)
         of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
         found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
-        found.late[each.student, each.notebook] = each.days_late
+        found.late[each.student, each.notebook] = each.late or 0
         if each.submission.user_id:
             found.user_ids[each.student] = each.submission.user_id
     return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
