@@ -11,13 +11,13 @@ EXERCISES = (
     "gyroscope",
     "test_log_so3",
     "log_so3",
-    "quaternion_to_matrix",
     "slerp",
     "nearest_so",
 )
 
 MORE = (
     "euler_angles",
+    "quaternion_to_matrix",
     "matrix_to_quaternion",
     "is_valid",
     "nearest_se",
@@ -75,6 +75,7 @@ PREDICTIONS = (
             "b": "cos(pi) = -1: after one revolution the quaternion is at -q, which stands for the same rotation.",
             "c": "It would be so after 180 degrees: cos(pi/2) = 0.",
         },
+        more=True,
     ),
     Prediction(
         "rare",
@@ -89,4 +90,5 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+STOP = ("gyroscope", "Back again: the logarithm")
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))

@@ -179,8 +179,10 @@ def projections(M, rotations):
     """
     fig, axes = in_columns(rotations, 4.2, 4.3, xlabel="x", ylabel="y")
     U, s, Vt = np.linalg.svd(M)
+    signs = np.sign(Vt[[0, 1], np.abs(Vt).argmax(1)])  # so that v1 and v2 point along the axes, not against them
+    U, Vt = U * signs, signs[:, None] * Vt
     t = np.linspace(0, 2 * np.pi, 181)
-    circle, said = np.array([np.cos(t), np.sin(t)]), []
+    circle, said, reach = np.array([np.cos(t), np.sin(t)]), [], max(1, s[0]) + 0.3
     for ax, (title, R) in zip(axes, rotations.items(), strict=True):
         ax.plot(*circle, color=GREY, linewidth=1)
         ax.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
@@ -196,8 +198,8 @@ def projections(M, rotations):
             words = {"ha": "center", "va": "center", "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8}}
             ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **words)
             ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, **words)
-        each = " + ".join(rf"{size:.2f} \cdot {z:.2f}" for size, z in zip(s, sizes, strict=True))
-        ax.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5), aspect="equal")
+        each = " + ".join(rf"{size:.2f} ({z:.2f})" for size, z in zip(s, sizes, strict=True))
+        ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
         ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")
         said.append(f"{plain(title)}: {_numbers(sizes)}, and a trace of {s @ sizes:.2f}")
     alt = "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 under a rotation, "

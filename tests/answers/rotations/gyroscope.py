@@ -1,4 +1,4 @@
-"""What students write for gyroscope(R_0, log, dt, R_bs)."""
+"""What students write for gyroscope(R_0, log, dt, R_bi)."""
 
 import numpy as np
 import scipy.linalg
@@ -6,36 +6,36 @@ import scipy.linalg
 from course_lib.rotations import exp_so3, hat
 
 
-def right_in_the_bodys_axes(R_0, log, dt, R_bs):
+def right_in_the_bodys_axes(R_0, log, dt, R_bi):
     orientations = [R_0]
     for omega in log:
-        orientations.append(orientations[-1] @ exp_so3(R_bs @ omega * dt))
+        orientations.append(orientations[-1] @ exp_so3(R_bi @ omega * dt))
     return np.array(orientations)
 
 
-def right_for_the_sensor_and_then_the_body(R_0, log, dt, R_bs):
-    sensor = [np.array(R_0) @ R_bs]
+def right_for_the_sensor_and_then_the_body(R_0, log, dt, R_bi):
+    sensor = [np.array(R_0) @ R_bi]
     for omega in log:
         sensor.append(sensor[-1] @ scipy.linalg.expm(hat(omega) * dt))
-    return [(R @ np.transpose(R_bs)).tolist() for R in sensor]
+    return [(R @ np.transpose(R_bi)).tolist() for R in sensor]
 
 
-def right_in_fixed_axes(R_0, log, dt, R_bs):
+def right_in_fixed_axes(R_0, log, dt, R_bi):
     R = np.empty((len(log) + 1, 3, 3))
     R[0] = R_0
     for k in range(len(log)):
-        omega_s = R[k] @ R_bs @ log[k]
+        omega_s = R[k] @ R_bi @ log[k]
         R[k + 1] = exp_so3(dt * omega_s) @ R[k]
     return R
 
 
-def wrong_last_only(R_0, log, dt, R_bs):
+def wrong_last_only(R_0, log, dt, R_bi):
     """only the last item is returned"""
     for omega in log:
-        R_0 = R_0 @ exp_so3(R_bs @ omega * dt)
+        R_0 = R_0 @ exp_so3(R_bi @ omega * dt)
     return R_0
 
 
-def wrong_every_step_from_the_start(R_0, log, dt, R_bs):
+def wrong_every_step_from_the_start(R_0, log, dt, R_bi):
     """unnamed"""
-    return np.array([R_0, *(R_0 @ exp_so3(R_bs @ omega * dt) for omega in log)])
+    return np.array([R_0, *(R_0 @ exp_so3(R_bi @ omega * dt) for omega in log)])

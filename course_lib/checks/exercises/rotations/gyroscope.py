@@ -15,22 +15,22 @@ def _flown(R_0, steps, next_one=lambda R, step: R @ exp_so3(step)):
     return np.array(list(itertools.accumulate(steps, next_one, initial=R_0)))
 
 
-def _right(R_0, log, dt, R_bs):
-    return _flown(R_0, dt * log @ R_bs.T)
+def _right(R_0, log, dt, R_bi):
+    return _flown(R_0, dt * log @ R_bi.T)
 
 
 def _cases(rng):
-    roll, R_0, R_bs = np.array([[1.0, 0, 0], [1, 0, 0]]), any_rotation(rng), any_rotation(rng)
+    roll, R_0, R_bi = np.array([[1.0, 0, 0], [1, 0, 0]]), any_rotation(rng), any_rotation(rng)
     straight = [(np.eye(3), roll, 0.5, np.eye(3)), (R_0, rng.normal(size=(4, 3)), 0.4, np.eye(3))]
-    mounted = [(np.eye(3), roll, 0.5, rot_z(np.pi / 2)), (R_0, rng.normal(size=(6, 3)), 0.3, R_bs)]
-    return [*straight, *mounted, (R_bs, 2 * rng.normal(size=(1, 3)), 0.2, R_0), (R_0, np.zeros((0, 3)), 0.1, R_bs)]
+    mounted = [(np.eye(3), roll, 0.5, rot_z(np.pi / 2)), (R_0, rng.normal(size=(6, 3)), 0.3, R_bi)]
+    return [*straight, *mounted, (R_bi, 2 * rng.normal(size=(1, 3)), 0.2, R_0), (R_0, np.zeros((0, 3)), 0.1, R_bi)]
 
 
-def _is_straight(R_0, log, dt, R_bs):
-    return np.array_equal(R_bs, np.eye(3))
+def _is_straight(R_0, log, dt, R_bi):
+    return np.array_equal(R_bi, np.eye(3))
 
 
-def _one_too_few(array, R_0, log, dt, R_bs):
+def _one_too_few(array, R_0, log, dt, R_bi):
     if array.shape != (len(log), 3, 3):
         return None
     return Mistake("R_0, or the last orientation, is missing", "Is R_0 the first, and does one follow each sample?")
@@ -39,19 +39,19 @@ def _one_too_few(array, R_0, log, dt, R_bs):
 EXERCISE = Exercise(
     name="gyroscope",
     points=3,
-    arguments=("R_0", "log", "dt", "R_bs"),
+    arguments=("R_0", "log", "dt", "R_bi"),
     cases=_cases,
-    returns=numbers(lambda R_0, log, dt, R_bs: (len(log) + 1, 3, 3), _one_too_few),
+    returns=numbers(lambda R_0, log, dt, R_bi: (len(log) + 1, 3, 3), _one_too_few),
     library=_right,
     properties=(
-        Property("the first orientation is R_0", lambda R, R_0, log, dt, R_bs: near(R[0], R_0)),
+        Property("the first orientation is R_0", lambda R, R_0, log, dt, R_bi: near(R[0], R_0)),
         Property(
             "every orientation is a rotation",
             lambda R, *case: max(map(orthogonality_error, R)) < 1e-9,
             says=lambda R, *case: f"The largest entry of R^T R - I is {max(map(orthogonality_error, R)):.2g}.",
         ),
         Property(
-            "with the sensor's axes along the body's (R_bs = I), each sample rotates the body about its own axes",
+            "with the sensor's axes along the body's (R_bi = I), each sample rotates the body about its own axes",
             lambda R, *case: near(R, _right(*case)),
             where=_is_straight,
             points=1,
@@ -64,55 +64,55 @@ EXERCISE = Exercise(
     ),
     hints=(
         "A sample holds the coordinates of the angular velocity in the sensor's frame. What are its coordinates in the "
-        "body's frame? Read the letters of R_bs.",
+        "body's frame? Read the letters of R_bi.",
         "During dt the body rotates by |omega| dt about the axis omega, which is given in the body's own axes. On "
         "which side of R does such a step stand?",
-        "Start with [R_0]; for each sample append the last orientation times exp_so3(R_bs @ sample * dt).",
+        "Start with [R_0]; for each sample append the last orientation times exp_so3(R_bi @ sample * dt).",
     ),
 )
 
 
 @EXERCISE.mistake
-def mounting_ignored(R_0, log, dt, R_bs):
+def mounting_ignored(R_0, log, dt, R_bi):
     """the mounting is ignored. The sensor's x axis need not be the body's."""
     return _right(R_0, log, dt, np.eye(3))
 
 
 @EXERCISE.mistake(mounted=(True, False))
-def taken_for_spatial(R_0, log, dt, R_bs, mounted):
+def taken_for_spatial(R_0, log, dt, R_bi, mounted):
     """each step is made about the fixed axes. A gyroscope is carried along: about whose axes does it report?"""
-    return _flown(R_0, dt * (log @ R_bs.T if mounted else log), lambda R, step: exp_so3(step) @ R)
+    return _flown(R_0, dt * (log @ R_bi.T if mounted else log), lambda R, step: exp_so3(step) @ R)
 
 
 @EXERCISE.mistake
-def of_the_sensor(R_0, log, dt, R_bs):
+def of_the_sensor(R_0, log, dt, R_bi):
     """these are the orientations of the sensor. Asked for are those of the body, which starts at R_0."""
-    return _flown(R_0 @ R_bs, dt * log)
+    return _flown(R_0 @ R_bi, dt * log)
 
 
 @EXERCISE.mistake(
-    next_one=(lambda R, step, R_bs: R @ exp_so3(step) @ R_bs, lambda R, step, R_bs: R @ R_bs @ exp_so3(step))
+    next_one=(lambda R, step, R_bi: R @ exp_so3(step) @ R_bi, lambda R, step, R_bi: R @ R_bi @ exp_so3(step))
 )
-def mounting_in_each_step(R_0, log, dt, R_bs, next_one):
-    """R_bs is multiplied into the orientation with each step. Which coordinates does it change, from which frame?"""
-    return _flown(R_0, dt * log, lambda R, step: next_one(R, step, R_bs))
+def mounting_in_each_step(R_0, log, dt, R_bi, next_one):
+    """R_bi is multiplied into the orientation with each step. Which coordinates does it change, from which frame?"""
+    return _flown(R_0, dt * log, lambda R, step: next_one(R, step, R_bi))
 
 
 @EXERCISE.mistake
-def added(R_0, log, dt, R_bs):
+def added(R_0, log, dt, R_bi):
     """R [omega] dt is added to R, as at the beginning of the notebook. What did the drone do then?"""
-    return _flown(R_0, dt * log @ R_bs.T, lambda R, step: R + R @ hat(step))
+    return _flown(R_0, dt * log @ R_bi.T, lambda R, step: R + R @ hat(step))
 
 
 @EXERCISE.mistake
-def angles_added_up(R_0, log, dt, R_bs):
+def angles_added_up(R_0, log, dt, R_bi):
     """the rotation vectors are added up, and the exponential of their sum is taken. Rotations about different axes
     do not commute: is exp(a) exp(b) the same as exp(a + b)?"""
-    sums = itertools.accumulate(dt * log @ R_bs.T, initial=np.zeros(3))
+    sums = itertools.accumulate(dt * log @ R_bi.T, initial=np.zeros(3))
     return np.array([R_0 @ exp_so3(w) for w in sums])
 
 
 @EXERCISE.mistake
-def time_step_missing(R_0, log, dt, R_bs):
+def time_step_missing(R_0, log, dt, R_bi):
     """dt is missing. By which angle does a body rotate in dt seconds?"""
-    return _right(R_0, log, 1.0, R_bs)
+    return _right(R_0, log, 1.0, R_bi)
