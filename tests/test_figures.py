@@ -101,7 +101,7 @@ PICTURES = [
      "centimetre; right of it 0 %. Circles mark 1 run."),
     (nb3.two_arms, ({0.5: T[:, None] / 2}, points_of), "The last elbow bends at most by epsilon = 0.5 m²: 1.0 rad."),
     (nb3.manipulability_along, ([2.0], np.array([[1.0, 2.0]])), "(m²) over the steps. epsilon = 2 m²: 1.0 to 2.0."),
-    (nb4.wrong_frame, ({"A": DOWN[:2] * 0, "B": DOWN}, 0.25), "One path goes through the table."),
+    (nb4.wrong_frame, ({"A": DOWN[:2] * 0, "B": DOWN}, 0.25), "One path goes into the table."),
     (nb4.wrong_frame, ({"A": DOWN[:2] + Z, "B": DOWN + Z}, 0.05),
      "B: the gripper moves by 40 cm. No path touches the table."),
     (nb4.digits_lost, (lambda a: (1 - np.cos(a)) / a, lambda a: 0.55 * a), "in the library at most 1e-16."),

@@ -202,6 +202,10 @@ def test_a_sentence_says_that_the_kernel_does_not_answer_until_it_does(browser):
     assert page.text_content("body") == ""
     page.clock.fast_forward(2000)
     assert page.text_content("body").endswith("When it is idle, run this cell again.")
+    page.evaluate("answer({ begun: true })")
+    assert page.text_content("body") == ""
+    page.clock.fast_forward(3000)
+    assert page.text_content("body").endswith("Your function is still computing this answer.")
     page.evaluate("answer({})")
     assert page.text_content("body") == ""
     context.close()

@@ -9,7 +9,7 @@ from helpers import FIGURE, stored
 from nbformat.v4 import new_markdown_cell
 from numpy.testing import assert_allclose
 from playwright.sync_api import expect
-from site_notebooks import cell, output, write
+from site_notebooks import HELIX, cell, output, write
 from site_visits import CONTRAST, Visit, violations
 from some_toys import TOYS
 from sphinx_builds import build
@@ -41,6 +41,7 @@ def page(figure, tmp_path_factory):
         cells += [new_markdown_cell(f"## {i}"), cell(output({TOY: toy.stored(), "text/plain": toy.alt}))]
     write(folder / "notebooks", "01.ipynb", *cells)
     write(folder / "notebooks", "02.ipynb", new_markdown_cell("# Film"), cell(output({FIGURE: figure})))
+    write(folder / "notebooks", "03.ipynb", new_markdown_cell("# Helix"), cell(output({FIGURE: HELIX})))
     build(folder / "notebooks", folder / "html")
     return folder / "html/01.html"
 
@@ -49,8 +50,9 @@ def page(figure, tmp_path_factory):
 KEPT = """{
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
-    if (kind !== "webgl2") return getContext.call(this, kind, ...more);
+    if (!kind.startsWith("webgl")) return getContext.call(this, kind, ...more);
     if (location.hash === "#none") return null;
+    if (kind !== "webgl2") return getContext.call(this, kind, ...more);
     window.contexts = (window.contexts || 0) + 1;
     return (window.gl = getContext.call(this, kind, ...more));
   };
@@ -125,7 +127,7 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
 
 
 HANDLES = ["two_poses_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy", "circles_toy", "reach", "fly", "table"]
-FREE = ("circles_toy", "fly", "reach")  # their handles stay on a sphere, or the view widens
+FREE = ("circles_toy", "fly", "reach", "table")  # on a sphere, the view widens, or where the function was asked
 
 
 def drag(page, x, y, dx, dy):
@@ -237,7 +239,18 @@ def test_without_webgl_the_words_or_the_still_stay_and_toys_in_the_plane_live(pa
         box.scroll_into_view_if_needed()
         expect(box.locator(".plotly-words")).to_be_visible()
         expect(box.locator(".course-toy")).to_have_count(0)
+        visit.page.goto(page.with_name("03.html").as_uri() + "#none")
+        with visit.page.expect_console_message(lambda message: "no WebGL" in message.text):
+            visit.page.reload()
+        expect(visit.page.locator(".plotly-words")).to_be_visible()
+        assert visit.page.locator(".main-svg").count() == 0
         assert visit.complaints == []
+
+
+def test_plotly_offers_no_upload(page, browser):
+    with Visit(browser, page.with_name("03.html")) as visit:
+        visit.page.locator(".modebar-btn").first.wait_for(state="attached")
+        assert "Share" not in " ".join(e.get_attribute("data-title") for e in visit.page.locator(".modebar-btn").all())
 
 
 # ---- colours ----

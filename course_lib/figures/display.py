@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
+CONFIG = {"showSendToCloud": False}  # plotly offers to upload a figure otherwise
 TOY = "application/vnd.course.toy+json"  # and of figures that a script of the course draws (see toys/toy.py)
 
 
@@ -65,7 +66,7 @@ def show(fig, *, alt="", caption=""):
     if not isinstance(caption, str):
         raise ValueError(f"caption must be a sentence that says what to notice; it is {caption!r}")
     if hasattr(fig, "to_plotly_json"):
-        data = {PLOTLY: rounded(fig.to_plotly_json()), "text/plain": alt}
+        data = {PLOTLY: rounded(fig.to_plotly_json()) | {"config": CONFIG}, "text/plain": alt}
         metadata = {"image/png": {"alt": alt}}  # for the still that is put beside it
     elif hasattr(fig, "savefig"):
         width, height = (round(96 * inches) for inches in fig.get_size_inches())

@@ -31,7 +31,7 @@ def wrong_frame(paths, table):
     moved = {label: 100 * np.linalg.norm(path[-1] - path[0]) for label, path in paths.items()}
     ends = "; ".join(f"{label}: the gripper moves by {far:.0f} cm" for label, far in moved.items())
     lowest = min(path[:, 2].min() for path in paths.values())
-    through = "One path goes through the table." if lowest < table else "No path touches the table."
+    through = "One path goes into the table." if lowest < table else "No path touches the table."
     farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
     first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
     caption = f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it stays there."

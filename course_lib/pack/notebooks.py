@@ -196,8 +196,8 @@ def figure_in(data: dict) -> Figure | None:
 
 
 def as_key(figure: Figure) -> str:
-    """Return a text that is the same for equal figures only."""
-    return json.dumps(figure, sort_keys=True)
+    """Return a text that is the same for figures that look the same only."""
+    return json.dumps({key: value for key, value in figure.items() if key != "config"}, sort_keys=True)
 
 
 def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:

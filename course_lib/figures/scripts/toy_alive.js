@@ -7,14 +7,16 @@
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
   const mm = (x) => `${P.number(1000 * x, x < 1 ? 1 : 0)} mm`;
   // What a figure says of whose answer it shows; `own` is what it found out about it.
-  const said = (answer, own, library) => (answer && answer.value ? `Answered by ${answer.whose}. ${own}`
-    : answer ? `${answer.problem} The library's answer is shown. ${library}` : library);
+  const said = ({ answer, asked }, own, library) => (answer && answer.value ? `Answered by ${answer.whose}. ${own}`
+    : answer ? `${answer.problem} The library's answer is shown. ${library}`
+      : asked ? "Your function has not answered yet; the library's answer is shown." : library);
 
   // ---- a target, and an arm that reaches for it ----
 
   function reach(card, meta, ask) {
     const { arm, limits, size, goal, starts } = meta, n = arm.screws.length, view = card.armSpace();
     const state = card.state({ q: meta.q, all: starts, chosen: 1, at: M.positionOf(goal), rotated: [0, 0, 0] });
+    let room = [-1, 1].flatMap((s) => M.eye(3).map((e) => M.add(state.at, e, 0.15 * s * size))); // to begin dragging
     const target = () => {
       const zyx = [[0, 0, 1], [0, 1, 0], [1, 0, 0]].map((axis, i) => M.rotation(axis, state.rotated[i] * rad));
       return M.pose(M.times(zyx.reduce(M.times), M.rotationOf(goal)), state.at);
@@ -37,14 +39,18 @@
       else state.q = M.reach(arm, state.q, T, { limits, steps: 60 });
       ask({ target: T });
     };
-    view.handle({ name: "Target", colour: COLOURS.blue, at: () => state.at, moved: (p) => { state.at = p; moved(); } });
+    // The target stays above the floor and little farther from the base than the arm reaches.
+    const near = (p) => M.scale([p[0], p[1], Math.max(p[2], meta.ground)], Math.min(1, (1.15 * size) / M.norm(p)));
+    view.handle({
+      name: "Target", colour: COLOURS.blue, at: () => state.at, moved: (p) => { state.at = near(p); moved(); },
+    });
     ["z", "y", "x"].forEach((axis, i) => {
       const options = { min: -180, max: 180, step: 1, value: state.rotated[i] };
       card.range(`Rotate about ${axis}`, options, (x) => `${x}°`, (x) => { state.rotated[i] = x; moved(); });
     });
     if (starts) {
       const between = (x) => [...new Set([Math.floor(x), Math.ceil(x)])].join(" to ");
-      const solution = card.setting("Solution", state, "chosen", { min: 1, max: starts.length, step: 0.01 }, between);
+      const solution = card.setting("Solution", state, "chosen", { min: 1, max: starts.length, step: 0.01, keys: 1 }, between);
       card.player("From one to the next", solution, 0.0025);
     }
     const numbers = card.numbers(), words = card.words();
@@ -59,7 +65,8 @@
       const drawn = [first, ...shown.filter((_, k) => s || k !== i)];
       view.begin();
       drawn.forEach((q) => view.stand(M.bodies(arm, q)));
-      view.contain([state.at]);
+      view.contain([state.at, ...room]);
+      room = [];
       drawn.forEach((q, k) => view.arm(M.bodies(arm, q), { opacity: k ? 0.3 : 1, shadow: !k }));
       view.frame(T, 0.14 * size, { thick: 0.005 * size });
       view.frame(M.frames(arm, first)[n], 0.09 * size, { thick: 0.006 * size });
@@ -69,9 +76,10 @@
       const count = theirs.length > 1 ? many : "";
       const none = answer && answer.value && !theirs.length;
       const own = none ? "It finds no solution here; the library comes this near." : count;
-      const lost = starts && off(shown[0], T) > 1e-3 ? "No solution here; the arm comes as near as it can." : many;
+      const lost = off(shown[0], T) > 1e-3 ? "Out of reach: the arm comes as near as it can."
+        : starts ? many : "Drag the target: the arm follows.";
       const more = (answer && answer.said) || "", both = [own, more].filter(Boolean).join(" ");
-      words.textContent = said(answer, both, starts ? lost : "Drag the target: the arm follows.");
+      words.textContent = said(state, both, lost);
     };
   }
 
@@ -121,28 +129,31 @@
       const off = theirs ? Math.max(...M.sampled(40, (s) => apart(at(s), library(s)))) : 0;
       const own = off < 1e-3 ? "It agrees with the library."
         : `The library's motion, dashed, differs by up to ${P.degrees(off, 1)}.`;
-      words.textContent = said(answer, own, "Drag a nose or a wing tip; the library flies the shortest rotation.");
+      words.textContent = said(state, own, "Drag a nose or a wing tip; the library flies the shortest rotation.");
     };
   }
 
   // ---- a position, and the answer of a table beside the true arm ----
 
   function table(card, meta, ask) {
-    const { lengths, stored } = meta, reach = lengths[0] + lengths[1];
+    const { lengths } = meta, reach = lengths[0] + lengths[1];
+    const stored = meta.stored && { at: M.transpose(meta.stored.at), q: M.transpose(meta.stored.q) };
     const state = card.state({ at: meta.at });
     const plane = card.map({ half: 1.15 * reach, label: meta.title, proportion: 0.9 });
-    const moved = (p) => { state.at = p; ask({ at: p }); };
-    plane.handle({ name: "Query", colour: COLOURS.blue, at: () => state.at, moved });
+    // On a page the query goes to the nearest of the positions for which the function was asked beforehand.
+    const moved = (p) => {
+      const far = stored && stored.at.map((at) => M.norm(M.add(at, p, -1)));
+      state.at = stored ? stored.at[far.indexOf(Math.min(...far))] : p;
+      ask({ at: state.at });
+    };
+    const steps = stored ? { stride: 0.1 } : {};
+    plane.handle({ name: "Query", colour: COLOURS.blue, at: () => state.at, moved, ...steps });
     const numbers = card.numbers(), words = card.words();
-    ask({ at: state.at });
+    moved(state.at);
     return () => {
       const { answer } = state, truth = M.twoLink(lengths, state.at);
-      let found = answer ? answer.value : null, from = state.at;
-      if (!answer && stored) { // on a page: the answer to the nearest question that was asked beforehand
-        const near = stored.at.map((p) => M.norm(M.add(p, state.at, -1))), k = near.indexOf(Math.min(...near));
-        [found, from] = [stored.q[k], stored.at[k]];
-      }
-      const q = found && found.length ? found : null, tip = q && M.planarPoints(lengths, q)[2];
+      const found = answer ? answer.value : stored && stored.q[stored.at.indexOf(state.at)];
+      const q = found && found.length && found[0] !== null ? found : null, tip = q && M.planarPoints(lengths, q)[2];
       const arm = (q, colours, width) => {
         const points = M.planarPoints(lengths, q);
         [0, 1].forEach((k) => plane.line(points.slice(k, k + 2), colours[k], width - k));
@@ -154,15 +165,14 @@
       const mirrored = isOther ? [2 * Math.atan2(state.at[1], state.at[0]) - truth[0], -truth[1]] : truth;
       if (mirrored) arm(mirrored, [COLOURS.blue, COLOURS.blue], 9);
       if (q) arm(q, [COLOURS.steel, COLOURS.link], 6);
-      if (from !== state.at) plane.dot(from, COLOURS.crimson, 4, { hollow: true });
-      if (q) plane.line([from, tip], COLOURS.crimson, 2);
+      if (q) plane.line([state.at, tip], COLOURS.crimson, 2);
       if (q) plane.dot(tip, COLOURS.crimson, 5);
       plane.end();
       const degrees = (q) => (q ? `(${q.map((x) => P.degrees(x, 1)).join(", ")})` : "none: out of reach");
       numbers(`true: q = ${degrees(mirrored)}`, `answer: q = ${q ? degrees(q) : "none"}`);
-      const off = q ? `The tip is ${mm(M.norm(M.add(tip, from, -1)))} from the query.` : "It gives no answer here.";
-      words.textContent = answer || !stored ? said(answer, off, "The blue arm is the true one. Drag the query.")
-        : `${off} The blue arm is the true one.`;
+      const off = q ? `The tip is ${mm(M.norm(M.add(tip, state.at, -1)))} from the query.` : "It gives no answer here.";
+      words.textContent = stored ? `${off} The blue arm is the true one; the query moves in steps of 10 cm.`
+        : said(state, off, "The blue arm is the true one. Drag the query.");
     };
   }
 
@@ -256,7 +266,7 @@
       const distance = `${P.number(off, off < 10 ? 1 : 0)} cm`;
       const far = `Red, where it believes it is, is ${distance} and ${P.degrees(rotated)} off.`;
       const here = state.hidden ? "Drive the red robot to the dock, then show the blue one." : far;
-      words.textContent = said(answer, here, here);
+      words.textContent = said(state, here, here);
     };
   }
 

@@ -120,7 +120,10 @@ outline:3px solid var(--focus);outline-offset:-3px}
       // What the toy keeps while it is off the page.
       state: (initial) => meta.state || (meta.state = initial),
       // Returns a function that asks the kernel; its newest answer is `answer` of the state.
-      asker: (kernel) => asker(kernel, (answer) => { meta.state.answer = answer; draw(); }),
+      asker(kernel) {
+        const ask = asker(kernel, (answer) => { meta.state.answer = answer; draw(); });
+        return (question) => { meta.state.asked = Boolean(kernel); ask(question); };
+      },
       plane: ({ parent = views, ...options }) => keep(plane(parent, { redraw: draw, ...options })),
       map: ({ parent = views, ...options }) => keep(map(parent, { redraw: draw, ...options })),
       space: ({ parent = views, ...options }) => keep(space(parent, { redraw: draw, meta, ...options })),
@@ -140,8 +143,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
           },
         });
       },
-      // A labelled range. write(value) -> words; change(value) is called while it moves.
-      range(label, { value, ...limits }, write, change) {
+      // A labelled range. write(value) -> words; change(value) is called while it moves. An arrow key moves it by a
+      // step, or to the next multiple of `keys`.
+      range(label, { value, keys, ...limits }, write, change) {
         const row = element("div", { class: "setting" }, controls), text = element("label", {}, row, `${label} `);
         const input = element("input", { type: "range", ...limits }, row), output = element("output", {}, row);
         text.htmlFor = input.id = `toy-${Math.random().toString(36).slice(2)}`;
@@ -152,6 +156,13 @@ outline:3px solid var(--focus);outline-offset:-3px}
         input.value = value;
         input.addEventListener("input", () => { change(Number(input.value)); show(); draw(); });
         keepKeys(input);
+        if (keys) onKeys(input, (direction) => {
+          if (!direction) return false;
+          const [d] = direction.filter(Boolean), x = Number(input.value) / keys;
+          input.value = keys * (d > 0 ? Math.floor(x + 1) : Math.ceil(x - 1));
+          input.dispatchEvent(new Event("input"));
+          return true;
+        });
         show();
         return { input, set: (x) => { input.value = x; show(); } };
       },
@@ -316,6 +327,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
         };
         node.addEventListener("pointerdown", (event) => {
           node.setPointerCapture(event.pointerId);
+          made.held = true;
           grip = M.add(toPixels(at()).slice(0, 2), where(event), -1);
           node.focus({ preventScroll: true });
           event.preventDefault();
@@ -326,7 +338,11 @@ outline:3px solid var(--focus);outline-offset:-3px}
           const inside = [Math.min(made.width, Math.max(0, x)), Math.min(made.height, Math.max(0, y))];
           change(fromPixels(inside, at()));
         });
-        onRelease(node, () => (grip = null));
+        onRelease(node, () => {
+          made.held = false;
+          grip = null;
+          redraw();
+        });
         onKeys(node, (direction, { shiftKey }) => {
           if (direction) change(step(at(), M.scale(direction, (shiftKey ? 5 : 1) * stride)));
           return direction;
@@ -522,8 +538,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
         }
         made.line(grid, COLOURS.lines, 1, { layer: "floor" });
       },
-      // Go as far away as points need to be in the picture.
+      // Go as far away as is needed to have these points in the picture.
       contain(points) {
+        if (made.held) return; // by a handle, below which nothing moves away
         const out = (p) => {
           const [x, y] = toPixels(p);
           return Math.max(Math.abs(x / made.width - 0.5), Math.abs(y / made.height - 0.5)) > 0.44;

@@ -8,9 +8,11 @@ from course_lib.arguments import real_array
 from course_lib.figures.toys.arms import arm_view
 from course_lib.figures.toys.toy import Answers, Toy, is_live
 from course_lib.planar import propagate_body_exact
-from course_lib.rotations import is_so, matrix_to_quaternion, quaternion_to_matrix
+from course_lib.rotations import is_quaternion, is_so, matrix_to_quaternion, quaternion_to_matrix
 
 _SAMPLES = 41  # of a motion between two orientations
+_TOLERANCE = 1e-3  # of rotations that are drawn
+_STEP = 0.1  # metres between the positions that are asked beforehand
 
 
 @dataclass(frozen=True)
@@ -107,9 +109,15 @@ def fly(start, goal, *, quaternions=False):
         A, B = (np.array(R) for R in question["ends"])
         if quaternions:
             A, B = matrix_to_quaternion(A), matrix_to_quaternion(B)
-        found = np.array([np.asarray(f(A.copy(), B.copy(), s), float) for s in np.linspace(0, 1, _SAMPLES)])
-        if found.shape[1:] != A.shape or not np.isfinite(found).all():
-            raise ValueError(f"the answer should be a finite array of shape {A.shape}; its shape is {found.shape[1:]}")
+        s = np.linspace(0, 1, _SAMPLES)
+        found = np.array([np.asarray(f(A.copy(), B.copy(), share), float) for share in s])
+        if found.shape[1:] != A.shape:
+            raise ValueError(f"the answer should be an array of shape {A.shape}; its shape is {found.shape[1:]}")
+        if not np.isfinite(found).all():
+            raise ValueError("the answer contains NaN or infinity")
+        kind, rotates = ("unit quaternion", is_quaternion) if quaternions else ("rotation matrix", is_so)
+        if not (right := rotates(found, _TOLERANCE)).all():
+            raise ValueError(f"the answer at s = {s[right.argmin()]:g} is not a {kind}")
         return {"value": (quaternion_to_matrix(found) if quaternions else found).tolist()}
 
     alt = "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one that flies from the "
@@ -121,7 +129,8 @@ def fly(start, goal, *, quaternions=False):
 def table(at):
     """Return a figure for `alive`: a position to drag, f(position) answers with the two joint angles of the 2R arm.
 
-    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at positions 0.2 m apart.
+    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at positions 0.1 m apart,
+    and there the query goes from one of these to the next.
 
     Parameters
     ----------
@@ -140,11 +149,12 @@ def table(at):
         return {"value": angles.tolist() if np.isfinite(angles).all() else []}
 
     def stored(f):
-        grid = np.stack(np.meshgrid(*2 * [np.linspace(-2, 2, 21)]), -1).reshape(-1, 2)
+        side = np.arange(-2, 2 + _STEP / 2, _STEP)
+        grid = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2).round(4) + 0.0
         grid = grid[np.linalg.norm(grid, axis=-1) <= 2]
         answers = Answers(f, ask)
-        given = [answers({"at": p})["value"] or [] for p in grid]
-        return {"at": grid.round(4).tolist(), "q": [[round(x, 5) for x in angles] for angles in given]}
+        given = [answers({"at": p})["value"] or [np.nan, np.nan] for p in grid]
+        return {"at": grid.T.tolist(), "q": np.round(given, 4).T.tolist()}
 
     model = {"figure": "table", "title": "A query and its answer", "lengths": [1.0, 1.0], "at": at.tolist()}
     alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
@@ -170,8 +180,10 @@ def drive(plan, *, exact=False):
     def ask(f, question):
         log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
         poses = np.asarray(f(np.zeros(3), log, question["dt"]), float)
-        if poses.ndim != 2 or poses.shape[1] != 3 or not len(poses) or not np.isfinite(poses).all():
-            raise ValueError(f"the answer should be finite poses of shape (n, 3); its shape is {poses.shape}")
+        if poses.ndim != 2 or poses.shape[1] != 3 or not len(poses):
+            raise ValueError(f"the answer should be poses of shape (n, 3); its shape is {poses.shape}")
+        if not np.isfinite(poses).all():
+            raise ValueError("the answer contains NaN or infinity")
         return {"value": poses.round(5).tolist(), "plan": question["plan"]}
 
     model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}

@@ -140,8 +140,10 @@ def _moved_by(arm, to_base, takes_screws):
 
 def _pose(given):
     T = np.asarray(given, float)
-    if T.shape != (4, 4) or not np.isfinite(T).all():
-        raise ValueError(f"the pose should be a finite array of shape (4, 4); its shape is {T.shape}")
+    if T.shape != (4, 4):
+        raise ValueError(f"the pose should be an array of shape (4, 4); its shape is {T.shape}")
+    if not np.isfinite(T).all():
+        raise ValueError("the pose contains NaN or infinity")
     return T
 
 

@@ -21,6 +21,7 @@ from course_lib.figures.solids.model import PALETTE, coordinates
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
+BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
 ELSEWHERE = "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` writes."
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """
@@ -29,16 +30,19 @@ export default { render({ model, el }) {
   const answers = new Set(), { kinds, parts } = globalThis.course;
   // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no message: say what helps.
   const note = document.createElement("p");
-  note.textContent = "The kernel does not answer. When it is idle, run this cell again.";
   let late = null;
-  model.on("msg:custom", (message) => {
+  const expect = (seconds, words) => {
     clearTimeout(late);
+    late = setTimeout(() => { note.textContent = words; el.append(note); }, 1000 * seconds);
+  };
+  model.on("msg:custom", (message) => {
     note.remove();
+    if (message.begun) return expect(1, "Your function is still computing this answer.");
+    clearTimeout(late);
     answers.forEach((act) => act(message));
   });
   const ask = (question) => {
-    clearTimeout(late);
-    late = setTimeout(() => el.append(note), 5000);
+    expect(5, "The kernel does not answer. When it is idle, run this cell again.");
     model.send(question);
   };
   const kernel = { ask, onAnswer: (act) => answers.add(act) };
@@ -116,7 +120,7 @@ class Toy:
         widget = _widget_class()(_esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt)
         if self.answer is not None:
             widget.answers = True
-            widget.on_msg(lambda _, question, __: widget.send(self.answer(question)))
+            widget.on_msg(lambda _, question, __: (widget.send(BEGUN), widget.send(self.answer(question))))
         return widget
 
 

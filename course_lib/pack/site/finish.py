@@ -21,6 +21,9 @@ def finish(site: Path) -> None:
         # A script chooses light or dark, which paper and readers without scripts do not wait for.
         text = text.replace('data-theme="auto"', 'data-theme="light"')
         # A screen reader shall read the line that the page shows, "Solution", not MyST-NB's name for all folded cells.
-        page.write_text(text.replace(' aria-label="Toggle hidden content"', ""), encoding="utf-8")
+        text = text.replace(' aria-label="Toggle hidden content"', "")
+        # The name of the search button holds the words that it shows, "Search Ctrl+K".
+        text = re.sub(r'(<button class="[^"]*search-button-field[^>]*?) aria-label="Search"', r"\1", text)
+        page.write_text(text, encoding="utf-8")
     for path in (path for name in FILES for path in site.glob(f"_static/{name}")):
         shutil.rmtree(path) if path.is_dir() else path.unlink()

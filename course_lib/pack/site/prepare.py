@@ -86,7 +86,8 @@ def _move_captions(cell) -> None:
 def _captioned(shown: str, output) -> str:
     """Return a figure with its caption below it, if its output has one."""
     caption = output.metadata.get("caption")
-    words = mark_dollars(html.escape(caption, quote=False)) if caption else ""
+    stressed = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False)) if caption else ""
+    words = mark_dollars(stressed)
     return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>' if caption else shown
 
 

@@ -24,6 +24,7 @@
   const CONFIG = {
     responsive: true,
     displaylogo: false,
+    showSendToCloud: false,
     displayModeBar: window.innerWidth > NARROW ? "hover" : false,
     modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "zoomIn2d", "zoomOut2d", "resetCameraLastSave3d"],
   };
@@ -38,6 +39,9 @@
   const TO_DARK = new Map(Object.entries(IN_DARK).map(([light, dark]) => [light.toLowerCase(), dark]));
   const TO_LIGHT = new Map(Object.entries(IN_DARK).map(([light, dark]) => [dark, light]));
   const isDark = () => document.documentElement.dataset.theme === "dark";
+
+  let webgl = null; // asked once, for each question makes a context
+  const hasWebGL = () => (webgl = webgl || [Boolean(document.createElement("canvas").getContext("webgl"))])[0];
 
   function recolour(node, map) {
     if (Array.isArray(node) && typeof node[node.length - 1] === "number") return; // coordinates
@@ -164,6 +168,7 @@
         const recolours = isDark() !== inDark;
         inDark = isDark();
         if (byPlotly) {
+          if (layout.scene && !hasWebGL()) throw Error("this browser draws nothing in space (no WebGL)");
           await loadPlotly();
           if (recolours) [data, layout, frames].forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
           await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
