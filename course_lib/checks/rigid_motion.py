@@ -13,7 +13,6 @@ EXERCISES = (
     "propagate_body_exact",
     "arm_frames",
     "propagate_arm",
-    "two_link_angles",
 )
 
 PREDICTIONS = (
@@ -44,19 +43,21 @@ PREDICTIONS = (
         {
             "a": "Each step's error shrinks to a quarter, but there are twice as many steps: half remains.",
             "b": "That holds for the error of one step, and there are twice as many of them.",
-            "c": "It does become smaller: the direction is out of date for a shorter time.",
+            "c": "That holds for random errors, which partly cancel each other. In a bend every step errs to the same "
+            "side.",
         },
     ),
     Prediction(
         "joint_line",
-        "b",
+        "c",
         {
             "a": "Straight in joint space is not straight in the plane: the tip's position depends on the angles by "
             "sines and cosines.",
-            "b": "Both joints rotate, and the tip is carried along by both: a curve, longer than the straight line.",
-            "c": "That would be so if only the first joint moved. The elbow changes the distance from the base.",
+            "b": "Joint 1 alone makes half a revolution. How far does it carry a tip that is nearly 2 m away?",
+            "c": "Half a revolution at a distance of nearly 2 m is about 6 m, and joint 2 adds its own motion.",
         },
     ),
 )
-MORE = ("cubic_time_scaling", "log_se2")
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+MORE = ("cubic_time_scaling", "log_se2", "two_link_angles")
+STOP = ("interpolate_body_screw", "Following a plan")
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))

@@ -111,6 +111,25 @@ def _dock(fig, ax, pose, columns):
     legend_above(fig, columns)
 
 
+def wheels(left, right, track):
+    """Return the circles of two wheels that roll at these speeds (m/s), `track` apart; the robot faces x at (0, 0)."""
+    fig, (ax,) = plane_figure(6.2, 4.6)
+    v, omega = (left + right) / 2, (right - left) / track
+    pole, t = v / omega, np.linspace(-0.3, 1.2, 61)
+    for name, speed, colour in (("left", left, BLUE), ("robot", v, GREY), ("right", right, CRIMSON)):
+        y, radius = pole - speed / omega, speed / omega
+        ax.plot(radius * np.sin(t), pole - radius * np.cos(t), ":", color=colour)
+        look = {"arrowstyle": "-|>", "color": colour, "lw": 3, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", (speed / 2, y), (0, y), arrowprops=look)
+        ax.annotate(f"{name}: {speed:g} m/s", (0.01, y - 0.03), color=colour)
+    ax.plot([0, 0], [pole, pole - right / omega], "o-", markevery=2, color=BLACK, linewidth=1)
+    ax.annotate(f"pole, {pole:g} m to the left", (0.02, pole))
+    in_metres(ax, xlim=(-0.15, 0.45), ylim=(-0.15, pole + 0.05))
+    alt = f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about one "
+    alt += f"point, the pole, {pole:g} m to the left of the robot."
+    return Picture(fig, alt, "Twice as far from the pole is twice as fast.")
+
+
 # ---- a body ----
 
 
