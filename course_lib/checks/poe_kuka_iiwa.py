@@ -75,5 +75,6 @@ PREDICTIONS = (
 )
 
 MORE = ("singular_configurations", "rotation_about", "space_jacobian", "holding_torques", "first_bad_row")
+STOP = ("forward_kinematics", "One motion, two observers")
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))
