@@ -82,6 +82,9 @@ bench: ## measure the library beside others, in an environment of its own, and w
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
 		.venv-bench/bin/python -m course_lib.pack.bench
 
-clean: ## delete build/ (grades too) and caches; .venv and .venv-bench stay
-	rm -rf build .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+clean: ## delete build/ and caches; .venv, .venv-bench, and in build/grades/ the marks and their seed stay
+	@[ ! -f build/grades/questions.csv ] || echo "build/grades/questions.csv and seed stay: delete them yourself."
+	[ ! -d build ] || find build -depth ! -path build/grades/questions.csv ! -path build/grades/seed \
+		\( ! -type d -o -empty \) -delete
+	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find course_lib tests notebooks -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -150,6 +150,13 @@ def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, 
 def test_make_clean_leaves_the_environment(course):
     (course / "build").mkdir(exist_ok=True)
     (course / "notebooks/__pycache__").mkdir()
+    (course / "build/grades/results").mkdir(parents=True)
+    for name in ("questions.csv", "seed", "totals.csv", "results/1.json"):
+        (course / "build/grades" / name).write_text("1")
+    assert "build/grades/questions.csv and seed stay" in made(course, "clean")
+    assert sorted(p.name for p in (course / "build").rglob("*")) == ["grades", "questions.csv", "seed"]
+    (course / "build/grades/questions.csv").unlink()
+    (course / "build/grades/seed").unlink()
     made(course, "clean")
     assert not (course / "build").exists()
     assert not (course / "notebooks/__pycache__").exists()

@@ -121,6 +121,14 @@ def test_places_that_share_a_student_are_named(tmp_path):
     assert sharing(files) == said
 
 
+def test_text_typed_into_a_platform_is_no_refusal(tmp_path):
+    moodle = "Jane Doe_42_assignsubmission"
+    write(tmp_path / "m", f"{moodle}_file/01_rotations.ipynb", f"{moodle}_onlinetext/onlinetext.html")
+    write(tmp_path / "c", "doejane_1234_5678_01_rotations.ipynb", "doejane_1234_text.html", "bo_LATE_7_link.html")
+    assert found(tmp_path / "m") == [("Jane Doe", "01_rotations")]
+    assert found(tmp_path / "c") == [("doejane_1234", "01_rotations")]
+
+
 def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
     for number, name in [(1, "01_rotations"), (2, "01_rotations"), (3, "02_rigid_motion")]:
         write(tmp_path, f"Jane Doe_{number}_assignsubmission_file_/{name}.ipynb")

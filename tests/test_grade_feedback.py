@@ -1,6 +1,8 @@
 """The pages that grading writes: everything from a submission is escaped, and nothing needs a network."""
 
 import re
+import zipfile
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -131,6 +133,30 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
 
     write_feedback(folder, [each for each in everything if each.student == "zoe"])
     assert [path.name for path in folder.iterdir()] == ["zoe"]
+
+
+def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp_path):
+    """Parts of a path before the last: a name without underscores, the participant's number, the plugin's two words.
+
+    So is_valid_filename_for_import in moodle/moodle, mod/assign/feedback/file/importziplib.php, splits them.
+    """
+    outcomes = []
+    for number, notebook in [(42, "01_rotations"), (43, "01_rotations"), (77, "02_rigid_motion")]:
+        place = f"Zoë Ünal_{number}_assignsubmission_file/{notebook}.ipynb"
+        fields = {"platform_id": str(number), "in_folder": True}
+        submission = replace(of(f"zoe_{number}")[0], place=place, notebook=notebook, **fields)
+        outcomes.append((submission, result([2], notebook=notebook)))
+    write_feedback(tmp_path, graded_files(outcomes, {}))
+    first = (tmp_path / "moodle/01_rotations.zip").read_bytes()
+    with zipfile.ZipFile(tmp_path / "moodle/01_rotations.zip") as archive:
+        folders, pages = zip(*(name.split("/") for name in archive.namelist()), strict=True)
+        assert [folder.split("_")[1:4] for folder in folders] == [[n, "assignsubmission", "file"] for n in ("42", "43")]
+        assert set(pages) == {"feedback_01_rotations.html"}
+        assert b"2 of 2 points" in archive.read(archive.namelist()[0])
+    assert (tmp_path / "moodle/02_rigid_motion.zip").exists()
+    write_feedback(tmp_path, graded_files(outcomes[:2], {}))
+    assert {path.name for path in (tmp_path / "moodle").iterdir()} == {"01_rotations.zip"}
+    assert (tmp_path / "moodle/01_rotations.zip").read_bytes() == first
 
 
 # ---- the class ----

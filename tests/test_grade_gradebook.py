@@ -88,19 +88,20 @@ def test_gradescopes_columns_contain_the_maximum_points_and_the_lateness():
 
 def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_them(roster):
     found = Roster(roster(MOODLE + "Jane;Roe;1236;roe@example.org\nAl;Bo;1237;other@example.org\n"))
-    assert found.find("1235")["Email address"] == "al@example.org"
-    assert found.find("JANE@example.org")["ID number"] == "1234"
-    assert found.find("doe jane")["ID number"] == "1234"
-    assert found.find("Jane") is None
-    assert found.find("Al Bo") is None, "two students whose names differ in an accent only"
+    assert found.find("1235")[0]["Email address"] == "al@example.org"
+    assert found.find("JANE@example.org")[0]["ID number"] == "1234"
+    assert found.find("doe jane")[0]["ID number"] == "1234"
+    assert found.find("Jane") == []
+    two = found.find("Al Bo"), found.find("Al Bo 42")
+    assert [len(rows) for rows in two] == [2, 2], "two students whose names differ in an accent only"
 
 
 def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
     """Moodle's number identifies the hand-in, and an old score does not identify a student."""
     canvas = Roster(roster(CANVAS))
-    assert canvas.find("x", "1235")["Student"] == "Bo, Al"
-    assert canvas.find("x", "8") is None
-    assert canvas.find("9") is None
+    assert canvas.find("x", "1235")[0]["Student"] == "Bo, Al"
+    assert canvas.find("x", "8") == []
+    assert canvas.find("9") == []
     (tmp_path / "in").mkdir()
     hand_in(tmp_path / "in", "Jane Doe_1235_assignsubmission_file_/01_rotations.ipynb", points=[2])
     (tmp_path / "moodle.csv").write_text(MOODLE)
@@ -119,14 +120,14 @@ def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
 def test_a_roster_in_any_encoding_of_windows_is_read(tmp_path, encoding):
     path = tmp_path / "roster.csv"
     path.write_bytes(MOODLE.encode(encoding))
-    assert Roster(read_roster(path)).find("Al Bö")["ID number"] == "1235"
+    assert Roster(read_roster(path)).find("Al Bö")[0]["ID number"] == "1235"
 
 
 def test_titles_with_semicolons_and_columns_that_come_twice_lose_no_number(roster):
     head = 'Student,ID,SIS Login ID,Section,"a; b; c; d; e; f; g (77)",ID\n'
     rows = roster(head + '"    Points Possible",,,,10,\n"Doe, Jane",1234,jane,A,9,\n')
-    assert Roster(rows).find("x", "1234")["SIS Login ID"] == "jane"
-    assert Roster(rows).find("Points Possible") is None
+    assert Roster(rows).find("x", "1234")[0]["SIS Login ID"] == "jane"
+    assert Roster(rows).find("Points Possible") == []
 
 
 def test_nobody_is_taken_for_canvas_row_of_points(roster):
@@ -300,11 +301,21 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
     assert not (tmp_path / "out").exists()
 
 
+def test_two_students_of_one_name_are_said_to_be_ambiguous(tmp_path, capsys):
+    for number in (42, 43):
+        hand_in(tmp_path / "in", f"Li Xiang_{number}_assignsubmission_file/01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(MOODLE + "Li;Xiang;1;a@example.org\nLi;Xiang;2;b@example.org\n")
+    out = written(tmp_path, "--lms", "moodle", "--roster", str(tmp_path / "roster.csv"))
+    several = "Li Xiang 42 (2 lines of the roster fit), Li Xiang 43 (2 lines of the roster fit)"
+    said = f"Not in {out / 'moodle.csv'}, because no line of the roster fits, or several: {several}."
+    assert said in capsys.readouterr().out
+
+
 def test_students_not_in_the_roster_and_those_who_share_a_line_are_named(tmp_path, capsys):
     for name in ("eve", "jane", "Doe Jane"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(CANVAS)
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
     said = capsys.readouterr().out
-    assert f"Not in the roster, and so not in {out / 'canvas.csv'}: eve." in said
+    assert f"Not in {out / 'canvas.csv'}, because no line of the roster fits, or several: eve." in said
     assert "One student of the roster, whose better points of each notebook count: Doe Jane, jane." in said

@@ -101,7 +101,8 @@ def test_a_file_from_any_program_is_read_under_any_name(few, written):
     text = book(**{"cells": cells} | WRITTEN[written](cells)).decode()
     found, _ = notebook_file.read(text.encode(written if written in ("utf-8-sig", "utf-16") else "utf-8"))
     assert notebook_file.code(found) == sources
-    assert notebook_file.course_of("Untitled (1)", found).name == NAME
+    for name in ("Untitled (1)", NAME, "02_rigid_motion"):
+        assert notebook_file.course_of(name, found).name == NAME
 
 
 def test_a_notebook_without_a_known_name_or_function_is_not_of_the_course():

@@ -3,6 +3,7 @@
 import csv
 import functools
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from grade_stand_in import result
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, cell_text
+from course_lib.pack.grade.deadline import Deadline
 from course_lib.pack.grade.jobs import ungraded_result
 from course_lib.pack.grade.marks import (
     COLUMNS,
@@ -112,6 +114,45 @@ def test_of_two_files_for_one_notebook_the_better_counts_once(path):
         assert ("not counted", "Another file of this notebook counts: b.") in said
         assert ("refused", "c: It is a link.") in said
         assert len(said) == 4
+
+
+def test_the_written_answers_of_both_copies_are_read_and_the_better_counts(path):
+    first, second = outcome("zoe", [2], ["", "one"], place="a"), outcome("zoe", [2], ["two", "other"], place="b")
+    asked = Class(path, first, second).questions()
+    assert [(row["question"], row["answer"]) for row in asked] == [
+        ("explain_0", "two"), ("explain_1", "one"), ("explain_1", "other")
+    ]  # fmt: skip
+    assert Class(path, first, second).totals()[0]["to be read"] == "3"
+    marks = {"two": "1", "one": "0", "other": "2"}
+    path.write_text(marks_text([], {row["key"]: row | {"mark": marks[row["answer"]]} for row in asked}))
+    read = Class(path, first, second)
+    assert [read.totals()[0][name] for name in ("total", "to be read")] == ["5", "0"]
+    assert [(row["exercise"], row["points"]) for row in read.grades()[1:3]] == [("explain_0", "1"), ("explain_1", "2")]
+    equal = Class(path, first, outcome("zoe", [2], ["", "one"], place="b"))
+    assert [row["answer"] for row in equal.questions() if row["state"] != OLDER] == ["one"]
+
+
+def test_a_later_copy_adds_no_written_answer_to_an_earlier_one(path):
+    first, late = outcome("zoe", [2], [""], place="a"), outcome("zoe", [2], ["so"], place="b")
+    both = [(replace(submission, modified=10.0 * (submission.place == "b")), its) for submission, its in (first, late)]
+    everything = graded_files(both, {}, Deadline(5, percent=10, times="files"))
+    assert [(each.total, len(each.answers)) for each in everything if not each.superseded_by] == [(2, 1)]
+    assert everything[0].answers[0].text == ""
+
+
+def test_a_notebook_handed_in_as_another_is_said_to_be_that(path):
+    wrong = submission("zoe", "01_rotations"), result([2], notebook="02_rigid_motion")
+    both = Class(path, wrong)
+    said = "It was handed in as 01_rotations, but it is 02_rigid_motion, and is graded as that."
+    assert said in [row["message"] for row in both.grades()]
+    assert both.totals()[0]["02_rigid_motion"] == "2"
+
+
+def test_no_message_after_the_hand_in_asks_to_run_the_check_again(path):
+    blamed = outcome("zoe", [0])
+    first = "Your log_so3, which it calls, is not right yet."
+    blamed[1]["exercises"][0]["message"] = f"{first}\nCorrect log_so3 first, then run this check again."
+    assert Class(path, blamed).grades()[0]["message"] == "Your log_so3, which it calls, is not right."
 
 
 def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):

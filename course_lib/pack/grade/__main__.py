@@ -20,6 +20,7 @@ from course_lib.pack.grade.gradebook import IDENTITY, gradebook_text, read_roste
 from course_lib.pack.grade.isolation import NONE
 from course_lib.pack.grade.jobs import ROOT, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
+from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, sharing, totals, totals_text
@@ -176,8 +177,11 @@ def _seed(path, chosen=None):
 def _write(output, outcomes, deadline, weight, platform, roster):
     rows = read_marks(output / "questions.csv")  # read again, because marks may have been typed during the run
     everything = graded_files(outcomes, rows, deadline, weight)
+    models = {(course.name, q.name): (q.rubric, q.model) for course in courses().values() for q in course.questions}
+    order = {place: number for number, place in enumerate(models)}
     listed = [(each.student, each.notebook, answer) for each in everything for answer in each.answers]
-    write_atomically(output / "questions.csv", marks_text(listed, rows))
+    listed.sort(key=lambda line: (line[1], order.get((line[1], line[2].question), 0), line[2].question, line[0]))
+    write_atomically(output / "questions.csv", marks_text(listed, rows, models))
     write_atomically(output / "grades.csv", grades_text(everything))
     points = totals(everything)
     write_atomically(output / "totals.csv", totals_text(points))
@@ -189,7 +193,8 @@ def _write(output, outcomes, deadline, weight, platform, roster):
     write_atomically(output / "class.html", class_page(everything))
     print("\n".join([*(summary(everything, deadline) if deadline else ()), _summary(output, everything, listed)]))
     if missing:
-        print(f"Not in the roster, and so not in {output / f'{platform}.csv'}: {', '.join(missing)}.")
+        why = "because no line of the roster fits, or several"
+        print(f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(missing)}.")
     for students in shared:
         print(f"One student of the roster, whose better points of each notebook count: {', '.join(students)}.")
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course_lib.pack.grade import zips
-from course_lib.pack.grade.platforms import exported_name, recognized
+from course_lib.pack.grade.platforms import ONLINE_TEXT, exported_name, recognized
 from course_lib.pack.grade.zips import Refused
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
@@ -80,6 +80,8 @@ def find(folder, notebooks, platform=None):
             reason = getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
             refused = f"It cannot be read: {reason}."
             found.append(Submission(name.student, "", printable(path.name), path, refused=refused, **name.about()))
+    if platform:
+        found = [each for each in found if not (each.refused and ONLINE_TEXT.fullmatch(Path(each.place).stem))]
     found = [replace(each, modified=_modified(each.path)) for each in found]
     return sorted(_one_name_each(found), key=lambda submission: submission.place)
 

@@ -1,6 +1,8 @@
 """The feedback page of each submission, for its student. Jinja escapes all text from submissions."""
 
+import io
 import re
+import zipfile
 from pathlib import Path
 
 import jinja2
@@ -10,7 +12,8 @@ from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import file_names
 from course_lib.pack.grade.csv_text import clean, count_noun
-from course_lib.pack.grade.tables import final_state, lateness
+from course_lib.pack.grade.platforms import MOODLE
+from course_lib.pack.grade.tables import final_message, final_state, lateness
 
 LONGEST = 100_000  # characters of one message or answer
 MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), final_state(NOT_ATTEMPTED): ("○", "none")}
@@ -54,7 +57,7 @@ def _subtotal(each, more):
 
 
 def _exercise(exercise):
-    about = {"name": exercise["exercise"], "title": exercise["exercise"], "text": exercise["message"]}
+    about = {"name": exercise["exercise"], "title": exercise["exercise"], "text": final_message(exercise["message"])}
     return exercise | about | {"state": final_state(exercise["state"])}
 
 
@@ -83,8 +86,29 @@ def write_feedback(folder, everything):
             path = folder / students[student] / f"{names[notebook]}.html"
             write_atomically(path, feedback_page(each))
             written.add(path)
-    for path in folder.glob("*/*.html"):
+    for notebook, content in _uploads(counting).items():
+        path = folder / "moodle" / f"{notebook}.zip"
+        write_atomically(path, content)
+        written.add(path)
+    for path in (*folder.glob("*/*.html"), *folder.glob("moodle/*.zip")):
         if path not in written:
             path.unlink()
             if not any(path.parent.iterdir()):
                 path.parent.rmdir()
+
+
+def _uploads(counting):
+    """Return {notebook: a zip of all its feedback, as Moodle takes it}, empty if nothing came from Moodle.
+
+    Moodle finds the student by the number in the folder's name (moodle/moodle, mod/assign/feedback/file/
+    importziplib.php, is_valid_filename_for_import). The number belongs to one assignment.
+    """
+    contents = {}
+    for each in counting:
+        if not MOODLE.fullmatch(each.submission.top):
+            continue
+        folder = f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
+        with zipfile.ZipFile(contents.setdefault(each.notebook, io.BytesIO()), "a", zipfile.ZIP_DEFLATED) as archive:
+            about = zipfile.ZipInfo(f"{folder}/feedback_{each.notebook}.html")  # dated 1980: equal pages, equal bytes
+            archive.writestr(about, feedback_page(each), zipfile.ZIP_DEFLATED)
+    return {name: contents[notebook].getvalue() for notebook, name in file_names(set(contents)).items()}

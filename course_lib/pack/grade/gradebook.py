@@ -10,6 +10,7 @@ Gradescope imports no totals: the file has the columns of its own export, "<name
 """
 
 import math
+import re
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.csv_text import cell_text, read_table, table_text, words
@@ -50,15 +51,21 @@ class Roster:
             self._names.setdefault(words(_full_name(row)), []).append(row)
 
     def find(self, student, user_id=""):
-        """Return the row, or None if there is none or more than one."""
+        """Return the rows that fit, of which only a single one is certain.
+
+        A name with a number, which it has because two students share the name, fits their rows.
+        """
+        alike = self._names.get(words(re.sub(r" \d+$", "", student)), [])
+        several = []
         for found in (
             self._ids.get(user_id, []) if user_id else [],
             self._keys.get(student.casefold(), []),
             self._names.get(words(student), []),
+            alike if len(alike) > 1 else [],
         ):
-            if len({id(row) for row in found}) == 1:
-                return found[0]
-        return None
+            if found:
+                several.append([*{id(row): row for row in found}.values()])
+        return min(several, key=len, default=[])
 
 
 def _full_name(row):
@@ -68,16 +75,17 @@ def _full_name(row):
 def gradebook_text(platform, totals, roster=None):
     """Return the text of the file for a platform, and the students who are not in it or share a line of it.
 
-    Not in it are those who are not in the roster, or whom Canvas would not take for a student. Of those who share a
-    line, the better points of each notebook are in the file. Without a roster, as read_roster returns it, a student's
-    name is used as the login name, and the Canvas number in the names of its files as the ID.
+    Not in it are those whom no line of the roster fits, or several, or whom Canvas would not take for a student. Of
+    those who share a line, the better points of each notebook are in the file. Without a roster, as read_roster
+    returns it, a student's name is used as the login name, and the Canvas number in the names of its files as the ID.
     """
     look = Roster(roster) if roster else None
     lines, missing = {}, []  # lines: {what identifies a student: their names}
     for student in totals.students:
-        identity = _identity(platform, student, totals.user_ids.get(student, ""), look)
-        if identity is None or (platform == "canvas" and POINTS_POSSIBLE in identity[0]):
-            missing.append(student)
+        rows = _rows(platform, student, totals.user_ids.get(student, ""), look)
+        identity = tuple(rows[0].get(name, "") for name in IDENTITY[platform]) if len(rows) == 1 else ()
+        if not identity or (platform == "canvas" and POINTS_POSSIBLE in identity[0]):
+            missing.append(f"{student} ({len(rows)} lines of the roster fit)" if len(rows) > 1 else student)
         else:
             lines.setdefault(identity, []).append(student)
     rows = [[*identity, *_points(platform, totals, students)] for identity, students in sorted(lines.items())]
@@ -91,15 +99,13 @@ def gradebook_text(platform, totals, roster=None):
     return table_text(columns, rows, lines=True), missing, shared
 
 
-def _identity(platform, student, user_id, look):
-    """Return the texts that identify a student to the platform, or None for one who is not in the roster."""
+def _rows(platform, student, user_id, look):
+    """Return the rows of the roster that fit a student, or one with the student's own names if there is no roster."""
     if look:
-        found = look.find(student, user_id)
-    elif platform == "canvas":
-        found = {"Student": student, "ID": user_id} if user_id else {"Student": student, "SIS Login ID": student}
-    else:
-        found = {WITHOUT_ROSTER[platform]: student}
-    return None if found is None else tuple(found.get(name, "") for name in IDENTITY[platform])
+        return look.find(student, user_id)
+    if platform == "canvas":
+        return [{"Student": student, "ID": user_id} if user_id else {"Student": student, "SIS Login ID": student}]
+    return [{WITHOUT_ROSTER[platform]: student}]
 
 
 def _points(platform, totals, students):

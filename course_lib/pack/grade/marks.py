@@ -10,7 +10,8 @@ from course_lib.pack.grade.csv_text import answer_text, cell_text, read_table, t
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.release import PROMPT
 
-COLUMNS = ("student", "notebook", "question", "of", "mark", "comment", "state", "answer", "key")
+COLUMNS = ("notebook", "question", "student", "of", "mark", "comment", "state")
+COLUMNS += ("answer", "rubric", "model answer", "key")
 TO_BE_READ, READ, OLDER = "to be read", "read", "of an older answer, or not in this run"
 
 
@@ -32,6 +33,10 @@ class MarkedAnswer:
     wrong: str = ""
     task: str = ""
     more: bool = False
+
+    def rank(self):
+        """Return the points, and less than none before the answer is marked."""
+        return -1 if self.points is None else self.points
 
     @property
     def reported_state(self):
@@ -79,19 +84,20 @@ def mark_answer(question, student, notebook, rows):
     return replace(commented, state=READ, points=int(points) if points.is_integer() else points)
 
 
-def marks_text(listed, rows):
+def marks_text(listed, rows, models=None):
     """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
 
     listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the reader's entries are kept
-    as typed.
+    as typed. models: {(notebook, question): (rubric, model answer)}.
     """
     written, table = set(), []
     for student, notebook, each in listed:
-        if each.state in (NOT_ATTEMPTED, UNREADABLE):
+        if each.state in (NOT_ATTEMPTED, UNREADABLE) or each.key in written:
             continue
         row = rows.get(each.key, {})
-        begin = [student, notebook, each.question, each.of, row.get("mark", ""), row.get("comment", "")]
-        table.append([*begin, each.reported_state, answer_text(each.text), each.key])
+        begin = [notebook, each.question, student, each.of, row.get("mark", ""), row.get("comment", "")]
+        model = (models or {}).get((notebook, each.question), ("", ""))
+        table.append([*begin, each.reported_state, answer_text(each.text), *model, each.key])
         written.add(each.key)
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):

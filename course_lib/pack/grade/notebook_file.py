@@ -39,12 +39,17 @@ class Cell:
 
 @dataclass(frozen=True)
 class Question:
-    """A question that is answered in writing. id: of its answer cell. after: the source of the cell with its task."""
+    """A question that is answered in writing. id: of its answer cell. after: the source of the cell with its task.
+
+    model: the model answer. rubric: what it gives points for.
+    """
 
     name: str
     points: int
     id: str
     after: str
+    model: str = ""
+    rubric: str = ""
 
 
 @dataclass(frozen=True)
@@ -145,13 +150,15 @@ def may_bind(sources, name):
 
 
 def course_of(name, cells):
-    """Return the Course of a file by its name, or else by the exercises in its Cells; None if neither fits."""
-    known = courses()
-    if name in known:
-        return known[name]
-    sources = code(cells)
+    """Return the Course of a file by its name and the exercises in its Cells; None if neither fits.
+
+    The name holds unless the cells define more than twice as many of another notebook's functions.
+    """
+    known, sources = courses(), code(cells)
     counts = {course.name: sum(defines(sources, e.name) for e in course.exercises) for course in known.values()}
     best = max(counts, key=counts.get, default=None)
+    if name in known and counts[best] <= 2 * counts[name]:
+        return known[name]
     return known[best] if best and counts[best] else None
 
 
@@ -175,7 +182,8 @@ def _questions(cells):
     for cell in cells:
         about = cell.metadata.get("nbgrader", {})
         if about.get("solution") and about.get("grade"):
-            yield Question(about["grade_id"], int(about["points"]), cell.id, before)
+            model, _, rubric = cell.source.removeprefix("**Model answer.** ").partition("\n\n*Rubric ")
+            yield Question(about["grade_id"], int(about["points"]), cell.id, before, model, rubric.strip("*"))
         before = cell.source
 
 

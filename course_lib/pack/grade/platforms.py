@@ -19,6 +19,9 @@ CANVAS = re.compile(
     re.DOTALL,
 )
 
+# What was typed into the platform: Moodle's folder or file, and Canvas's (add_text_or_url).
+ONLINE_TEXT = re.compile(r".+_\d+_assignsubmission_onlinetext(_.*)?|.+_(\d+|anon_[A-Za-z0-9]+)_(text|link)", re.DOTALL)
+
 
 class Exported(NamedTuple):
     """The parts of a file name that Canvas or Moodle exported.

@@ -1,13 +1,15 @@
 """Which files count, and the tables of their points: a line for each exercise, and a line for each student."""
 
+import itertools
+import re
 from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import count_noun, table_text
 from course_lib.pack.grade.deadline import begun_days
-from course_lib.pack.grade.marks import mark_answer
-from course_lib.pack.grade.notebook_file import UNREADABLE
+from course_lib.pack.grade.marks import MarkedAnswer, mark_answer
+from course_lib.pack.grade.notebook_file import UNREADABLE, courses
 
 GRADES = ("student", "notebook", "part", "exercise", "points", "of", "state", "message", "release")
 PART = {False: "core", True: "more"}
@@ -90,6 +92,12 @@ def final_state(state):
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
+def final_message(message):
+    """Return a check's message as it is after the hand-in, without the advice to run the check again."""
+    text = re.sub(r"\s*\b(Correct|Write) \w+ first, then run this check again\.", "", message)
+    return re.sub(r"\bis not (right|written) yet\.", r"is not \1.", text)
+
+
 def graded_files(outcomes, rows, deadline=None, weight=1.0):
     """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
 
@@ -97,20 +105,46 @@ def graded_files(outcomes, rows, deadline=None, weight=1.0):
     of the points of More; with 0, the written answers in it are not to be read.
     """
     everything = [_graded_file(*outcome, rows, deadline, weight) for outcome in outcomes]
-    everything.sort(key=lambda each: (each.student, each.notebook, each.submission.place))
-    best = {}
-    for each in everything:
-        best.setdefault((each.student, each.notebook), []).append(each)
-    for group, several in best.items():
-        best[group] = max(several, key=lambda each: (each.graded, each.points * each.share))  # the first of equals
+    copies = {}
+    for each in sorted(everything, key=_order):
+        copies.setdefault((each.student, each.notebook), []).append(each)
+    return sorted(itertools.chain.from_iterable(map(_one_counts, copies.values())), key=_order)
+
+
+def _order(each):
+    return each.student, each.notebook, each.submission.place
+
+
+def _one_counts(copies):
+    """Return a student's GradedFiles of one notebook; all but the best are superseded.
+
+    Each written answer counts from any copy that is not later than the best. Answers that differ are all kept, so that
+    each is read.
+    """
+    best = max(copies, key=lambda each: (each.graded, each.points * each.share))  # the first of equals
+    if not best.student or not best.graded:
+        return copies
+    written = [a for e in copies if e.share >= best.share for a in e.answers if a.state != NOT_ATTEMPTED]
+    answers = tuple(
+        max((a for a in written if a.question == answer.question), key=MarkedAnswer.rank, default=answer)
+        for answer in best.answers
+    )
+    keys = {answer.key for answer in answers}
     return [
-        each if (winner := best[each.student, each.notebook]) is each or not each.student or not each.graded
-        else replace(each, superseded_by=winner.submission.place, answers=())
-        for each in everything
+        each if not each.graded
+        else replace(each, answers=answers) if each is best
+        else replace(
+            each, superseded_by=best.submission.place,
+            answers=tuple(a for a in each.answers if a.key not in keys and a.state != NOT_ATTEMPTED),
+        )
+        for each in copies
     ]  # fmt: skip
 
 
 def _graded_file(submission, result, rows, deadline, weight):
+    if submission.notebook in courses() and result["notebook"] != submission.notebook:
+        said = f"It was handed in as {submission.notebook}, but it is {result['notebook']}, and is graded as that."
+        result = result | {"problems": [said, *result["problems"]]}
     each = GradedFile(submission, result, weight=weight)
     late = deadline.late(each) if deadline else None if submission.late else 0.0
     each = replace(each, late=late, share=deadline.share_left(late) if deadline else 1.0)
@@ -164,8 +198,8 @@ def _lines(each):
         else:
             yield "", "", 0, "", each.result["state"], f"{each.submission.place}: {problem}"
     for exercise in each.result["exercises"]:
-        name, points, of = (exercise[key] for key in ("exercise", "points", "of"))
-        yield PART[exercise["more"]], name, points, of, final_state(exercise["state"]), exercise["message"]
+        line = PART[exercise["more"]], *(exercise[key] for key in ("exercise", "points", "of"))
+        yield *line, final_state(exercise["state"]), final_message(exercise["message"])
     for answer in each.answers:
         points = "" if answer.points is None else answer.points
         yield PART[answer.more], answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
@@ -192,13 +226,14 @@ def totals(everything):
     """Return the Totals of a class, after the deductions for late files. everything: GradedFiles."""
     of, found = {}, Totals()
     for each in sorted(everything, key=lambda each: each.student):
+        if each.student:
+            found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
         if each.superseded_by or not each.student:
             continue
         line = found.students.setdefault(each.student, {})
         line[each.notebook] = line.get(each.notebook, 0) + _rounded(each.total)
         found.more[each.student] = found.more.get(each.student, 0) + _rounded(each.of_more)
         of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
-        found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
         found.late[each.student, each.notebook] = each.late or 0
         if each.submission.user_id:
             found.user_ids[each.student] = each.submission.user_id
