@@ -1,6 +1,6 @@
 """Every command runs: make's targets, each on something small, in a copy of the project.
 
-The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_toys_lab.py make lab.
+The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_lab.py make lab.
 """
 
 import csv

@@ -1,4 +1,7 @@
-"""JupyterLab as a student meets it: make's own command, no question, the toys live, moved by the student's function."""
+"""JupyterLab as a student meets it: make's own command, whole notebooks for minutes, toys moved by one's own function.
+
+One notebook is run in each run of the tests, all with ``make test LAB=all ONLY=lab``.
+"""
 
 import os
 import re
@@ -6,6 +9,7 @@ import shlex
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 from urllib.request import urlopen
 
@@ -44,9 +48,10 @@ BLUE_DOTS = """canvas => {
 }"""
 
 
-def lab_options(makefile):
+def lab_options(makefile, *options):
     """Of the one command of `make lab` the folder of settings, the options, and the notebook that it opens."""
-    done = subprocess.run(["make", "-n", "-f", makefile, "lab"], cwd=ROOT, capture_output=True, text=True, check=True)
+    command = ["make", "-n", "-f", makefile, "lab", *options]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     shell = done.stdout.replace("\\\n", " ")
     ((config, command),) = re.findall(r'JUPYTER_CONFIG_PATH="([^$"]*).* -m jupyter lab (.*)', shell)
     *options, notebook = shlex.split(command)
@@ -54,55 +59,145 @@ def lab_options(makefile):
 
 
 def test_both_makefiles_start_jupyterlab_alike_with_a_notebook_that_exists():
-    ours, students = (lab_options(f) for f in ("Makefile", "course_lib/pack/release/students/Makefile"))
-    assert ours == students
+    ours = lab_options("Makefile", "SOLUTIONS=yes")
+    assert ours == lab_options("course_lib/pack/release/students/Makefile")
     assert (ROOT / ours[-1]).is_file()
+    assert lab_options("Makefile") == (*ours[:-1], ours[-1].replace("notebooks", "exercises"))
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    """JupyterLab in a folder with one notebook, for a user without settings."""
-    folder = tmp_path_factory.mktemp("lab")
+def folder(unpacked):
+    """The students' notebooks, and one with toys."""
+    return unpacked / "notebooks"
+
+
+@pytest.fixture(scope="module")
+def server(folder, tmp_path_factory):
+    """The address of JupyterLab in that folder, for a user without settings, and the file of its messages."""
+    home = tmp_path_factory.mktemp("lab")
     book = new_notebook(cells=[new_code_cell(source) for source in SOURCES])
     book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
     nbformat.write(book, folder / "toys.ipynb")
     config, options, _ = lab_options("Makefile")
-    home = {f"JUPYTER_{name}_DIR": str(folder / name.lower()) for name in ("CONFIG", "DATA", "RUNTIME")}
-    home["JUPYTER_CONFIG_PATH"] = str(ROOT / config)
+    settings = {f"JUPYTER_{name}_DIR": str(home / name.lower()) for name in ("CONFIG", "DATA", "RUNTIME")}
+    settings["JUPYTER_CONFIG_PATH"] = str(ROOT / config)
     options += ["--no-browser", f"--port={PORT}", f"--IdentityProvider.token={TOKEN}"]
     if hasattr(os, "getuid") and os.getuid() == 0 and "--allow-root" not in options:
         options.append("--allow-root")
-    with open(folder / "log", "w") as log:
+    with open(home / "log", "w") as log:
         command = [sys.executable, "-m", "jupyter", "lab", *options, str(folder / "toys.ipynb")]
-        process = subprocess.Popen(command, stdout=log, stderr=log, cwd=folder, env={**os.environ, **home})
+        process = subprocess.Popen(command, stdout=log, stderr=log, cwd=folder, env={**os.environ, **settings})
         try:
             for _ in range(600):
                 try:
                     urlopen(f"http://localhost:{PORT}/api?token={TOKEN}", timeout=5).close()
                     break
                 except OSError:
-                    assert process.poll() is None, (folder / "log").read_text()
+                    assert process.poll() is None, (home / "log").read_text()
                     time.sleep(0.2)
-            yield f"http://localhost:{PORT}/lab/tree/toys.ipynb?token={TOKEN}"
+            yield home / "log"
         finally:
             process.terminate()
             process.wait(30)
-        assert "cannot be longer" not in (folder / "log").read_text(), "a warning of Jupyter's own default"
+
+
+@contextmanager
+def opened(browser, name):
+    """A page of JupyterLab with that notebook and an idle kernel; it records what it asks for and what is closed."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, reduced_motion="reduce")
+    context.set_default_timeout(PATIENCE)
+    page = context.new_page()
+    page.asked, page.closed = [], []
+    page.on("request", lambda request: page.asked.append(request.url))
+    page.on("websocket", lambda socket: socket.on("close", lambda closed: page.closed.append(closed.url)))
+    page.goto(f"http://localhost:{PORT}/lab/workspaces/{name}/tree/{name}.ipynb?token={TOKEN}")
+    expect(page.locator(".jp-Notebook").first).to_be_visible()
+    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached")
+    yield page
+    context.close()
+
+
+def choose(page, menu, item):
+    page.get_by_role("menuitem", name=menu).first.click()
+    page.get_by_text(item, exact=True).click()
+
+
+# ---- a notebook, for minutes ----
+
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+PING = 30  # seconds between two signs of life of the server
+WHOLE = 100  # seconds for which a notebook is open at least
+
+
+def code_cells(path):
+    return [cell for cell in nbformat.read(path, 4).cells if cell.cell_type == "code"]
+
+
+def when_idle(page, path):
+    """Wait until no cell is to be run, save, and return the code cells of the file."""
+    expect(page.locator(".jp-InputPrompt").get_by_text("[*]:")).to_have_count(0)
+    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached")
+    choose(page, "File", "Save Notebook")
+    expect(page.locator(".jp-mod-dirty")).to_have_count(0)
+    return code_cells(path)
+
+
+def run(page, number, source=None):
+    """Run a code cell, with another source if there is one, and return where its outputs appear."""
+    cell = page.locator(".jp-Notebook .jp-CodeCell").nth(number)
+    cell.scroll_into_view_if_needed()
+    cell.locator(".cm-content").click()
+    if source:
+        page.keyboard.press("ControlOrMeta+a")
+        page.keyboard.insert_text(source)
+    page.keyboard.press("Shift+Enter")
+    return cell.locator(".jp-OutputArea")
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS if os.environ.get("LAB") == "all" else NOTEBOOKS[:1])
+def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folder, name):
+    path, begun = folder / f"{name}.ipynb", time.monotonic()
+    solved = code_cells(ROOT / "notebooks" / path.name)
+    ids = [cell.id for cell in code_cells(path)]
+    shown = {cell.id for cell in solved if cell.outputs}
+    exercise = next(k for k, cell in enumerate(solved) if cell.metadata.get("nbgrader", {}).get("solution"))
+    right, check = solved[exercise].source, ids.index(solved[exercise + 1].id)
+    function = solved[exercise].metadata.nbgrader.grade_id
+
+    def assert_all_ran(cells):
+        assert [cell.id for cell in cells] == ids
+        assert [cell.id for cell in cells if cell.execution_count is None] == []
+        assert [cell.id for cell in cells if cell.id in shown and not cell.outputs] == []
+
+    with opened(browser, name) as page:
+        expect(page.locator(".jp-Notebook .jp-CodeCell")).to_have_count(len(ids))
+        choose(page, "Run", "Run All Cells")
+        assert_all_ran(when_idle(page, path))
+        run(page, exercise, f"{right}\n\n\n{function} = lambda *arguments: {function}_is_wrong")
+        expect(run(page, check)).to_contain_text("NameError")
+        run(page, exercise, f"import time\n\ntime.sleep({1.2 * PING})\n\n\n{right}")  # busy between two pings
+        expect(run(page, check)).to_contain_text("right")
+        assert page.closed == []
+        choose(page, "Kernel", "Restart Kernel and Run All Cells…")
+        page.get_by_role("button", name="Confirm Kernel Restart").click()
+        page.wait_for_timeout(1000)
+        assert_all_ran(when_idle(page, path))
+        page.closed.clear()  # a restart closes the connection and opens another
+        page.wait_for_timeout(max(0, WHOLE - (time.monotonic() - begun)) * 1000)
+        expect(run(page, check)).to_contain_text("right")
+        assert page.closed == []
+    warnings = re.findall(r"(?:\[[WE] .*?\]|WARNING \|) (.*)", server.read_text())
+    assert [line for line in warnings if not re.search("is not trusted|ping_timeout .* cannot be longer", line)] == []
+
+
+# ---- toys ----
 
 
 @pytest.fixture(scope="module")
 def lab(server, browser):
-    context = browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce")
-    context.set_default_timeout(PATIENCE)
-    page = context.new_page()
-    page.asked = []
-    page.on("request", lambda request: page.asked.append(request.url))
-    page.goto(server)
-    expect(page.locator(".jp-Notebook").first).to_be_visible()
-    expect(page.locator(".jp-Notebook .jp-CodeCell")).to_have_count(len(SOURCES))
-    page.get_by_text("Kernel status: Idle").first.wait_for(state="attached")
-    yield page
-    context.close()
+    with opened(browser, "toys") as page:
+        expect(page.locator(".jp-Notebook .jp-CodeCell")).to_have_count(len(SOURCES))
+        yield page
 
 
 def output(lab, number):
@@ -114,8 +209,7 @@ def output(lab, number):
 def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     lab.wait_for_timeout(1000)
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
-    lab.get_by_role("menuitem", name="Run").first.click()
-    lab.get_by_text("Run All Cells", exact=True).click()
+    choose(lab, "Run", "Run All Cells")
     expect(lab.locator(".course-toy")).to_have_count(len(SOURCES) - 1)
     assert lab.locator(".jp-RenderedPlotly, .js-plotly-plot").count() == 0, "the widget alone, not the still figure too"
 
