@@ -20,7 +20,7 @@ test html pdf grade notebooks animations data bench: export MPLCONFIGDIR = $(CUR
 # Many small k-means, in parallel tests: threads of their own would only get in each other's way.
 test html notebooks: export OMP_NUM_THREADS = 1
 
-.PHONY: help environment lab test html pdf student grade notebooks animations data lock bench clean
+.PHONY: help environment lab update test html pdf student grade notebooks animations data lock bench clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -30,20 +30,24 @@ environment:
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told to. The settings of the folder named first keep it from asking about news
-# and updates, and from warning of plain-text connections to kernels and of its own default for an interval.
-lab: environment ## open the notebooks in JupyterLab
+# and updates, from warning of plain-text connections to kernels, and from loading nbgrader, which only authors have.
+lab: environment ## open the exercises in JupyterLab, from exercises/; SOLUTIONS=yes for the authors' notebooks
+	@$(if $(filter yes,$(SOLUTIONS)),,$(PY) -m course_lib.pack.release.exercises)
 	@JUPYTER_CONFIG_PATH="$(CURDIR)/course_lib/jupyter$${JUPYTER_CONFIG_PATH:+:$$JUPYTER_CONFIG_PATH}" \
 		$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
-		notebooks/01_rotations.ipynb
+		$(if $(filter yes,$(SOLUTIONS)),notebooks,exercises)/01_rotations.ipynb
+
+update: environment ## take newer notebooks into exercises/, with your answers
+	@$(PY) -m course_lib.pack.release.exercises --update
 
 # One pytest run, so that its summary comes last; with ONLY, one process, because few tests take seconds. Matplotlib
 # builds its font list beforehand: it reports on stderr if that takes long, and nbval would compare that too. The cells
 # of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
-test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name
+test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name, LAB=all for all notebooks in JupyterLab
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
-	@ONLY="$(ONLY)" $(PY) -m pytest -o cache_dir=build/pytest \
+	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
 		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules $(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)
 

@@ -9,6 +9,7 @@ import nbformat
 import pytest
 
 from course_lib.pack.release.bundle import STUDENTS
+from course_lib.pack.release.exercises import prepare
 from course_lib.pack.release.stubs import students_copy
 
 ROOT = Path(__file__).parents[1]
@@ -117,3 +118,34 @@ def test_unreadable_input_is_reported_in_a_sentence(folders):
     assert f"{NAME}: left as it is" in done.stderr
     assert "Traceback" not in done.stderr
     assert (new / "notebooks" / NAME).read_bytes() == before
+
+
+def test_a_checkout_has_its_exercises_in_a_folder_that_no_command_changes(tmp_path):
+    for name in (f"notebooks/{NAME}", "pyproject.toml", "environment.txt", "course_lib/pack/environment.sh"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    folder, original = tmp_path / "exercises", tmp_path / "notebooks" / NAME
+    assert [*prepare(tmp_path)] == ["Made exercises/, where the notebooks are yours: no command changes them."]
+    assert "NotImplementedError" in cell_of(nbformat.read(folder / NAME, 4), "wrap_angle").source
+
+    mine = nbformat.read(folder / NAME, 4)
+    cell_of(mine, "wrap_angle").source = CODE
+    nbformat.write(mine, folder / NAME)
+    before = (folder / NAME).read_bytes()
+    assert [*prepare(tmp_path)] == []
+    original.write_text(original.read_text(encoding="utf-8").replace("# 2 ", "# Two "), encoding="utf-8")
+    assert "make update takes the" in next(prepare(tmp_path))
+    assert (folder / NAME).read_bytes() == before
+
+    aside, _, carried = prepare(tmp_path, update=True)
+    assert f"{NAME}: answers carried over: 1" in carried
+    newer = nbformat.read(folder / NAME, 4)
+    assert newer.cells[0].source.startswith("# Two ")
+    assert cell_of(newer, "wrap_angle").source == CODE
+    (older,) = tmp_path.glob("exercises-*")
+    assert older.name in aside
+    assert (older / NAME).read_bytes() == before
+
+    (folder / NAME).unlink()  # to start a notebook over
+    assert [*prepare(tmp_path, update=True)] == ["The notebooks in exercises/ are of this version."]
+    assert (folder / NAME).exists()
