@@ -32,6 +32,7 @@ from sphinx_builds import build
 
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
+from course_lib.pack.site.__main__ import main as site_main
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
 CAPTION = "Both helices wind the same way."
@@ -298,3 +299,12 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
     monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(tmp_path), "--output", str(target)])
     (books / "01.ipynb").rename(tmp_path / "01.ipynb")
     assert "lies inside" in run()
+
+
+def test_a_pdf_without_a_browser_is_refused_before_a_page_is_made(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("choreographer.browsers.chromium.Chromium.find_browser", lambda **options: None)
+    monkeypatch.delenv("BROWSER_PATH", raising=False)
+    monkeypatch.setattr("sys.argv", ["site", "--output", str(tmp_path / "html"), "--pdf", str(tmp_path / "course.pdf")])
+    assert site_main() == 1
+    assert "A PDF needs Chromium or Chrome: install one" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -23,6 +23,7 @@ because() { # because PATTERN SENTENCE: stop with the sentence if the end of the
 }
 
 explain() {
+    because 'no space left|disk quota' "The disk is full: the set-up needs 1.3 GB, and pip another 0.3 GB while it works"
     because 'ensurepip|no module named .?venv' \
         "This Python cannot make environments: install its venv module (on Debian and Ubuntu apt install python3-venv)"
     because 'certificate' "The server's certificate was not accepted: check the clock of this machine, and behind a \
@@ -55,9 +56,9 @@ install() { # compiles now: in grading nothing may be written, so each process w
 find_python() {
     for python in ${PYTHON:-python3 python3.14 python3.13 python3.12 python3.11 python}; do
         # Run it: a version manager may leave a name without an interpreter.
-        "$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1 && return
+        "$python" -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' >/dev/null 2>&1 && return
     done
-    stop "Python 3.11 or newer is needed: install one, or name it with make PYTHON=/path/to/python3."
+    stop "Python 3.11 to 3.14 is needed: install one, or name it with make PYTHON=/path/to/python3."
 }
 
 # What it is made from: not times, which a checkout changes; the folder too, because scripts name it.

@@ -60,12 +60,20 @@ def headless(page: Path, *options: str) -> None:
     TimeoutError
         If there is no browser, or it fails.
     """
-    from choreographer.browsers.chromium import Chromium
-
-    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
+    browser = find_browser()
     with tempfile.TemporaryDirectory() as profile:
-        command = [str(browser), *_OPTIONS, f"--user-data-dir={profile}", *options, page.resolve().as_uri()]
+        command = [browser, *_OPTIONS, f"--user-data-dir={profile}", *options, page.resolve().as_uri()]
         try:
             subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
         except (subprocess.SubprocessError, OSError) as error:
             raise TimeoutError(f"the browser {browser} failed: {error}") from error
+
+
+def find_browser() -> str:
+    """Return the path of the browser; raises TimeoutError if there is none."""
+    from choreographer.browsers.chromium import Chromium
+
+    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
+    if not browser:
+        raise TimeoutError("no Chrome or Chromium was found")
+    return str(browser)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.build import build
-from course_lib.pack.site.pdf import write_pdf
+from course_lib.pack.site.pdf import check_browser, write_pdf
 
 
 def main() -> int:
@@ -22,6 +22,8 @@ def main() -> int:
     try:
         if chosen.solutions not in ("yes", "no", "model"):
             raise SiteError(f"SOLUTIONS={chosen.solutions} is neither yes nor no nor model.")
+        if chosen.pdf:
+            check_browser()
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
         build(chosen.notebooks, output, solutions=solutions, model=chosen.solutions == "model")

@@ -43,7 +43,7 @@ reproduces the numbers of a published homework report, and proves its errors by 
 
 ## Run it yourself
 
-{zip}With Python 3.11 or newer, in the course's folder,
+{zip}With Python 3.11 to 3.14, in the course's folder,
 
 ```
 make lab

@@ -4,10 +4,18 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup
 
-from course_lib.pack.photograph import headless
+from course_lib.pack.photograph import find_browser, headless
 from course_lib.pack.site import SiteError
 
 NEEDED = "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
+
+
+def check_browser() -> None:
+    """Raise SiteError if there is no browser that could print."""
+    try:
+        find_browser()
+    except TimeoutError as error:
+        raise SiteError(NEEDED) from error
 
 
 def write_pdf(site: Path, file: Path) -> None:
