@@ -32,7 +32,6 @@ from sphinx_builds import build
 
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
-from course_lib.pack.site.__main__ import main as site_main
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
 CAPTION = "Both helices wind the same way."
@@ -289,6 +288,11 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
     with monkeypatch.context() as typed:
         typed.setattr(sys, "argv", [*sys.argv, "--solutions", "1"])
         assert run() == "No site was built. SOLUTIONS=1 is neither yes nor no nor model.\n"
+    with monkeypatch.context() as bare:
+        bare.setattr("choreographer.browsers.chromium.Chromium.find_browser", lambda **options: None)
+        bare.delenv("BROWSER_PATH", raising=False)
+        bare.setattr(sys, "argv", [*sys.argv, "--pdf", str(tmp_path / "course.pdf")])
+        assert "A PDF needs Chromium or Chrome: install one" in run()
     write(books, "01.ipynb", cell())
     assert "01.ipynb holds no outputs" in run()
     (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")
@@ -299,12 +303,3 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
     monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(tmp_path), "--output", str(target)])
     (books / "01.ipynb").rename(tmp_path / "01.ipynb")
     assert "lies inside" in run()
-
-
-def test_a_pdf_without_a_browser_is_refused_before_a_page_is_made(monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr("choreographer.browsers.chromium.Chromium.find_browser", lambda **options: None)
-    monkeypatch.delenv("BROWSER_PATH", raising=False)
-    monkeypatch.setattr("sys.argv", ["site", "--output", str(tmp_path / "html"), "--pdf", str(tmp_path / "course.pdf")])
-    assert site_main() == 1
-    assert "A PDF needs Chromium or Chrome: install one" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
