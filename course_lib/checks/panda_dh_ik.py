@@ -8,9 +8,9 @@ EXERCISES = (
     "panda_fk",
     "geometric_jacobian",
     "pose_error",
-    "test_pose_error",
     "ik_step_dls",
     "panda_ik",
+    "test_pose_error",
     "pixel_to_point",
     "register_points",
     "plan_pick",
@@ -26,6 +26,7 @@ MORE = (
     "follow_velocity",
     "good_matches",
 )
+STOP = ("panda_ik", "A test for the error")
 
 PREDICTIONS = (
     Prediction(
@@ -35,6 +36,15 @@ PREDICTIONS = (
             "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
             "c": "Yes: all beyond joint 1 is rotated by 180 degrees about a horizontal line, so above becomes below.",
+        },
+    ),
+    Prediction(
+        "two_frames",
+        "b",
+        {
+            "a": "Axes 1 and 2 meet: where is their perpendicular, of length 0? And may x2 lie along z2?",
+            "b": "Yes. Row 2 has a = 0 and alpha = 90 degrees, because the axes meet; row 3 has a = 0.425.",
+            "c": "That is the standard convention, with frame i on the axis of joint i + 1.",
         },
     ),
     Prediction(
@@ -78,12 +88,11 @@ PREDICTIONS = (
     ),
     Prediction(
         "singular",
-        "c",
+        "b",
         {
-            "a": "The target moves smoothly, but one direction needs ever faster joints close to the singularity.",
-            "b": "At the singularity itself a direction is missing. Just before it, what is 1 / s for a small s?",
-            "c": "Yes: 1 / s grows without bound. Damping replaces it by s / (s^2 + eps), and pays by leaving "
-            "the path.",
+            "a": "Joints 2, 4 and 6 have parallel axes. To keep the orientation, which one must undo the other two?",
+            "b": "Yes: a nearly stretched elbow hardly changes the reach, and must be ever faster. 2 and 6 undo that.",
+            "c": "The orientation takes all three parallel axes. Which of them changes the reach least when stretched?",
         },
         more=True,
     ),
@@ -100,4 +109,4 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))

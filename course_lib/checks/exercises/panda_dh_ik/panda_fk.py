@@ -78,7 +78,7 @@ EXERCISE = Exercise(
             lambda T, q: near(T[0], frames(q)[0]),
             says=_off,
         ),
-        Property("the pose of frame i in the world is T_world_base T_1 ... T_i", lambda T, q: near(T, frames(q)), _off),
+        Property("the pose of frame i in the world is T_w0 T_1 ... T_i", lambda T, q: near(T, frames(q)), _off),
     ),
     hints=(
         "Begin with the pose of the base in the world, and multiply by one step for each row of the table.",
