@@ -12,7 +12,7 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
 from course_lib.pack.grade import submission
 from course_lib.pack.grade.bounded import CpuDeadline, OutOfBounds, call_bounded, cpu_deadline
-from course_lib.pack.grade.notebook_file import UNREADABLE, defines, may_bind
+from course_lib.pack.grade.notebook_file import UNREADABLE, defines
 from course_lib.pack.grade.submission import grade
 
 # ---- a process of its own ----
@@ -76,19 +76,11 @@ def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed(filling):
     assert (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - begin) < 100_000
 
 
-@pytest.mark.parametrize("search", [may_bind, defines])
 @pytest.mark.parametrize(
     "unit", ["import x ", "x=", "\n", " ", "import ", "helper ", "for helper ", "\t\n", "def helperx ", "=helper "]
 )
-def test_a_search_for_names_in_a_text_of_any_kind_ends(search, unit):
-    call_bounded(search, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=5)
-
-
-def test_a_name_that_cells_may_bind_is_found():
-    for source in ("helper = 3", "import helper", "from a import b as helper", "a, helper = 1, 2", "exec('x')"):
-        assert may_bind([source], "helper")
-    for source in ("print(helper)", "helpers = 3", "x = 3", "return helper(2)", ""):
-        assert not may_bind([source], "helper")
+def test_a_search_for_names_in_a_text_of_any_kind_ends(unit):
+    call_bounded(defines, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=5)
 
 
 # ---- claims ----
@@ -148,7 +140,7 @@ def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
     run = submission.Run([], SHORT, SEED, (), None)
     for exercise in (each for each in submission.courses()[NAME].exercises if each.name in ("is_valid", "nearest_so")):
         begin = time.process_time()
-        outcome = submission.ask(Claims(CLAIMS[claim]), run, exercise, submission.Cells(final=True))
+        outcome = submission.ask(run, submission.Student(Claims(CLAIMS[claim]), run, exercise), {})
         assert outcome.verdict.points < exercise.points or claim == "lists in lists"
         assert json.dumps(submission._row(exercise, outcome))
         assert time.process_time() - begin < 10

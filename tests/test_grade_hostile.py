@@ -60,7 +60,10 @@ def test_a_hostile_submission_earns_no_points_and_changes_nothing_else(name, sol
     first, right = answers(solutions)
     others = [right[name] for name in OTHERS]
     before, folders, files, begin = processes(), traces(), contents(graders), computed()
-    result = grade(book(first, *sources(name, graders), *others), "01_rotations", SEED, SHORT)
+    cells = [first, *sources(name, graders), *others]
+    if said(name, "others"):
+        cells = [first, *others, *(f"check.{other}({other})" for other in OTHERS), *cells[1 : -len(others)]]
+    result = grade(book(*cells), "01_rotations", SEED, SHORT)
     rows = {row["exercise"]: row for row in result["exercises"]}
     row, earns = rows["nearest_so"], said(name, "says") == "earns"
     assert row["points"] == (3 if earns else 0), row

@@ -24,7 +24,7 @@ ASKS = "def {}(*arguments):\n{}\n    raise ValueError(repr(found))\n"
 SEES = """
 import os, socket, sys
 files = [os.path.join(w, name) for w, _, names in os.walk("/") for name in names]
-ours = ("/python/", "/packages", "/libraries/", "/lib", "/course/", "/dev/", "/scratch/data/")
+ours = ("/python/", "/packages", "/libraries/", "/lib", "/course/", "/dev/", "/scratch/data/", "/scratch/.ipython/")
 found = [path for path in files if not path.startswith(ours)]
 
 def says(path):
@@ -104,7 +104,7 @@ def test_a_submission_sees_only_what_python_needs(found):
 
 
 def test_a_submission_writes_only_to_its_own_bounded_folders(found):
-    assert "['/scratch', '/tmp', 'No space left on device']" in found[WRITES]
+    assert "['/dev/shm', '/scratch', '/tmp', 'No space left on device']" in found[WRITES]
 
 
 def test_calls_that_hold_uncounted_memory_or_are_unknown_are_refused(found):

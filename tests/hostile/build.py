@@ -1,7 +1,8 @@
 """Notebooks as students hand them in, made from the course's own and from the sources in this folder.
 
 Each text beside this file holds the code cells of a submission, between lines of "# %%". Its head tells what the
-message to its student is to say, or "earns" where the answer is right, and which problem with the notebook is told.
+message to its student is to say, or "earns" where the answer is right, which problem with the notebook is told, and
+whether the student's other answers stand before it, as it spoils what they use in Jupyter too.
 """
 
 import json
@@ -34,7 +35,7 @@ def book(*sources, **about):
 def sources(name, project=PROJECT):
     """Return the code cells of a hostile submission; project: the folder of the grader's that it looks for."""
     text = (HERE / f"{name}.txt").read_text(encoding="utf-8")
-    text = "\n".join(line for line in text.splitlines() if not line.startswith(("# says", "# problem")))
+    text = "\n".join(line for line in text.splitlines() if not line.startswith(("# says", "# problem", "# others")))
     return [
         part.strip()
         for part in text.replace("PROJECT", repr(str(project))).replace("COURSE", repr(str(PROJECT))).split("# %%")

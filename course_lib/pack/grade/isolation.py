@@ -103,7 +103,7 @@ def start(course, limits, hidden=()):
     """
     uid = FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8 if os.getuid() == 0 else 0
     settings = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
-    rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4))
+    rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4), ("/dev/shm", limits["scratch"] // 8))
     shown, covered = mounts(hidden)
     command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
     return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]

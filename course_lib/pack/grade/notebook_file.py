@@ -123,29 +123,6 @@ def defines(sources, name):
     return any(map(begins.search, sources))
 
 
-DYNAMIC = (
-    r"\b(exec|eval|globals|locals|vars|setattr|get_ipython|builtins|import_module)\b|__dict__|import \*|%run|%load"
-)
-
-
-def may_bind(sources, name):
-    """Return whether the cells may bind this name when all of them are run: a quick guess from their text.
-
-    Each line is read once, so the time is linear in the length of the text.
-    """
-    if not name:
-        return False
-    if any(re.search(DYNAMIC, source) for source in sources):
-        return True
-    for line in (line for source in sources if name in source for line in source.split("\n") if name in line):
-        first, last = re.search(rf"\b{name}\b", line), line.rfind(name)
-        if first and "=" in line[first.end() :]:
-            return True
-        if first and re.search(r"\b(import|as|for|def|class|with|global)\b", line[:last]):
-            return True
-    return False
-
-
 # ---- the course's notebooks ----
 
 

@@ -2,9 +2,8 @@
 
 All its output is only a claim, because the student's code runs in the same process and can forge it. It reads one JSON
 object with the cells, and runs them. Then it reads requests {"ask": name, ...} until the end, and answers each in a
-child process, so that a crash in one answer affects no other. If the object says "each", no student's code runs in this
-process: each request is answered by a child that runs the cells for itself, and of which nothing is left afterwards.
-What can be done without running the cells is done before.
+child process, so that a crash in one answer affects no other. While the whole notebook runs, it says so at each of its
+checks, and answers requests about the function that is checked, until one asks nothing.
 """
 
 import ast
@@ -19,7 +18,7 @@ import resource
 import shutil
 import signal
 import sys
-import time
+import threading
 import types
 
 
@@ -34,154 +33,80 @@ def main():
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
     shutil.copytree(f"{course}/data", "data", dirs_exist_ok=True)
+    importlib.import_module("numpy.random")  # numpy does so when it is first used: in each child process, again
+
+    from course_lib import checks
+    from course_lib.checks import call_student
+
+    runner = os.getpid()
 
     def say(**message):
         write(replies, json.dumps(message).encode() + b"\n")
-
-    importlib.import_module("numpy.random")  # numpy does so when it is first used: in each child process, again
-
-    from course_lib.checks import call_student
 
     def tell(name, text):
         """Return a candidate's answer from the grader, for a student's test; None after too many calls."""
         say(exercise=name, call=text)
         return json.loads(requests.readline())["answer"]
 
+    def serve(find):
+        """Answer requests about the functions that find(name) returns, until one asks nothing."""
+        while (line := requests.readline()) and "ask" in (asked := json.loads(line)):
+            answer = functools.partial(call_student.reply, find(asked["ask"]), asked["questions"])
+            say(exercise=asked["ask"], **in_a_child(asked, answer, functools.partial(tell, asked["ask"])))
+
+    def checked(name, function):
+        """Let the grader ask now: what is right at its check counts, whatever a later cell does."""
+        if os.getpid() == runner and threading.current_thread() is threading.main_thread():
+            say(checked=name)
+            serve({name: function}.get)
+
     order = json.loads(requests.readline())
-    each = order.get("each", False)
-    plan = whole if order["whole"] else needed_only
-    run = plan(order["cells"], order["names"], {tuple(place) for place in order["without"]}, each)
-    if each:
-        space, defined, alike = {}, order["names"], []
-    else:
-        space, defined, alike = run(say)
-    say(defined=[name for name in order["names"] if name in defined], alike=alike)
-    while line := requests.readline():
-        asked = json.loads(line)
-        name = asked["ask"]
-
-        def answer(consult, name=name, asked=asked):
-            if not each:
-                return call_student.reply(space.get(name), asked["questions"], consult)
-            os.close(requests.fileno())  # what is said to this child, or by it, goes through its own pipes
-            os.close(replies)
-            return call_student.reply(run(lambda **message: None)[0].get(name), asked["questions"], consult)
-
-        say(exercise=name, **in_a_child(asked, answer, functools.partial(tell, name)))
-        if each and settings["apart"]:
-            leave_nothing()
-
-
-def preload(trees):
-    """Import what these statements import, from packages only, so that each child finds it loaded."""
-    for node in (node for tree in trees for node in ast.walk(tree)):
-        names = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
-        if isinstance(node, ast.ImportFrom):
-            names = [] if node.level else [node.module, *(f"{node.module}.{name}" for name in names)]
-        for name in names:
-            with contextlib.suppress(BaseException):
-                importlib.import_module(name)
-
-
-def leave_nothing():
-    """End all other processes in these namespaces, and empty the folders that can be written to."""
-    with contextlib.suppress(ProcessLookupError):
-        while True:
-            os.kill(-1, signal.SIGKILL)
-            time.sleep(0.001)  # until the first process has reaped them
-    for room in ("/scratch", "/tmp"):
-        empty(room)
-        with contextlib.suppress(OSError):  # where it is root's, no student can have set these
-            os.chmod(room, 0o1777)
-            for name in os.listxattr(room):
-                os.removexattr(room, name)
-            os.utime(room, (0, 0))
-    shutil.copytree(f"{sys.argv[1]}/data", "data", dirs_exist_ok=True)
-
-
-def empty(room):
-    """Remove all in a folder, without recursion: what is in a folder there is moved up first."""
-    count = 0
-    while names := os.listdir(room):
-        for name in names:
-            path = os.path.join(room, name)
-            if not os.path.isdir(path) or os.path.islink(path):
-                os.unlink(path)
-                continue
-            os.chmod(path, 0o700)
-            for inner in os.listdir(path):
-                count += 1
-                os.rename(os.path.join(path, inner), os.path.join(room, f"moved {count} {time.monotonic_ns()}"))
-            os.rmdir(path)
+    checks.checked = checked
+    run = whole if order["whole"] else needed_only
+    space = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
+    say(ran=True)
+    serve(space.get)
 
 
 # ---- cells ----
 
 
-def whole(sources, names, without, each):
-    """Return a function that runs the cells as Jupyter does, but continues after errors; see needed_only.
-
-    each: whether to load beforehand what the cells import.
-    """
+def whole(sources, names, without, say):
+    """Run the cells as Jupyter does, but continue after errors; return their namespace."""
     from IPython.core.interactiveshell import InteractiveShell
-    from statements import statements, without_stubs
+    from IPython.utils.text import SList
     from traitlets.config import Config
 
-    cells = without_stubs(sources)
-    if each:
-        preload([found.tree for found in statements(sources)])
-
-    def run(say):
-        shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
-        for number, source in enumerate(cells):
-            if (number, 0) in without:
-                continue
-            say(running=[number, 0])
-            with contextlib.suppress(BaseException):
-                shell.run_cell(source, store_history=False)
-        return shell.user_ns, shell.user_ns, []
-
-    return run
+    sys.path.insert(0, "")  # for modules that cells write
+    shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
+    shell.enable_gui = shell.system = lambda *given, **named: None  # no window, no shell for the commands of cells
+    shell.getoutput = lambda *given, **named: SList()
+    for number, source in enumerate(sources):
+        if (number, 0) in without:
+            continue
+        say(running=[number, 0])
+        with contextlib.suppress(BaseException):
+            shell.run_cell(source, store_history=True)
+    return shell.user_ns
 
 
-def needed_only(sources, names, without, each):
-    """Return a function that runs only the statements that the functions of these names need, one after the other.
-
-    It returns their namespace, all names that the cells bind, and the names of functions that would behave the same if
-    only the statements that they themselves need had been run. each: whether to load beforehand what they import.
-    """
-    from statements import alike_alone, needed, statements
+def needed_only(sources, names, without, say):
+    """Run only the statements that the functions of these names need, whatever fails; return their namespace."""
+    from statements import needed, statements
 
     for number, source in enumerate(sources):
         text = [f"{line}\n" for line in source.split("\n")]
         linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
-    found = statements(sources)
-    chosen = [one for one in needed(found, names) if (one.cell, one.tree.lineno) not in without]
-    bound = {name for one in found for name in one.binds}
-    alone = [] if without or each else alike_alone(found, names)
-    if each:
-        preload([one.tree for one in chosen])
-
-    def run(say):
-        module = types.ModuleType("__main__")
-        space = vars(module)
-        space["display"] = print
-        sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
-        left, alike = chosen, alone
-        for _ in range(2):  # twice, for cells that a student moved before those that they need
-            failed = []
-            for one in left:
-                say(running=[one.cell, one.tree.lineno])
-                try:
-                    exec(compile(ast.Module([one.tree], []), f"<cell {one.cell}>", "exec"), space)
-                except NameError:
-                    failed.append(one)
-                except BaseException:
-                    alike = []
-            left = failed
-        return space, bound, [] if left else alike
-
-    return run
+    module = types.ModuleType("__main__")
+    space = vars(module)
+    space["display"] = print
+    sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
+    for one in needed(statements(sources), names):
+        if (one.cell, one.tree.lineno) not in without:
+            say(running=[one.cell, one.tree.lineno])
+            with contextlib.suppress(BaseException):
+                exec(compile(ast.Module([one.tree], []), f"<cell {one.cell}>", "exec"), space)
+    return space
 
 
 # ---- answers ----

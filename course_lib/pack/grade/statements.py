@@ -16,7 +16,6 @@ MOST_TRANSFORMED = 100_000  # characters of a cell that IPython reads once for e
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
-SETTERS = ("set", "seed")  # names of numpy functions that change its state begin so
 SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # they always bind their names, whatever was bound before
 
 
@@ -36,19 +35,6 @@ def statements(sources):
     found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
     written = {name for each in found if not is_stub(each.tree) for name in each.binds}
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
-
-
-def without_stubs(sources):
-    """Return the sources, with blank lines for the stubs of functions that other cells define."""
-    kept = {(each.cell, each.tree.lineno) for each in statements(sources)}
-    blanked = []
-    for number, source in enumerate(sources):
-        lines = plain(source).split("\n")
-        stubs = [tree for tree in parsed(source) if is_stub(tree) and (number, tree.lineno) not in kept]
-        for tree in stubs:
-            lines[tree.lineno - 1 : tree.end_lineno] = [""] * (tree.end_lineno - tree.lineno + 1)
-        blanked.append("\n".join(lines) if stubs else source)
-    return blanked
 
 
 def needed(found, names):
@@ -82,35 +68,6 @@ def _packages(tree):
     if isinstance(tree, ast.ImportFrom):
         return {(tree.module or "").partition(".")[0]}
     return {alias.name.partition(".")[0] for alias in tree.names} if isinstance(tree, ast.Import) else set()
-
-
-def alike_alone(found, names):
-    """Return the names whose functions behave the same if only the Statements that they need are run.
-
-    This holds if the other statements only define functions and set variables.
-    """
-    modules = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
-    kept = {id(each) for name in names for each in needed(found, [name]) if not _only_defines(each.tree, modules)}
-    return [name for name in names if kept <= {id(each) for each in needed(found, [name])}]
-
-
-def _only_defines(tree, modules):
-    """Return whether a statement only imports, defines a function or sets variables."""
-    if isinstance(tree, IMPORTS):
-        return True
-    if isinstance(tree, ast.FunctionDef) and not tree.decorator_list:
-        values = [*tree.args.defaults, *filter(None, tree.args.kw_defaults)]
-    elif isinstance(tree, ast.Assign) and not any(map(_changes, tree.targets)):
-        values = [tree.value]
-    else:
-        return False
-    calls = [node.func for value in values for node in ast.walk(value) if isinstance(node, ast.Call)]
-    return all(isinstance(f, ast.Attribute) and _base(f) <= modules and not f.attr.startswith(SETTERS) for f in calls)
-
-
-def _changes(target):
-    """Return whether an assignment to this target changes an object, as for a[0] or a.b."""
-    return any(isinstance(node, ast.Attribute | ast.Subscript) for node in ast.walk(target))
 
 
 # ---- the text of a cell ----

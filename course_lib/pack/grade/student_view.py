@@ -31,15 +31,22 @@ QUIET = '''"""In the place of the checks and figures: nothing is judged or drawn
 
 import importlib
 
+from course_lib import checks
+
 
 class Quiet:
-    def __init__(self, library=""):
-        self.library = library
+    def __init__(self, name="", library=""):
+        self.name, self.library = name, library
 
     def __call__(self, *arguments, **named):
+        if self.name and arguments and callable(arguments[0]):
+            checks.checked(self.name, arguments[0])
         return self
 
-    hint = predict = __call__
+    def hint(self, *arguments):
+        return self
+
+    predict = hint
 
     def __getattr__(self, name):
         if LIBRARY or name.startswith("_"):  # a figure has any attribute, a check has none but these
@@ -54,13 +61,18 @@ class Quiet:
 
 
 LIBRARY = {library!r}
-globals().update({{name: Quiet(dotted) for name, dotted in LIBRARY.items()}})
+globals().update({{name: Quiet(name, dotted) for name, dotted in LIBRARY.items()}})
 
 
 def __getattr__(name):
     if name.startswith("_"):
         raise AttributeError(name)
     return Quiet()
+'''
+
+CHECKS = b'''
+def checked(name, function):
+    """What happens at a check of the notebook; see runner.py."""
 '''
 
 
@@ -79,7 +91,7 @@ def contents(checks, forbidden):
     own = Path(__file__).parent
     files = {name: (own / name).read_bytes() for name in SCRIPTS}
     files |= {f"data/{path.name}": path.read_bytes() for path in DATA.glob("*") if path.suffix in (".csv", ".json")}
-    files["course_lib/checks/__init__.py"] = b""
+    files["course_lib/checks/__init__.py"] = CHECKS
     files |= {f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING}
     for path in PACKAGE.glob("*.py"):
         dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))

@@ -1,19 +1,19 @@
 """Grade one submission. Every verdict is formed here, from answers that the submission's process gives as plain data.
 
 The cheapest run comes first: only the statements that the functions need, without any function that some exercise
-forbids. An exercise that remains open is asked again in a process of its own, without only the functions that this
-exercise forbids. The whole notebook is run last.
+forbids. An exercise whose run called a function that only others forbid is asked again in a process of its own.
+Whatever is not right then is asked once more after the whole notebook ran as in Jupyter, and the better outcome counts.
 """
 
 import functools
 import json
-import re
 import resource
 import time
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge, with_blame
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Verdict, judge, with_blame
 from course_lib.checks.notebook import describe
 from course_lib.checks.wire import Candidate, read, write
 from course_lib.pack.grade import isolation, notebook_file
@@ -23,34 +23,32 @@ from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow
 from course_lib.pack.grade.statements import no_python
 from course_lib.pack.grade.student_view import contents
 
-ALONE, WHOLE = "alone", "whole"  # how to ask again: in a process of its own; after running the whole notebook
 JUDGING_SECONDS = 60  # of the grader's own processor time for one exercise; a right answer takes less than one
 MOST_CALLS = 10_000  # of candidates, by one student's test
-# Not caused by a function that this run removed.
-OWN_ERRORS = {"ValueError", "ZeroDivisionError", "IndexError", "LinAlgError", "AssertionError"}
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
+MOST_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
+STATES = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)  # the better ones last
 
 
 @dataclass
 class Outcome:
-    """The outcome of one exercise. again: how to ask once more with a chance of a better outcome (ALONE, WHOLE)."""
+    """The outcome of one exercise.
 
-    verdict: Verdict
-    again: frozenset = frozenset()
-
-
-@dataclass(frozen=True)
-class Cells:
-    """What is known about a run of the cells when one of its functions is asked.
-
-    final: no later run could define a missing function. alike: this function would behave the same if only the
-    statements that it needs were run. left_out: why a statement was left out, or "". whole: all cells were run.
+    hindered: whether the run may have prevented a better one, which a process of its own may give. answered: False if
+    no answer came. apart: whether it is a test, which must be asked about each candidate apart. at: the number of the
+    notebook's check at which it was asked, 0 after all cells.
     """
 
-    final: bool
-    alike: bool = False
-    left_out: str = ""
-    whole: bool = False
+    verdict: Verdict
+    hindered: bool = False
+    answered: bool = True
+    apart: bool = False
+    at: int = 0
+
+    def better(self, other):
+        """Return the better one of this and a later outcome; of equal ones the later, if its reason is another."""
+        mine, its = ((o.verdict.points, o.answered, STATES.index(o.verdict.state)) for o in (self, other))
+        return other if its > mine or (its == mine and other.verdict.reason != self.verdict.reason) else self
 
 
 def _computed():
@@ -136,16 +134,23 @@ def _files(forbidden):
 
 def ask_all(run):
     """Return {exercise's name: Outcome}; the cheapest runs come first."""
-    everything = frozenset(name for exercise in run.exercises for name in exercise.forbidden)
-    outcomes, left = attempt(run, run.exercises, everything, whole=False), run.exercises
-    for whole in (False, True):
-        if whole and left and not run.over():
-            outcomes |= attempt(run, left, everything, whole)
-        for exercise in left:
-            if ALONE in outcomes[exercise.name].again and not run.over():
-                outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden), whole)
-        left = [exercise for exercise in run.exercises if WHOLE in outcomes[exercise.name].again]
+    outcomes = attempt(run, run.exercises, frozenset(name for each in run.exercises for name in each.forbidden))
+    for exercise in run.exercises:
+        if outcomes[exercise.name].hindered and not run.over():
+            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden))
+    left = [exercise for exercise in run.exercises if outcomes[exercise.name].verdict.state != RIGHT]
+    found = attempt(run, left, frozenset(), whole=True) if left and not run.over() else {}
+    for name, outcome in found.items():
+        exercise, before = outcome.verdict.exercise, outcomes[name]
+        if outcome.verdict.points > before.verdict.points and _is_taken_away(exercise):
+            outcome = attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)[name]
+        outcomes[name] = before.better(outcome)
     return outcomes
+
+
+def _is_taken_away(exercise):
+    """Return whether a sandbox without what this exercise forbids differs from one with the whole library."""
+    return any(name.startswith("course_lib.") for name in exercise.forbidden)
 
 
 def _blame_helpers(outcomes):
@@ -157,84 +162,100 @@ def _blame_helpers(outcomes):
             outcome.verdict = with_blame(verdict, called)
 
 
-def attempt(run, exercises, forbidden, whole):
+def attempt(run, exercises, forbidden, whole=False):
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
-    files, without, how = _files(forbidden), list(run.too_slow), "it took too long" if run.too_slow else ""
+    files, left_out, ended = _files(forbidden), dict.fromkeys(map(tuple, run.too_slow), "it took too long"), ""
     for _ in range(MOST_RESTARTS):
         if run.over():
-            return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits))) for e in exercises}
-        order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": without}
+            return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits)), answered=False) for e in exercises}
+        order = {"cells": run.sources, "names": [e.name for e in exercises], "whole": whole, "without": [*left_out]}
+        found = {}
         with run.sandbox(files) as sandbox:
-            guilty, end, report = run_cells(sandbox, order, run)
-            if not end:
-                alike = () if how else report["alike"]
-                cells = {e: Cells(whole or e.name in report["defined"], e.name in alike, how, whole) for e in exercises}
-                return {e.name: ask(sandbox, run, e, cells[e]) for e in exercises}
-        how = str(end)
+
+            def ask_now(name, at, sandbox=sandbox, found=found):
+                """Ask for an exercise if it was not right, or did not take too long, at an earlier check."""
+                exercise = next((each for each in exercises if each.name == name), None)
+                before = found.get(name)
+                if exercise and not (before and (before.verdict.state == RIGHT or not before.answered)):
+                    outcome = ask(run, Student(sandbox, run, exercise), left_out, at)
+                    found[name] = before.better(outcome) if before else outcome
+
+            guilty, end = run_cells(sandbox, order, run, ask_now)
+            for exercise in () if end else exercises:
+                ask_now(exercise.name, 0)
+        if not end:
+            return {name: apart(run, outcome, order, files, left_out) for name, outcome in found.items()}
+        ended = str(end)
         if guilty is None:
             break
-        run.left_out[guilty[0]] = how
-        without.append(guilty)
+        run.left_out[guilty[0]] = left_out[guilty] = ended
         if isinstance(end, TooSlow):  # it would take as long again, whatever else is asked
             run.too_slow.append(guilty)
-    reason = f"The notebook could not be run: {how}."
-    return {e.name: Outcome(Verdict(e, ERROR, reason), frozenset({ALONE})) for e in exercises}
+    reason = f"The notebook could not be run: {ended}."
+    return {e.name: Outcome(Verdict(e, ERROR, reason), hindered=True, answered=False) for e in exercises}
 
 
-def run_cells(sandbox, order, run):
+def run_cells(sandbox, order, run, ask_now):
     """Run the cells of a submission in a sandbox; order: what the runner is to do, see runner.py.
 
-    Returns the place that ran last, [cell, line], or None; how the sandbox ended, an Ended or None; the runner's last
-    message, with the names that the cells define, and "alike": those of functions that a run alone would not change.
+    ask_now(name, number) asks for an exercise at one of its checks; if it returns True, no more cells are run. Returns
+    the place that ran last, (cell, line), or None; and how the sandbox ended, an Ended or None.
     """
-    limits, current = run.limits, None
+    limits, current, checks = run.limits, None, Counter()
     watch = sandbox.watch(limits.notebook_seconds, limits.cell_cpu_seconds)
     try:
         sandbox.send(order)
         while True:
             message = sandbox.receive(watch)
-            if isinstance(message.get("defined"), list) and isinstance(message.get("alike"), list):
-                return current, None, message
-            place = message.get("running")
-            if isinstance(place, list) and len(place) == 2 and all(type(number) is int for number in place):
-                current = place if 0 <= place[0] < len(run.sources) and 0 <= place[1] < 10**7 else current
-                watch.begin(limits.cell_cpu_seconds, limits.notebook_cpu_seconds)
+            if "ran" in message:
+                return current, None
+            place, name = message.get("running"), message.get("checked")
+            if isinstance(name, str):
+                checks[name] += 1
+                if checks[name] <= MOST_CHECKS and ask_now(name, checks[name]):
+                    return current, None
+                sandbox.send({})
+            elif isinstance(place, list) and len(place) == 2 and all(type(number) is int for number in place):
+                current = tuple(place) if 0 <= place[0] < len(run.sources) and 0 <= place[1] < 10**7 else current
+            watch.begin(limits.cell_cpu_seconds, limits.notebook_cpu_seconds)
     except Ended as end:
-        return current, end, {}
+        return current, end
 
 
-def ask(sandbox, run, exercise, cells):
-    """Return the Outcome of an exercise: put its questions to the sandbox, which has run these Cells, and judge."""
+def ask(run, student, left_out, at=0, seed=None):
+    """Return the Outcome of an exercise: put its questions to the student's function, and judge.
+
+    left_out: {(cell, line): why it was left out}. at: the number of its check in the notebook, 0 after all cells.
+    """
+    exercise = student.exercise
     if run.over():
-        return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)))
-    student = Student(sandbox, run, exercise)
-    verdict = judged(run, exercise, student)
-    if student.candidates and verdict.points:  # it told them apart, perhaps by comparing one with another
-        student = EachAlone(run, exercise, cells.whole)
-        verdict = judged(run, exercise, student)
+        return Outcome(Verdict(exercise, ERROR, _time_is_up(run.limits)), answered=False)
+    verdict = judged(run, student, run.seed if seed is None else seed)
     if student.ended:
-        again = frozenset() if student.too_slow else frozenset({ALONE})
-        return Outcome(Verdict(exercise, ERROR, student.ended), again)
-    if verdict.state == RIGHT:
-        return Outcome(verdict)
-    if cells.left_out and (verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and cells.final)):
-        reason = f"{verdict.reason}\nA cell that it may need was left out: {cells.left_out}.".strip()
-        verdict = replace(verdict, state=ERROR, reason=reason)
-    if verdict.state == NOT_ATTEMPTED:
-        bound_somehow = not cells.final and notebook_file.may_bind(run.sources, exercise.name)
-        return Outcome(verdict, frozenset({WHOLE}) if bound_somehow else frozenset())
-    if cells.alike and not student.hindered:
-        return Outcome(verdict)
-    elsewhere = notebook_file.may_bind(run.sources, student.missing)
-    again = {ALONE, WHOLE} if elsewhere else {ALONE}
-    return Outcome(verdict, frozenset(again - {ALONE} if isinstance(student, EachAlone) else again))
+        return Outcome(Verdict(exercise, ERROR, student.ended), not student.too_slow, answered=False)
+    for (cell, _), how in left_out.items():
+        if verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]):
+            reason = f"{verdict.reason}\nA cell that it may need was left out: {how}.".strip()
+            verdict = replace(verdict, state=ERROR, reason=reason)
+            break
+    return Outcome(verdict, student.hindered and verdict.state != RIGHT, apart=student.candidates, at=at)
 
 
-def judged(run, exercise, student):
+def apart(run, outcome, order, files, left_out):
+    """Return the Outcome itself, or for a test that distinguished candidates one in which it could not compare them."""
+    exercise = outcome.verdict.exercise
+    if not outcome.apart or not outcome.verdict.points:
+        return outcome
+    student = EachApart(run, exercise, order | {"names": [exercise.name]}, files, outcome.at)
+    return replace(ask(run, student, left_out, outcome.at, seed=(run.seed, 1)), hindered=False)
+
+
+def judged(run, student, seed):
     """Return the Verdict on a student's answers, formed within bounds."""
+    exercise = student.exercise
     try:
         with cpu_deadline(JUDGING_SECONDS):
-            verdict = judge(exercise, student, run.seed, run.limits.cpu_seconds)
+            verdict = judge(exercise, student, seed, run.limits.cpu_seconds)
             _message(verdict)  # showing an answer of any size may take long too, or fail
             return verdict
     except CpuDeadline as deadline:
@@ -246,22 +267,21 @@ def judged(run, exercise, student):
 class Student:
     """Passes one exercise's questions to a sandbox. See judge.
 
-    ended: why no reply came, or "". too_slow: whether the time ran out. missing: a name that was undefined when the
-    function was called, or "". hindered: whether what this run left out may have changed an answer. candidates: whether
-    the answer is a test, which was given functions to call.
+    ended: why no reply came, or "". too_slow: whether the time ran out. hindered: whether what this run left out may
+    have changed an answer. candidates: whether the answer is a test, which was given functions to call.
     """
 
     def __init__(self, sandbox, run, exercise):
-        self._sandbox, self._run, self._name, self._forbidden = sandbox, run, exercise.name, exercise.forbidden
-        self.ended, self.missing, self.too_slow, self.hindered, self.candidates = "", "", False, True, False
+        self._sandbox, self._run, self.exercise = sandbox, run, exercise
+        self.ended, self.too_slow, self.hindered, self.candidates = "", False, True, False
 
     def reply(self, questions, consult=None):
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         limits, self.candidates = self._run.limits, consult is not None
-        request = {"ask": self._name, "questions": questions, "cpu": limits.cpu_seconds + 2, "reply": limits.reply}
+        request = {"ask": self.exercise.name, "questions": questions, "cpu": limits.cpu_seconds + 2}
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
         try:
-            self._sandbox.send(request)
+            self._sandbox.send(request | {"reply": limits.reply})
             message = self._receive(watch)
             calls = 0
             while consult and isinstance(message.get("call"), str):
@@ -273,62 +293,65 @@ class Student:
             return ""
         text = message.get("reply")
         if isinstance(text, str):
-            self.missing, self.hindered = _obstacles(text, self._forbidden)
+            self.hindered = bool(_refused(text) - set(self.exercise.forbidden))
             return text
         self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
 
     def _receive(self, watch):
         message = {}
-        while message.get("exercise") != self._name:
+        while message.get("exercise") != self.exercise.name:
             message = self._sandbox.receive(watch)
         return message
 
 
-class EachAlone(Student):
-    """Asks a student's test about each candidate in a process of its own, which that candidate alone answers.
+class EachApart(Student):
+    """Asks a student's test about each candidate in a sandbox of its own, in which that candidate alone answers.
 
-    The process runs the cells for itself, and nothing of it is left when the next one begins: no memory, file or
-    process. So nothing can compare candidates.
+    So nothing can compare candidates. Their order is another one than when all were asked together. at: the number of
+    the check at which the test is asked, 0 after all cells.
     """
 
-    def __init__(self, run, exercise, whole):
+    def __init__(self, run, exercise, order, files, at):
         super().__init__(None, run, exercise)
-        self._order = {"cells": run.sources, "names": [exercise.name], "whole": whole, "without": run.too_slow}
+        self._order, self._files, self._at = order, files, at
 
     def reply(self, questions, consult=None):
         """Return the answers about all candidates as one reply; see judge."""
         asked, answers = read(questions), []
-        with self._run.sandbox(_files(frozenset(self._forbidden))) as self._sandbox:
-            _, end, _ = run_cells(self._sandbox, self._order | {"each": True}, self._run)
-            if end:
-                self.ended = f"No answer came: {end}."
-            for case in asked["cases"]:
-                if self.ended or self._run.over():
-                    self.ended = self.ended or _time_is_up(self._run.limits)
-                    return ""
-                only = functools.partial(consult, only=case[0].number)
-                text = super().reply(write(asked | {"cases": [[Candidate(0)]]}), only)
-                answers += json.loads(text)["answers"] if text else []
+        for case in asked["cases"]:
+            one = write(asked | {"cases": [[Candidate(0)]]}), functools.partial(consult, only=case[0].number)
+            text = "" if self._run.over() else self._about(*one)
+            if not text:
+                self.ended = self.ended or _time_is_up(self._run.limits)
+                return ""
+            answers += json.loads(text)["answers"]
         return json.dumps({"answers": answers, "calls": []})
 
+    def _about(self, questions, consult):
+        """Return the reply about one candidate."""
+        said = []
 
-def _obstacles(reply, forbidden):
-    """Return (a name that was undefined when the function was called, or ""; whether the run may have hindered it).
+        def ask_now(name, at):
+            if (name, at) == (self.exercise.name, self._at):
+                said.append(super(EachApart, self).reply(questions, consult))
+            return bool(said)
 
-    The run may have hindered it if it called a function that only other exercises forbid, or raised an exception that
-    the absence of such a function can cause.
-    """
+        with self._run.sandbox(self._files) as self._sandbox:
+            _, end = run_cells(self._sandbox, self._order, self._run, ask_now)
+            if end:
+                self.ended = f"No answer came: {end}."
+            elif not said:
+                ask_now(self.exercise.name, self._at)
+        return said[0] if said else ""
+
+
+def _refused(reply):
+    """Return the names of the functions that a reply says were called, and were not there."""
     try:
-        claims = json.loads(reply)
-        errors = [answer["error"] for answer in claims["answers"] if "error" in answer]
-        messages = (error["message"] for error in errors if error["type"] == "NameError")
-        found = re.search(r"name '(\w{1,100})' is not defined", str(next(messages, ""))[:300])
-        hindered = {str(error["type"])[:100] for error in errors} - OWN_ERRORS  # as texts: numbers may share one hash
-        hindered |= {name for name in claims["refused"] if isinstance(name, str)} - set(forbidden)
-        return found[1] if found else "", bool(hindered)
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
-        return "", True
+        return {name for name in json.loads(reply)["refused"] if isinstance(name, str)}
+    except (ValueError, LookupError, TypeError, RecursionError):
+        return set()
 
 
 def _time_is_up(limits):
