@@ -86,8 +86,8 @@ NEEDS = {
 
 
 @pytest.fixture(scope="module")
-def kernel():
-    manager, client = start_new_kernel()
+def kernel(tmp_path_factory):
+    manager, client = start_new_kernel(cwd=tmp_path_factory.mktemp("kernel"))
     yield client
     client.stop_channels()
     manager.shutdown_kernel(now=True)
