@@ -20,6 +20,7 @@ from course_lib.checks.exercise import (
     Here,
     Property,
     judge,
+    review,
     with_blame,
 )
 from course_lib.checks.notebook import describe
@@ -219,8 +220,18 @@ def test_a_helper_that_is_wrong_is_named():
 
 def test_a_verdict_knows_which_functions_of_the_notebook_were_called():
     space = {"np": np}
-    exec("def helper(M):\n    return M\ndef other(M):\n    return helper(M)\ndef f(M):\n    return other(M)", space)
+    code = "def helper(M):\n    return M\ndef other(M):\n    return helper(M)\ndef det(M):\n    return 0\n"
+    exec(code + "def f(M):\n    return other(M) * np.linalg.det(M)", space)  # det is numpy's
     assert judge(NEAREST_SO, Here(space["f"])).calls == ("other", "helper")
+
+
+def test_the_notebook_asks_the_cases_of_more_seeds_before_it_says_right():
+    """An answer that is wrong for one seed in ten is not right in the notebook."""
+    exercise = replace(DOUBLE, cases=lambda rng: [(2.0,), (float(rng.integers(10)),)], broken=None)
+    rarely_wrong = Here(lambda x: 2 * x if x != 7 else 0.0)
+    assert judge(exercise, rarely_wrong).state == RIGHT
+    assert review(exercise, rarely_wrong).state == WRONG
+    assert review(exercise, Here(lambda x: 2 * x)).state == RIGHT
 
 
 def test_nothing_there_is_not_attempted():

@@ -5,6 +5,7 @@ process judges.
 """
 
 import contextlib
+import dis
 import functools
 import importlib
 import io
@@ -182,7 +183,8 @@ def functions_used(function):
         if not isinstance(code, types.CodeType):
             continue
         waiting += [constant for constant in code.co_consts if isinstance(constant, types.CodeType)]
-        for name in code.co_names:
+        reads = (step for step in dis.get_instructions(code) if step.opname in ("LOAD_GLOBAL", "LOAD_NAME"))
+        for name in (step.argval for step in reads):  # not co_names: they hold attributes, as of rigid.exp_se2, as well
             used = own.get(name)
             if isinstance(used, types.FunctionType) and used.__globals__ is own and name not in found:
                 found.append(name)

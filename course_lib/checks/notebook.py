@@ -7,7 +7,7 @@ import os
 
 import numpy as np
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, Verdict, judge, with_blame
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, Verdict, review, with_blame
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
@@ -92,11 +92,11 @@ class Check:
         _show(text, _MARKS[self.verdict.state][1])
 
     def _judged(self, function):
-        verdict = judge(self.exercise, Here(function))
+        verdict = review(self.exercise, Here(function))
         if verdict.state in (WRONG, ERROR) and verdict.calls:
             own = function.__globals__
             others = [s.exercise for s in self.siblings if s is not self and s.exercise.name in verdict.calls]
-            verdict = with_blame(verdict, (judge(other, Here(own[other.name])) for other in others))
+            verdict = with_blame(verdict, (review(other, Here(own[other.name])) for other in others))
         return verdict
 
     def _how_to_call(self, function):
