@@ -48,9 +48,9 @@ class DHRow:
     theta: float = 0.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # two arms are equal only if they are the same one
 class SerialArm:
-    """An arm of n revolute joints.
+    """An arm of n revolute joints, which does not change: its arrays are read-only.
 
     Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e. Its methods take joint
     angles q, array_like (..., n), in radians.
@@ -68,6 +68,12 @@ class SerialArm:
     screw_axes: np.ndarray
     home: np.ndarray
     limits: np.ndarray
+
+    def __post_init__(self):
+        for name in ("screw_axes", "home", "limits"):
+            array = getattr(self, name).copy()
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
 
     @classmethod
     def from_screws(cls, omega, points, home, limits=None):

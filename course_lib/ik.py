@@ -14,7 +14,7 @@ from course_lib.arguments import broadcast, count, generator, positive, real_arr
 from course_lib.arms import checked_arm
 from course_lib.batched_arm import CHUNK
 from course_lib.rigid import checked_pose
-from course_lib.rotations import length, log_so3
+from course_lib.rotations import length, log_so3, nearest_so
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
 _REACHED_SQUARED = (REACHED / 10) ** 2  # for the search: a tenth, because `solve` measures the result once more
@@ -309,11 +309,13 @@ def pose_error(T, target):
 
 
 def _pose_error(T, target):
-    w = log_so3(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
+    # Of two poses within the tolerance, as printed ones are, the product may lie beyond it.
+    R = nearest_so(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
+    w = log_so3(R)
     return np.concatenate([w, target[..., :3, 3] - T[..., :3, 3]], -1)
 
 
-def damped_path(arm, q0, target, alpha, eps, steps):
+def damped_path(arm, target, q0, alpha, eps, steps):
     """Return the joint angles of damped least-squares steps towards a point, q0 first (Nakamura and Hanafusa, 1986).
 
     Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's position p and its
@@ -322,10 +324,10 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     Parameters
     ----------
     arm : SerialArm
+    target : array_like (..., 2) or (..., 3)
+        The point, in metres; two coordinates for an arm that moves in the plane z = 0.
     q0 : array_like (..., n)
         Joint angles at the beginning, in radians.
-    target : array_like (..., 2) or (..., 3)
-        The point, in metres; two coordinates for an arm in the plane z = 0.
     alpha : array_like (...)
         The step size, above zero; 1 is the full step.
     eps : array_like (...)
@@ -341,15 +343,15 @@ def damped_path(arm, q0, target, alpha, eps, steps):
     --------
     >>> from course_lib.arms import planar_arm
     >>> arm = planar_arm([1, 1])
-    >>> path = damped_path(arm, [0.3, 0.5], target=[1, 1], alpha=1, eps=0.01, steps=30)
+    >>> path = damped_path(arm, [1, 1], q0=[0.3, 0.5], alpha=1, eps=0.01, steps=30)
     >>> print(arm.fk(path[-1])[:2, 3].round(6))
     [1. 1.]
     """
     checked_arm(arm, "arm")
+    target = real_array(target, "target", *([(2,), (3,)] if _is_planar(arm) else [(3,)]))
     q = real_array(q0, "q0", (arm.n,))
-    target = real_array(target, "target", (2,), (3,))
     alpha, eps = positive(alpha, "alpha"), positive(eps, "eps")
-    batch = broadcast(q0=q.shape[:-1], target=target.shape[:-1], alpha=alpha.shape, eps=eps.shape)
+    batch = broadcast(target=target.shape[:-1], q0=q.shape[:-1], alpha=alpha.shape, eps=eps.shape)
     k, steps, n = target.shape[-1], count(steps, "steps"), arm.n
     flat = int(np.prod(batch))
     target = np.broadcast_to(target, (*batch, k)).reshape(flat, k).T
@@ -367,3 +369,8 @@ def damped_path(arm, q0, target, alpha, eps, steps):
         path[..., i + 1, :] = q.T.reshape(*batch, n)
         refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", "is too large: the angles overflow")
     return path
+
+
+def _is_planar(arm):
+    """Return whether the end-effector stays in the plane z = 0: all axes are along z, and it begins there."""
+    return not arm.screw_axes[:, [0, 1, 5]].any() and arm.home[-1, 2, 3] == 0

@@ -133,7 +133,7 @@ _REST = {"n": _MANY, "T": _SECONDS}
 
 def _damped(n):
     target = Numbers((n,), _plain(n).sample, also=((5 - n,),))
-    return {"arm": _ARM, "q0": _plain(4), "target": target, "alpha": _POSITIVE, "eps": _POSITIVE, "steps": _N}
+    return {"arm": _ARM, "target": target, "q0": _plain(4), "alpha": _POSITIVE, "eps": _POSITIVE, "steps": _N}
 
 
 # One entry for each public function; more than one set of arguments where it takes more than one shape.

@@ -5,7 +5,7 @@ import pytest
 import scipy.linalg
 from helpers import close, pose_samples, twist_matrix
 
-from course_lib.arms import SerialArm, planar_arm
+from course_lib.arms import SerialArm, iiwa14, planar_arm
 from course_lib.rigid import transform
 
 PI = np.pi
@@ -151,3 +151,13 @@ def test_limits_are_kept():
 def test_planar_arm_refuses(lengths):
     with pytest.raises(ValueError, match=r"^lengths\b"):
         planar_arm(lengths)
+
+
+def test_an_arm_does_not_change_and_is_equal_to_itself_alone():
+    arm, other = iiwa14(), iiwa14()
+    for array in (arm.screw_axes, arm.home, arm.limits):
+        with pytest.raises(ValueError, match="read-only"):
+            array += 1
+    assert arm == arm
+    assert arm != other
+    assert len({arm, other, arm}) == 2

@@ -11,7 +11,7 @@ from signatures import ARGUMENTS, BATCHED, FUNCTIONS, Numbers, call_name, expect
 
 from course_lib import rigid, rotations
 
-# Both sides of every place where a formula may change: the ends, the series' limit at 0.3, the neighbourhood of pi.
+# Both sides of every place where a formula may change: the ends, small angles, the neighbourhood of pi.
 ANGLES = [1e-300, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.1, 0.29, 0.2999999, 0.3, 0.3000001, 1.0, np.pi / 2, 2.0]
 ANGLES += [3.0, np.pi - 1e-3, np.pi - 1e-7, np.pi - 1e-12, np.pi]
 BATCHES = [(), (0,), (1,), (3, 1, 2)]

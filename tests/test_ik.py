@@ -23,14 +23,14 @@ def plain_loop(tip, q, target, alpha, eps, steps):
     return np.array(path)
 
 
-@pytest.mark.parametrize(("arm", "k"), [(FOUR, 2), (SIX, 3), (SIX, 2)], ids=["planar", "space", "two coordinates"])
+@pytest.mark.parametrize(("arm", "k"), [(FOUR, 2), (SIX, 3)], ids=["planar", "space"])
 def test_against_a_plain_loop(arm, k):
     rng = np.random.default_rng(1)
     for _ in range(10):
         q0, target = rng.uniform(-3, 3, arm.n), rng.uniform(-2, 2, k)
         alpha, eps = rng.uniform(0.05, 0.6), 10 ** rng.uniform(-0.5, 1)
         expected = plain_loop(lambda q: (arm.fk(q)[:k, 3], arm.position_jacobian(q)[:k]), q0, target, alpha, eps, 40)
-        got = damped_path(arm, q0, target, alpha, eps, 40)
+        got = damped_path(arm, target, q0, alpha, eps, 40)
         close(got, expected, 1e-9)
         assert np.array_equal(got[0], q0)
 
@@ -38,24 +38,24 @@ def test_against_a_plain_loop(arm, k):
 def test_published_runs():
     """Four unit links from (0, 0, 0, pi/2), alpha 0.2, eps 2: a target within reach, and one farther than the arm."""
     start = [0, 0, 0, np.pi / 2]
-    path = damped_path(FOUR, start, [2.1567, 1.8329], 0.2, 2, 99)
+    path = damped_path(FOUR, [2.1567, 1.8329], start, 0.2, 2, 99)
     assert path.shape == (100, 4)
     error = np.linalg.norm(FOUR.fk(path[-1])[:2, 3] - [2.1567, 1.8329])
     assert_allclose(error, 8.017270374278147e-06, rtol=1e-9)
-    far = damped_path(FOUR, start, [3, 4], 0.2, 2, 99)
+    far = damped_path(FOUR, [3, 4], start, 0.2, 2, 99)
     close(FOUR.fk(far[-1])[:2, 3], [2.40006024, 3.1994807], 5e-9)
 
 
 def test_a_target_reached_and_no_steps():
     q0 = np.array([0.3, -0.5, 1.0, 0.2])
-    assert np.array_equal(damped_path(FOUR, q0, [1, 1], 1, 1, 0), [q0])
-    close(damped_path(FOUR, q0, FOUR.fk(q0)[:2, 3], 1, 1, 3), np.tile(q0, (4, 1)))
+    assert np.array_equal(damped_path(FOUR, [1, 1], q0, 1, 1, 0), [q0])
+    close(damped_path(FOUR, FOUR.fk(q0)[:2, 3], q0, 1, 1, 3), np.tile(q0, (4, 1)))
 
 
 def test_damping_keeps_the_steps_of_a_stretched_arm_small():
     """No step is longer than alpha |error| / (2 sqrt(eps)), which is what s / (s^2 + eps) can reach."""
     for eps in (1e-6, 1e-2, 1.0):
-        path = damped_path(FOUR, [0.5, 1e-4, 0, 0], [-1, 0.3], 0.7, eps, 20)
+        path = damped_path(FOUR, [-1, 0.3], [0.5, 1e-4, 0, 0], 0.7, eps, 20)
         error = np.linalg.norm(FOUR.fk(path[:-1])[:, :2, 3] - [-1, 0.3], axis=-1)
         assert (np.linalg.norm(np.diff(path, axis=0), axis=-1) <= 0.7 * error / (2 * np.sqrt(eps)) * (1 + 1e-9)).all()
 
@@ -63,6 +63,7 @@ def test_damping_keeps_the_steps_of_a_stretched_arm_small():
 @pytest.mark.parametrize(
     ("changes", "named"),
     [
+        ({"arm": SIX, "q0": np.zeros(6)}, r"target must be an array of real numbers of shape \(\.\.\., 3\); its shape"),
         ({"alpha": [1, 0]}, r"alpha\[1\] must be greater than zero; it is 0"),
         ({"q0": np.full(4, 1e-150), "target": [1e99, 1], "eps": 1e-300}, "alpha is too large"),
         ({"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300}, "eps is too small"),

@@ -175,6 +175,18 @@ def columns_and_position(T):
     return np.ascontiguousarray(T[:, :3].T)
 
 
+def test_poses_as_printed_with_six_digits_are_targets_wherever_they_are_poses():
+    arm = panda()
+    q = np.random.default_rng(0).uniform(*arm.limits.T, (4000, 7))
+    exact, printed = arm.fk(q), arm.fk(q).round(6)
+    poses = rigid.is_se(printed)
+    assert 2000 < poses.sum() < 4000
+    error = pose_error(exact[poses], printed[poses])
+    assert np.abs(error).max() < 2e-6
+    assert np.abs(pose_error(printed[poses], printed[poses][::-1])[:, :3]).max() <= np.pi
+    assert solve(arm, printed[poses][:50], np.random.default_rng(0), q[poses][:50]).success.all()
+
+
 def test_the_pose_error_is_the_same_in_both_layouts():
     """Also at an angle of pi and near it, and for no rotation at all."""
     rng = np.random.default_rng(5)

@@ -43,4 +43,4 @@ def wrong_column_of_errors(q, J, e, eps):
 
 def wrong_library(q, J, e, eps):
     """course_lib.ik.damped_path is called"""
-    return ik.damped_path(panda(), q, e[:3], 1.0, eps, 1)[-1]
+    return ik.damped_path(panda(), e[:3], q, 1.0, eps, 1)[-1]
