@@ -9,6 +9,7 @@ import nbformat
 import numpy as np
 import pytest
 from hypothesis import settings
+from tools import Machine
 
 pytest.register_assert_rewrite("site_visits")  # so that it says what differs, as the tests do
 
@@ -76,10 +77,23 @@ def pytest_collection_modifyitems(items):
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_protocol():
-    """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test."""
+def pytest_runtest_protocol(item):
+    """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test, and so do its tools."""
     with np.printoptions():
-        return (yield)
+        outcome = yield
+    item.config.machine.restore()
+    return outcome
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "tools(*names): programs that the test needs; it sees no others (tools.py)")
+    config.machine = Machine()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    """Before fixtures are made: those of a module see what its first test declares."""
+    item.config.machine.show(item)
 
 
 @pytest.fixture(scope="session")

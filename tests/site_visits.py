@@ -1,14 +1,12 @@
 """Visits to a built page in a browser, with the network off."""
 
 import os
-import shutil
 from contextlib import contextmanager
 from weakref import WeakKeyDictionary
 
 import nbformat
 from axe_playwright_python.base import AXE_SCRIPT
 from axe_playwright_python.sync_playwright import Axe
-from helpers import unavailable
 from playwright.sync_api import expect, sync_playwright
 from site_notebooks import PLOTLY
 
@@ -31,20 +29,12 @@ CONTRAST = """element => {
 }"""
 
 
-def find_browser():
-    """Return the path of a Chromium; without one the test is skipped, or fails where all is to be tested."""
-    names = ("chromium", "chromium-browser", "google-chrome")
-    path = os.environ.get("BROWSER_PATH") or next(filter(None, map(shutil.which, names)), None)
-    return path or unavailable(f"no browser is installed ({', '.join(names)})")
-
-
 @contextmanager
 def open_browser():
-    path = find_browser()
     with sync_playwright() as playwright:
         # Machines without a graphics card draw 3D in software, which Chromium wants to be asked for.
         arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]
-        browser = playwright.chromium.launch(executable_path=path, args=arguments)
+        browser = playwright.chromium.launch(executable_path=os.environ["BROWSER_PATH"], args=arguments)
         yield browser
         browser.close()
 

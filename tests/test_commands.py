@@ -18,7 +18,6 @@ from course_copy import ROOT, copied, fold_a_section, made, run
 from helpers import FIGURE, stored
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
-from site_visits import find_browser
 
 from course_lib.figures import rigid_motion
 
@@ -44,7 +43,7 @@ def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(cours
     assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
 
 
-def test_more_is_left_out_of_the_release_and_weighed_in_the_grades(course):
+def test_more_is_left_out_of_the_release_and_weighed_in_the_grades(course, isolated):
     path = course / "notebooks/01_rotations.ipynb"
     before, solved = path.read_bytes(), nbformat.read(path, 4).cells
     names = fold_a_section(path)
@@ -93,8 +92,8 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
     (course / path).unlink()
 
 
+@pytest.mark.tools("browser")
 def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
-    find_browser()
     path = "notebooks/01_small.ipynb"
     first, second = new_markdown_cell("# Small\n\nSee [there](#Further)."), new_markdown_cell("## Further\n\nWords.")
     write(course / "notebooks", "01_small.ipynb", first, cell(output({"text/html": "x"})), second)
@@ -123,8 +122,8 @@ def test_the_lock_is_what_make_lock_writes(course):
     assert "environment.txt stays as it is." in done.stdout
 
 
-@pytest.mark.parametrize("browser", ["there", "missing"])
-def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, tmp_path, browser):
+@pytest.mark.parametrize("chromium", ["there", "missing"])
+def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, tmp_path, chromium):
     for name in ("bash", "dirname", "id", "tail", "python3", "readelf"):
         if found := shutil.which(name):
             (tmp_path / name).symlink_to(found)
@@ -136,15 +135,15 @@ def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, 
     }.items():
         (tmp_path / name).write_text(f"#!/bin/sh\n{script}\n")
         (tmp_path / name).chmod(0o755)
-    chosen = {"BROWSER_PATH": shutil.which("true")} if browser == "there" else {"BROWSER_PATH": ""}
+    chosen = {"BROWSER_PATH": shutil.which("true")} if chromium == "there" else {"BROWSER_PATH": ""}
     python = str(Path(shutil.which("python3")).resolve())
     done = run(course, str(course / ".ci/run"), PATH=str(tmp_path), PYTHON=python, **chosen)
-    if browser == "there" and "libatomic1" not in done.stderr:
+    if chromium == "there" and "libatomic1" not in done.stderr:
         assert done.stdout.splitlines() == ["make environment in CI=true", "make test in CI=true"]
     else:
         assert done.returncode == 1
         assert re.search(r"could not be installed: .*\. Install them as root: apt install ", done.stderr)
-        assert browser == "there" or "chromium" in done.stderr
+        assert chromium == "there" or "chromium" in done.stderr
 
 
 def test_make_clean_leaves_the_environment(course):

@@ -11,8 +11,6 @@ import matplotlib.image
 import nbformat
 import numpy as np
 import pytest
-from choreographer.browsers.chromium import Chromium
-from helpers import unavailable
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from course_lib.pack import notebooks
@@ -178,13 +176,7 @@ def test_a_browser_that_does_not_start_is_said_in_a_line(monkeypatch):
         notebooks.draw_stills([{"data": [], "layout": {}}])
 
 
-@pytest.fixture
-def browser():
-    if Chromium.find_browser(skip_local=False) is None:
-        unavailable("no Chrome or Chromium is installed")
-
-
-@pytest.mark.usefixtures("browser")
+@pytest.mark.tools("browser")
 def test_a_browser_draws_the_still():
     red = {"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1], "line": {"color": "#ff0000", "width": 40}}
     layout = {"width": 320, "height": 240, "paper_bgcolor": "#00ff00"}
@@ -269,7 +261,7 @@ def test_no_notebooks_is_no_error(capsys):
     assert "No notebooks" in capsys.readouterr().out
 
 
-@pytest.mark.usefixtures("browser")
+@pytest.mark.tools("browser")
 def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_controls(tmp_path):
     path = tmp_path / "toy.ipynb"
     source = "from course_lib.figures import circles_toy\ncircles_toy()"

@@ -1,9 +1,7 @@
 """The site as readers see it: in a browser, from a folder, without a network."""
 
-import os
 import re
 import runpy
-import shutil
 import subprocess
 import sys
 
@@ -143,7 +141,7 @@ def test_still_pictures_are_printed_in_place_of_figures(reader):
     assert page.locator("html").get_attribute("data-theme") == "dark"
 
 
-@pytest.mark.skipif(not (shutil.which("pdftotext") or "CI" in os.environ), reason="pdftotext (poppler) is missing")
+@pytest.mark.tools("pdftotext")
 def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
     page = reader.page
     page.pdf(path=tmp_path / "page.pdf", format="A4")

@@ -43,13 +43,16 @@ def isolated(wanted=""):
     return False
 
 
-@functools.cache
 def problem():
-    """Return why bubblewrap does not work here, or "": a process with numpy and a child is tried."""
+    """Return why bubblewrap does not work here, or ""."""
     if sys.platform != "linux":
         return "it needs Linux"
-    if shutil.which("bwrap") is None:
-        return "it is not installed"
+    return _tried() if shutil.which("bwrap") else "it is not installed"
+
+
+@functools.cache
+def _tried():
+    """Return what goes wrong where bubblewrap starts a process with numpy and a child, or ""."""
     with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
         confine = Path(__file__).with_name("confine.py").read_bytes()
         write_files(Path(folder), {"runner.py": TRIAL, "confine.py": confine})

@@ -1,0 +1,58 @@
+"""The programs that a machine may lack: a test sees only those that it declares, so every machine proves the same.
+
+``@pytest.mark.tools("git")`` declares one, and so does the use of a fixture that stands for it.
+"""
+
+import os
+import shutil
+import tempfile
+from pathlib import Path
+
+from helpers import unavailable
+
+TOOLS = {
+    "browser": ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"),
+    "bwrap": ("bwrap",),
+    "ffmpeg": ("ffmpeg",),
+    "git": ("git",),
+    "pdftotext": ("pdftotext",),
+    "uv": ("uv",),
+}
+FIXTURES = {"browser": "browser", "isolated": "bwrap"}  # which stand for a tool
+NO_BROWSER = "/no/browser"  # else a browser would be found where browsers usually are
+
+
+class Machine:
+    """The programs of this machine, apart from the tools, in a folder of links, and where the tools are."""
+
+    def __init__(self):
+        hidden = {name for names in TOOLS.values() for name in names}
+        self.folder = tempfile.TemporaryDirectory(prefix="bare-")
+        self.before = {name: os.environ.get(name) for name in ("PATH", "BROWSER_PATH")}
+        self.found = {tool: next(filter(None, map(shutil.which, names)), None) for tool, names in TOOLS.items()}
+        self.found["browser"] = self.before["BROWSER_PATH"] or self.found["browser"]
+        for folder in os.get_exec_path():
+            for path in sorted(Path(folder).glob("*")):
+                link = Path(self.folder.name, path.name)
+                if path.name not in hidden and not os.path.lexists(link):
+                    link.symlink_to(path.absolute())
+
+    def show(self, item):
+        """Let a test see the tools that it declares; skip it, or let it fail, where one is missing."""
+        declared = {name for mark in item.iter_markers("tools") for name in mark.args}
+        declared |= {tool for fixture, tool in FIXTURES.items() if fixture in getattr(item, "fixturenames", ())}
+        path = [self.folder.name]
+        for tool in sorted(declared):
+            if self.found[tool] is None:
+                unavailable(f"{tool} is not installed")
+            link = Path(self.folder.name, "tools", tool, TOOLS[tool][0])
+            if not link.exists():
+                link.parent.mkdir(parents=True)
+                link.symlink_to(self.found[tool])
+            path.append(str(link.parent))
+        os.environ["PATH"] = os.pathsep.join(path)
+        os.environ["BROWSER_PATH"] = self.found["browser"] if "browser" in declared else NO_BROWSER
+
+    def restore(self):
+        for name, value in self.before.items():
+            os.environ.pop(name, None) if value is None else os.environ.__setitem__(name, value)
