@@ -17,6 +17,7 @@ EXERCISES = (
 )
 
 MORE = ("dh_symbolic", "fit_square", "predict_square", "newton_step")
+STOP = ("predict", "Where is it wrong?")
 
 PREDICTIONS = (
     Prediction(
@@ -54,11 +55,9 @@ PREDICTIONS = (
         "average",
         "b",
         {
-            "a": "Nothing tells the network that there are two solutions. It was fitted by squared errors, and the "
-            "mean of both has the least.",
-            "b": "The least squared error belongs to the mean of the two: q2 near 0, the stretched arm. It is no "
-            "solution, although each of the two is.",
-            "c": "A network always returns numbers, for positions out of reach too. That is a part of the problem.",
+            "a": "There q2 is about 90 or -90 degrees. What is the mean of these, and where is its tip?",
+            "b": "Yes: where the arm is stretched the two solutions are the same, and so is their mean.",
+            "c": "The mean is a stretched arm. How far is its tip from a position 1.41 m away from the base?",
         },
     ),
     Prediction(
@@ -74,4 +73,4 @@ PREDICTIONS = (
     ),
 )
 
-globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE))
+globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))
