@@ -51,13 +51,13 @@ def test_has_all_its_rooms_and_folds_those_of_more(path):
     ]
     sections = [(title, cell) for level, title, cell in headings if level == "##"]
     titles = [title for title, _ in sections]
-    assert titles.index("Explain") < titles.index("Appendix: the report")
-    assert titles[-3:] == ["Appendix: the report", "Go further", "Sources"]
+    assert "Explain" in titles
+    assert titles[-2:] == ["Go further", "Sources"]
     folded = {title for title, cell in sections if TAG in cell.metadata.get("tags", [])}
     assert folded == {title for title in titles if title.startswith(("More: ", "Appendix: "))}
     assert not any(titles.index("Explain") > titles.index(title) for title in folded)
     parts = [title for level, title, _ in headings if level == "###" and title in REPORT]
-    assert parts in (REPORT, REPORT[:-1])
+    assert parts in ((REPORT, REPORT[:-1]) if "Appendix: the report" in titles else ([],))
 
 
 RUFF = [sys.executable, "-m", "ruff", "check", "--isolated", "--no-cache", "--select=F821", "--output-format=concise"]

@@ -1,10 +1,12 @@
 """Toys in Python: their models and texts, the output in stored and in live notebooks, and the answers of jog."""
 
 import json
+from pathlib import Path
 
 import nbformat
 import numpy as np
 import pytest
+import some_toys
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from numpy.testing import assert_allclose
 from some_toys import Q7, ROUND, TOYS
@@ -19,6 +21,11 @@ from course_lib.planar import propagate_body
 Q = np.array(Q7)
 
 # ---- every toy ----
+
+
+def test_every_toy_is_among_those_that_are_tested():
+    tested = Path(some_toys.__file__).read_text()
+    assert [name for name in figures.__all__ if name not in ("lines", "show") and name not in tested] == []
 
 
 @pytest.mark.parametrize("name", TOYS)
