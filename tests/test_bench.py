@@ -56,4 +56,5 @@ def test_the_table_takes_its_place_in_the_readme(monkeypatch, tmp_path):
     assert text.startswith(
         f"before\n\n{bench.BEGIN}\n| | time for one | beside | ratio |\n|---|---|---|---|\n| Twice | "
     )
-    assert text.endswith(f"With numpy {np.__version__}, numpy {np.__version__}.\n\n{bench.END}\nafter\n")
+    numpy, processor = f"numpy {np.__version__}", bench.processor()
+    assert text.endswith(f"With {numpy}, {numpy}, on {processor}.\n\n{bench.END}\nafter\n")

@@ -1,5 +1,8 @@
 """Run the comparison and write its table into README.md: `python -m course_lib.pack.bench [NUMBER]`."""
 
+import contextlib
+import platform
+import re
 import sys
 from importlib import metadata
 from pathlib import Path
@@ -22,7 +25,7 @@ def main(arguments):
         seconds, found = shares(task)
         lines += [f"| {task.title} | {1e6 * seconds:.2g} µs | {name} | {share:.2g} |" for name, share in found.items()]
     versions = [f"{name} {metadata.version(PACKAGES.get(name, name))}" for name in ("numpy", *peers)]
-    text = "\n".join([*lines, "", f"With {', '.join(versions)}.", ""])
+    text = "\n".join([*lines, "", f"With {', '.join(versions)}, on {processor()}.", ""])
     print(text)
     if missing or arguments:
         print("README.md stays as it is.", *(f"Missing: {name}, {why}." for name, why in missing.items()), sep="\n")
@@ -30,6 +33,14 @@ def main(arguments):
     before, _, rest = README.read_text(encoding="utf-8").partition(BEGIN)
     write_atomically(README, f"{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}")
     print("Written to README.md.")
+
+
+def processor():
+    """Return the name of the processor, as far as the system says."""
+    with contextlib.suppress(OSError):
+        if found := re.search(r"model name\s*: (.+)", Path("/proc/cpuinfo").read_text()):
+            return found[1].strip()
+    return platform.processor() or platform.machine()
 
 
 if __name__ == "__main__":

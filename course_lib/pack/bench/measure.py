@@ -10,6 +10,8 @@ import numpy as np
 
 AGREE = 1e-9
 LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
+STEADY = 0.98  # of the least time so far: what is not below that is no better
+MOST = 100  # rounds of measurements
 
 
 @dataclass(frozen=True)
@@ -36,8 +38,10 @@ class Task:
     others: list
 
 
-def shares(task, repeats=5):
+def shares(task, repeats=10):
     """Return the library's time for one item in seconds, and {name: that time as a share of the other's}.
+
+    The functions are measured in turn until `repeats` rounds have improved none of their least times.
 
     Raises
     ------
@@ -54,8 +58,9 @@ def shares(task, repeats=5):
     # Processor time: other programs on the machine affect it less than the clock.
     timers = [Timer(partial(run, items), timer=time.process_time) for run, items in runs]
     often = [1 + int(LEAST / max(timer.timeit(1), 1e-6)) for timer in timers]
-    best = np.full(len(runs), np.inf)
-    for _ in range(repeats):
+    best, rounds, since = np.full(len(runs), np.inf), 0, 0
+    while since < repeats and rounds < MOST:
         taken = [timer.timeit(n) / n / len(items) for timer, n, (_, items) in zip(timers, often, runs, strict=True)]
-        best = np.minimum(best, taken)
+        since = 0 if (taken < STEADY * best).any() else since + 1
+        best, rounds = np.minimum(best, taken), rounds + 1
     return best[0], {other.name: best[0] / one for other, one in zip(task.others, best[1:], strict=True)}
