@@ -316,6 +316,13 @@ def _halves_swapped(x):
     return np.roll(x, len(x) // 2, axis=0)
 
 
+def _no_matrix(x):
+    """Return x unless it is a matrix: nobody negates a pose, or an arm, or takes 0 for it."""
+    if np.ndim(x) == 2:
+        raise ValueError("a matrix")
+    return x
+
+
 def _of_dimension(x, n):
     if np.ndim(x) != n:
         raise ValueError(f"not of {n} dimensions")
@@ -376,15 +383,16 @@ _AXES = {1: ("the entries",), 2: ("the rows", "the columns")}
 _OF_AN_ARGUMENT = (
     ("{} is taken for degrees", _RADIANS, np.deg2rad),
     ("{} is converted to degrees", _RADIANS, np.rad2deg),
-    ("the sign of {} is changed", _SIGN, np.negative),
+    ("the sign of {} is changed", _SIGN, lambda x: _no_matrix(-x)),
     ("the answer is that for the transpose of {}", _ROWS, _transposed),
     ("the answer is that for the inverse of {}", _FRAMES, _inverse),
-    ("{} is doubled", _FACTOR, lambda x: 2 * x),
-    ("{} is halved", _FACTOR, lambda x: x / 2),
+    ("{} is doubled", _FACTOR, lambda x: _no_matrix(2 * x)),
+    ("{} is halved", _FACTOR, lambda x: _no_matrix(x / 2)),
     ("the entries of {} are in reverse order", _ENTRIES, _reversed),
     ("the two halves of {} have changed places", _HALVES, _halves_swapped),
-    ("{} is without its signs", "Which line loses the sign?", np.abs),
-    ("{} is not used: the answer is that for 0", _SAME, lambda x: 0.0 * x),
+    ("{} is without its signs", "Which line loses the sign?", lambda x: _no_matrix(np.abs(x))),
+    ("{} is not used: the answer is that for 0", _SAME, lambda x: _no_matrix(0.0 * x)),
+    ("{} is not used: the answer is that for the identity", _SAME, lambda x: 0 * x + np.eye(len(_of_dimension(x, 2)))),
 )
 
 _OTHER_FORMS = (
