@@ -41,12 +41,12 @@ def body_frame(R):
     return Picture(
         go.Figure(drawn, layout=scene.layout([settings], height=height)),
         f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates of a: {axes}.",
-        "Frame b is fixed to the drone (x red, ahead; y green; z blue, up), frame a (grey) to the room.",
+        "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to the room.",
     )
 
 
 def frames(orientations, caption="The two products end in different orientations: the order matters."):
-    """Return a drone with its frame at several orientations, side by side: x red, y green, z blue; fixed axes grey.
+    """Return a drone with its frame at several orientations, side by side: x orange, y green, z blue; fixed axes grey.
 
     orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if all are.
     """

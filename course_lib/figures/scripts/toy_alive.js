@@ -46,11 +46,12 @@
     });
     ["z", "y", "x"].forEach((axis, i) => {
       const options = { min: -180, max: 180, step: 1, value: state.rotated[i] };
-      card.range(`Rotate about ${axis}`, options, (x) => `${x}°`, (x) => { state.rotated[i] = x; moved(); });
+      card.range(`Rotate about ${axis}`, options, P.inDegrees, (x) => { state.rotated[i] = x; moved(); });
     });
     if (starts) {
       const between = (x) => [...new Set([Math.floor(x), Math.ceil(x)])].join(" to ");
-      const solution = card.setting("Solution", state, "chosen", { min: 1, max: starts.length, step: 0.01, keys: 1 }, between);
+      const limits = { min: 1, max: starts.length, step: 0.01, keys: 1 };
+      const solution = card.setting("Solution", state, "chosen", limits, between);
       card.player("From one to the next", solution, 0.0025);
     }
     const numbers = card.numbers(), words = card.words();
@@ -71,8 +72,11 @@
       view.frame(T, 0.14 * size, { thick: 0.005 * size });
       view.frame(M.frames(arm, first)[n], 0.09 * size, { thick: 0.006 * size });
       view.end();
-      numbers(...shown.slice(0, 8).map((q, i) => `q${shown.length > 1 ? ` (${i + 1})` : ""} = (${q.map((x) =>
-        P.degrees(x)).join(", ")}), ${mm(M.norm(error(q, T).slice(3)))} from the target`));
+      numbers(...shown.slice(0, 8).map((q, i) => {
+        const off = M.norm(error(q, T).slice(3)), isOne = shown.length === 1;
+        return `${isOne ? "" : `${i + 1}: `}q = (${q.map((x) => P.degrees(x)).join(", ")})`
+          + (isOne || off > 5e-5 ? `, ${mm(off)} from the target` : "");
+      }));
       const count = theirs.length > 1 ? many : "";
       const none = answer && answer.value && !theirs.length;
       const own = none ? "It finds no solution here; the library comes this near." : count;
@@ -86,11 +90,12 @@
   // ---- two orientations, and the motion between them ----
 
   function fly(card, meta, ask) {
+    const SIZE = 0.85, NOSE = [0.85 * SIZE, 0, 0], WING = [0, 0.85 * SIZE, 0]; // as scene.js makes the aircraft
     const PLACES = [[-1.7, 0, 0], [1.7, 0, 0]], state = card.state({ ends: meta.ends, s: 0.5 });
     const view = card.space({ radius: 1.5, elevation: 0.3, azimuth: -1.2, proportion: 0.55, label: meta.title });
     // The nose goes where it is dragged, by the shortest rotation; a wing tip rotates about the nose.
-    [["Start", COLOURS.blue], ["Goal", COLOURS.green]].forEach(([name, colour], i) => {
-      [["nose", [0.95, 0, 0]], ["wing", [0, 0.95, 0]]].forEach(([part, tip], j) => view.handle({
+    [["Start", COLOURS.blue], ["Goal", COLOURS.orange]].forEach(([name, colour], i) => {
+      [["nose", NOSE], ["wing", WING]].forEach(([part, tip], j) => view.handle({
         name: `${name}, ${part}`, colour, small: j === 1, at: () => M.add(PLACES[i], M.apply(state.ends[i], tip)),
         describe: () => P.list(state.ends[i].flat()),
         moved: (p) => {
@@ -111,12 +116,12 @@
       const library = (s) => M.rotationOf(M.interpolate(a, b, s)), theirs = answer && answer.value;
       const at = (s) => (theirs ? theirs[Math.round(s * (theirs.length - 1))] : library(s));
       const place = (s) => M.add(M.scale(PLACES[0], 1 - s), PLACES[1], s), put = (R, p) =>
-        M.pose(R.map((row) => M.scale(row, 0.85)), p);
+        M.pose(R.map((row) => M.scale(row, SIZE)), p);
       view.begin();
       view.contain([[-2.4, 0, 0.7], [2.4, 0, 0.7]]);
       [[A, 0], [B, 1]].forEach(([R, s]) => view.mesh(S.aircraft, [put(R, place(s))], S.PALETTE, { opacity: 0.4 }));
       view.mesh(S.aircraft, [put(at(state.s), place(state.s))], S.PALETTE);
-      const trail = (motion, colour, look) => [[0.85, 0, 0], [0, 0.8, 0]].forEach((tip) =>
+      const trail = (motion, colour, look) => [NOSE, WING].forEach((tip) =>
         view.line(M.sampled(40, (s) => M.add(place(s), M.apply(motion(s), tip))), colour, 2, look));
       if (theirs) trail(library, COLOURS.blue, { dash: [5, 5] });
       trail(at, COLOURS.crimson);
@@ -169,7 +174,7 @@
       if (q) plane.dot(tip, COLOURS.crimson, 5);
       plane.end();
       const degrees = (q) => (q ? `(${q.map((x) => P.degrees(x, 1)).join(", ")})` : "none: out of reach");
-      numbers(`true: q = ${degrees(mirrored)}`, `answer: q = ${q ? degrees(q) : "none"}`);
+      numbers(`true, blue: q = ${degrees(mirrored)}`, `answer: q = ${q ? degrees(q) : "none"}`);
       const off = q ? `The tip is ${mm(M.norm(M.add(tip, state.at, -1)))} from the query.` : "It gives no answer here.";
       words.textContent = stored ? `${off} The blue arm is the true one; the query moves in steps of 10 cm.`
         : said(state, off, "The blue arm is the true one. Drag the query.");
@@ -255,6 +260,8 @@
         plane.robot(last(path), RADIUS, colour);
       };
       plane.begin();
+      plane.line([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => M.add(centre, [u * half, 0.72 * v * half])),
+        COLOURS.grey, 2, { closed: true }); // the wall
       plane.line(P.circle(1.2 * RADIUS, dock), COLOURS.green, 4, { dash: [4, 6] });
       plane.text([dock[0], dock[1] - 0.4], "dock", COLOURS.green);
       if (!state.hidden) sketch(truth, COLOURS.blue, []);

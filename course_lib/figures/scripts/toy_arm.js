@@ -36,9 +36,10 @@
     const state = card.state({ q: [...meta.q], axes: true, velocity: true, force: false, frames: 0 });
     let path = null, elbow = null;
 
-    const joints = state.q.map((angle, i) => card.range(`Joint ${i + 1}`, {
+    let joints = [];
+    card.fold("Joint angles", () => (joints = state.q.map((angle, i) => card.range(`Joint ${i + 1}`, {
       min: Math.ceil(limits[i][0] / rad), max: Math.floor(limits[i][1] / rad), step: 1, value: angle / rad,
-    }, (x) => `${x}°`, (x) => { state.q[i] = x * rad; moved(); }));
+    }, P.inDegrees, (x) => { state.q[i] = x * rad; moved(); }))));
     const showJoints = () => joints.forEach((joint, i) => joint.set(Math.round(state.q[i] / rad)));
     if (has("elbow")) {
       elbow = card.range("Elbow (gripper stays)", { min: 0, max: 1, step: 0.005, value: 0.5 }, () =>
@@ -57,7 +58,7 @@
     }
     if (has("singularity")) { // of the elbow alone: joint 6 stays bent, else the wrist would be singular too
       const options = { min: -90, max: 90, step: 1, value: -Math.round(meta.q[3] / rad) };
-      card.range("Drive through a singularity", options, (x) => `elbow ${x}°`, (x) => {
+      card.range("Drive through a singularity", options, (x) => `elbow ${P.inDegrees(x)}`, (x) => {
         state.q = meta.q.map((q, i) => ({ 1: 0.5, 3: -x * rad, 5: q }[i] || 0));
         showJoints();
         moved();
@@ -95,7 +96,8 @@
       const differs = Boolean(answer && !(answer.gap < 1e-6)); // null if there is no answer to compare
       view.begin();
       view.stand(right);
-      view.arm(bodies, { opacity: state.frames ? 0.35 : 1, shadow: true });
+      const dragged = view.joints(() => state.q, bodies, (i, angle) => { state.q[i] = angle; showJoints(); moved(); });
+      view.arm(bodies, { opacity: state.frames ? 0.35 : 1, shadow: true, ...dragged });
       if (differs) view.arm(right, { opacity: 0.45, colour: COLOURS.pale });
       view.frame(M.eye(4), 0.12 * size, { thick: 0.004 * size });
       view.text([0, 0, -0.04 * size], "s");
@@ -120,7 +122,7 @@
       say(T, M.singularValues(Jv), J, differs);
     }
     function say(T, s, J, differs) {
-      const lines = [["T_sb =", P.matrix(T)]], { answer } = state;
+      const lines = [["<span>T<sub>sb</sub> =</span>", P.matrix(T)]], { answer } = state;
       if (has("ellipsoids")) {
         const least = P.number(M.singularValues(J)[5], 4);
         lines.push(`singular values, translation only: ${P.list(s, 3)} m\n`
@@ -128,7 +130,8 @@
       }
       if (state.frames && meta.rows && state.frames <= n) {
         const k = state.frames, [a, alpha, d] = meta.rows[k - 1], theta = P.degrees(state.q[k - 1]);
-        lines.push(`DH row ${k} (modified): a = ${a} m, α = ${P.degrees(alpha)}, d = ${d} m, θ = q${k} = ${theta}`);
+        lines.push(`DH row ${k} (modified): a = ${P.number(a, 4)} m, α = ${P.degrees(alpha)}, d = ${d} m, `
+          + `θ = ${P.sub("q", k)} = ${theta}`);
       }
       if (path) {
         const e = M.norm(M.poseError(T, path.target).slice(3));
@@ -136,7 +139,8 @@
       }
       numbers(...lines);
       words.textContent = answer ? compared(answer, differs)
-        : has("singularity") && s[2] < 0.05 ? nearSingular(s[2]) : "";
+        : has("singularity") && s[2] < 0.05 ? nearSingular(s[2])
+          : "Drag a link: its joint rotates, and the other joint angles stay.";
     }
     const compared = ({ problem, whose, gap }, differs) => problem
       ? `${problem} The library's forward kinematics moves the arm.`

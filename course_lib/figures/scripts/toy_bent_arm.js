@@ -14,14 +14,14 @@
       moved: (p) => { place(p); reach.set(M.norm(state.at)); },
       describe: () => `${P.metres(state.at)}, bent by ${P.degrees(bent())}`,
     });
-    const parent = P.element("div", { style: "display:flex;flex-direction:column;gap:.5rem" }, card.views);
+    const parent = P.element("div", { class: "charts" }, card.views);
     const chart = (name, about, y, marks) => card.plane({
       x: [NEAR, REACH], y, ticks: [[1.2, 1.4, 1.6, 1.8, 2].map((r) => [r, r.toFixed(1)]), marks], margin: true, parent,
-      names: ["distance r of the tip (m)", name], label: `${about} over the distance of the tip`, proportion: 0.55,
+      names: ["distance r (m)", name], label: `${about} over the distance of the tip`, proportion: 0.55,
     });
     const quarter = Math.PI / 2;
-    const angle = chart("q2", "The bend q2", [-2, 2], [[-quarter, "−90°"], [0, "0°"], [quarter, "90°"]]);
-    const square = chart("q2² (rad²)", "The square of q2", [0, 4], [0, 2, 4]);
+    const angle = chart("q₂", "The bend q₂", [-2, 2], [[-quarter, "−90°"], [0, "0°"], [quarter, "90°"]]);
+    const square = chart("q₂² (rad²)", "The square of q₂", [0, 4], [0, 2, 4]);
     const reach = card.range("Distance r", { min: NEAR, max: REACH, step: 0.01, value: M.norm(state.at) },
       (r) => P.metres([r]), (r) => place(M.scale(state.at, r / M.norm(state.at))));
     card.setting("Width of the cells", state, "width", { min: 0.05, max: 0.8, step: 0.05 }, (h) => P.metres([h]));
@@ -55,23 +55,24 @@
       const over = (values, sign = 1) => found.r.map((x, i) => [x, sign * values[i]]);
       const plot = (chart, [low, high], known, fits, at) => {
         chart.begin();
-        chart.line([[from, low], [to, low], [to, high], [from, high]], COLOURS.blue, 0, { closed: true, fill: 0.12 });
+        chart.line([[from, low], [to, low], [to, high], [from, high]], COLOURS.grey, 0, { closed: true, fill: 0.2 });
         known.forEach((points) => chart.line(points, COLOURS.steel, 2));
         fits.forEach(([points, colour, dash]) => chart.line(points, colour, 2.5, { dash }));
         chart.dot([r, at], COLOURS.black, 4.5, { hollow: true });
         chart.end();
       };
       plot(angle, [-2, 2], [1, -1].map((sign) => ALL.map((x) => [x, sign * bend(x)])), [
-        [over(found.direct, state.sign), COLOURS.crimson], [over(found.rooted, state.sign), COLOURS.green, [6, 4]],
+        [over(found.direct, state.sign), COLOURS.crimson], [over(found.rooted, state.sign), COLOURS.blue, [6, 4]],
       ], bent());
-      const fit = [[over(found.square), COLOURS.green, [6, 4]]];
+      const fit = [[over(found.square), COLOURS.blue, [6, 4]]];
       plot(square, [0, 4], [ALL.map((x) => [x, bend(x) ** 2])], fit, bent() ** 2);
       const off = ({ angle, tip }) => `${P.degrees(angle, 2)} off, tip ${P.number(1000 * tip, 2)} mm`;
-      numbers("At most, in this cell:", `q2, red: ${off(found.directError)}`, `q2², green: ${off(found.rootedError)}`);
+      numbers("At most, in this cell:", `q₂, solid red: ${off(found.directError)}`,
+        `q₂², dashed blue: ${off(found.rootedError)}`);
       words.textContent = `Cell from ${P.number(from)} to ${P.number(to)} m. `
-        + (k ? "Here q2 and its square are both smooth. "
-          : "This cell touches the edge of the workspace, where q2 has a vertical tangent. ")
-        + `q2 = ${P.degrees(bent())}, q2² = ${P.number(bent() ** 2)} rad² for both elbows.`;
+        + (k ? "Here q₂ and its square are both smooth. "
+          : "This cell touches the edge of the workspace, where q₂ has a vertical tangent. ")
+        + `q₂ = ${P.degrees(bent())}, q₂² = ${P.number(bent() ** 2)} rad² for both elbows.`;
     };
   });
 })();

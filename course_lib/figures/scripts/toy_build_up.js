@@ -10,7 +10,8 @@
     const factors = card.range("Factors", { min: 0, max: n, step: 1, value: state.k }, name, (k) => go(k));
     const joint = () => Math.max(0, state.k - 1); // that of the last factor
     const options = { min: -180, max: 180, step: 1, value: Math.round(state.q[joint()] / rad) };
-    const angle = card.range("Angle of its joint", options, (x) => `θ${joint() + 1} = ${x}°`, (x) => {
+    const write = (x) => `${P.sub("θ", joint() + 1)} = ${P.inDegrees(x)}`;
+    const last = card.range("Angle of its joint", options, write, (x) => {
       const [low, high] = limits[joint()];
       state.q[joint()] = Math.min(high, Math.max(low, x * rad));
     });
@@ -20,7 +21,7 @@
       const forwards = k === state.k + 1;
       state.k = k;
       grown = forwards ? 0 : 1;
-      angle.set(Math.round(state.q[joint()] / rad));
+      last.set(Math.round(state.q[joint()] / rad));
       card.run(() => (grown = Math.min(1, grown + 0.04)) < 1);
     }
     const step = (d) => () => {
@@ -43,7 +44,11 @@
       const moved = M.bodies(arm, q);
       view.begin();
       view.stand(moved);
-      view.arm(moved, { opacity: 0.45, shadow: true });
+      const dragged = view.joints(() => q, moved, (i, angle) => {
+        state.q[i] = angle;
+        if (i === joint()) last.set(Math.round(angle / rad));
+      });
+      view.arm(moved, { opacity: 0.45, shadow: true, grip: (body) => body <= k && dragged.grip(body) });
       arm.screws.forEach((screw, i) => {
         const w = screw.slice(0, 3), p = M.positionOf(arm.home[i]);
         axis(p, w, COLOURS.grey, false);

@@ -76,7 +76,7 @@
         view.line([...at, at[0]], colour, 1.5);
         view.line(points.flatMap((p, m) => [put(p, angles[m][k]), put(p, model(p)[k]), null]), COLOURS.crimson, 1.5);
         points.forEach((p, m) => view.ball(put(p, angles[m][k]), 0.022, colour));
-        view.text(M.add(at[0], [0, 0, 0.12]), `q${k + 1}`, colour);
+        view.text(M.add(at[0], [0, 0, 0.12]), P.sub("q", k + 1), colour);
       });
       view.line([...floor, floor[0]], COLOURS.grey, 1);
       [["x", 1, [0.12, 0, 0]], ["y", 3, [0, 0.12, 0]]].forEach(([name, k, d]) =>
@@ -88,7 +88,7 @@
         `${sign(c)} ${P.number(Math.abs(c), 3)} (${axis} ${sign(-x)} ${P.number(Math.abs(x))})`;
       const mm = (x) => `${P.number(1000 * x, 1)} mm`, off = M.norm(M.add(answer[2], state.at, -1));
       return [...planes.map(([a, b, c], k) =>
-        `q${k + 1} = ${P.number(a, 3)} ${term(b, "x", centre[0])} ${term(c, "y", centre[1])} rad`),
+        `${P.sub("q", k + 1)} = ${P.number(a, 3)} ${term(b, "x", centre[0])} ${term(c, "y", centre[1])} rad`),
       `the arm stands ${mm(off)} from the query; on average in this cell ${mm(mean)}, at worst ${mm(worst)}`];
     }
     return () => {
@@ -101,7 +101,7 @@
       numbers(...(found ? describe(found, answer) : ["this cell holds too few points that the arm reaches"]));
       const bad = cells.filter(({ mean }) => mean >= 5e-2).length;
       const worst = P.list(cells.reduce((a, b) => (b.mean > a.mean ? b : a)).centre);
-      words.textContent = `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q2 >= 0; ${bad} `
+      words.textContent = `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q₂ ≥ 0; ${bad} `
         + `of them are 5 cm off or more on average. The worst has its centre at (${worst}) m.`;
     };
   });

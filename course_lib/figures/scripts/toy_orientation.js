@@ -19,13 +19,14 @@
     const lock = sign > 0 ? "\npitch is 90°: only the difference of yaw and roll counts"
       : sign < 0 ? "\npitch is −90°: only the sum of yaw and roll counts" : "";
     return [["R =", P.matrix(R)], `q = (${P.list(q, 3)}) as (w, x, y, z)`,
-      `R = Rz(yaw) Ry(pitch) Rx(roll): yaw ${yaw}, pitch ${pitch}, roll ${roll}${lock}`];
+      "<span>R = R<sub>z</sub>(yaw) R<sub>y</sub>(pitch) R<sub>x</sub>(roll):</span>",
+      `yaw ${yaw}, pitch ${pitch}, roll ${roll}${lock}`];
   }
   const lockOf = (R) => ({ sign: Math.hypot(R[0][0], R[1][0]) < 1e-6 ? -Math.sign(R[2][0]) : 0 });
   const pair = (card, labels) => labels.map((label) => { // two views side by side
-    const parent = P.element("div", {}, card.views);
-    P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, parent, label);
-    return card.space({ parent, radius: 1.25, label, proportion: 0.85 });
+    const parent = P.element("div", { class: "half" }, card.views);
+    P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, parent).innerHTML = label;
+    return card.space({ parent, radius: 1.25, label: label.replace(/<.*?>/g, ""), proportion: 0.85 });
   });
 
   // ---- axis and angle ----
@@ -36,6 +37,19 @@
     const azimuth = card.angle("Axis: azimuth", state, "azimuth", -180, 180);
     const height = card.angle("Axis: elevation", state, "height", -90, 90);
     const angle = card.angle("Angle", state, "angle", -360, 360);
+    const direction = () => {
+      const [a, h] = [state.azimuth * rad, state.height * rad];
+      return [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)];
+    };
+    view.handle({
+      name: "Axis", colour: COLOURS.purple, at: () => M.scale(direction(), 1.3),
+      describe: () => `azimuth ${P.inDegrees(state.azimuth)}, elevation ${P.inDegrees(state.height)}`,
+      moved: (p) => {
+        const [x, y, z] = M.unit(p);
+        azimuth.set((state.azimuth = Math.round(Math.atan2(y, x) / rad)));
+        height.set((state.height = Math.round(Math.asin(Math.min(1, Math.max(-1, z))) / rad)));
+      },
+    });
     card.button("Reverse the axis", () => {
       azimuth.set((state.azimuth += state.azimuth > 0 ? -180 : 180));
       height.set((state.height = -state.height));
@@ -43,21 +57,23 @@
     card.button("Reverse the angle", () => angle.set((state.angle = -state.angle)));
     const numbers = card.numbers(), words = card.words();
     return () => {
-      const [a, h, angle] = [state.azimuth, state.height, state.angle].map((x) => x * rad);
-      const axis = [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)], R = about(axis, angle);
+      const rotated = state.angle * rad, axis = direction(), R = about(axis, rotated), grip = () => ({
+        name: () => P.inDegrees(state.angle), at: NONE, axis, angle: rotated,
+        moved: (x) => angle.set((state.angle = Math.round(Math.min(360, Math.max(-360, x / rad))))),
+      });
       view.begin();
       fixedAxes(view, 1.15);
       view.line([M.scale(axis, -1.2), M.scale(axis, 1.05)], COLOURS.purple, 3, { dash: [7, 5] });
       view.arrow(M.scale(axis, 1.05), M.scale(axis, 1.3), COLOURS.purple);
-      view.mesh(AIRCRAFT, [sized(0.95, R)], PALETTE);
+      view.mesh(AIRCRAFT, [sized(0.95, R)], PALETTE, { grip });
       view.frame(at(R), 1.05, { above: false });
-      view.line(M.sampled(60, (s) => M.apply(about(axis, angle * s), [0, 0.81, 0])), COLOURS.crimson, 3);
+      view.line(M.sampled(60, (s) => M.apply(about(axis, rotated * s), [0, 0.81, 0])), COLOURS.crimson, 3);
       view.end();
-      numbers(...report(R, M.quaternion(axis, angle)));
+      numbers(...report(R, M.quaternion(axis, rotated)));
       words.textContent = Math.abs(state.angle) === 360
         ? "A full rotation: R is the identity again, but q is −1. Both q and −q stand for this orientation."
         : state.angle === 0 ? "No rotation: the axis does not matter."
-          : `R rotates by ${state.angle}° about the dashed axis; the red arc is the path of a wing tip.`;
+          : `R rotates by ${P.inDegrees(state.angle)} about the dashed axis; the red arc is the path of a wing tip.`;
     };
   }
 
@@ -97,7 +113,14 @@
       const R = M.times(B, about(X, state.roll * rad)), axes = [Z, M.apply(A, Y), M.apply(B, X)];
       view.begin();
       view.mesh(STAND, [I], PALETTE);
-      [A, B, R].forEach((Q, k) => view.mesh(RINGS[k], [at(Q)], PALETTE));
+      [[A, "yaw", 180], [B, "pitch", 90], [R, "roll", 180]].forEach(([Q, key, most], k) => {
+        const grip = () => ({
+          name: () => `${key}: ${P.inDegrees(state[key])}`, at: NONE, axis: axes[k], angle: state[key] * rad,
+          moved: (angle) => change(key, Math.round(most === 180 ? M.wrap(angle) / rad
+            : Math.min(most, Math.max(-most, angle / rad)))),
+        });
+        view.mesh(RINGS[k], [at(Q)], PALETTE, { grip });
+      });
       view.mesh(AIRCRAFT, [sized(0.8, R)], PALETTE);
       [["yaw", COLOURS.green], ["pitch", COLOURS.orange], ["roll", COLOURS.red]].forEach(([name, colour], k) => {
         view.line([M.scale(axes[k], -1.48), M.scale(axes[k], 1.48)], colour, 2, { dash: [6, 4] });
@@ -124,8 +147,9 @@
 
   function order(card) {
     const state = card.state({ time: 2, angle: 90 });
-    const views = pair(card, ["Rz Rx: first about x, then about the fixed z",
-      "Rx Rz: first about z, then about the fixed x"]);
+    const ZX = "R<sub>z</sub> R<sub>x</sub>", XZ = "R<sub>x</sub> R<sub>z</sub>";
+    const views = pair(card, [`${ZX}: first about x, then about the fixed z`,
+      `${XZ}: first about z, then about the fixed x`]);
     const write = (x) => (x <= 1 ? `first, ${P.percent(x)}` : `second, ${P.percent(x - 1)}`);
     const time = card.setting("Step", state, "time", { min: 0, max: 2, step: 0.02 }, write);
     card.angle("Both angles", state, "angle", 0, 180);
@@ -144,7 +168,7 @@
         view.end();
       });
       const apart = M.norm(M.rotationVector(M.times(M.transpose(both[0]), both[1])));
-      numbers(["Rz Rx now:", P.matrix(both[0])], ["Rx Rz now:", P.matrix(both[1])],
+      numbers([`<span>${ZX} now:</span>`, P.matrix(both[0])], [`<span>${XZ} now:</span>`, P.matrix(both[1])],
         `angle between the two orientations: ${P.degrees(apart, 1)}`);
     };
   }
@@ -157,7 +181,7 @@
     const seconds = (x) => `${P.number(2 * Math.PI * x)} s`;
     const time = card.setting("Time", state, "time", { min: 0, max: 1, step: 0.005 }, seconds);
     card.angle("Tilt", state, "tilt", -90, 90);
-    card.setting("Rotation about its own x axis", state, "spin", { min: -3, max: 3, step: 1 }, (x) => `${x} rad/s`);
+    card.setting("Rotation about its own x axis", state, "spin", { min: -3, max: 3, step: 1 }, (x) => `${P.number(x, 0)} rad/s`);
     card.player("Play", time, 0.003);
     const numbers = card.numbers(), words = card.words();
     // About the fixed z axis at 1 rad/s, tilted, and about its own x axis.
@@ -178,8 +202,9 @@
         view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
         view.end();
       });
-      numbers(["R =", P.matrix(R)], `ω in the room, R ω_b: (${P.list(omegas[0])})\n`
-        + `ω in the body, R^T ω_s: (${P.list(omegas[1])})\nlength, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
+      numbers(["R =", P.matrix(R)], `<span>ω in the room, R ω<sub>b</sub>: (${P.list(omegas[0])})</span>`,
+        `<span>ω in the body, Rᵀ ω<sub>s</sub>: (${P.list(omegas[1])})</span>`,
+        `length, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
       words.textContent = state.spin === 0 || Math.abs(state.tilt) === 90
         ? "Both observers see ω at rest: the body rotates steadily about one axis, which they name differently."
         : "The red circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
@@ -214,7 +239,7 @@
     });
     const change = (rotated) => { Object.assign(state, { rotated, share: 0 }); move.set(0); };
     const options = { min: 0, max: 720, step: 5, value: state.rotated };
-    const rotated = card.range("Rotate the box", options, (x) => `${x}°`, change);
+    const rotated = card.range("Rotate the box", options, P.inDegrees, change);
     const move = card.share("Move the box, without rotating it", state, "share");
     [0, 360, 720].forEach((value) => card.button(`${value}°`, () => { rotated.set(value); change(value); }));
     const numbers = card.numbers(), words = card.words();
@@ -238,7 +263,13 @@
       view.contain([...WALL.vertices, [1.75, 0, 0], M.move(end, [0.3, 0, 0.6])]);
       view.mesh(WALL, [I], PALETTE);
       view.mesh({ vertices, faces, colours, bodies: vertices.map(() => 0), fleeting: true }, [I], PALETTE);
-      view.mesh(BOX, [end], PALETTE);
+      view.mesh(BOX, [end], PALETTE, { grip: () => state.share === 0 && {
+        name: () => P.inDegrees(state.rotated), at: M.positionOf(end), axis: X, angle: state.rotated * rad,
+        moved: (angle) => {
+          change(5 * Math.round(Math.min(720, Math.max(0, angle / rad)) / 5));
+          rotated.set(state.rotated);
+        },
+      } });
       view.frame(end, 0.5, { above: false });
       view.end();
       numbers(`q of the box, followed along the belt: (${P.list(qs[PIECES], 3)})`);

@@ -9,7 +9,7 @@
     const state = card.state({ start: [...meta.start], goal: [...meta.goal], s: 0.5 }), { half } = meta;
     const label = "Two poses, the motions between them and the pole";
     const plane = card.map({ half, step: half > 6 ? 2 : 1, label, proportion: 0.8 });
-    [["start", "Start", COLOURS.blue], ["goal", "Goal", COLOURS.green]].forEach(([name, title, colour]) => {
+    [["start", "Start", COLOURS.blue], ["goal", "Goal", COLOURS.orange]].forEach(([name, title, colour]) => {
       const position = () => state[name].slice(0, 2);
       plane.handle({
         name: `${title}, position`, colour, at: position, moved: ([x, y]) => (state[name] = [x, y, state[name][2]]),
@@ -34,18 +34,18 @@
       const outline = (pose, colour, width, fill) =>
         plane.line(OUTLINE.map((p) => place(pose, p)), colour, width, { closed: true, fill });
       plane.begin();
-      if (pole) [start, goal].forEach((pose) => plane.line([pole, pose], COLOURS.purple, 1, { dash: [5, 5] }));
+      if (pole) [start, goal].forEach((pose) => plane.line([pole, pose], COLOURS.black, 1, { dash: [2, 4] }));
       [[straight, COLOURS.grey, [8, 5]], [screw, COLOURS.crimson, []]].forEach(([motion, colour, dash]) => {
         plane.line(M.sampled(60, motion), colour, 2, { dash });
         [1, 2, 3, 4].forEach((i) => outline(motion(i / 5), colour, 1));
         outline(motion(s), colour, 2, 0.22);
       });
       outline(start, COLOURS.blue, 2, 0.15);
-      outline(goal, COLOURS.green, 2, 0.15);
+      outline(goal, COLOURS.orange, 2, 0.15);
       const seen = pole && Math.abs(pole[0]) < half && Math.abs(pole[1]) < 0.8 * half;
       if (seen) {
-        plane.dot(pole, COLOURS.purple, 5);
-        plane.text(M.add(pole, [0, 0.06 * half]), "pole", COLOURS.purple);
+        plane.dot(pole, COLOURS.black, 5);
+        plane.text(M.add(pole, [0, 0.06 * half]), "pole", COLOURS.black);
       }
       plane.end();
       words.textContent = pole

@@ -45,7 +45,7 @@ background:var(--ground);color:var(--ink);font:14px/1.45 system-ui,sans-serif;bo
 :is([data-theme=dark],[data-jp-theme-light=false]) :is(.course-stage,.course-toy){--stage:#14171b;--focus:#6ea8ff}
 .course-toy *,.course-stage *{box-sizing:border-box}
 .course-toy .views{display:flex;flex-wrap:wrap;gap:.75rem}
-.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}
+.course-toy .views>*{flex:1 1 300px;min-width:0;max-width:100%}.course-toy .views>.half{flex-basis:140px}
 .course-stage{position:relative;overflow:hidden;border-radius:.25rem}
 .course-stage canvas{display:block;width:100%;background:var(--stage)}
 .course-stage .word{position:absolute;left:0;top:0;pointer-events:none;font:600 14px/18px system-ui,sans-serif;
@@ -54,14 +54,16 @@ white-space:nowrap;text-shadow:0 0 3px var(--stage),0 0 3px var(--stage),0 0 2px
 touch-action:none;outline:none;background:radial-gradient(var(--stage) 6px,var(--colour) 6.5px 9px,transparent 9.5px)}
 .course-stage .handle.small{background:radial-gradient(var(--stage) 4px,var(--colour) 4.5px 6.5px,transparent 7px)}
 .course-stage .handle:focus-visible{box-shadow:inset 0 0 0 3px var(--focus)}
-.course-toy .setting{display:flex;align-items:center;gap:.6rem;margin-top:.35rem}.course-toy .controls{margin-top:.5rem}
-.course-toy .setting label{flex:0 0 9.5em}.course-toy .setting input[type=range]{flex:1 1 4rem;min-width:4rem;margin:0}
-.course-toy .setting output{flex:0 0 6em;text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
-.course-toy .buttons{display:flex;flex-wrap:wrap;gap:.5rem 1rem;margin-top:.5rem;align-items:center}
+.course-toy .controls{margin-top:.4rem}.course-toy summary{cursor:pointer;margin-top:.3rem}
+.course-toy .settings{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(200px,45%),1fr));gap:.2rem 1.2rem}
+.course-toy .setting{display:flex;flex-wrap:wrap;gap:0 .5rem;font-size:13px;align-content:end}
+.course-toy .setting label{flex:1}.course-toy .setting input{flex:0 0 100%;min-width:0;margin:0;order:3}
+.course-toy .setting output{font-variant-numeric:tabular-nums;white-space:nowrap;align-self:end}
+.course-toy .buttons{display:flex;flex-wrap:wrap;gap:.4rem .8rem;margin-top:.4rem;align-items:center}
 .course-toy button{font:inherit;padding:.2rem .7rem;border:1px solid var(--edge);border-radius:.25rem;
 background:var(--button);color:inherit}
-.course-toy .numbers{display:flex;flex-wrap:wrap;gap:.5rem 1.5rem;align-items:center;margin:.5rem 0 0;
-padding:.5rem .7rem;background:var(--numbers);border-radius:.25rem;font-variant-numeric:tabular-nums}
+.course-toy .numbers{display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;align-items:center;margin:.4rem 0 0;
+padding:.3rem .7rem;font-size:13px;background:var(--numbers);border-radius:.25rem;font-variant-numeric:tabular-nums}
 .course-toy .numbers>div{display:flex;flex-wrap:wrap;align-items:center;gap:.2rem .5rem;white-space:pre-line}
 .course-toy .matrix{display:inline-grid;gap:0 .7em;padding:.1em .5em;text-align:right;border:solid var(--ink);
 border-width:0 1.5px;border-radius:.6em;font:13px/1.45 system-ui,sans-serif}
@@ -69,8 +71,9 @@ border-width:0 1.5px;border-radius:.6em;font:13px/1.45 system-ui,sans-serif}
 .course-toy .dim{opacity:.72}.course-toy mark{background:var(--pressed);color:inherit;padding:0 .15em}
 .course-toy p{margin:.4rem 0 0}.course-toy :focus-visible,.course-stage canvas:focus-visible{
 outline:3px solid var(--focus);outline-offset:-3px}
-@media(max-width:480px){.course-toy .setting{flex-wrap:wrap;gap:.1rem .6rem}.course-toy .setting label{flex:1 1 55%}
-.course-toy .setting input[type=range]{flex:1 1 100%;order:3;min-height:1.6rem}.course-toy .matrix{gap:0 .45em}}
+.course-toy .charts{display:flex;flex-direction:column;gap:.5rem}.course-toy .charts>*{flex:1;min-width:0}
+@media(max-width:480px){.course-toy .setting input{min-height:1.6rem}.course-toy{padding:.5rem}
+.course-toy .charts{flex-direction:row}.course-toy .numbers{padding:.3rem .4rem}.course-toy .matrix{font-size:12px;gap:0 .45em}}
 @media(max-width:360px){.course-toy .matrix{font-size:11px;gap:0 .3em;padding:.1em .3em}}
 @media print{.course-toy .controls{display:none}}`;
 
@@ -83,9 +86,16 @@ outline:3px solid var(--focus);outline-offset:-3px}
   }
   const rad = Math.PI / 180;
   const number = (x, digits = 2) => x.toFixed(digits).replace(/^-(0(\.0+)?)$/, "$1").replace("-", "\u2212");
+  // With a subscript: sub("q", 2). A power of ten: power(2e-7).
+  const sub = (letter, index) => letter + String(index).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+  function power(x) {
+    const [digits, exponent] = x.toExponential(0).split("e");
+    return `${digits}·10${exponent.replace("-", "⁻").replace(/[+\d]/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d] || "")}`;
+  }
   const list = (values, digits) => values.map((x) => number(x, digits)).join(", ");
   const metres = (p) => `${list(p)} m`;
   const degrees = (angle, digits = 0) => `${number(angle / rad, digits)}°`;
+  const inDegrees = (x) => `${number(x, 0)}°`; // of an angle in degrees
   const percent = (share) => `${Math.round(100 * share)} %`;
   const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
   // HTML of a matrix, in which a column may be highlighted.
@@ -100,23 +110,53 @@ outline:3px solid var(--focus);outline-offset:-3px}
   // A toy: course.kinds["toy:<name>"] starts it. build(card, meta, kernel) lays it out and returns the function that
   // paints it, which is called again after every change of a control or a handle. title may depend on meta.
   const toy = (name, title, build) => (globalThis.course.kinds[`toy:${name}`] = (host, meta, kernel) => {
-    const made = card(host, meta, typeof title === "function" ? title(meta) : title, once(() => paint()));
+    const draw = once(() => made.fit(paint));
+    const made = card(host, meta, typeof title === "function" ? title(meta) : title, draw);
     const paint = build(made, meta, kernel);
-    paint();
+    made.fit(paint);
     return made.end;
   });
 
-  // The card of a toy: views beside each other, controls below, then what it says in words.
+  const HIGHEST = 638, LOWEST = 130; // pixels: of a card, and of a stage in it
+  // The card of a toy: views beside each other, controls below, then what it says in words. The views become less high
+  // until all of it is in one window.
   function card(host, meta, title, draw) {
     useStyle();
     const root = element("div", { class: "course-toy", role: "group", "aria-label": title }, host);
     const views = element("div", { class: "views" }, root), controls = element("div", { class: "controls" }, root);
-    const endings = [], keep = (stage) => { endings.push(stage.stop); return stage; };
-    let running = null, buttons = null;
+    const endings = [], stages = [], keep = (stage) => {
+      endings.push(stage.stop);
+      stages.push(stage);
+      return stage;
+    };
+    let running = null, buttons = null, wide = 0, into = controls;
+    const settings = () => (into.lastChild && into.lastChild.className === "settings" ? into.lastChild
+      : element("div", { class: "settings" }, into));
     const inRow = () => (buttons = buttons || element("div", { class: "buttons" }, controls));
     const keepKeys = (input) => input.addEventListener("keydown", (event) => event.stopPropagation()); // JupyterLab's
     const made = {
       views, controls, draw,
+      fit(paint) {
+        if (wide !== root.clientWidth) stages.forEach((stage) => (stage.share = 1));
+        wide = root.clientWidth;
+        paint();
+        for (let k = 0; k < 3 && !stages.some(({ held }) => held); k++) {
+          const over = root.offsetHeight - HIGHEST, high = views.offsetHeight, shares = stages.map((s) => s.share);
+          if (over <= 0 || !high) break;
+          stages.forEach((stage) => (stage.share = Math.max(0.3, (stage.share * (high - over - 3)) / high)));
+          if (stages.every((stage, i) => stage.share === shares[i])) break;
+          paint();
+        }
+      },
+      // Ranges that `fill` makes are folded away.
+      fold(label, fill) {
+        const part = into = element("details", {}, controls);
+        element("summary", {}, part, label);
+        fill();
+        into = controls;
+        keepKeys(part);
+        part.addEventListener("toggle", () => { wide = 0; draw(); });
+      },
       // What the toy keeps while it is off the page.
       state: (initial) => meta.state || (meta.state = initial),
       // Returns a function that asks the kernel; its newest answer is `answer` of the state.
@@ -135,6 +175,17 @@ outline:3px solid var(--focus);outline-offset:-3px}
           arm(poses, { colour, ...look }) {
             view.mesh(solid, poses, colour ? solid.palette.map(() => colour) : solid.palette, look);
           },
+          // For `look`: each link is dragged about its joint's axis; moved(joint, angle) is called, within the limits.
+          joints: (q, poses, moved) => ({ grip: (body) => body && {
+            name: () => `joint ${body}: ${degrees(q()[body - 1])}`,
+            at: M.move(poses[body - 1], M.positionOf(meta.arm.home[body - 1])),
+            axis: M.apply(M.rotationOf(poses[body - 1]), meta.arm.screws[body - 1].slice(0, 3)),
+            angle: q()[body - 1],
+            moved: (angle) => {
+              const [low, high] = meta.limits[body - 1];
+              moved(body - 1, Math.min(high, Math.max(low, angle)));
+            },
+          } }),
           // Go as far away as the arm needs, and draw the floor below it.
           stand(poses) {
             const few = solid.vertices.filter((_, i) => i % 9 === 0);
@@ -146,7 +197,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       // A labelled range. write(value) -> words; change(value) is called while it moves. An arrow key moves it by a
       // step, or to the next multiple of `keys`.
       range(label, { value, keys, ...limits }, write, change) {
-        const row = element("div", { class: "setting" }, controls), text = element("label", {}, row, `${label} `);
+        const row = element("div", { class: "setting" }, settings()), text = element("label", {}, row, `${label} `);
         const input = element("input", { type: "range", ...limits }, row), output = element("output", {}, row);
         text.htmlFor = input.id = `toy-${Math.random().toString(36).slice(2)}`;
         const show = () => {
@@ -169,7 +220,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       // A range that sets state[key].
       setting: (label, state, key, limits, write) =>
         made.range(label, { value: state[key], ...limits }, write, (x) => (state[key] = x)),
-      angle: (label, state, key, min, max) => made.setting(label, state, key, { min, max, step: 1 }, (x) => `${x}°`),
+      angle: (label, state, key, min, max) => made.setting(label, state, key, { min, max, step: 1 }, inDegrees),
       share: (label, state, key) => made.setting(label, state, key, { min: 0, max: 1, step: 0.01 }, percent),
       button(label, press) {
         const button = element("button", { type: "button" }, inRow(), label);
@@ -277,11 +328,12 @@ outline:3px solid var(--focus);outline-offset:-3px}
     const context = canvas.getContext("2d"), pool = [], handles = [];
     let words = [];
     const made = {
-      box, canvas, context, width: 300, height: 240, dense: 1,
+      box, canvas, context, width: 300, height: 240, dense: 1, share: 1,
       begin() {
         made.dense = Math.min(window.devicePixelRatio || 1, 2);
         made.width = box.clientWidth || 300;
-        made.height = Math.round(made.width * proportion);
+        const high = made.width * proportion;
+        made.height = Math.round(Math.max(Math.min(high, LOWEST), made.share * high));
         canvas.style.height = `${made.height}px`;
         const size = [made.width, made.height].map((x) => Math.round(x * made.dense));
         if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
@@ -361,11 +413,21 @@ outline:3px solid var(--focus);outline-offset:-3px}
   // A part of the plane, y upwards, with a grid: x and y are its ranges, ticks numbers or [number, words], names those
   // of the axes. With `margin` it is a chart, whose words stand outside.
   function plane(parent, { x, y, ticks, names, label, redraw, proportion, margin }) {
-    const [[x0, x1], [y0, y1]] = [x, y], [left, below] = margin ? [48, 38] : [0, 0], top = margin ? 8 : 0;
+    let [[x0, x1], [y0, y1]] = [x, y], across, upwards;
+    const [left, below] = margin ? [48, 38] : [0, 0], top = margin ? 8 : 0;
     const made = stage(parent, { label, redraw, proportion: proportion || (y1 - y0) / (x1 - x0) });
     const { context, begin, end, handle } = made;
     const named = (tick) => (Array.isArray(tick) ? tick : [tick, number(tick, Number.isInteger(tick) ? 0 : 1)]);
-    const [across, upwards] = ticks.map((each) => each.map(named));
+    const isMap = typeof ticks === "function", stride = (x1 - x0) / 120;
+    // A map has one scale in both directions, and fills what is left of its stage.
+    function measure() {
+      if (isMap) {
+        const scale = Math.min(made.width / (x[1] - x[0]), made.height / (y[1] - y[0])), around = ([low, high], pixels) =>
+          [-1, 1].map((s) => (low + high) / 2 + (s * pixels) / (2 * scale));
+        [[x0, x1], [y0, y1]] = [around(x, made.width), around(y, made.height)];
+      }
+      [across, upwards] = (isMap ? [ticks(x0, x1), ticks(y0, y1)] : ticks).map((each) => each.map(named));
+    }
     const wide = () => made.width - left - (margin ? 10 : 0), high = () => made.height - below - top;
     const toPixels = ([u, v]) => [left + (wide() * (u - x0)) / (x1 - x0), top + (high() * (y1 - v)) / (y1 - y0)];
     const fromPixels = ([u, v]) => [x0 + ((u - left) / wide()) * (x1 - x0), y1 - ((v - top) / high()) * (y1 - y0)];
@@ -378,6 +440,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
     return Object.assign(made, {
       begin() {
         begin();
+        measure();
         context.setTransform(made.dense, 0, 0, made.dense, 0, 0);
         context.clearRect(0, 0, made.width, made.height);
         Object.assign(context, { lineCap: "round", lineJoin: "round" });
@@ -429,15 +492,16 @@ outline:3px solid var(--focus);outline-offset:-3px}
         made.line(circle(radius, [u, v]), colour, 1.5, { closed: true, fill: 0.25 });
         made.line([[u, v], [u + radius * Math.cos(theta), v + radius * Math.sin(theta)]], colour, 2);
       },
-      handle: (options) => handle({ stride: (x1 - x0) / 120, ...options }, toPixels, fromPixels, M.add),
+      handle: (options) => handle({ stride, ...options }, toPixels, fromPixels, M.add),
     });
   }
-  // A square map in metres around a centre, with lines every `step`.
+  // A map in metres around a centre, with lines every `step`; it shows `half` to both sides, and up and down that
+  // times the proportion.
   function map(parent, { half, centre = [0, 0], step = 1, proportion = 1, ...options }) {
     const ranges = centre.map((c, i) => [c - half * (i ? proportion : 1), c + half * (i ? proportion : 1)]);
-    const ticks = ranges.map(([low, high]) => Array.from(
+    const ticks = (low, high) => Array.from(
       { length: Math.floor(high / step) - Math.ceil(low / step) + 1 }, (_, i) => (Math.ceil(low / step) + i) * step,
-    ));
+    );
     return plane(parent, { x: ranges[0], y: ranges[1], ticks, names: ["x (m)", "y (m)"], ...options });
   }
   const circle = (radius, [x, y] = [0, 0]) => M.sampled(90, (s) =>
@@ -486,10 +550,11 @@ outline:3px solid var(--focus);outline-offset:-3px}
     const { begin, end, handle, stop } = made, layerOf = (above) => (above ? "above" : "space");
     Object.assign(made, {
       begin() { begin(); aim(); [meshes, lines, floor] = [[], [], null]; },
-      mesh(mesh, poses, palette, { opacity = 1, shadow = opacity === 1, above, least } = {}) {
+      // grip(body) -> {name, at, axis, angle, moved}: dragged, the body rotates about an axis, and moved(angle) is called.
+      mesh(mesh, poses, palette, { opacity = 1, shadow = opacity === 1, above, least, grip } = {}) {
         const far = away(M.move(poses[poses.length - 1], mesh.vertices[0]));
         const tints = palette.map(tint);
-        meshes.push({ mesh, poses, palette: tints, opacity, shadow, least, far, layer: layerOf(above) });
+        meshes.push({ mesh, poses, palette: tints, opacity, shadow, least, far, layer: layerOf(above), grip });
       },
       // A line through points, of a width in pixels; null interrupts it.
       line(points, colour, width = 2, { dash = [], above, layer = layerOf(above) } = {}) {
@@ -519,7 +584,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
         const poses = [part(thick, l - head, from), part(2.4 * thick, head, M.add(to, z, -head))];
         made.mesh(S.arrow, poses, [colour], { shadow: false, least: 0.75, ...look });
       },
-      // The axes of a frame: red, green and blue.
+      // The axes of a frame: orange (as the red of this palette looks), green and blue.
       frame(T, length, { thick, above = true } = {}) {
         const p = M.positionOf(T);
         [COLOURS.red, COLOURS.green, COLOURS.blue].forEach((colour, k) =>
@@ -549,6 +614,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
       },
       end() {
         const { context, width, height, dense } = made, at = M.add(centre, eye, FAR * radius);
+        if (made.held && made.held.name) made.word(M.add(made.held.pixel, [0, -24]), made.held.name());
         S.draw(context, { width, height, dense, view: matrixOf(), eye: at, floor, meshes, lines }, redraw);
         end();
       },
@@ -556,16 +622,57 @@ outline:3px solid var(--focus);outline-offset:-3px}
         M.add(M.add(p, right, dx), up, dy)),
       stop() { S.redraws.delete(redraw); stop(); },
     });
+    // The nearest body with a grip at a pixel, and what follows the pointer from there; null if there is none.
+    function take(pixel) {
+      let best = null;
+      (meshes || []).filter((each) => each.grip).forEach(({ mesh, poses, grip }) => {
+        const grips = poses.map((_, body) => grip(body)), { vertices, faces, bodies } = mesh;
+        const seen = vertices.map((v, i) => grips[bodies[i]] && M.move(poses[bodies[i]], v));
+        const flat = seen.map((p) => p && [...toPixels(p), away(p)]);
+        faces.forEach(([a, b, c]) => {
+          if (!flat[a]) return;
+          const [A, B, C] = [flat[a], flat[b], flat[c]], side = ([ux, uy], [vx, vy]) =>
+            (vx - ux) * (pixel[1] - uy) - (vy - uy) * (pixel[0] - ux);
+          const areas = [side(B, C), side(C, A), side(A, B)], whole = areas[0] + areas[1] + areas[2];
+          if (whole >= 0 || areas.some((area) => area > 0)) return; // it faces away, or is elsewhere
+          const shares = M.scale(areas, 1 / whole), far = shares[0] * A[2] + shares[1] * B[2] + shares[2] * C[2];
+          if (best && far >= best.far) return;
+          best = { far, grip: grips[bodies[a]], point: M.apply(M.transpose([seen[a], seen[b], seen[c]]), shares) };
+        });
+      });
+      return best && { ...best.grip, pixel, follow: follower(best.grip, best.point, pixel) };
+    }
+    // pixel -> the angle about the axis that brings a point there, or that many pixels across an axis seen from the side.
+    function follower({ at, axis, angle }, point, from) {
+      const foot = M.add(at, axis, M.dot(M.add(point, at, -1), axis)), arm = M.add(point, foot, -1);
+      const place = M.add(centre, eye, FAR * radius), towards = M.unit(M.add(place, point, -1));
+      if (Math.abs(M.dot(axis, towards)) < 0.25 || M.norm(arm) < 0.01 * radius) {
+        const d = M.unit(M.add(toPixels(M.add(point, M.cross(axis, towards), 1e-3 * radius)), toPixels(point), -1));
+        const lever = Math.max(80, (M.norm(arm) * size) / away(point));
+        return (pixel) => angle + M.dot(M.add(pixel, from, -1), d) / lever;
+      }
+      let rotated = 0;
+      return (pixel) => {
+        const ray = M.add(fromPixels(pixel, point), place, -1);
+        const hit = M.add(M.add(place, ray, M.dot(M.add(foot, place, -1), axis) / M.dot(ray, axis)), foot, -1);
+        rotated += M.wrap(M.angleAbout(axis, arm, hit) - rotated);
+        return angle + rotated;
+      };
+    }
     S.redraws.add(redraw);
-    moveCamera(made, camera, redraw);
+    moveCamera(made, camera, take, redraw);
     aim();
     return made;
   }
   const BALL = S.ball(), sized = (r, p) => M.pose([[r, 0, 0], [0, r, 0], [0, 0, r]], p);
 
-  // Change the view by dragging, by the arrow keys, by two fingers, and by the wheel once the figure has the focus.
-  function moveCamera({ canvas }, camera, redraw) {
-    const fingers = new Map();
+  // Change the view by dragging, by the arrow keys, by two fingers, and by the wheel once the figure has the focus. A
+  // body that can be taken is dragged instead.
+  function moveCamera(made, camera, take, redraw) {
+    const fingers = new Map(), { canvas } = made, where = ({ clientX, clientY }) => {
+      const { left, top } = canvas.getBoundingClientRect();
+      return [clientX - left, clientY - top];
+    };
     const rotate = (da, de) => {
       camera.azimuth += da;
       camera.elevation = Math.min(1.5, Math.max(-0.3, camera.elevation + de));
@@ -573,10 +680,26 @@ outline:3px solid var(--focus);outline-offset:-3px}
     };
     const zoom = (factor) => { camera.zoom = Math.min(6, Math.max(0.4, camera.zoom * factor)); redraw(); };
     canvas.addEventListener("pointerdown", (event) => {
-      fingers.set(event.pointerId, [event.clientX, event.clientY]);
       canvas.setPointerCapture(event.pointerId);
+      if (!fingers.size && !made.held) made.held = take(where(event));
+      if (!made.held) fingers.set(event.pointerId, [event.clientX, event.clientY]);
     });
+    // A finger on a body scrolls no page.
+    canvas.addEventListener("touchstart", (event) => {
+      if (take(where(event.touches[0]))) event.preventDefault();
+    }, { passive: false });
+    let over = null;
+    const point = once(() => (canvas.style.cursor = over && take(over) ? "grab" : "move"));
     canvas.addEventListener("pointermove", (event) => {
+      if (made.held) {
+        made.held.pixel = where(event);
+        made.held.moved(made.held.follow(made.held.pixel));
+        return redraw();
+      }
+      if (!fingers.size && event.pointerType === "mouse") {
+        over = where(event);
+        point();
+      }
       const before = fingers.get(event.pointerId), now = [event.clientX, event.clientY];
       if (!before) return;
       const other = [...fingers].find(([id]) => id !== event.pointerId);
@@ -584,7 +707,11 @@ outline:3px solid var(--focus);outline-offset:-3px}
       else rotate(-0.01 * (now[0] - before[0]), 0.01 * (now[1] - before[1]));
       fingers.set(event.pointerId, now);
     });
-    onRelease(canvas, (event) => fingers.delete(event.pointerId));
+    onRelease(canvas, (event) => {
+      fingers.delete(event.pointerId);
+      if (made.held) redraw();
+      made.held = null;
+    });
     canvas.addEventListener("wheel", (event) => {
       if (document.activeElement !== canvas) return; // the page scrolls
       event.preventDefault();
@@ -600,6 +727,6 @@ outline:3px solid var(--focus);outline-offset:-3px}
 
   return {
     COLOURS, tint, wordTint, onTheme, element, rad, number, list, metres, degrees, percent, matrix, toy, onKeys,
-    onRelease, once, circle, space,
+    onRelease, once, circle, space, sub, power, inDegrees,
   };
 })();
