@@ -75,15 +75,15 @@ def frames(orientations, caption="The two products end in different orientations
 def _drone():
     """The parts of a drone with four rotors, the two in front blue: x ahead, y to its left, z up."""
     parts = [
-        Part(0, DARK, box([-0.36, -0.2, -0.09], [0.36, 0.2, 0.1], 0.5, n=12)),
-        Part(0, ORANGE, box([0.22, -0.1, -0.02], [0.46, 0.1, 0.07], 0.4, n=8)),  # the nose
+        Part(0, DARK, box([-0.36, -0.2, -0.09], [0.36, 0.2, 0.1], 0.5, n=10)),
+        Part(0, ORANGE, box([0.22, -0.1, -0.02], [0.46, 0.1, 0.07], 0.4, n=6)),  # the nose
     ]
     for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
         hub = np.array([0.5 * x, 0.5 * y, 0.06])
         parts += [
             Part(0, SILVER, capsule([0.18 * x, 0.12 * y, 0.02], hub - [0, 0, 0.02], 0.035, 6)),
-            Part(0, DARK, revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 8)),
-            Part(0, LIGHT_BLUE if x > 0 else STEEL, revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 16)),
+            Part(0, DARK, revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 6)),
+            Part(0, LIGHT_BLUE if x > 0 else STEEL, revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 12)),
         ]
     return parts
 
