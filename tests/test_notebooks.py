@@ -15,7 +15,8 @@ from exercise_cells import graded
 from PIL import Image
 
 from course_lib.figures.display import TOY
-from course_lib.pack.more import TAG, cells_of_more
+from course_lib.pack.more import TAG, cells_of_more, heading_level
+from course_lib.pack.site.gather import sittings
 
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 REPORT = ["What it is", "Reproduce", "Errors in it", "Remarks"]  # the last one only where there are any
@@ -58,6 +59,23 @@ def test_has_all_its_rooms_and_folds_those_of_more(path):
     assert not any(titles.index("Explain") > titles.index(title) for title in folded)
     parts = [title for level, title, _ in headings if level == "###" and title in REPORT]
     assert parts in ((REPORT, REPORT[:-1]) if "Appendix: the report" in titles else ([],))
+
+
+def test_its_core_takes_two_sittings_and_ends_with_a_summary(path):
+    notebook, stop = nbformat.read(path, 4), checks_of(path).progress.stop
+    cells = [cell for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True) if not more]
+    at = next(i for i, cell in enumerate(cells) if cell.id == "stop-here")
+    titles = [cell.source.splitlines()[0] for cell in cells[at:] if heading_level(cell) == 2]
+    assert titles[titles.index("## Explain") + 1] == "## What you can now compute"
+    done = [cell.source for cell in cells[:at] if cell.metadata.get("nbgrader", {}).get("grade")]
+    assert (f"check.{stop[0]}({stop[0]})", f"## {stop[1]}") == (done[-1], titles[0]), "stop= in its checks"
+    assert re.match(rf"\*\*You can stop here\.\*\*.* at \*{re.escape(stop[1])}\*", cells[at].source, re.DOTALL)
+    tasks = ["".join(cell.source for cell in sitting) for sitting in (cells[:at], cells[at:])]
+    minutes = [sum(map(int, re.findall(r"points?, (\d+) minutes\)", each))) for each in tasks]
+    hours = sittings(cells[0].source)
+    assert max(hours) <= 2.5
+    assert sum(minutes) <= 45 * sum(hours), "text, toys and Explain take a quarter of the time at least"
+    assert all(done + 15 <= 60 * given for done, given in zip(minutes, hours, strict=True))
 
 
 RUFF = [sys.executable, "-m", "ruff", "check", "--isolated", "--no-cache", "--select=F821", "--output-format=concise"]

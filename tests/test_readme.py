@@ -9,6 +9,8 @@ import nbformat
 import numpy as np
 from matplotlib.image import imread
 
+from course_lib.pack.site.gather import NUMBERS, sittings
+
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -22,6 +24,14 @@ def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
     stills = [imread(io.BytesIO(base64.b64decode(still))) for still in found]
     distances = [np.abs(still - shown).mean() for still in stills if still.shape == shown.shape]
     assert min(distances) < 0.005, "copy the new still of the figure"
+
+
+def test_it_and_the_changes_say_how_long_a_sitting_takes():
+    paths = (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")
+    hours = [each for path in paths for each in sittings(nbformat.read(path, 4).cells[0].source)]
+    least, most = (NUMBERS[int(each)] + " and a half" * (each % 1 > 0) for each in (min(hours), max(hours)))
+    for text in (README, (ROOT / "notebooks/changes.md").read_text(encoding="utf-8")):
+        assert f"two sittings of {least} to {most} hours" in " ".join(text.split())
 
 
 def test_every_command_and_file_it_names_is_there():

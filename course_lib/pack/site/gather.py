@@ -13,7 +13,7 @@ from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
-CORE = "The core of all takes about {:g} hours; folded sections, called More, are on request."
+CORE = "The core of all takes about {:g} hours, in sittings of two or so; folded sections, called More, are on request."
 
 HOME = """# Robot kinematics
 
@@ -91,7 +91,7 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
         name=source.stem,
         title=title[1] if title else source.stem,
         question=_question(text),
-        hours=_hours(text),
+        hours=sum(sittings(text)),
         picture=_cover(book, source.name, pages),
     )
 
@@ -148,12 +148,12 @@ def _question(text: str) -> str:
     return " ".join(asked[-1].replace("*", "").split()) if asked else ""
 
 
-def _hours(text: str) -> float:
-    """Return the sum of the numbers in "It takes two sittings of about two and a half and two hours", or 0."""
+def sittings(text: str) -> list[float]:
+    """Return the hours in "It takes two sittings of about two and a half and two hours", here [2.5, 2.0], or []."""
     number = rf"({'|'.join(NUMBERS)})( and a half)?"
     found = re.search(rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text)
     parts = found.groups() if found else ()
-    return sum(0.5 if part.startswith(" ") else NUMBERS.index(part) for part in parts if part)
+    return [NUMBERS.index(whole) + bool(half) / 2 for whole, half in zip(parts[::2], parts[1::2], strict=True) if whole]
 
 
 def _cover(book, name: str, pages: Path) -> str:
