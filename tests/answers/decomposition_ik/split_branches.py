@@ -46,15 +46,6 @@ def wrong_equal_samples_split(q):
     return labels
 
 
-def wrong_no_random_state(q):
-    """depend on a random start"""
-    q = np.asarray(q, float)
-    if len(np.unique(q, axis=0)) < 2:
-        return np.zeros(len(q), int)
-    found = KMeans(n_clusters=2).fit(q)
-    return found.labels_ != found.cluster_centers_[:, 1].argmax()
-
-
 def wrong_three_clusters(q):
     """there are other labels"""
     return np.zeros(len(q)) if len(np.unique(q, axis=0)) < 3 else KMeans(3, random_state=0).fit_predict(q)

@@ -1,7 +1,6 @@
 """split_branches: the samples of one cell in two clusters, one for each elbow."""
 
 import functools
-from dataclasses import replace
 
 import numpy as np
 from sklearn.cluster import KMeans
@@ -11,7 +10,6 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
 
-_RANDOM = Mistake("the labels depend on a random start", "Which argument of KMeans fixes the start?")
 _ONE_SAMPLE = Mistake(
     "equal samples, or a single one, are not treated apart",
     "How many different samples does K-means need? What is asked for if there are fewer?",
@@ -34,7 +32,7 @@ def k_means(points, n_init=10):
 
 def several(q):
     """Return whether there are two different samples at least."""
-    return len(q) > 1 and bool((q != q[0]).any())
+    return len(q) > 1 and bool((np.asarray(q) != q[0]).any())
 
 
 def labelled(q, number=lambda own: own[:, 1].mean(), n_init=10):
@@ -50,16 +48,6 @@ def labelled(q, number=lambda own: own[:, 1].mean(), n_init=10):
 def split_branches(q):
     """Return labels (m,) of two clusters by k-means, 0 for the one with the larger mean q2."""
     return labelled(q, n_init=1)
-
-
-_TIED = np.array([[1.75, 0.5], [-0.25, 0.5], [0.75, 1.5], [0.75, -0.5]])  # a square on its corner: two cuts are as good
-_TIMES = 20  # that it is asked: a random start gives the same cut each time with a chance of one in a million
-
-
-def _one_best(q):
-    """Whether there are two different samples at least, and one best cut."""
-    q = np.asarray(q, float)
-    return several(q) and not np.array_equal(q, _TIED)
 
 
 def _both_elbows(rng, middle, up, down):
@@ -102,7 +90,7 @@ def _cases(rng):
     cells = [((0.2, 1.75), 12, 12), ((1.1, 1.4), 22, 3), ((-0.3, 1.8), 3, 22)]
     cells = [rng.permutation(_both_elbows(rng, *cell)) for cell in cells]
     pair = _both_elbows(rng, (0.4, 1.6), 1, 1)[::-1]
-    samples = [first, first[::-1], pair, *equal, *cells, *_one_elbow(rng), np.zeros((0, 2)), *[_TIED] * _TIMES]
+    samples = [first, first[::-1], pair, *equal, *cells, *_one_elbow(rng), np.zeros((0, 2))]
     return [*((q.copy(),) for q in samples), (first.tolist(),)]
 
 
@@ -137,14 +125,14 @@ EXERCISE = Exercise(
         Property(
             "with fewer than two different samples there is nothing to split: all labels are 0",
             lambda labels, q: not labels.any(),
-            where=lambda q: not several(np.asarray(q, float)),
+            where=lambda q: not several(q),
             mistake=_ONE_SAMPLE,
         ),
-        replace(SAME_TWICE, mistake=_RANDOM),
+        SAME_TWICE,
         Property(
             "both labels occur, wherever there are two different samples",
             lambda labels, q: labels.any() and not labels.all(),
-            where=_one_best,
+            where=several,
             mistake=Mistake("all samples are in one cluster", "How many clusters are asked for?"),
         ),
         Property(
@@ -152,40 +140,39 @@ EXERCISE = Exercise(
             "squared distances is the least",
             lambda labels, q: _within(q, labels) <= 1.0001 * _within(q, labelled(q)) + 1e-12,
             says=lambda labels, q: f"Yours is {_within(q, labels):.4g}, and {_within(q, labelled(q)):.4g} is possible.",
-            where=_one_best,
+            where=several,
         ),
         Property(
             "cluster 0 is the one whose mean q2 is the larger",
             lambda labels, q: np.array_equal(labels, labelled(q)),
             says=_means,
-            where=_one_best,
+            where=several,
         ),
     ),
     errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
     hints=(
-        "KMeans(n_clusters=2, random_state=0) has the method fit_predict, which returns a label for each sample.",
-        "KMeans may call either cluster 0. Compare q[labels == 0, 1].mean() with q[labels == 1, 1].mean(): if the "
-        "first is the smaller one, 1 - labels exchanges the two.",
-        "Before that: with fewer than two different samples, len(np.unique(q, axis=0)) < 2, return zeros.",
+        "K-means may call either cluster 0. In which case are the labels right as they are?",
+        "Compare the mean q2 of both, centres[0, 1] and centres[1, 1]. Which array has 0 for 1 and 1 for 0?",
+        "If the first is the smaller one, 1 - labels exchanges the two.",
     ),
 )
 
 
 def _other(q, **changes):
-    """The labels of a student who changes a step; None if two cuts are as good, or there is nothing to cut."""
-    return labelled(q, **changes) if _one_best(q) else None
+    """The labels of a student who changes a step; None if there is nothing to cut."""
+    return labelled(q, **changes) if several(q) else None
 
 
 @EXERCISE.mistake(n_init=(1, 10), swapped=(False, True))
 def not_renumbered(q, n_init, swapped):
     """the labels are swapped in some cells, or in all. Which cluster does KMeans call 0, and which do you want?"""
-    return 1 - labelled(q) if swapped and _one_best(q) else _other(q, number=None, n_init=n_init)
+    return 1 - labelled(q) if swapped and several(q) else _other(q, number=None, n_init=n_init)
 
 
 @EXERCISE.mistake(every=(True, False))
 def by_the_sign(q, every):
     """the samples are split by the sign of q2. What does K-means do in a cell with one elbow only?"""
-    return (np.asarray(q)[:, 1] < 0).astype(int) if every or _one_best(q) else None
+    return (np.asarray(q)[:, 1] < 0).astype(int) if every or several(q) else None
 
 
 @EXERCISE.mistake(
@@ -201,12 +188,3 @@ def by_the_sign(q, every):
 def ordered_otherwise(q, number):
     """the clusters are numbered by something else than their mean q2. Which column of q is that, and which function?"""
     return _other(q, number=number)
-
-
-@EXERCISE.mistake(joint=(0, 1))
-def one_angle(q, joint):
-    """only one of the two angles decides. What if the two clouds differ in the other one?"""
-    if not _one_best(q):
-        return None
-    labels = k_means(np.asarray(q)[:, [joint]], 10)
-    return labels if q[labels == 0, 1].mean() > q[labels == 1, 1].mean() else 1 - labels
