@@ -152,7 +152,7 @@ def isolated():
     from course_lib.pack.grade import isolation
 
     if problem := isolation.problem():
-        unavailable(f"bubblewrap: {problem}")
+        unavailable(f"bubblewrap {problem}")
 
 
 @pytest.fixture

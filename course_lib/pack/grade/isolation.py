@@ -21,9 +21,8 @@ from course_lib.pack.grade.visible import DEVICES, LIBRARIES, PYTHON, mounts, pa
 NONE = "none"  # what ISOLATION= may be
 FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
 HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
-submissions and the grades, and use the network. Bubblewrap: {problem}. Install bubblewrap: `sudo apt install
-bubblewrap` on Debian and Ubuntu, `sudo dnf install bubblewrap` on Fedora. Ubuntu since 24.04 also needs `sudo sysctl
--w kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
+submissions and the grades, and use the network. Bubblewrap {problem}. Ubuntu since 24.04 also needs `sudo sysctl -w
+kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
 (`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --cap-add NET_ADMIN
 --security-opt seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none
 runs them as yourself, with limits only; never as root.""".replace("\n", " ")
@@ -44,10 +43,12 @@ def isolated(wanted=""):
 
 
 def problem():
-    """Return why bubblewrap does not work here, or ""."""
+    """Return why bubblewrap does not work here, as words that follow its name, or ""."""
     if sys.platform != "linux":
-        return "it needs Linux"
-    return _tried() if shutil.which("bwrap") else "it is not installed"
+        return "needs Linux"
+    if shutil.which("bwrap"):
+        return (reason := _tried()) and f"is installed, but this machine does not let it work: {reason}"
+    return "is not installed: `sudo apt install bubblewrap` on Debian and Ubuntu, on Fedora with `dnf`"
 
 
 @functools.cache
@@ -65,7 +66,7 @@ def _tried():
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)
     said = done.stderr.decode(errors="replace").strip().splitlines()
-    return "" if done.stdout == b"fine\n" else said[-1][:200] if said else f"it ends with status {done.returncode}"
+    return "" if done.stdout == b"fine\n" else said[-1] if said else f"it ends with status {done.returncode}"
 
 
 TRIAL = b"""
