@@ -13,7 +13,7 @@ from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
-CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, called More, are on request."
+CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, are on request."
 
 HOME = """# Robot kinematics
 
