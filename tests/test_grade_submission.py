@@ -130,6 +130,35 @@ def test_each_exercise_of_a_notebook_is_judged_for_itself(few):
     assert not {"\x1b", "\ud800", "\u202e"} & set(message)
 
 
+CALLS = """
+def nearest_se(T):
+    corrected = np.eye(len(T))
+    corrected[:-1, :-1] = nearest_so(M=T[:-1, :-1])
+    corrected[:-1, -1] = T[:-1, -1]
+    return corrected
+"""
+UNFINISHED = {
+    "wrong": "def nearest_so(M):\n    return 3.0",
+    "unwritten": "def nearest_so(M):\n    raise NotImplementedError('Write nearest_so here.')",
+    "missing": "",
+}
+
+
+@pytest.mark.parametrize("unfinished", UNFINISHED)
+def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it_calls(few, unfinished):
+    said = "Judged with a right nearest_so in place of yours, which it calls."
+    result = grade(book(few[0], UNFINISHED[unfinished], CALLS), NAME, SEED)
+    rows = {row["exercise"]: row for row in result["exercises"]}
+    assert (rows["nearest_so"]["points"], rows["nearest_se"]["points"]) == (0, 2)
+    assert rows["nearest_se"]["message"] == said
+    assert rows["nearest_se"]["instead"] == ["nearest_so"]
+    wrong = CALLS.replace("return corrected", "return corrected.T")
+    rows = {row["exercise"]: row for row in grade(book(few[0], UNFINISHED[unfinished], wrong), NAME, SEED)["exercises"]}
+    assert rows["nearest_se"]["points"] == 0
+    assert rows["nearest_se"]["message"].startswith(said)
+    assert "What should hold" in rows["nearest_se"]["message"]
+
+
 def test_metadata_and_stored_outputs_earn_no_points_and_what_is_not_python_is_an_error(few):
     about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
     said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]

@@ -28,7 +28,7 @@ _MOST_CALLS = 5_000  # of candidates, in one answer
 _MOST_WARNING = 300  # letters of a warning or an error's message
 
 
-def reply(function, questions, consult=None):
+def reply(function, questions, consult=None, instead=None):
     """Return the answers to some questions, as JSON text.
 
     Parameters
@@ -40,7 +40,9 @@ def reply(function, questions, consult=None):
         "through": a key of ADAPTERS, "names": [names of the arguments]}, written by wire.write.
     consult : callable, optional
         Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed only for exercises in
-        which the student writes a test.
+        which the student writes a test, and with `instead`.
+    instead : dict, optional
+        {name: names of its arguments} of functions of the notebook in whose place the process that judges answers.
 
     Returns
     -------
@@ -64,6 +66,8 @@ def reply(function, questions, consult=None):
     if function is None:
         return json.dumps({"answers": [_error("NotImplementedError", "")] * len(cases), "calls": [], "refused": []})
     through, names = ADAPTERS[asked["through"]], asked["names"]
+    own = getattr(function, "__globals__", {})
+    own.update({name: _StandIn(name, consult, arguments) for name, arguments in (instead or {}).items()})
     answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
     with contextlib.suppress(TimeUp), _quiet(), _put_back(), _taken_away(asked["forbidden"], function) as refused:
         with _clock(asked["seconds"]) as start_again:
@@ -139,19 +143,23 @@ def _as_it_was(before, argument):
 class _StandIn:
     """Stands for a candidate: passes its arguments to the process that judges, and returns the answer.
 
-    In this process all candidates look alike. Only their answers differ.
+    In this process all candidates look alike. Only their answers differ. names: those of the arguments if it stands for
+    another exercise's function, which may be called with keywords.
     """
 
-    __slots__ = ("_calls", "_consult", "_number")
+    __slots__ = ("_calls", "_consult", "_names", "_number")
 
-    def __init__(self, number, consult):
-        self._number, self._consult, self._calls = number, consult, 0
+    def __init__(self, number, consult, names=()):
+        self._number, self._consult, self._names, self._calls = number, consult, names, 0
 
-    def __call__(self, *arguments):
+    def __call__(self, *arguments, **named):
         self._calls += 1
-        if self._calls > _MOST_CALLS:
+        if self._calls > _MOST_CALLS and not self._names:
             raise ValueError(f"a test may call the function {_MOST_CALLS} times")
-        request = json.dumps({"candidate": int(self._number), "arguments": [to_json(a) for a in arguments]})
+        arguments += tuple(named.pop(name) for name in self._names[len(arguments) :] if name in named)
+        if named:
+            raise TypeError(f"there is no argument {next(iter(named))}")
+        request = json.dumps({"candidate": self._number, "arguments": [to_json(a) for a in arguments]})
         answer = json.loads(self._consult(request))
         if "error" in answer:
             raise ValueError(str(answer["error"]))

@@ -51,7 +51,9 @@ def main():
     def serve(find):
         """Answer requests about the functions that find(name) returns, until one asks nothing."""
         while (line := requests.readline()) and "ask" in (asked := json.loads(line)):
-            answer = functools.partial(call_student.reply, find(asked["ask"]), asked["questions"])
+            answer = functools.partial(
+                call_student.reply, find(asked["ask"]), asked["questions"], instead=asked["instead"]
+            )
             say(exercise=asked["ask"], **in_a_child(asked, answer, functools.partial(tell, asked["ask"])))
 
     def checked(name, function):

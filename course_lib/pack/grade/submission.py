@@ -3,6 +3,7 @@
 The cheapest run comes first: only the statements that the functions need, without any function that some exercise
 forbids. An exercise whose run called a function that only others forbid is asked again in a process of its own.
 Whatever is not right then is asked once more after the whole notebook ran as in Jupyter, and the better outcome counts.
+At last a function that calls other exercises' functions that are not right is asked with right ones in their place.
 """
 
 import functools
@@ -13,9 +14,11 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Verdict, judge, with_blame
 from course_lib.checks.notebook import describe
-from course_lib.checks.wire import Candidate, read, write
+from course_lib.checks.wire import Candidate, from_json, read, to_json, write
 from course_lib.pack.grade import isolation, notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.notebook_file import UNREADABLE, Unreadable, course_of, courses
@@ -36,7 +39,8 @@ class Outcome:
 
     hindered: whether the run may have prevented a better one, which a process of its own may give. answered: False if
     no answer came. apart: whether it is a test, which must be asked about each candidate apart. at: the number of the
-    notebook's check at which it was asked, 0 after all cells.
+    notebook's check at which it was asked, 0 after all cells. whole: whether the whole notebook was run. instead: the
+    names of the functions in whose place right ones were.
     """
 
     verdict: Verdict
@@ -44,6 +48,8 @@ class Outcome:
     answered: bool = True
     apart: bool = False
     at: int = 0
+    whole: bool = False
+    instead: tuple = ()
 
     def better(self, other):
         """Return the better one of this and a later outcome; of equal ones the later, if its reason is another."""
@@ -104,7 +110,7 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     for exercise in course.exercises:
         if outcomes[exercise.name].verdict.state == NOT_ATTEMPTED and (why := no_python(run.sources, exercise.name)):
             outcomes[exercise.name] = Outcome(Verdict(exercise, ERROR, why))
-    _blame_helpers(outcomes)
+    follow_through(run, outcomes)
     problems = [f"Code cell {number + 1} was left out: {how}." for number, how in sorted(run.left_out.items())]
     return _result(notebook, release, course, problems, outcomes, cells)
 
@@ -153,17 +159,28 @@ def _is_taken_away(exercise):
     return any(name.startswith("course_lib.") for name in exercise.forbidden)
 
 
-def _blame_helpers(outcomes):
-    """Make the message of a wrong answer name another exercise that it calls, if that is wrong too."""
-    for outcome in outcomes.values():
-        verdict = outcome.verdict
-        if verdict.state in (WRONG, ERROR):
-            called = [o.verdict for name, o in outcomes.items() if name in verdict.calls and o is not outcome]
-            outcome.verdict = with_blame(verdict, called)
+def follow_through(run, outcomes):
+    """Ask once more for exercises that call others that are not right, with right ones in their place."""
+    wrong = {name: outcome.verdict for name, outcome in outcomes.items() if outcome.verdict.state != RIGHT}
+    for name, verdict in wrong.items():
+        others = [other for other in wrong if other in verdict.calls or f"'{other}'" in verdict.reason]
+        called = tuple(other for other in others if other != name)
+        if not called or run.over():
+            continue
+        exercise, whole = verdict.exercise, outcomes[name].whole
+        found = attempt(run, [exercise], frozenset(exercise.forbidden), whole, called)[name]
+        if found.verdict.points > verdict.points or found.verdict.state == WRONG:
+            outcomes[name] = replace(found, instead=called)
+        elif verdict.state in (WRONG, ERROR):
+            outcomes[name].verdict = with_blame(verdict, [wrong[other] for other in called])
 
 
-def attempt(run, exercises, forbidden, whole=False):
-    """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}."""
+def attempt(run, exercises, forbidden, whole=False, instead=()):
+    """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}.
+
+    forbidden: the functions that are not there. instead: names of exercises whose right functions take the place of the
+    student's.
+    """
     files, left_out, ended = _files(forbidden), dict.fromkeys(map(tuple, run.too_slow), "it took too long"), ""
     for _ in range(MOST_RESTARTS):
         if run.over():
@@ -177,14 +194,14 @@ def attempt(run, exercises, forbidden, whole=False):
                 exercise = next((each for each in exercises if each.name == name), None)
                 before = found.get(name)
                 if exercise and not (before and (before.verdict.state == RIGHT or not before.answered)):
-                    outcome = ask(run, Student(sandbox, run, exercise), left_out, at)
+                    outcome = replace(ask(run, Student(sandbox, run, exercise, instead), left_out, at), whole=whole)
                     found[name] = before.better(outcome) if before else outcome
 
             guilty, end = run_cells(sandbox, order, run, ask_now)
             for exercise in () if end else exercises:
                 ask_now(exercise.name, 0)
         if not end:
-            return {name: apart(run, outcome, order, files, left_out) for name, outcome in found.items()}
+            return {name: apart(run, outcome, order, files, left_out, instead) for name, outcome in found.items()}
         ended = str(end)
         if guilty is None:
             break
@@ -241,13 +258,13 @@ def ask(run, student, left_out, at=0, seed=None):
     return Outcome(verdict, student.hindered and verdict.state != RIGHT, apart=student.candidates, at=at)
 
 
-def apart(run, outcome, order, files, left_out):
+def apart(run, outcome, order, files, left_out, instead):
     """Return the Outcome itself, or for a test that distinguished candidates one in which it could not compare them."""
     exercise = outcome.verdict.exercise
     if not outcome.apart or not outcome.verdict.points:
         return outcome
-    student = EachApart(run, exercise, order | {"names": [exercise.name]}, files, outcome.at)
-    return replace(ask(run, student, left_out, outcome.at, seed=(run.seed, 1)), hindered=False)
+    student = EachApart(run, exercise, order | {"names": [exercise.name]}, files, outcome.at, instead)
+    return replace(ask(run, student, left_out, outcome.at, seed=(run.seed, 1)), hindered=False, whole=order["whole"])
 
 
 def judged(run, student, seed):
@@ -271,22 +288,25 @@ class Student:
     have changed an answer. candidates: whether the answer is a test, which was given functions to call.
     """
 
-    def __init__(self, sandbox, run, exercise):
+    def __init__(self, sandbox, run, exercise, instead=()):
         self._sandbox, self._run, self.exercise = sandbox, run, exercise
+        self._instead = {each.name: each for each in run.exercises if each.name in instead}
         self.ended, self.too_slow, self.hindered, self.candidates = "", False, True, False
 
     def reply(self, questions, consult=None):
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         limits, self.candidates = self._run.limits, consult is not None
+        most = MOST_CALLS * 10 if self._instead else MOST_CALLS
         request = {"ask": self.exercise.name, "questions": questions, "cpu": limits.cpu_seconds + 2}
+        request |= {"instead": {name: each.arguments for name, each in self._instead.items()}}
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
         try:
             self._sandbox.send(request | {"reply": limits.reply})
             message = self._receive(watch)
             calls = 0
-            while consult and isinstance(message.get("call"), str):
+            while (consult or self._instead) and isinstance(message.get("call"), str):
                 calls += 1
-                self._sandbox.send({"answer": consult(message["call"]) if calls <= MOST_CALLS else None})
+                self._sandbox.send({"answer": self._answer(message["call"], consult) if calls <= most else None})
                 message = self._receive(watch)
         except Ended as end:
             self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, Idle)
@@ -297,6 +317,18 @@ class Student:
             return text
         self.ended, self.too_slow = _how_it_ended(message, limits)
         return ""
+
+    def _answer(self, text, consult):
+        """Return the answer to a call of a candidate, or of a right function in another's place, as JSON text."""
+        try:
+            call = json.loads(text)
+            if consult and not isinstance(call["candidate"], str):
+                return consult(text)
+            with np.errstate(all="ignore"):
+                value = self._instead[call["candidate"]].library(*map(from_json, call["arguments"]))
+            return json.dumps({"value": to_json(value)})
+        except Exception as problem:  # the library refuses what the student's process claims are arguments
+            return json.dumps({"error": str(problem)[:200]})
 
     def _receive(self, watch):
         message = {}
@@ -312,8 +344,8 @@ class EachApart(Student):
     the check at which the test is asked, 0 after all cells.
     """
 
-    def __init__(self, run, exercise, order, files, at):
-        super().__init__(None, run, exercise)
+    def __init__(self, run, exercise, order, files, at, instead):
+        super().__init__(None, run, exercise, instead)
         self._order, self._files, self._at = order, files, at
 
     def reply(self, questions, consult=None):
@@ -394,10 +426,18 @@ def _row(exercise, outcome):
     if outcome is None:
         return row | {"state": UNREADABLE, "message": "The file cannot be read."}
     verdict = outcome.verdict
-    row |= {"points": verdict.points, "state": verdict.state, "message": _message(verdict)}
+    said = [_judged_with(outcome.instead), _message(verdict)]
+    row |= {"points": verdict.points, "state": verdict.state, "message": "\n".join(filter(None, said))}
     if verdict.blames:
         return row | {"blames": verdict.blames}
-    return row | {"mistake": verdict.mistake.name if verdict.mistake else ""}
+    return row | {"instead": list(outcome.instead), "mistake": verdict.mistake.name if verdict.mistake else ""}
+
+
+def _judged_with(instead):
+    """Return a sentence on the right functions that were in place of the student's, or ""."""
+    if len(instead) < 2:
+        return f"Judged with a right {instead[0]} in place of yours, which it calls." if instead else ""
+    return f"Judged with right {', '.join(instead[:-1])} and {instead[-1]} in place of yours, which it calls."
 
 
 def _message(verdict):
@@ -405,9 +445,10 @@ def _message(verdict):
     if verdict.state == RIGHT:
         return _shown(verdict.note)
     try:
-        lines = describe(verdict).split("\n")[1:]
+        lines = describe(replace(verdict, blames="")).split("\n")[1:]
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):  # it shows a claim of the student's
-        return "The answer cannot be shown."
+        lines = ["The answer cannot be shown."]
+    lines = [f"Your {verdict.blames}, which it calls, is not right."] * bool(verdict.blames) + lines
     return _shown("\n".join(line for line in lines if not line.startswith(f"check.{verdict.exercise.name}.hint()")))
 
 
