@@ -6,8 +6,10 @@ from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
+import numpy as np
 import pytest
 from grade_stand_in import result
+from scipy.stats import pearsonr
 from site_visits import CONTRAST, Visit
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
@@ -183,10 +185,30 @@ def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
     assert sum(int(count) for _, count, _ in points) == 12
     hardest = rows(page, "Hardest exercises")
     assert hardest[0][:5] == ["01_rotations: exercise_1", "3", "9", "0", "0"]
-    assert hardest[0][5] == ["2.00", "6.00"]
+    assert hardest[0][5:] == ["25", "", ["2.00", "6.00"]]
     assert rows(page, "Most frequent mistakes")[0] == ["exercise_1: R^T is returned", "9", ["8.00"]]
     assert "12 students, 13 notebooks graded, 12 written answers still to be read" in read.text
     assert read.tags <= TAGS
+
+
+def test_an_exercise_separates_as_its_points_follow_the_students_other_points():
+    """By scipy's stats.pearsonr on exercise 0, 1 and the marked answer, each against the sum of the other two."""
+    draws = np.random.default_rng(3).integers(0, 3, (40, 3))
+    outcomes = [of(f"s{i:02}", draw[:2].tolist(), ["so"]) for i, draw in enumerate(draws)]
+    keys = [key(f"s{i:02}", "01_rotations", "explain_0", "so") for i in range(40)]
+    marks = {its: {"mark": str(draw[2])} for its, draw in zip(keys, draws, strict=True)}
+    wanted = []
+    for item in range(3):
+        found = pearsonr(draws[:, item], draws.sum(axis=1) - draws[:, item])
+        low, high = found.confidence_interval()
+        wanted.append(f"{found.statistic:.2f} ({low:.2f} to {high:.2f})")
+    page = class_page(graded_files(outcomes, marks))
+    hardest = {row[0]: row[-2] for row in rows(page, "Hardest exercises")}
+    assert [hardest[f"01_rotations: exercise_{i}"] for i in (0, 1)] == wanted[:2]
+    (question,) = re.findall(r"<td>(.*?)</td>", page.partition("<h2>Written answers")[2])[3:4]
+    assert question == wanted[2]
+    few = class_page(graded_files(outcomes[:19], marks))
+    assert {row[-2] for row in rows(few, "Hardest exercises")} == {""}
 
 
 def test_the_class_page_escapes_all_text_from_a_submission():

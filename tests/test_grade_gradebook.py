@@ -285,7 +285,8 @@ def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
         (("--seed", "-2"), "SEED=-2 is not a whole number, 0 or more."),
         (("--isolation", "weak"), "ISOLATION=weak is not none, the only choice to make."),
         (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
-        (("--roster", "x.csv"), "ROSTER= has no meaning without LMS=."),
+        (("--notebooks", "07"), "NOTEBOOKS=07 is not a list of numbers such as 01,02."),
+        (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
         (("--more", "2"), "MORE=2 is neither a number from 0 to 1, nor yes or no."),
         (("--more", "half"), "MORE=half is neither a number from 0 to 1, nor yes or no."),
@@ -299,6 +300,20 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
     assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *options], grade=grade) == 1
     assert capsys.readouterr().err == f"Grading stopped. {said}\n"
     assert not (tmp_path / "out").exists()
+
+
+def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_left_out(tmp_path, capsys):
+    for name in ("01_rotations", "02_rigid_motion", "06_decomposition_ik"):
+        hand_in(tmp_path / "in", f"Doe Jane/{name}.ipynb", points=[0, 2])
+    (tmp_path / "roster.csv").write_text(CANVAS)
+    out = written(tmp_path, "--roster", str(tmp_path / "roster.csv"), "--notebooks", "01,2")
+    said = capsys.readouterr().out
+    assert "Left out: 1 file of notebooks that NOTEBOOKS= does not name." in said
+    assert "1 student of the roster handed in nothing" in said
+    page = (out / "class.html").read_text()
+    assert "Of the roster, 1 handed in nothing: Bo, Al." in page
+    assert "02_rigid_motion" in page
+    assert "06_decomposition_ik" not in page
 
 
 def test_two_students_of_one_name_are_said_to_be_ambiguous(tmp_path, capsys):

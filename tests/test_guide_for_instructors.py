@@ -86,7 +86,7 @@ def test_every_file_has_its_lines(copy, followed):
     assert "cy,01_rotations,more,is_valid,0,3,cannot be read," in grades
     assert 'di,01_rotations,,,0,,refused,"di_01_rotations.ipynb: It is a link' in grades
     files = {path.name for path in (copy / "build/grades").iterdir() if not path.name.startswith(".")}
-    assert files == {*TABLES, "canvas.csv", "class.html", "feedback", "results", "seed"}
+    assert files == {*TABLES, "alike.html", "canvas.csv", "class.html", "feedback", "results", "seed"}
     assert "grading: 100%" in followed["make grade SUBMISSIONS=handed_in"].stderr
 
 

@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import fcntl
 import os
+import re
 import secrets
 import sys
 from collections import Counter
@@ -11,12 +12,13 @@ from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade import GradingStopped
+from course_lib.pack.grade.alike import alike_page, earlier_works, works
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find, platform_of
 from course_lib.pack.grade.csv_text import count_noun
 from course_lib.pack.grade.deadline import read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.gradebook import IDENTITY, gradebook_text, read_roster
+from course_lib.pack.grade.gradebook import IDENTITY, absent, gradebook_text, read_roster
 from course_lib.pack.grade.isolation import NONE
 from course_lib.pack.grade.jobs import ROOT, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
@@ -61,6 +63,8 @@ def _parser():
     parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
     parser.add_argument("--times", default="", help="times of submission: files, or a table or folder of tables")
     parser.add_argument("--extensions", default="", help="CSV of other deadlines: student, notebook, deadline")
+    parser.add_argument("--notebooks", default="", help="numbers of those that were assigned: 01,02; all if not given")
+    parser.add_argument("--earlier", default="", help="folder of submissions of earlier years, to compare with")
     parser.add_argument("--more", type=_weight, default=1, help="what the points of More count: from 0 (or no) to 1")
     parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
     parser.add_argument(
@@ -72,6 +76,7 @@ def _parser():
 def _grade(chosen, grade):
     deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
     output, submissions, roster = chosen.output, _submissions(chosen), _roster(chosen)
+    earlier = _earlier(chosen)
     if deadline:
         print(deadline)
     output.mkdir(parents=True, exist_ok=True)
@@ -87,6 +92,8 @@ def _grade(chosen, grade):
             print(f"Each submission runs {how}.", flush=True)
         outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
+        counting = [submission for submission, result in outcomes if "state" not in result]
+        write_atomically(output / "alike.html", alike_page(works(counting) + earlier))
 
 
 def _submissions(chosen):
@@ -110,19 +117,37 @@ def _submissions(chosen):
             "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, or a table, "
             "TIMES=worksheet.csv. The zips of Moodle and Canvas carry no times."
         )
-    found = find(folder, sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb")), chosen.lms or None)
+    names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
+    found = find(folder, names, chosen.lms or None)
     if not found:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
-    return found
+    return _assigned(found, names, chosen.notebooks)
+
+
+def _assigned(found, names, numbers):
+    """Return the Submissions without those of notebooks that were not assigned. numbers: 01,02, or "" for all."""
+    wanted = re.findall(r"\d+", numbers)
+    if numbers and not {name[:2] for name in names} >= {number.zfill(2) for number in wanted} > set():
+        raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
+    others = {name for name in names if wanted and name[:2] not in {number.zfill(2) for number in wanted}}
+    left = [each for each in found if each.notebook not in others]
+    if len(left) < len(found):
+        print(f"Left out: {count_noun(len(found) - len(left), 'file')} of notebooks that NOTEBOOKS= does not name.")
+    return left
+
+
+def _earlier(chosen):
+    """Return the Works of earlier years, read before hours of grading because the folder may not be there."""
+    if chosen.earlier and not Path(chosen.earlier).is_dir():
+        raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
+    return earlier_works(Path(chosen.earlier), chosen.lms or None) if chosen.earlier else []
 
 
 def _roster(chosen):
     """Return the roster's rows, or None; stop if a setting of the platform is invalid."""
     if chosen.lms and chosen.lms not in (*IDENTITY, "none"):
         raise GradingStopped(f"LMS={chosen.lms} is not one of {', '.join(IDENTITY)}, none.")
-    if chosen.roster and chosen.lms in ("", "none"):
-        raise GradingStopped("ROSTER= has no meaning without LMS=.")
     return read_roster(Path(chosen.roster)) if chosen.roster else None
 
 
@@ -190,8 +215,11 @@ def _write(output, outcomes, deadline, weight, platform, roster):
         text, missing, shared = gradebook_text(platform, points, roster)
         write_atomically(output / f"{platform}.csv", text)
     write_feedback(output / "feedback", everything)
-    write_atomically(output / "class.html", class_page(everything))
+    nothing = absent(points, roster) if roster else []
+    write_atomically(output / "class.html", class_page(everything, nothing))
     print("\n".join([*(summary(everything, deadline) if deadline else ()), _summary(output, everything, listed)]))
+    if nothing:
+        print(f"{count_noun(len(nothing), 'student')} of the roster handed in nothing: class.html has the names.")
     if missing:
         why = "because no line of the roster fits, or several"
         print(f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(missing)}.")

@@ -1,4 +1,4 @@
-"""A page about the class: the distribution of points, the hardest exercises, the most frequent mistakes.
+"""A page about the class: points, how hard each exercise is and how well it separates, and frequent mistakes.
 
 Each is a table with a bar in every row, so that the numbers and the picture are one.
 """
@@ -7,19 +7,27 @@ import statistics
 from collections import Counter
 
 from markupsafe import Markup
+from scipy.stats import pearsonr
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.marks import READ
 from course_lib.pack.grade.tables import totals
 
 STATES = {RIGHT: ("right", "#3a9d6a"), WRONG: ("wrong", "#d9792f"), ERROR: ("error", "#b8475c")}
 STATES |= {NOT_ATTEMPTED: ("not attempted", "#8c8c8c")}
 BLUE = "#4a90d9"
+FEWEST = 20  # students, for a correlation
+POINTS = ("mean %", "separates")
+SEPARATES = (
+    "*Separates* is the correlation of its points with the student's other points in the notebook, with a 95 % "
+    f"confidence interval, from {FEWEST} students on: near 0, it does not tell strong students from weak ones."
+)
 
 
-def class_page(everything):
-    """Return the HTML page about the class. everything: GradedFiles."""
+def class_page(everything, absent=()):
+    """Return the HTML page about the class. everything: GradedFiles. absent: names of those who handed in nothing."""
     found = totals(everything)
     counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
     graded = [each for each in counting if each.graded and not each.unreadable]
@@ -31,8 +39,9 @@ def class_page(everything):
     left = sum(found.waiting.values())
     said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
     sections = [_notebooks(found.of, counting, graded, found.students)]
-    sections += [_distribution(found.of, graded, found.students), _hardest(graded), _mistakes(graded)]
-    return rendered("class.html", title="The class", said=said, sections=sections)
+    sections += [_distribution(found.of, graded, found.students), _hardest(graded)]
+    sections += [_written(graded), _mistakes(graded)]
+    return rendered("class.html", title="The class", said=said, sections=sections, absent=absent)
 
 
 def _notebooks(of, counting, graded, students):
@@ -60,21 +69,49 @@ def _distribution(of, graded, students):
 
 
 def _hardest(graded):
-    states = {}
+    states, points = {}, _points(graded)
     for each in graded:
         for exercise in each.result["exercises"]:
-            if exercise["state"] in STATES:  # skips files that could not be read
-                name = _short(f"{each.notebook}: {exercise['exercise']}") + " (More)" * exercise["more"]
-                states.setdefault(name, Counter())[exercise["state"]] += 1
-    order = sorted(states, key=lambda name: (" (More)" in name, states[name][RIGHT] / states[name].total(), name))
+            state = NOT_ATTEMPTED if exercise["state"] == UNCHANGED else exercise["state"]
+            if state in STATES:  # skips files that could not be read
+                states.setdefault((each.notebook, exercise["exercise"], exercise["more"]), Counter())[state] += 1
+    order = sorted(states, key=lambda it: (it[2], states[it][RIGHT] / states[it].total(), it))
     rows = []
-    for name in (name for name in order if states[name][RIGHT] < states[name].total()):
-        counts = [states[name][state] for state in STATES]
+    for it in (it for it in order if states[it][RIGHT] < states[it].total()):
+        counts = [states[it][state] for state in STATES]
         bar = _bar([(n, colour) for n, (_, colour) in zip(counts, STATES.values(), strict=True)], sum(counts))
-        rows.append((name, *counts, bar))
-    columns = ("exercise", *(words for words, _ in STATES.values()), "")
-    caption = "The exercises by the share of students who solved them, of the notebooks that could be read."
-    return "Hardest exercises", caption, columns, rows
+        rows.append((_short(f"{it[0]}: {it[1]}") + " (More)" * it[2], *counts, *points[it[:2]], bar))
+    columns = ("exercise", *(said for said, _ in STATES.values()), *POINTS, "")
+    caption = "The exercises by the share of students who solved them, of the notebooks that could be read. "
+    return "Hardest exercises", caption + SEPARATES, columns, rows
+
+
+def _written(graded):
+    points, asked = _points(graded), Counter()
+    for each in graded:
+        asked.update((each.notebook, a.question) for a in each.answers if a.state == READ)
+    rows = [(_short(f"{it[0]}: {it[1]}"), asked[it], *points[it]) for it in sorted(asked)]
+    return "Written answers", "Those that you marked. " + SEPARATES, ("question", "marked", *POINTS), rows
+
+
+def _points(graded):
+    """Return {(notebook, exercise or question): (mean points in percent, item-rest correlation)} as texts."""
+    items, found = {}, {}
+    for each in graded:
+        its = [(e["exercise"], e["points"], e["of"]) for e in each.result["exercises"]]
+        its += [(a.question, a.points, a.of) for a in each.answers]
+        total = sum(points or 0 for _, points, _ in its)
+        for name, points, of in its:
+            if points is not None and of:
+                items.setdefault((each.notebook, name), []).append((points / of, total - points))
+    for it, pairs in items.items():
+        shares, rests = zip(*pairs, strict=True)
+        found[it] = f"{100 * statistics.mean(shares):.0f}", ""
+        if len(pairs) >= FEWEST and min(map(len, (set(shares), set(rests)))) > 1:
+            correlation = pearsonr(shares, rests)
+            bounds = correlation.confidence_interval()
+            found[it] = found[it][0], f"{correlation.statistic:.2f} ({bounds.low:.2f} to {bounds.high:.2f})"
+    return found
 
 
 def _mistakes(graded):

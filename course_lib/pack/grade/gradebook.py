@@ -99,6 +99,13 @@ def gradebook_text(platform, totals, roster=None):
     return table_text(columns, rows, lines=True), missing, shared
 
 
+def absent(totals, roster):
+    """Return the names in the roster of those who handed in nothing, sorted; a line that may be a student's is not."""
+    look = Roster(roster)
+    there = {id(row) for student in totals.students for row in look.find(student, totals.user_ids.get(student, ""))}
+    return sorted(_full_name(row) or next(filter(None, row.values()), "") for row in roster if id(row) not in there)
+
+
 def _rows(platform, student, user_id, look):
     """Return the rows of the roster that fit a student, or one with the student's own names if there is no roster."""
     if look:

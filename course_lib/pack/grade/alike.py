@@ -1,0 +1,157 @@
+"""Students whose code is alike beyond what the tasks force, side by side, for a person to judge.
+
+What is compared are passages: runs of tokens, wherever they stand, in which all names are equal (the fingerprints of
+Schleimer, Wilkerson and Aiken, "Winnowing", SIGMOD 2003, with a window of one). As in MOSS, a passage that many
+students have comes from the task and says nothing, and neither does one of the release or of the library.
+"""
+
+import functools
+import itertools
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+
+from markupsafe import Markup, escape
+from pygments.lexers import PythonLexer
+from pygments.token import Comment, Name, String
+
+from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.collect import find, read
+from course_lib.pack.grade.csv_text import words
+from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.notebook_file import NOTEBOOKS, Unreadable, code, course_of
+from course_lib.pack.grade.student_view import PACKAGE
+from course_lib.pack.grade.zips import Refused
+from course_lib.pack.release.stubs import students_copy
+
+PASSAGE = 20  # tokens: about two lines
+MANY = 10  # students; MOSS has the same number
+LEAST = 8  # score of a pair on the page, see pairs
+VERBATIM = 120  # passages of the library or a solution, names included: some 15 lines
+MOST = 100  # pairs on the page
+
+
+@dataclass(frozen=True)
+class Work:
+    """The code cells of one student's notebook. year: the folder of the earlier year that it is from, or ""."""
+
+    student: str
+    notebook: str
+    cells: tuple
+    year: str = ""
+
+
+@functools.lru_cache(5_000)  # cells of the release are the same in all files
+def passages(source, names=False):
+    """Return {hash of a passage: (begin, end)} of a source. names: whether passages differ if a name in them does."""
+    tokens = []
+    for begin, kind, text in PythonLexer(stripnl=False, ensurenl=False).get_tokens_unprocessed(source):
+        if text.strip() and kind not in Comment and kind not in String.Doc:
+            text = text if names else "name" if kind in Name else "text" if kind in String else text
+            tokens.append((text, begin, begin + len(text.strip())))
+    runs = (tokens[i : i + PASSAGE] for i in range(len(tokens) - PASSAGE + 1))
+    return {hash(tuple(text for text, *_ in run)): (run[0][1], run[-1][2]) for run in runs}
+
+
+def _all(sources, names=False):
+    return set().union(*(passages(source, names) for source in sources))
+
+
+def works(submissions, year=""):
+    """Return the Works in the Submissions that can be read."""
+    found = []
+    for submission in submissions:
+        try:
+            cells, _ = notebook_file.read(read(submission))
+        except (Refused, Unreadable):
+            continue
+        if submission.student and (course := course_of(submission.notebook, cells)):
+            found.append(Work(submission.student, course.name, tuple(code(cells)), year))
+    return found
+
+
+def earlier_works(folder, platform=None):
+    """Return the Works in a folder of an earlier year's submissions, or in one that has such a folder for each year."""
+    names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
+    years = [path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()] or [folder]
+    return [work for year in years for work in works(find(year, names, platform), year.name)]
+
+
+@functools.cache
+def _ours():
+    """Return ({name: source} of the library and the solutions, the sources of what students are given)."""
+    library = {f"{PACKAGE.name}/{path.name}": [path.read_text(encoding="utf-8")] for path in PACKAGE.glob("*.py")}
+    given = []
+    for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
+        text = path.read_text(encoding="utf-8")
+        library[f"the solutions of {path.stem}"] = code(notebook_file.read(text.encode())[0])
+        given += code(notebook_file.read(students_copy(text, path.stem, "").encode())[0])
+    return library, given
+
+
+def pairs(everyone):
+    """Return [(score, a Work, another, their passages)] of what at most MANY students of a year have, highest first.
+
+    Passages of the release and the library are left out. The score is the number of passages that the two share, where
+    one that n students have counts 1 / (n - 1), times the share that this is of the smaller one's rare passages.
+    everyone: Works, of this class and of earlier years.
+    """
+    library, given = _ours()
+    ours, having = _all(itertools.chain(given, *library.values())), defaultdict(list)
+    for work in everyone:
+        for passage in _all(work.cells) - ours:
+            having[work.notebook, passage].append(work)
+    rare, counts, shared = Counter(), Counter(), defaultdict(set)
+    for (_, passage), those in having.items():
+        if max(Counter(work.year for work in those).values()) <= MANY:
+            rare.update(those)
+            for one, other in itertools.combinations(those, 2):
+                if not (one.year and other.year) and words(one.student) != words(other.student):
+                    counts[one, other] += 1 / (len(those) - 1)
+                    shared[one, other].add(passage)
+    scores = {pair: count**2 / min(rare[work] for work in pair) for pair, count in counts.items()}
+    found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= LEAST]
+    return sorted(found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook))
+
+
+def copies(everyone):
+    """Return [(student, notebook, what it is copied from, how many passages)], names included, of this class."""
+    library, given = _ours()
+    released, found = _all(given, names=True), []
+    sources = {name: _all(texts, names=True) - released for name, texts in library.items()}
+    for work in (work for work in everyone if not work.year):
+        own = _all(work.cells, names=True)
+        counts = {name: len(own & source) for name, source in sources.items()}
+        found += [(work.student, work.notebook, name, n) for name, n in counts.items() if n >= VERBATIM]
+    return sorted(found, key=lambda each: (-each[3], each))
+
+
+def alike_page(everyone):
+    """Return the HTML page of pairs and of copies from the library. everyone: Works."""
+    found = pairs(everyone)
+    shown = [
+        {"who": [_whose(one), _whose(other)], "notebook": one.notebook, "score": round(score),
+         "sides": [_marked(one.cells, shared), _marked(other.cells, shared)]}
+        for score, one, other, shared in found[:MOST]
+    ]  # fmt: skip
+    about = {"passage": PASSAGE, "many": MANY, "left": len(found) - len(shown), "copies": copies(everyone)}
+    return rendered("alike.html", title="Alike", pairs=shown, **about)
+
+
+def _whose(work):
+    return f"{work.student} ({work.year})" if work.year else work.student
+
+
+def _marked(cells, shared):
+    """Return the cells that hold shared passages, with those marked."""
+    parts = []
+    for cell in cells:
+        inside = sorted(place for passage, place in passages(cell).items() if passage in shared)
+        end = 0
+        for begin, stop in inside:
+            if begin > end or not end:
+                parts += ["</mark>" * bool(end), escape(cell[end:begin]), "<mark>"]
+                end = begin
+            parts.append(escape(cell[end : max(end, stop)]))
+            end = max(end, stop)
+        parts += ["</mark>", escape(cell[end:]), "\n\n"] if inside else []
+    return Markup("").join(map(Markup, parts))

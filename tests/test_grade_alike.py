@@ -1,0 +1,85 @@
+"""Pairs that are alike: a disguised copy is found, what the task or the library forces is not named, nothing judges."""
+
+import json
+
+import pytest
+from course_copy import ROOT
+from hostile.build import book
+
+from course_lib.pack.grade import alike
+from course_lib.pack.grade.alike import Work, alike_page, copies, earlier_works, pairs
+
+NOTEBOOK = "01_rotations"
+OWN = """
+def nearest_so(M):
+    left, stretch, right = np.linalg.svd(np.array(M, dtype=float))
+    flips = [1.0] * (len(stretch) - 1) + [round(np.linalg.det(left) * np.linalg.det(right))]
+    total = np.zeros_like(left)
+    for k, sign in enumerate(flips):  # one rank after the other
+        total = total + sign * np.outer(left[:, k], right[k])
+    if abs(np.linalg.det(total) - 1) > 1e-9:
+        raise ValueError("no rotation")
+    return total
+"""
+DISGUISED = OWN.replace("left", "a").replace("right", "b").replace("stretch", "s").replace("total", "R")
+DISGUISED = DISGUISED.replace("  # one rank after the other", "").replace("no rotation", "error")
+OTHER = """
+def nearest_so(M):
+    R = scipy.linalg.polar(M)[0]
+    while np.linalg.det(R) < 0:
+        w, v = np.linalg.eigh(M.T @ M)
+        R = R - 2 * R @ v[:, :1] @ v[:, :1].T
+    return R
+"""
+
+
+def work(student, *cells, year=""):
+    return Work(student, NOTEBOOK, cells, year)
+
+
+def named(*works):
+    return [(one.student, other.student) for _, one, other, _ in pairs(works)]
+
+
+def test_a_disguised_copy_is_found_wherever_it_stands_and_an_honest_answer_is_not():
+    assert named(work("anna", "x = 1", OWN), work("bo", DISGUISED, "y = 2"), work("cy", OTHER)) == [("anna", "bo")]
+
+
+def test_what_many_students_have_comes_from_the_task(monkeypatch):
+    everyone = [work(f"s{i}", OWN) for i in range(3)]
+    assert len(named(*everyone)) == 3
+    monkeypatch.setattr(alike, "MANY", 2)
+    assert named(*everyone) == []
+
+
+def test_code_of_the_release_and_the_library_makes_no_pair_and_copies_of_it_are_named():
+    given = json.loads((ROOT / f"notebooks/{NOTEBOOK}.ipynb").read_text())["cells"]
+    cells = ["".join(cell["source"]) for cell in given if cell["cell_type"] == "code"]
+    library = (ROOT / "course_lib/rotations.py").read_text()
+    everyone = [work("anna", *cells), work("bo", *cells), work("cy", library), work("di", library), work("eve", OTHER)]
+    assert named(*everyone) == []
+    found = {(student, source) for student, _, source, _ in copies(everyone)}
+    assert {(s, f"the solutions of {NOTEBOOK}") for s in ("anna", "bo")} <= found
+    assert {(s, "course_lib/rotations.py") for s in ("cy", "di")} <= found
+    assert "eve" not in {student for student, _ in found}
+
+
+@pytest.mark.parametrize("place", ["", "2025/"])
+def test_earlier_years_are_compared_and_not_with_each_other(tmp_path, place):
+    for name in ("uma", "viv"):
+        path = tmp_path / f"{place}{name}/{NOTEBOOK}.ipynb"
+        path.parent.mkdir(parents=True)
+        path.write_bytes(book(OWN))
+    earlier = earlier_works(tmp_path)
+    assert sorted(named(work("anna", DISGUISED), work("uma", OTHER), *earlier)) == [("anna", "uma"), ("anna", "viv")]
+    assert f"anna and uma ({'2025' if place else tmp_path.name})" in alike_page([work("anna", DISGUISED), *earlier])
+
+
+def test_the_page_marks_what_both_have_escapes_it_and_gives_no_verdict():
+    page = alike_page([work("<b>anna", OWN), work("bo", DISGUISED.replace("error", "</pre><script>"))])
+    assert "&lt;b&gt;anna and bo" in page
+    assert "<script>" not in page
+    assert page.count("<mark>") == page.count("</mark>") == 2
+    assert "for you to judge" in page
+    assert "plagiar" not in page.lower()
+    assert "No pair is alike." in alike_page([work("anna", OWN)])
