@@ -6,6 +6,7 @@ from course_lib import ik, pick, rigid
 from course_lib.arms import panda
 
 arm = panda()
+EASED = np.linspace(0, 1, 41)[:, None] ** 2 * (3 - 2 * np.linspace(0, 1, 41)[:, None])
 
 
 def reach(T_gripper, q):
@@ -64,6 +65,12 @@ def wrong_two_rows(q0, T_grasp):
     """the way to the grasp leads through something"""
     x = planned(q0, T_grasp)
     return x[[0, -1]] * [[3] + 7 * [1]]
+
+
+def wrong_down_in_joint_space(q0, T_grasp):
+    """the way to the grasp leads through something"""
+    above, grasp = planned(q0, T_grasp)[[40, 80], 1:]
+    return np.vstack([planned(q0, T_grasp)[:41], timed(above + EASED * (grasp - above), 3.0)])
 
 
 def wrong_rows_too_far_apart(q0, T_grasp):

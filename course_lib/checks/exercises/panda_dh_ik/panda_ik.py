@@ -1,5 +1,7 @@
 """panda_ik: joint angles inside the Panda's limits for which its flange has a given pose in the world."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
@@ -61,7 +63,7 @@ def _cases(rng):
         (rotated, READY),
         (flange(_about(_LOW_DOWN, rng, 0.02)), _LOW_DOWN),
         (flange(at_limit), np.clip(at_limit - 0.2, LOW, HIGH)),
-        *((flange(q), READY) for q in _HARD[rng.permutation(len(_HARD))[:2]]),
+        *((flange(q), READY) for q in _HARD),
         (transform(here[:3, :3], [3.0, 0.13, 0.6]), READY),
     ]
 
@@ -90,6 +92,19 @@ def _inside(q, T, q0):
     return not _found(q) or bool(((q >= LOW - 1e-9) & (q <= HIGH + 1e-9)).all())
 
 
+def _near(T, q0):
+    return np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15
+
+
+def _solved(q, T, q0):
+    return _found(q) and _inside(q, T, q0) and _gaps(flange(q), T).max() <= _REACHED
+
+
+def _second_missed(values, cases):
+    missed = (k for k, case in enumerate(cases) if _reachable(*case) and not _solved(values[k], *case))
+    return next(itertools.islice(missed, 1, None), None)
+
+
 def _outside(q, T, q0):
     j = int(np.argmax(np.maximum(LOW - q, q - HIGH)))
     return f"Joint {j + 1} may be between {LOW[j]:.4f} and {HIGH[j]:.4f}; yours is {q[j]:.6g}."
@@ -108,8 +123,8 @@ def _elsewhere(q, T, q0):
 
 _NOT_CONVERGING = Mistake(
     "the steps do not converge to a target close by",
-    "Print the length of the error after each step. Do e and the rows of J have the same order and axes? Are both "
-    "computed again for each q? Is the damping small enough near the target?",
+    "Print the length of the error after each step: before the first it is small, if T_target and your flange are seen "
+    "from the same frame. Do e and the rows of J have the same order and axes? Are both computed again for each q?",
 )
 _STUCK = Mistake(
     "no start leads to this target: there are no restarts, or too few of them converge",
@@ -149,14 +164,14 @@ EXERCISE = Exercise(
         ),
         Property(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
-            lambda q, T, q0: np.abs(q - q0).max() < 0.1,
+            lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < 1e-6,
             _elsewhere,
             where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
         ),
         Property(
             "a target close by is reached: seven numbers are returned, not NaN",
             _found,
-            where=lambda T, q0: np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15,
+            where=_near,
             mistake=_NOT_CONVERGING,
         ),
         Property(
@@ -171,6 +186,8 @@ EXERCISE = Exercise(
             where=lambda *case: not _reachable(*case),
             mistake=Mistake("angles are returned for a target out of reach", "What is returned if no start converges?"),
         ),
+        Property("each target close by is reached", _solved, where=_near, points=2),
+        Property("at most one target within reach is missed", _second_missed, across=True, points=1),
     ),
     hints=(
         "One start is a loop: the frames at q, the error to T_target, return q if it is small enough, else a damped "
@@ -195,8 +212,11 @@ def stopped_too_early(q, T, q0):
 
 @EXERCISE.seen
 def base_forgotten(q, T, q0):
-    """the base is forgotten: the flange is at T_target as seen from the base. Where is the base in the world?"""
-    return bool((_gaps(PANDA.fk(q), T) < 1e-3).all())
+    """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and from where is your
+    flange?
+    """
+    back = inverse(T_W0)
+    return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
 
 
 @EXERCISE.seen
