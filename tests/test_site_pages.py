@@ -49,7 +49,7 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_
         assert len(question) > 20
         assert "?" in card
         hours.append(float(re.search(r"About ([\d.]+) hours\.", card)[1]))
-    assert f"about {sum(hours):g} hours" in text
+    assert words(f"about {sum(hours):g} hours") in text
     for name in ("reports", "notation", "places", "changes", "errata", "sources"):
         assert article.locator(f"li a[href='{name}.html']").count() >= 1
 
