@@ -37,7 +37,7 @@ def on_a_phone(course, browser):
 def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_a_phone):
     page = on_a_phone("index").page
     article = page.locator("article")
-    text = words(article.inner_text())
+    text = " ".join(article.inner_text().split())
     assert article.locator(".first-steps a").count() == 4
     hours = []
     for notebook in NOTEBOOKS:
@@ -49,7 +49,9 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(on_
         assert len(question) > 20
         assert "?" in card
         hours.append(float(re.search(r"About ([\d.]+) hours\.", card)[1]))
-    assert words(f"about {sum(hours):g} hours") in text
+    assert f"about {sum(hours):g} hours" in text
+    assert "rotate_point not right yet" in words(article.inner_text()), "what a check says"
+    assert page.locator("meta[name=description]").count() == 1
     for name in ("reports", "notation", "places", "changes", "errata", "sources"):
         assert article.locator(f"li a[href='{name}.html']").count() >= 1
 

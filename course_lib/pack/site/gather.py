@@ -5,18 +5,30 @@ import re
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from unittest import mock
 
+import numpy as np
 from nbformat import NotebookNode
 
+from course_lib.checks import rotations
 from course_lib.pack.site import COVER
 from course_lib.pack.site.prepare import IMAGES, alternative, picture
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
-CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, are on request."
+CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, are optional."
 
-HOME = """# Robot kinematics
+HOME = """---
+myst:
+  html_meta:
+    description: "{about}"
+    "property=og:title": Robot kinematics
+    "property=og:description": "{about}"
+---
 
+# Robot kinematics
+
+For students of engineering or computer science who know matrices and a little Python, and for those who teach them.
 Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
 reproduces the numbers of a published homework report, and proves its errors by computation.{time}
 
@@ -41,6 +53,14 @@ reproduces the numbers of a published homework report, and proves its errors by 
 {pages}
 ```
 
+## An exercise, and what its check says
+
+```python
+{answer}
+```
+
+{said}
+
 ## Run it yourself
 
 {zip}With Python 3.11 to 3.14, in the course's folder,
@@ -50,19 +70,41 @@ make lab
 ```
 
 opens the notebooks in JupyterLab; the first time it installs everything that they need. Without make, in the same
-folder:
+folder, on macOS and Linux:
 
 ```
-python -m venv .venv
+python3 -m venv .venv
 .venv/bin/pip install -r environment.txt -e . && .venv/bin/jupyter lab notebooks
 ```
 
+and on Windows:
+
+```
+py -m venv .venv
+.venv\\Scripts\\pip install -r environment.txt -e . && .venv\\Scripts\\jupyter lab notebooks
+```
+
+## Teach with it
+
+In the project's folder, `make student` writes the notebooks without solutions, `make grade` grades what is handed in,
+isolated from your machine, with feedback for each student, `make html SOLUTIONS=no` writes these pages for your class,
+and `make pdf` writes all of them as one file. The guide is `course_lib/pack/README.md`.
+
 {more}
 
-## Cite
+## Licence, citation
 
-*Robot kinematics in six notebooks*, version {version}, with the date on which you read it.
+No licence is granted yet: ask the owner. Cite as *Robot kinematics in six notebooks*, version {version}, with the date
+on which you read it.
 """
+ABOUT = "Six notebooks from rotations to inverse kinematics: move robots, write code, have each answer checked at once."
+
+# What a student may write, for the home page, and the notebook whose check judges it.
+ANSWER = """def rotate_point(p, a):
+    R = np.array([[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]])
+    return R @ p
+
+check.rotate_point(rotate_point)"""
 REFERENCE = """## Reference
 
 ```{{toctree}}
@@ -114,12 +156,23 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
         time=time,
         version=version("course_lib"),
         living=living,
+        about=ABOUT,
+        answer=ANSWER,
+        said=_check_of(ANSWER),
         zip=f"{offered} and unpack it. " if offered else "",
         steps="\n".join(steps),
         notebooks="\n\n".join(map(_card, notebooks)),
         more=REFERENCE.format("\n".join(page.stem for page in others)) if others else "",
         pages="\n".join(notebook.name for notebook in notebooks),
     )
+
+
+def _check_of(answer: str) -> str:
+    """Return as HTML what the check says of an answer to an exercise of the first notebook."""
+    outputs = []
+    with mock.patch("IPython.display.display", lambda data, **options: outputs.append(data)):
+        exec(answer, {"np": np, "check": rotations})
+    return outputs[-1]["text/html"].replace("\n", "<br>")  # an empty line would end the HTML
 
 
 def with_pictures(text: str, notebooks: list[Notebook]) -> str:
