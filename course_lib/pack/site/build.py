@@ -77,6 +77,8 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, model: bool, rele
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(books, pages)
+    if solutions:  # instructors' pages
+        others.append(Path(shutil.copy(HERE.parent / "semester.md", pages)))
     if others and others[0].name == PAGES[0]:
         text = gather.with_pictures(others[0].read_text(encoding="utf-8"), notebooks)
         others[0].write_text(text, encoding="utf-8")
