@@ -396,6 +396,7 @@ _OF_AN_ARGUMENT = (
 )
 
 _OTHER_FORMS = (
+    ("an axis of length 1 is lost", "One item, too, is a row of the answer. Which line drops the axis?", np.squeeze),
     ("only the first item is returned", "Collect the results of all items, and return them together.", lambda x: x[0]),
     ("only the last item is returned", "Is the result overwritten in each pass of the loop?", lambda x: x[-1]),
     ("rows and columns have changed places", "Compare the shape with the task.", _transposed),

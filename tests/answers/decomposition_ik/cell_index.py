@@ -47,7 +47,7 @@ def wrong_outside_left_out(xy, low, high, n):
     return index[index[:, 0] >= 0]
 
 
-def wrong_rows_from_above(xy, low, high, n):
+def wrong_with_a_tolerance(xy, low, high, n):
     """unnamed"""
-    index = right_floor(xy, low, high, n)
-    return np.where(index < 0, -1, abs(index - [0, n - 1]))
+    near = np.clip(xy, low, high)
+    return right_floor(np.where(abs(xy - near) < 1e-12, near, xy), low, high, n)

@@ -11,10 +11,10 @@ def _fk(q):
     return np.stack([np.cos(a) + np.cos(b), np.sin(a) + np.sin(b)], -1)
 
 
-def right_by_forward_kinematics(ik_2r):
+def right_by_forward_kinematics(ik_2r, tolerance=1e-6):
     for xy in INSIDE + EDGE:
         q = np.array(ik_2r(xy))
-        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=1e-6) or q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
+        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=tolerance) or q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
             return False
     return all(np.isnan(ik_2r(xy)).all() for xy in [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]])
 
@@ -51,6 +51,6 @@ def wrong_exactly_equal(ik_2r):
     return all((_fk(np.array(ik_2r(xy))) == xy).all() for xy in INSIDE)
 
 
-def wrong_one_of_the_rows(ik_2r):
+def wrong_to_a_centimetre(ik_2r):
     """unnamed"""
-    return np.allclose(_fk(np.array(ik_2r([1.0, 1.0]))[0]), 1)
+    return right_by_forward_kinematics(ik_2r, tolerance=0.01)

@@ -19,9 +19,9 @@ def right_by_least_squares(q, J, q_middle, gain):
     return list(q + step - np.linalg.lstsq(J, J @ step, rcond=1e-12)[0])
 
 
-def wrong_other_product(q, J, q_middle, gain):
-    """ValueError"""
-    return q + gain * (np.eye(len(J)) - J @ np.linalg.pinv(J)) @ (q_middle - q)
+def wrong_inverse_of_J_J_T(q, J, q_middle, gain):
+    """LinAlgError"""
+    return q + gain * (np.eye(len(q)) - J.T @ np.linalg.solve(J @ J.T, J)) @ (q_middle - q)
 
 
 def wrong_basis_of_n_minus_m_vectors(q, J, q_middle, gain):

@@ -61,12 +61,6 @@ def wrong_slow(q0, T_grasp):
     return planned(q0, T_grasp, slower=20)
 
 
-def wrong_two_rows(q0, T_grasp):
-    """the way to the grasp leads through something"""
-    x = planned(q0, T_grasp)
-    return x[[0, -1]] * [[3] + 7 * [1]]
-
-
 def wrong_down_in_joint_space(q0, T_grasp):
     """the way to the grasp leads through something"""
     above, grasp = planned(q0, T_grasp)[[40, 80], 1:]

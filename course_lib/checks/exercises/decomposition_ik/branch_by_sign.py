@@ -75,5 +75,6 @@ def one_elbow_is_branch_0(q):
 
 @EXERCISE.mistake(middle=(np.mean, np.median))
 def own_middle(q, middle):
-    """the samples are compared with their own mean or median. Where is that in a cell of one elbow?"""
+    """the samples are compared with one another: with their mean, their median, or as clusters of q2. Where is that
+    in a cell of one elbow?"""
     return q[:, 1] < middle(q[:, 1]) if len(q) else None

@@ -69,6 +69,7 @@ EXERCISE = WriteTest(
         Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
         Version("that is wrong only for x < 0", _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0))),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
+        Version("that is right to four digits only", _changed(lambda q, xy: np.round(q, 4))),
         Version("that answers out of reach", two_link_angles),
         Version(
             "that answers out of reach",

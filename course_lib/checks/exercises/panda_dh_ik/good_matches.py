@@ -7,6 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared_points import moved
+from course_lib.checks.naming import attempt
 from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.registration import register_points
 
@@ -54,7 +55,10 @@ def _case(rng, n, wrong, shift="common", deceives=()):
         truth, case = ~np.isin(np.arange(n), bad), (src, np.round(dst, 5), _TOL)
         if np.linalg.svd(src[truth] - src[truth].mean(0), compute_uv=False)[1] < 0.03:
             continue
-        masks = _masks(*case)[1]
+        found = attempt(_masks, *case)
+        if found is None:  # a triple lies on a line
+            continue
+        masks = found[1]
         best = masks[masks.sum(1) >= truth.sum()]
         if len(best) and (best == truth).all() and not any(np.array_equal(f(*case), truth) for f in deceives):
             return case

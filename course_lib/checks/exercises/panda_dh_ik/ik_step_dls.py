@@ -112,6 +112,12 @@ def another_number(q, J, e, eps, number):
     return damped(q, J, e, number(eps))
 
 
+@EXERCISE.mistake(size=(lambda eps: 1, lambda eps: eps, lambda eps: 1 / eps, lambda eps: 1 / (1 + eps)))
+def along_the_gradient(q, J, e, eps, size):
+    """the step is along J^T e, as in the transpose method. Which matrix stands between J^T and e in a damped step?"""
+    return q + size(eps) * J.T @ e
+
+
 @EXERCISE.mistake(wide=(True, False))
 def every_entry(q, J, e, eps, wide):
     """eps is added to every entry of the matrix. Which entries does eps times the unit matrix have?"""

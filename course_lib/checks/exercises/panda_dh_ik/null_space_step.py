@@ -34,6 +34,7 @@ def _cases(rng):
         *drawn,
         (panda[0], panda_jacobian(panda[0]), panda[0], 0.3),
         (stretched, panda_jacobian(stretched), middle, 0.2),
+        (np.array([0.1, 0.2, 0.3]), np.array([[1.0, 2, 0], [2, 4, 0]]), np.array([1.0, 1, 1]), 0.5),  # exactly singular
         (np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25),
     ]
 

@@ -96,6 +96,12 @@ def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
 
 
+@EXERCISE.mistake(base=(T_W0, np.eye(4)))
+def not_accumulated(q, base):
+    """each pose holds its own step only. Relative to what is a row of the table, and relative to what is the answer?"""
+    return base @ steps(q)
+
+
 @EXERCISE.mistake(moved=(np.eye(4), about_z(0, -0.107), about_x(0, 0.107)))
 def flange_misplaced(q, moved):
     """the flange is in the wrong place relative to frame 7. How far is it, and along which axis of which frame?"""

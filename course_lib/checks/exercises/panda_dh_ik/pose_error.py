@@ -151,6 +151,12 @@ def at_pi(e, *case):
     return _angle(*case) > np.pi - 1e-3 and near(e[:3], _between(*case)[0])
 
 
+@EXERCISE.mistake(signs=((-1, -1), (-1, 1), (1, -1)))
+def away_from_the_target(T, T_target, signs):
+    """the error, or one half of it, leads away from the target. From which pose to which should it lead?"""
+    return np.repeat(signs, 3) * pose_error(T, T_target)
+
+
 @EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
 def from_the_end_effector(T, T_target, halves):
     """the error, or one half of it, is seen from the end-effector. Along which axes are the rows of the Jacobian?"""

@@ -19,7 +19,7 @@ from course_lib.checks.exercises.panda_dh_ik.shared_points import (
     size,
 )
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
-from course_lib.rigid import transform
+from course_lib.rigid import inverse, transform
 from course_lib.rotations import nearest_so, rot_x, rot_z
 
 _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
@@ -204,7 +204,7 @@ def sign_elsewhere(T, *case):
     return any(_has_block(T, block, *case) for block in blocks)
 
 
-@EXERCISE.mistake(power=(2, 0.5), twice=(False, True))
-def power_of_the_weights(src, dst, weights, power, twice):
-    """squares or square roots of the weights stand for the weights. How often does w_i multiply each b_i a_i^T?"""
-    return _fit(src, dst, weights, lambda w: _share(w**power) if twice else _share(w), lambda w: w**power)
+@EXERCISE.mistake
+def from_dst_to_src(*case):
+    """T goes the other way, from dst to src. To what is T applied?"""
+    return inverse(registered(*case))
