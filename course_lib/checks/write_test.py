@@ -109,7 +109,7 @@ class WriteTest(Exercise):
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = ALWAYS_FALSE if len(refused) == n_right and not missed else always
         failed_example = any(version.example for version in (*refused, *missed))
-        credit = 0 if failed_example else min(round(share * self.points), self.points - 1)
+        credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, said, always, credit=credit)
 
     def _consultant(self, order):
