@@ -95,23 +95,27 @@ def test_a_missing_column_is_named(file, column):
 def test_other_broken_files(file, tmp_path):
     assert "column q1 occurs twice" in refusal(file("t,q1,q1,qd1,qd2", *ROWS))
     assert "row 2 has 4 columns, not 5" in refusal(file(HEADER, ROWS[0], "1,2,3,4"))
-    assert "must hold a row of numbers" in refusal(file(HEADER))
-    assert "column t is missing" in refusal(file(*ROWS))
+    assert "it must hold a row of numbers" in refusal(file(HEADER))
+    assert "column t is missing" in refusal(file(*(row.partition(",")[2] for row in ROWS[:2])))
     (tmp_path / "x.csv").write_bytes(b"\xff\xfe\x00")
-    assert "cannot be read as CSV" in refusal(tmp_path / "x.csv")
+    assert "cannot be read as a table" in refusal(tmp_path / "x.csv")
     (tmp_path / "x.npy").write_bytes(b"no array")
     assert "cannot be read as NPY" in refusal(tmp_path / "x.npy")
     np.save(tmp_path / "o.npy", np.array([[1, "a", None]], dtype=object))
     assert "cannot be read as NPY" in refusal(tmp_path / "o.npy")  # nothing is unpickled
     np.save(tmp_path / "s.npy", np.zeros((3, 4)))
-    assert "of shape (n, 1 + 2 k)" in refusal(tmp_path / "s.npy")
+    assert "must begin with a header, or hold t, q1" in refusal(tmp_path / "s.npy")
     np.save(tmp_path / "c.npy", np.zeros((3, 5), complex))
     assert "must hold real numbers" in refusal(tmp_path / "c.npy")
 
 
 def test_bad_arguments(file, tmp_path):
-    with pytest.raises(ValueError, match=r"path must name a \.csv or \.npy file"):
-        load(tmp_path / "a.txt")
+    with pytest.raises(ValueError, match=r"path must name a \.csv, \.tsv, \.txt, \.dat or \.npy file"):
+        load(tmp_path / "a.xlsx")
+    for units in (("h", "rad"), ("s",), ("s", "turns")):
+        with pytest.raises(ValueError, match=r"^units must be"):
+            load(file(HEADER, *ROWS), units=units)
+    assert load(file(HEADER, *ROWS), units=("ms", "deg")).t.tolist() == [0, 0.0005, 0.001]
     with pytest.raises(FileNotFoundError):
         load(tmp_path / "none.csv")
     with pytest.raises(ValueError, match=r"^limits must be an array of real numbers of shape \(2, 2\)"):
@@ -169,17 +173,16 @@ def test_a_bad_cell_of_two_files_is_named_where_it_stands(tmp_path):
 
 def test_two_files_that_do_not_belong_together(tmp_path):
     paths = two_files(tmp_path, ANGLES, ANGLES[:, 1:], delimiter=",")
-    with pytest.raises(ValueError, match=r"positions and velocities must have one shape; they are \(7, 200\) in"):
+    with pytest.raises(ValueError, match=r"positions and velocities must have one shape; they are \(200, 7\) in"):
         load(paths[0], SEVEN, paths[1], STEP)
-    for half in ({"velocities": paths[1]}, {"step": STEP}):
-        with pytest.raises(ValueError, match="velocities and step belong together"):
-            load(paths[0], SEVEN, **half)
+    with pytest.raises(ValueError, match="velocities need the time step"):
+        load(paths[0], SEVEN, velocities=paths[1])
     for step in (0, -1, np.nan, [0.1, 0.2], "x"):
         with pytest.raises(ValueError, match=r"^step must"):
             load(paths[0], SEVEN, paths[1], step)
-    assert "name the file of the velocities and the time step" in refusal(paths[0], SEVEN)
+    assert "give the time step, and the file of the velocities" in refusal(paths[0], SEVEN)
     (tmp_path / "words.csv").write_text("a,b\n")
-    with pytest.raises(ValueError, match=r"words\.csv must hold a row of numbers"):
+    with pytest.raises(ValueError, match=r"words\.csv cannot be read as a table: it must hold a row"):
         load(paths[0], SEVEN, tmp_path / "words.csv", STEP)
     (tmp_path / "ragged.csv").write_text("1,2\n3\n")
     with pytest.raises(ValueError, match=r"ragged\.csv: row 2 has 1 columns, not 2"):
@@ -195,6 +198,99 @@ def swinging(step, factor=1.0, n=200):
     return Trajectory(step * np.arange(n), np.sin(np.outer(t, speed)), factor * speed * np.cos(np.outer(t, speed)))
 
 
+def table(m, deg=False, ms=False, rows=9):
+    """t, seven angles and seven velocities, the first m columns; the rows are those of swinging."""
+    motion = swinging(STEP, n=rows)
+    scale = np.rad2deg(1) if deg else 1
+    return np.column_stack([motion.t * (1000 if ms else 1), scale * motion.q / 2, scale * motion.qd / 2])[:, :m]
+
+
+def text(rows, by=",", head="", form="%.6f", comma=False, more=lambda row: row):
+    """Lines of a program: the columns' names and numbers, as it formats them."""
+    cells = [more([(form % x).replace(*".," if comma else "..") for x in row]) for row in rows]
+    return "\n".join(([head] if head else []) + [by.join(row) for row in cells]) + "\n"
+
+
+def named(*forms, by=",", first=1):
+    return by.join(form if "{}" not in form else by.join(form.format(i + first) for i in range(7)) for form in forms)
+
+
+def ns(row):  # time as ROS 1 prints it, then what a message of joint states has beside its numbers
+    return [str(1763942400000000000 + round(1e9 * float(row[0]))), "7", "0", "", *"abcdefg", *row[1:], *7 * ["0.0"]]
+
+
+def excel(m, *titles, **how):
+    return text(table(m, **how), ";", named(*titles, by=";"), comma=True)
+
+
+def ros(*titles, first=0, m=15, more=lambda row: row, **how):
+    return text(table(m, **how), head=named(*titles, first=first), more=more)
+
+
+def moveit(*titles, more=0, by=","):
+    head = named(*titles, first=0) if titles else ""
+    return text(np.pad(table(8), [(0, 0), (0, more)])[:, not head.startswith("time") :], by, head, "%g")
+
+
+NAMES, EFFORT = "field.name{}", "field.effort{}"
+FULL, SEVEN_Q = "9 rows, t in s, 7 angles in rad, 7 velocities", "7 angles in rad, no velocities"
+NO_HEADER, STEPS = FULL + ", no header", "9 rows, steps of 0.1 s, " + SEVEN_Q
+# Sources: the documentation of writematrix, writetable and save -ascii (MathWorks); of Excel's formats with German
+# settings (Microsoft); of rostopic echo -p, bagpy and PlotJuggler's CSV export; of numpy.savetxt; and, of MoveIt,
+# moveit_core/robot_state/conversions, robotStateToStream, and trajectory_msgs/JointTrajectoryPoint.
+FILES = {
+    "matlab writematrix.csv": (text(table(15), form="%.15g"), NO_HEADER),
+    "matlab writematrix.txt": (text(table(15), "\t", form="%.15g"), NO_HEADER),
+    "matlab ascii.dat": (text(table(15), "  ", form="  %.7e"), NO_HEADER),
+    "matlab columns.csv": (text(table(15).T, form="%.5g"), FULL + ", samples in columns, no header"),
+    "matlab writetable.csv": (ros("Time", "Joint_{}", "JointVel_{}", first=1), FULL),
+    "matlab timetable.csv": (ros("Time", "q{}", "qd{}", more=lambda row: [row[0] + " sec", *row[1:]]),
+                             "row 1, column t is '0.000000 sec', which is not a number"),
+    "excel.csv": (excel(15, "Zeit", "Achse {}", "Geschw. {}"), FULL + ", decimal comma"),
+    "excel utf8.csv": (excel(8, "Zeit (s)", "Achse {}"), SEVEN_Q, "utf-8-sig"),
+    "excel unicode.txt": (excel(15, "T", "Q{}", "QD{}").replace(";", "\t"), FULL + ", decimal comma", "utf-16"),
+    "excel degrees.csv": (excel(8, "Zeit", "Winkel {} [°]", deg=True), "7 angles in deg", "cp1252"),
+    "excel no unit.csv": (excel(15, "Zeit", "Winkel {}", "Geschw. {}", deg=True), "Are they degrees?"),
+    "excel ms.csv": (excel(15, "t [ms]", "q{}", "qd{}", ms=True), "t in ms, 7 angles"),
+    "ros echo.csv": (ros("%time,field.header.seq,field.header.stamp,field.header.frame_id", NAMES, "field.position{}",
+                         "field.velocity{}", EFFORT, more=ns), "t in ns, 7 angles in rad, 7 velocities"),
+    "ros bagpy.csv": (ros("Time,header.seq,header.stamp.secs,header.frame_id", "name_{}", "position_{}", "velocity_{}",
+                          "effort_{}", more=lambda row: [row[0], *ns(row)[1:]]), FULL),
+    "ros plotjuggler.csv": (ros("__time", "/states/a_{}/position", "/states/a_{}/velocity", first=1), FULL),
+    "ros array.csv": (ros("__time", "/joint_states/position[{}]", "/joint_states/velocity[{}]"), FULL),
+    "ros positions.csv": (ros("timestamp", "position_{}", m=8), SEVEN_Q),
+    "ros ms.csv": (ros("timestamp", "position_{}", "velocity_{}", ms=True), "Are they milliseconds?"),
+    "savetxt.txt": (text(table(15), " ", form="%.18e"), NO_HEADER),
+    "savetxt comma.csv": (text(table(15), form="%.18e"), NO_HEADER),
+    "savetxt header.txt": (text(table(15), " ", named("# t", "q{}", "qd{}", by=" "), "%.18e"), FULL),
+    "savetxt words.txt": (text(table(15), "\t", "# made on a Tuesday, 9 rows"), NO_HEADER),
+    "savetxt columns.txt": (text(table(15).T, " ", form="%.18e"), FULL + ", samples in columns"),
+    "savetxt six.txt": (text(table(14), " ", form="%.18e"), "its shape is (9, 14)"),
+    "moveit states.csv": (moveit("panda_joint{}"), "column t is missing"),
+    "moveit step.csv": (moveit("panda_joint{}"), STEPS, "utf-8", 0.1),
+    "moveit spaces.txt": (moveit(by=" "), STEPS, "utf-8", 0.1),
+    "moveit fingers.csv": (moveit("time", "panda_joint{}", "finger_joint1,finger_joint2", more=2), SEVEN_Q),
+    "moveit points.csv": (ros("time_from_start", "positions[{}]", "velocities[{}]"), FULL),
+    "moveit ur.csv": (moveit("time,a_joint,b_joint,c_joint,d_joint,e_joint,f_joint,g_joint"), SEVEN_Q),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_what_peoples_programs_write_is_read_and_said_or_asked_about(tmp_path, name):
+    written, said, *how = FILES[name]
+    encoding, step = [*how, *["utf-8", None][len(how) :]]
+    (tmp_path / name).write_text(written, encoding=encoding)
+    try:
+        read = load(tmp_path / name, SEVEN * 4, step=step)
+    except ValueError as refused:
+        read = refused
+    assert said in getattr(read, "understood", str(read))
+    if isinstance(read, Trajectory):
+        np.testing.assert_allclose(read.q, table(15)[:, 1:8], atol=1e-4)
+        if "no velocities" not in read.understood:
+            np.testing.assert_allclose(read.qd, table(15)[:, 8:], atol=1e-4)
+
+
 def test_times_that_disagree_with_the_velocities_are_said():
     assert disagreement(swinging(STEP)) == ""
     said = "The velocities fit times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s."
@@ -202,6 +298,13 @@ def test_times_that_disagree_with_the_velocities_are_said():
     assert "0.0175 times as far apart" in disagreement(swinging(STEP, np.rad2deg(1)))
     assert "not those of the positions" in disagreement(swinging(STEP, -1))
     assert "not those of the positions" in disagreement(swinging(STEP, 0))
+    assert "times that are 0.918 times as far apart" in disagreement(swinging(1.09 * STEP))
+    for joint in range(7):
+        still = swinging(STEP)
+        still.qd[:, joint] = 0
+        assert f"The velocities of joint {joint + 1} are not those" in disagreement(still)
+        still.qd[:, joint] = 1.05 * swinging(STEP).qd[:, joint]
+        assert f"times as fast as the velocities of joint {joint + 1} say" in disagreement(still)
     mixed = swinging(STEP)
     assert "not those of the positions" in disagreement(Trajectory(mixed.t, mixed.q, mixed.qd[:, ::-1]))
 
