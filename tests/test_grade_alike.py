@@ -1,13 +1,15 @@
 """Pairs that are alike: a disguised copy is found, what the task or the library forces is not named, nothing judges."""
 
 import json
+import os
 
 import pytest
 from course_copy import ROOT
 from hostile.build import book
 
 from course_lib.pack.grade import alike
-from course_lib.pack.grade.alike import Work, alike_page, copies, earlier_works, pairs
+from course_lib.pack.grade.alike import Work, alike_page, copies, earlier_works, pairs, write_alike
+from course_lib.pack.grade.collect import find
 
 NOTEBOOK = "01_rotations"
 OWN = """
@@ -73,6 +75,21 @@ def test_earlier_years_are_compared_and_not_with_each_other(tmp_path, place):
     earlier = earlier_works(tmp_path)
     assert sorted(named(work("anna", DISGUISED), work("uma", OTHER), *earlier)) == [("anna", "uma"), ("anna", "viv")]
     assert f"anna and uma ({'2025' if place else tmp_path.name})" in alike_page([work("anna", DISGUISED), *earlier])
+
+
+def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monkeypatch):
+    for name, source in (("anna", OWN), ("bo", DISGUISED)):
+        (tmp_path / "in" / name).mkdir(parents=True)
+        (tmp_path / f"in/{name}/{NOTEBOOK}.ipynb").write_bytes(book(source))
+    path = tmp_path / "alike.html"
+    write_alike(path, find(tmp_path / "in", [NOTEBOOK]))
+    assert "anna and bo" in path.read_text()
+    monkeypatch.setattr(alike, "LEAST", 10**6)
+    write_alike(path, find(tmp_path / "in", [NOTEBOOK]))
+    assert "anna and bo" in path.read_text()
+    os.utime(tmp_path / f"in/bo/{NOTEBOOK}.ipynb", (5, 5))
+    write_alike(path, find(tmp_path / "in", [NOTEBOOK]))
+    assert "No pair is alike." in path.read_text()
 
 
 def test_the_page_marks_what_both_have_escapes_it_and_gives_no_verdict():

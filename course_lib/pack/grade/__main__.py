@@ -12,7 +12,7 @@ from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.alike import alike_page, earlier_works, works
+from course_lib.pack.grade.alike import write_alike
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find, platform_of
 from course_lib.pack.grade.csv_text import count_noun
@@ -76,7 +76,8 @@ def _parser():
 def _grade(chosen, grade):
     deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
     output, submissions, roster = chosen.output, _submissions(chosen), _roster(chosen)
-    earlier = _earlier(chosen)
+    if chosen.earlier and not Path(chosen.earlier).is_dir():
+        raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
     if deadline:
         print(deadline)
     output.mkdir(parents=True, exist_ok=True)
@@ -93,7 +94,7 @@ def _grade(chosen, grade):
         outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
         counting = [submission for submission, result in outcomes if "state" not in result]
-        write_atomically(output / "alike.html", alike_page(works(counting) + earlier))
+        write_alike(output / "alike.html", counting, chosen.earlier, chosen.lms or None)
 
 
 def _submissions(chosen):
@@ -135,13 +136,6 @@ def _assigned(found, names, numbers):
     if len(left) < len(found):
         print(f"Left out: {count_noun(len(found) - len(left), 'file')} of notebooks that NOTEBOOKS= does not name.")
     return left
-
-
-def _earlier(chosen):
-    """Return the Works of earlier years, read before hours of grading because the folder may not be there."""
-    if chosen.earlier and not Path(chosen.earlier).is_dir():
-        raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
-    return earlier_works(Path(chosen.earlier), chosen.lms or None) if chosen.earlier else []
 
 
 def _roster(chosen):
@@ -222,7 +216,7 @@ def _write(output, outcomes, deadline, weight, platform, roster):
         print(f"{count_noun(len(nothing), 'student')} of the roster handed in nothing: class.html has the names.")
     if missing:
         why = "because no line of the roster fits, or several"
-        print(f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(missing)}.")
+        print(f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(_shortened(missing, 'more'))}.")
     for students in shared:
         print(f"One student of the roster, whose better points of each notebook count: {', '.join(students)}.")
 

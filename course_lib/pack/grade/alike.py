@@ -6,18 +6,23 @@ students have comes from the task and says nothing, and neither does one of the 
 """
 
 import functools
+import hashlib
 import itertools
 from collections import Counter, defaultdict
 from dataclasses import dataclass
+from pathlib import Path
 
 from markupsafe import Markup, escape
 from pygments.lexers import PythonLexer
 from pygments.token import Comment, Name, String
 
+from course_lib.pack.files import write_atomically
 from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.collect import find, read
 from course_lib.pack.grade.csv_text import words
 from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.jobs import course_hash
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, Unreadable, code, course_of
 from course_lib.pack.grade.student_view import PACKAGE
 from course_lib.pack.grade.zips import Refused
@@ -88,6 +93,25 @@ def _ours():
     return library, given
 
 
+def write_alike(path, submissions, earlier="", platform=None):
+    """Write the page, unless it is there for these Submissions and this folder of earlier years.
+
+    Lexing what students wrote may take any time, so it is done in a process of its own, within bounds.
+    """
+    depends = [earlier, course_hash(), *(f"{each.place} {each.modified}" for each in submissions)]
+    stamp = hashlib.sha256("\n".join(depends).encode("utf-8", "backslashreplace")).hexdigest()
+    if path.exists() and stamp in path.read_text(encoding="utf-8"):
+        return
+
+    def page():
+        return alike_page(works(submissions) + (earlier_works(Path(earlier), platform) if earlier else []), stamp)
+
+    try:
+        write_atomically(path, call_bounded(page, cpu_seconds=7200, memory=8 * 10**9, clock_seconds=10 * 3600))
+    except (OutOfBounds, RuntimeError) as problem:
+        print(f"{path} was not written: {problem}.")
+
+
 def pairs(everyone):
     """Return [(score, a Work, another, their passages)] of what at most MANY students of a year have, highest first.
 
@@ -125,8 +149,8 @@ def copies(everyone):
     return sorted(found, key=lambda each: (-each[3], each))
 
 
-def alike_page(everyone):
-    """Return the HTML page of pairs and of copies from the library. everyone: Works."""
+def alike_page(everyone, stamp=""):
+    """Return the HTML page of pairs and of copies from the library. everyone: Works. stamp: a comment on the page."""
     found = pairs(everyone)
     shown = [
         {"who": [_whose(one), _whose(other)], "notebook": one.notebook, "score": round(score),
@@ -134,7 +158,7 @@ def alike_page(everyone):
         for score, one, other, shared in found[:MOST]
     ]  # fmt: skip
     about = {"passage": PASSAGE, "many": MANY, "left": len(found) - len(shown), "copies": copies(everyone)}
-    return rendered("alike.html", title="Alike", pairs=shown, **about)
+    return rendered("alike.html", title="Alike", pairs=shown, stamp=stamp, **about)
 
 
 def _whose(work):

@@ -160,7 +160,8 @@ def sharing(everything):
             places.setdefault(each.student, {}).setdefault(each.submission.top, []).append(each.notebook)
     for student, tops in places.items():
         notebooks = [notebook for top in tops.values() for notebook in set(top)]
-        in_folder = any(each.submission.in_folder for each in everything if each.student == student)
+        its = [each.submission for each in everything if each.student == student]
+        in_folder = any(each.in_folder and not each.platform_id for each in its)  # Moodle has one for each assignment
         if len(tops) > 1 and (in_folder or len(set(notebooks)) < len(notebooks)):
             said.append(f"{student}: {', '.join(sorted(tops))}")
     return said
