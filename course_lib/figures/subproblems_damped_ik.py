@@ -414,10 +414,10 @@ def step_map(alphas, epsilons, errors, largest, runs):
     blue_left, blue_right = (100 * (errors[side] < 0.01).mean() for side in (left, ~left))
     return Picture(
         fig,
-        "A map of the distance after a run, over step size and damping, both logarithmic. Left of a black curve, the "
+        "A map of the distance after a run, over step size and damping, both logarithmic. Left of a curve, the "
         f"limit of the step size, {blue_left:.0f} % of it is blue, below a centimetre; right of it "
         f"{blue_right:.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}.",
-        "Blue runs converge. Right of the black curve the steps are too large; at the left and at the top they are too "
+        "Blue runs converge. Right of the curve the steps are too large; at the left and at the top they are too "
         "small.",
     )
 
