@@ -28,6 +28,8 @@ def fold(cell) -> None:
         cell.source = FOLDED.format(words=cell.source.removeprefix("**Model answer.** "))
     else:
         hide(cell, "hide-cell", "Solution")
+        cell.source = re.sub(r"^ *### BEGIN SOLUTION\n|\n? *### END SOLUTION\s*\Z", "", cell.source, flags=re.MULTILINE)
+        cell.source = cell.source.replace("### END SOLUTION", "# As given, with the error:")
 
 
 def hide(cell, tag: str, name: str, *more_tags: str) -> None:

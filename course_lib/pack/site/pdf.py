@@ -1,10 +1,13 @@
 """The pages of a site as one PDF: a title, contents, and the articles, printed by a browser without a window."""
 
+from datetime import date
+from importlib.metadata import version
 from pathlib import Path
 
 from bs4 import BeautifulSoup
 
 from course_lib.pack.photograph import find_browser, headless
+from course_lib.pack.release.bundle import release_date
 from course_lib.pack.site import SiteError
 
 NEEDED = "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
@@ -45,6 +48,8 @@ def _book(site: Path) -> str:
     article.clear()
     contents = frame.new_tag("ol")
     article.append(frame.new_tag("h1", string=title))
+    day = date(*release_date(Path())[:3])
+    article.append(frame.new_tag("p", string=f"Version {version('course_lib')}, {day:%-d %B %Y}"))
     article.append(contents)
     for name in names:
         page = _renamed(_read(site / name).find("article"), name, set(names))
