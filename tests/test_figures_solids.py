@@ -5,15 +5,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from films import Film, assert_in_ranges
-from helpers import places, stored
+from films import Film
+from helpers import places
 from numpy.testing import assert_allclose
 
 from course_lib import rigid
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
 from course_lib.figures import solids
 from course_lib.figures.solids import meshes, scene, shells
-from course_lib.figures.solids.model import AXIS, PALETTE, X_RED
+from course_lib.figures.solids.model import X_RED
+from course_lib.figures.toys.film import draw
+from course_lib.figures.toys.film import film as make_film
 from course_lib.rotations import random_rotations
 
 NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
@@ -33,31 +35,21 @@ ARMS = NAMED | {
 }
 
 
-def body(figure):
-    """The trace of the arm, and the vertices (m, 3)."""
-    trace = next(t for t in figure.data if t.type == "mesh3d" and t.cmax == len(PALETTE) - 0.5)
-    return trace, np.stack([trace.x, trace.y, trace.z], -1)
-
-
 # ---- any arm ----
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_every_arm_is_drawn_completely_with_few_vertices_in_one_mesh(name):
+def test_every_arm_is_drawn_completely_with_few_vertices_where_its_kinematics_puts_it(name):
     arm = ARMS[name]
     q = np.random.default_rng(1).uniform(-2, 2, arm.n)
-    figure = solids.draw(arm, q, axes=True)
-    trace, vertices = body(figure)
-    assert np.isfinite(vertices).all()
-    assert len(vertices) <= 2000
-    bare = solids.arm_model(arm)
+    toy = draw(arm, q, "An arm.", axes=True)
+    film, bare = Film(toy), solids.arm_model(arm)
+    assert len(film.local) <= 2000
     assert len(bare.vertices) <= 1650, "the arm without frames and arrowheads"
-    assert max(trace.i.max(), trace.j.max(), trace.k.max()) == len(vertices) - 1
-    settings = figure.layout.scene.to_plotly_json()
-    assert np.ptp(scene.projected(vertices, settings), axis=0).max() > 1, "half of the height or width"
-    everything = np.concatenate([np.stack([t.x, t.y, t.z], -1).astype(float) for t in figure.data])
-    assert_in_ranges(everything[~np.isnan(everything[:, 0])], settings)
-    assert len(json.dumps(stored(figure))) < 150_000
+    assert_allclose(film.poses[0], solids.link_poses(arm, q), atol=6e-6)
+    for k, own in enumerate(film.bodies):
+        assert_allclose(own[: bare.counts[k]], bare.vertices[bare.bodies == k], atol=1e-4)
+    assert len(json.dumps(toy.stored())) < 60_000
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -129,15 +121,6 @@ def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
         assert (tip - foot) @ screw[:3] > 0.02
 
 
-def test_the_numbers_of_joint_axes_stand_on_no_axis():
-    figure = solids.draw(ARMS["random 6"], np.full(6, 0.4), axes=True)
-    lines = [trace for trace in figure.data if trace.type == "scatter3d"]
-    dashes, numbers = next(t for t in lines if t.line.color == AXIS), next(t for t in lines if t.mode == "text")
-    settings = figure.layout.scene.to_plotly_json()
-    ends, words = (scene.projected(places(trace.to_plotly_json()), settings) for trace in (dashes, numbers))
-    assert np.nanmin(np.linalg.norm(words[:, None] - ends, axis=-1)) > 0.05
-
-
 def test_labels_do_not_overlap_even_if_their_points_do():
     points = {name: np.array([0, 0.001 * k, 0]) for k, name in enumerate("abcde")}
     settings = scene.fitted_scene([[-1, -1, 0], [1, 1, 1]])
@@ -155,34 +138,18 @@ def test_the_camera_shows_every_point_as_large_as_it_can(aspect):
     assert_allclose(seen.max(0), -seen.min(0), atol=0.02, err_msg="in the middle")
 
 
-def test_a_shadow_is_darkest_below_the_body():
-    column = np.random.default_rng(4).uniform([-0.05, -0.05, 0], [0.05, 0.05, 0.5], (400, 3))
-    disc, grid = scene.floor(np.concatenate([column, [[-0.5, 0, 0.5], [0.5, 0, 0.5]]]))
-    assert np.hypot(disc.x[disc.intensity.argmax()], disc.y[disc.intensity.argmax()]) < 0.12
-    assert disc.intensity[-32:].max() < 0.2 * disc.intensity.max()
-    assert np.nanmax(np.hypot(grid.x, grid.y)) < 0.57
-
-
 # ---- films ----
 
 
-def test_a_film_contains_poses_and_small_frames():
-    arm = iiwa14()
-    q = np.linspace(-0.5, 1, 41)[:, None] * np.ones(7)
-    figure = stored(solids.film("swing", solids.arm_model(arm), solids.link_poses(arm, q), np.linspace(0, 4, 41)))
-    film = Film(figure)
-    assert_allclose(film.poses, solids.link_poses(arm, q), atol=2e-4)
-    model = solids.arm_model(arm)
-    assert film.course["counts"] == model.counts
-    shown_times = np.linspace(0, 40, 20).astype(int)
-    assert len(figure["frames"]) == 20
-    for i, k in enumerate(shown_times):
-        true = model.placed(solids.link_poses(arm, q[k]))
-        assert_allclose(film.frame(i), true, atol=6e-4)
-        assert_allclose(film.at(k), true, atol=6e-4)
-        assert_in_ranges(true, figure["layout"]["scene"], 1000)
-    assert len(json.dumps(figure)) < 400_000
-    assert len(json.dumps(film.course)) < 60_000
+def test_a_film_contains_the_poses_at_twenty_times_a_second_and_little_more():
+    arm, times = iiwa14(), np.linspace(0, 4, 401)
+    q = np.linspace(-0.5, 1, 401)[:, None] * np.ones(7)
+    film = Film(made := make_film(solids.arm_parts(arm), solids.link_poses(arm, q), times, "An arm swings.", name="a"))
+    assert_allclose(film.course["times"], times[::5], atol=1e-4)
+    assert_allclose(film.poses, solids.link_poses(arm, q[::5]), atol=6e-5)
+    assert_allclose(film.at(40), solids.arm_model(arm).placed(solids.link_poses(arm, q[200])), atol=2e-4)
+    assert film.course["movie"] == "a"
+    assert len(json.dumps(made.stored())) < 120_000
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

@@ -1,4 +1,4 @@
-"""Films in the plane, and the controls of all films: plotly frames with play, pause and a slider, without a kernel."""
+"""Films in the plane: plotly frames with play, pause and a slider, without a kernel."""
 
 import plotly.graph_objects as go
 
@@ -42,19 +42,16 @@ def movie(name, layout, still, moving, times):
         go.Frame(data=[type(trace)(x=trace.x, y=trace.y)], traces=[len(still)], name=str(i))
         for i, trace in enumerate(moving)
     ]
-    add_controls(fig, times, redraw=False)
+    _add_controls(fig, times)
     fig.layout.meta = {"movie": name, **fig.layout.meta}
     return fig
 
 
-def add_controls(fig, times, *, redraw):
-    """Add a button that plays and a slider to a figure that has a frame for each time, and make room for them.
-
-    times: (n,), in seconds. redraw: whether plotly draws the whole figure at each frame, as scenes in space need it.
-    """
+def _add_controls(fig, times):
+    """Add a button that plays and a slider to a figure that has a frame for each time (n,), and make room for them."""
     seconds = float(times[-1] - times[0])
-    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": redraw}, "transition": {"duration": 0}}
-    pace = {"frame": {"duration": 1000 * seconds / max(len(times) - 1, 1), "redraw": redraw}, "fromcurrent": True}
+    at_once = {"mode": "immediate", "frame": {"duration": 0, "redraw": False}, "transition": {"duration": 0}}
+    pace = {"frame": {"duration": 1000 * seconds / max(len(times) - 1, 1), "redraw": False}, "fromcurrent": True}
     pace["transition"] = {"duration": 0}
     fig.update_layout(
         height=fig.layout.height + _CONTROLS,

@@ -11,11 +11,12 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines
-from course_lib.figures.solids import Model, Part, arm_model, body_poses, draw, film, link_poses, meshes, scene, shells
+from course_lib.figures.solids import Model, Part, arm_model, arm_parts, body_poses, link_poses, meshes, scene, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.space import line, points, scene_name
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.figures.toys.film import draw, film
 from course_lib.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
@@ -23,10 +24,13 @@ from course_lib.rotations import rot_x, rot_z
 def through_the_table(q):
     """Return the Panda on its table at joint angles q, shape (7,), with its flange below the top."""
     height = panda().fk(q)[2, 3]
-    return Picture(
-        draw(panda(), q, extra=[scene.table(np.zeros(2), 0.5)], view=[-1.5, 0.7, 0.3], base_frame=False),
+    return draw(
+        panda(),
+        q,
         f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top.",
         "The arm bends down beside its base, through the table.",
+        view=(-1.5, 0.7, 0.15),
+        ground=0.0,
     )
 
 
@@ -236,7 +240,7 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
 
 
 def at_the_mug(q, T_mug, base):
-    """Return the Panda with its open gripper at joint angles q (7,) and a mug at T_mug (4, 4); beside it, both large.
+    """Return the Panda's open gripper, large, at joint angles q (7,) of the arm, and a mug at T_mug (4, 4).
 
     base: (3,), where the arm stands in the world.
     """
@@ -246,17 +250,10 @@ def at_the_mug(q, T_mug, base):
     for side in (1, -1):
         at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
         gripper += [part.moved(at) for part in shells.finger(7, side)]
-    poses, height, drawn, scenes = link_poses(arm, np.asarray(q, float)), 390, [], []
-    for i, model in enumerate((arm_model(arm, gripper + mug), Model.of(gripper + mug))):
-        settings, _ = scene.column(model.placed(poses), (1.0, -1.4, 0.3), i, 2, height=height, fill=0.9)
-        scenes.append(settings)
-        drawn.append(model.trace(poses, scene_name(i)))
-    return Picture(
-        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["the arm", "its gripper"])),
-        "Left, the Panda with its gripper at a mug, in the configuration that is nearest to it; right, gripper and mug "
-        "alone, enlarged.",
-        "Rotate the right picture: which part is in the mug?",
-    )
+    near = Model.of(gripper + mug).placed(link_poses(arm, np.asarray(q, float)))[::9]
+    alt = "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
+    look = {"extra": gripper + mug, "view": (1.0, -1.4, 0.3), "ground": 0.0, "frame": False, "near": near}
+    return draw(arm, q, alt, "Rotate the picture: which part of the gripper is in the mug?", **look)
 
 
 def matches(template, scene_points, T, wrong):
@@ -304,26 +301,26 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
     """
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
     parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
-    model = arm_model(panda(), [*parts, Part(11, MUG_RED, meshes.mug())])
+    parts = arm_parts(panda(), [*parts, Part(11, MUG_RED, meshes.mug())])
     pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
     poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
-    vertices = model.placed(poses[:: max(1, len(poses) // 15)]).reshape(-1, 3)
-    edge = Model.of([scene.table(*scene.floor_size(vertices), base[2])])
+    poses = np.concatenate([poses, np.broadcast_to(camera, (len(poses), 1, 4, 4))], 1)
     lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
-    body = Model.of([Part(0, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(0, STEEL, lens)])
-    still = [edge.trace([np.eye(4)]), line(grippers[:, :3, 3], BLUE, 4, dash="dash"), body.trace([camera])]
-    seen = np.concatenate([edge.vertices, body.placed([camera])])
-    look = {"still": still, "points": seen, "view": (0.9, -1.6, 0.75), "ground": base[2]}
+    parts += [Part(12, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(12, STEEL, lens)]
+    look = {"name": "pick", "paths": [(grippers[:, :3, 3], BLUE, (6, 4))], "ground": base[2]}
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
-    return Picture(
-        film("pick", model, poses, times, frames=15, **look),
+    return film(
+        parts,
+        poses,
+        times,
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises. "
         "A camera hangs above the table and looks down.",
-        "The dashed line is the path between the fingertips. From which side do you see that they end on both sides of "
-        "the mug?",
+        "The dashed line is the path between the fingertips, which close on both sides of the mug.",
+        view=(1.2, 1.2, 0.7),
+        **look,
     )
 
 

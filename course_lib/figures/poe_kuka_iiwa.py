@@ -4,17 +4,16 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 """
 
 import numpy as np
-import plotly.graph_objects as go
 
 from course_lib import rigid
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, in_metres, legend_above, lines, pi_ticks, plain
-from course_lib.figures.solids import Model, Part, arm_model, draw, film, link_poses, scene
+from course_lib.figures.solids import Part, arm_parts, link_poses, scene
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
-from course_lib.figures.space import line
-from course_lib.figures.style import BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
 from course_lib.figures.three_views import direction
+from course_lib.figures.toys.film import draw, film
 
 
 def wrong_frame(paths, table):
@@ -91,30 +90,31 @@ def screw_motion(poses, through, axis):
     length = np.ptp(np.r_[along, 0]) + 0.45 * size
     shown = poses[np.linspace(0, len(poses) - 1, 4).astype(int)]
     parts = [part for k in range(4) for part in scene.triad(k, np.eye(4), 0.2 * size)]
-    model = Model.of([*parts, Part(4, VIOLET, arrow(foot, axis, length, 0.008 * size))])
-    placed = np.concatenate([shown, np.eye(4)[None]])
-    vertices = model.placed(placed)
-    ground = vertices[:, 2].min()
+    parts.append(Part(4, VIOLET, arrow(foot, axis, length, 0.008 * size)))
     words = {"S": foot + length * axis, **{f"{k + 1}": pose[:3, 3] for k, pose in enumerate(shown)}}
-    settings = scene.fitted_scene(np.concatenate([vertices, path, scene.rim(vertices, ground)]), (1.4, 0.9, 0.6))
-    arrows = [T[:3, 3] + share * 0.2 * size * T[:3, j] for T in shown for j in range(3) for share in (0.3, 0.6, 1.0)]
-    drawn = [*scene.floor(vertices, height=ground), line(path, BLUE, 6), model.trace(placed)]
-    drawn += scene.labels(words, settings, np.concatenate([path, arrows]))
     rise = along[-1] - along[0]
-    return Picture(
-        go.Figure(drawn, layout=scene.layout([settings], height=420)),
+    return film(
+        parts,
+        np.concatenate([shown, np.eye(4)[None]])[None],
+        [0.0],
         f"A frame moves along a helix about a screw axis, which it does not touch, and rises by {rise:.2f} m.",
         "The frame rotates about the axis and slides along it; its origin keeps its distance from the axis.",
+        paths=[(path, BLUE, ())],
+        words=[(word, point, BLACK) for word, point in words.items()],
+        view=(1.4, 0.9, 0.6),
     )
 
 
 def arm_with_axes(arm):
     """Return an arm at joint angles zero with its joint axes, dashed and numbered, each with an arrowhead."""
     arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
-    return Picture(
-        draw(arm, np.zeros(arm.n), axes=True, view=(1.2, 1.4, 0.6), height=560),
+    return draw(
+        arm,
+        np.zeros(arm.n),
         f"The arm with all joint angles zero and the axes of its {arm.n} joints, which point along {arrows}.",
         "Axes 1, 3, 5 and 7 lie on one line; axes 2, 4 and 6 cross it.",
+        axes=True,
+        view=(1.2, 1.4, 0.6),
     )
 
 
@@ -122,12 +122,15 @@ def arm_movie(arm, motion):
     """Return a film of an arm that moves along a Trajectory, with the path of its end-effector."""
     path = arm.fk(motion.q)[:, :3, 3]
     size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
-    model = arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.16))
-    still = [line(path, BLUE, 5, dash="dash")]
-    return Picture(
-        film("iiwa", model, link_poses(arm, motion.q), motion.t, still=still, view=(0.1, 1.0, 0.5)),
+    return film(
+        arm_parts(arm, scene.triad(arm.n, arm.home[-1], 0.16)),
+        link_poses(arm, motion.q),
+        motion.t,
         f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its end-effector has {size}.",
         "The end-effector follows the dashed path.",
+        name="iiwa",
+        paths=[(path, BLUE, (7, 5))],
+        view=(0.1, 1.0, 0.5),
     )
 
 

@@ -10,11 +10,12 @@ from matplotlib.colors import TwoSlopeNorm
 
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
-from course_lib.figures.solids import Model, Part, draw, scene
+from course_lib.figures.solids import Model, Part, scene
 from course_lib.figures.solids.meshes import arrow, basis
 from course_lib.figures.solids.model import AXIS, VIOLET
 from course_lib.figures.space import coordinates, fixed_frame, line, points, sphere, words_at
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.figures.toys.film import draw
 from course_lib.rotations import exp_so3, log_so3
 
 CAMERA = np.array([1.3, 1.0, 0.7])
@@ -243,10 +244,13 @@ def motion_from_home():
 
 def six_axis_arm(arm, q):
     """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,)."""
-    return Picture(
-        draw(arm, q, axes=True, view=(0.6, 1.4, 0.5)),
+    return draw(
+        arm,
+        q,
         f"A solid arm with {arm.n} dashed, numbered joint axes; its flange is {arm.fk(q)[2, 3]:.2f} m above the floor.",
         "Axes 2 and 3 are parallel; axes 4, 5 and 6 meet in the wrist center.",
+        axes=True,
+        view=(0.6, 1.4, 0.5),
     )
 
 

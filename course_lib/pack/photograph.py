@@ -16,6 +16,12 @@ _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
 .controls{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
 const meta = {meta};
 window.course.kinds[meta.kind](document.getElementById("toy"), meta, null);</script>"""
+_SHEET = """<style>body{{background:#fff;display:grid;grid-template-columns:repeat({across},{width}px)}}
+.course-toy{{padding:0!important}}.controls{{display:none!important}}</style><body>{scripts}<script>
+for (const at of {times}) {{
+  const meta = {{ ...{meta}, at }};
+  window.course.kinds[meta.kind](document.body.appendChild(document.createElement("div")), meta, null);
+}}</script>"""
 _OPTIONS = ["--headless", "--no-sandbox", "--hide-scrollbars", "--enable-unsafe-swiftshader"]
 _OPTIONS += ["--force-prefers-reduced-motion", "--default-background-color=00000000"]
 
@@ -27,6 +33,20 @@ def photograph(meta: dict) -> bytes:
     bottom = image.convert("L").point(lambda dot: 255 * (dot < 255)).getbbox()[3]
     image.crop((0, 0, WIDTH, bottom)).save(file := io.BytesIO(), "PNG")
     return file.getvalue()
+
+
+def film_pictures(figure: dict, times):
+    """Yield the pictures of a stored film in space, a toy, at times in seconds: sixteen are photographed at once."""
+    course = figure["layout"]["meta"]["course"]
+    width, height, across = 560, 420, 4
+    for first in range(0, len(times), across**2):
+        some = [round(float(t), 4) for t in times[first : first + across**2]]
+        data = json.dumps(course).replace("</", "<\\/")
+        body = _SHEET.format(scripts=inline(course["scripts"]), meta=data, times=some, across=across, width=width)
+        sheet = screenshot(body, across * width, across * height).convert("RGB")
+        for k in range(len(some)):
+            x, y = width * (k % across), height * (k // across)
+            yield sheet.crop((x, y, x + width, y + height))
 
 
 def inline(scripts) -> str:

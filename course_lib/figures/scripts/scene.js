@@ -184,6 +184,10 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
         paint({ ...each, palette: each.palette.map(() => floor.shade), opacity: floor.darkness }));
       off(gl.STENCIL_TEST);
       gl.uniform1i(body.at("shadow"), 0);
+      on(gl.DEPTH_TEST); // what is below the floor is hidden by it
+      gl.colorMask(false, false, false, false);
+      paint(floor);
+      gl.colorMask(true, true, true, true);
     }
     ["space", "above"].forEach((layer) => {
       if (layer === "above") gl.clear(gl.DEPTH_BUFFER_BIT);

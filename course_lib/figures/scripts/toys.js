@@ -15,7 +15,7 @@ globalThis.course.parts = (() => {
     "#6b7177": "#b3bac1", "#222222": "#e7eaee", "#b2182b": "#f2667a", "#7f8891": "#8d959e", "#d96a12": "#f07818",
     "#f7f8fa": "#14171b", "#dde1e6": "#2a3037", "#2f3338": "#69727c", "#5b6168": "#7d858e",
     "#e4e7ea": "#4a535d", "#2166ac": "#4393d0", "#b01a2a": "#d6404f", "#e9ecef": "#2a3037", "#c9ced4": "#414a54",
-    "#1a1f26": "#000000",
+    "#1a1f26": "#000000", "#7a1fa2": "#cf9ae6",
   };
   const AS_WORDS = { "#009e73": "#007a59", "#b87a00": "#8a5f00", "#d55e00": "#b84f00" };
   const isDark = () =>
@@ -592,14 +592,15 @@ outline:3px solid var(--focus);outline-offset:-3px}
       },
       ball: (p, r, colour, look) => made.mesh(BALL, [sized(r, p)], [colour], look),
       text: (p, words, colour, lift = 0) => made.word(M.add(toPixels(p), [0, -lift]), words, colour),
-      floor(half, height = 0, step = 0.2) {
-        const T = sized(half, [0, 0, height]), palette = [tint(COLOURS.floor)];
+      floor(half, height = 0, step = 0.2, [x, y] = [0, 0]) {
+        const T = sized(half, [x, y, height]), palette = [tint(COLOURS.floor)];
         const shade = tint(COLOURS.shade), darkness = isDark() ? 0.5 : 0.2;
         floor = { mesh: S.disc, poses: [T], palette, opacity: 1, least: 1, height, shade, darkness };
         const grid = [], n = Math.floor(half / step);
         for (let k = -n; k <= n; k++) {
           const t = k * step, e = Math.sqrt(Math.max(0, half * half - t * t));
-          grid.push([t, -e, height], [t, e, height], null, [-e, t, height], [e, t, height], null);
+          grid.push([x + t, y - e, height], [x + t, y + e, height], null);
+          grid.push([x - e, y + t, height], [x + e, y + t, height], null);
         }
         made.line(grid, COLOURS.lines, 1, { layer: "floor" });
       },

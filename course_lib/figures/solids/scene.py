@@ -1,16 +1,14 @@
 """The surroundings of a robot: floor with grid and soft shadow, table, joint axes, named frames, and the camera."""
 
 import numpy as np
-import plotly.graph_objects as go
 
 from course_lib.figures.solids.meshes import arrow, revolve
-from course_lib.figures.solids.model import WHITE, X_RED, Part
+from course_lib.figures.solids.model import X_RED, Part
 from course_lib.figures.solids.shells import joint_points
-from course_lib.figures.space import coordinates, line, scene_name, words_at
+from course_lib.figures.space import scene_name, words_at
 from course_lib.figures.style import BLACK, PLOTLY_LAYOUT
 
 _FIELD_OF_VIEW = np.tan(np.pi / 8)  # plotly's: 45 degrees from top to bottom
-_FLOOR, _SHADOW, _GRID = "#eceef1", "#6b727b", "#c3c8ce"
 VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
 
 
@@ -89,44 +87,12 @@ def layout(scenes, *, height=480, titles=()):
     return {**PLOTLY_LAYOUT, **own, **{scene_name(i): settings for i, settings in enumerate(scenes)}}
 
 
-def floor(vertices, *, height=0.0):
-    """Return a round floor with the soft shadow of what stands above it, and its grid: two traces.
-
-    vertices: (n, 3), of the bodies that cast the shadow; of a film, those of several frames.
-    """
-    centre, radius = floor_size(vertices)
-    rings, around = 11, 32
-    t = 2 * np.pi * np.arange(around) / around
-    r = radius * np.linspace(0, 1, rings + 1)[1:, None]
-    x = np.r_[centre[0], (centre[0] + r * np.cos(t)).ravel()]
-    y = np.r_[centre[1], (centre[1] + r * np.sin(t)).ravel()]
-    disc = go.Mesh3d(
-        **coordinates(np.stack([x, y, np.full_like(x, height - 0.003 * radius)], -1)),
-        **dict(zip("ijk", _disc_faces(rings, around), strict=True)),
-        intensity=np.round(100 * _shade(vertices - [0, 0, height], x, y, radius)).astype(int),
-        cmin=0,
-        cmax=100,
-        colorscale=[[0, _FLOOR], [1, _SHADOW]],
-        showscale=False,
-        lighting={"ambient": 1, "diffuse": 0, "specular": 0, "fresnel": 0},
-        hoverinfo="skip",
-    )
-    return [disc, _grid(centre, radius, height)]
-
-
 def floor_size(vertices):
     """Return centre (2,) and radius of the floor below vertices (n, 3)."""
     low, high = vertices[:, :2].min(0), vertices[:, :2].max(0)
     centre = (low + high) / 2
     reach = np.linalg.norm(vertices[:, :2] - centre, axis=1).max()
     return np.round(centre, 3), round(max(1.12 * reach, 0.3 * np.ptp(vertices[:, 2])), 3)
-
-
-def rim(vertices, height=0.0):
-    """Return points (24, 3) on the edge of the floor below vertices, for the camera."""
-    centre, radius = floor_size(vertices)
-    t = np.linspace(0, 2 * np.pi, 24, endpoint=False)
-    return np.stack([centre[0] + radius * np.cos(t), centre[1] + radius * np.sin(t), np.full(24, height)], -1)
 
 
 def joint_axes(arm, poses, vertices, bodies, *, beyond=0.16):
@@ -176,13 +142,6 @@ def triad(body, pose, size, radius=None):
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]
 
 
-def table(centre, radius, height=0.0):
-    """Return the edge of a round table under the floor of that size: a Part of body 0."""
-    low, high, r = -0.03, -0.006 * radius, radius
-    edge = [(0.97 * r, low), (r, 0.8 * low), (r, high), (0.99 * r, high)]
-    return Part(0, WHITE, revolve([*centre, height], [0, 0, 1], edge, 32))
-
-
 def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scene="scene", gap=0.05):
     """Return words beside their points, moved in the picture so that they cover neither each other nor other points.
 
@@ -213,40 +172,6 @@ def labels(words, settings, taken=(), *, colour=BLACK, size=15, aspect=1.0, scen
         # Towards the eye, so that no body hides it; where it is seen stays the same.
         points[i] = where + 0.12 * metres / np.linalg.norm(towards := at_eye - where) * towards
     return [words_at(points, words, colour, scene, size).update(textposition="middle center")]
-
-
-def _shade(vertices, x, y, radius):
-    """Return the shadow's darkness at points of the floor, 0 to 1; higher parts cast it paler, wider and farther."""
-    size = radius / 0.6
-    p = vertices[:: max(1, len(vertices) // 350)] / size
-    x, y = x / size, y / size
-    high = np.maximum(p[:, 2], 0)
-    spread = 0.075 * (1 + 1.2 * high)
-    d2 = (x[:, None] - p[:, 0] - 0.1 * high) ** 2 + (y[:, None] - p[:, 1] - 0.12 * high) ** 2
-    dark = (np.exp(-0.9 * high - d2 / (2 * spread**2)) / spread**2).sum(-1) / len(p)
-    return 1 - np.exp(-0.055 * dark)
-
-
-def _disc_faces(rings, around):
-    a = np.arange(around)
-    b = (a + 1) % around
-    faces = [np.stack([0 * a, 1 + a, 1 + b], -1)]
-    for r in range(rings - 1):
-        o, p = 1 + r * around, 1 + (r + 1) * around
-        faces += [np.stack([o + a, p + a, p + b], -1), np.stack([o + a, p + b, o + b], -1)]
-    return np.concatenate(faces).T
-
-
-def _grid(centre, radius, height):
-    step = next(s for s in (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 100, 1e9) if radius / s < 5)
-    lines = []
-    for c in range(2):
-        for t in step * np.arange(np.ceil((centre[c] - radius) / step), np.floor((centre[c] + radius) / step) + 1):
-            half = np.sqrt(max((0.99 * radius) ** 2 - (t - centre[c]) ** 2, 0))
-            if half > 0.15 * radius:
-                ends = [(t, centre[1 - c] - half), (t, centre[1 - c] + half)]  # x and y, or y and x
-                lines += [[end[c], end[1 - c], height] for end in ends] + [[np.nan] * 3]
-    return line(lines, _GRID, 1.5)
 
 
 def _xyz(values):

@@ -154,8 +154,6 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     course = figure.get("layout", {}).get("meta", {}).get("course") or {}
     kind = course.get("kind", "")
     moves, room = bool(figure.get("frames")), _room(figure)
-    if kind == "film":  # its script computes every frame from the poses; those stored are for JupyterLab
-        figure = {**figure, "frames": []}
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'

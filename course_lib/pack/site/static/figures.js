@@ -3,12 +3,12 @@
 // time (16 on a desktop, 8 on a phone). What plotly does not draw, a toy, is drawn once.
 //
 // Figures with a script of their own. A plotly figure whose `layout.meta.course` is
-//     {"kind": "film", "scripts": ["motion", "film"], ...}
-// makes its page load course_lib/figures/scripts/motion.js and film.js, in this order, before this file. They
+//     {"kind": "toy:arm", "scripts": ["motion", "scene", "toys", "toy_arm"], "plotly": false, ...}
+// makes its page load course_lib/figures/scripts/motion.js and the others, in this order, before this file. They
 // are classic scripts (a browser refuses modules from file://); without "scripts" the one loaded is named as the
 // kind, up to a colon ("toy:arm" -> toy.js). A script says what starts a kind of figure:
 //     window.course = window.course || { kinds: {} };
-//     window.course.kinds["film"] = (live, meta) => stop;
+//     window.course.kinds["toy:arm"] = (live, meta) => stop;
 // It is called each time that the figure is drawn, with
 //     live    the <div> in which plotly has drawn the figure, or an empty one if meta.plotly is false
 //     meta    layout.meta.course

@@ -1,0 +1,65 @@
+// A still or a film of rigid bodies on a floor. meta.rotations and meta.positions hold, for each of meta.times and each
+// body, a rotation vector and a position in millimetres; between these bodies move along screws. A film begins by
+// itself, unless the reader prefers reduced motion, plays while it is in view, and begins again at its end.
+(() => {
+  "use strict";
+  const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene;
+
+  P.toy("film", ({ title }) => title, (card, meta) => {
+    const { times, centre, azimuth, elevation, title: label, floor: [x, y, height, radius] } = meta;
+    const solid = S.unpack(meta.solid), last = times[times.length - 1], still = meta.at !== undefined;
+    const poses = meta.rotations.map((bodies, i) => bodies.map((w, k) =>
+      M.pose(M.rotationOf(M.exp([...w, 0, 0, 0])), M.scale(meta.positions[i][k], 1e-3))));
+    const at = (t) => {
+      const next = times.findIndex((time) => time > t), i = next < 0 ? times.length - 1 : next - 1;
+      const share = next < 0 ? 0 : (t - times[i]) / (times[next] - times[i]);
+      return poses[i].map((from, k) => (share ? M.interpolate(from, poses[i + 1][k], share) : from));
+    };
+    const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const state = card.state({ at: meta.at || 0, plays: last > 0 && !reduced && !still });
+    const view = card.space({ radius: meta.radius, centre, azimuth, elevation, label });
+    if (last && !still) {
+      const limits = { min: 0, max: last, step: 0.01 };
+      const time = card.setting("Time", state, "at", limits, (t) => `${P.number(t)} s`);
+      time.input.addEventListener("input", () => play(false));
+      const button = card.button("", () => play(!state.plays));
+      let before = null, isVisible = true, frame = null;
+      const step = (now) => {
+        frame = requestAnimationFrame(step);
+        const passed = Math.min(now - (before || now), 250) / 1000; // after a pause of the page it goes on
+        before = now;
+        if (!isVisible || view.held) return;
+        state.at = state.at >= last ? 0 : Math.min(last, state.at + passed);
+        time.set(state.at);
+        card.draw();
+      };
+      const play = (plays) => {
+        state.plays = plays;
+        button.textContent = plays ? "Pause" : "Play";
+        cancelAnimationFrame(frame);
+        before = null;
+        if (plays) frame = requestAnimationFrame(step);
+      };
+      const watch = new IntersectionObserver((entries) => (isVisible = entries[entries.length - 1].isIntersecting));
+      watch.observe(view.box);
+      card.atEnd(() => { cancelAnimationFrame(frame); watch.disconnect(); });
+      play(state.plays);
+    }
+    // What is in the picture: the bodies at some of the times, the paths and the words.
+    const some = solid.vertices.map((_, i) => i).filter((i) => i % 5 === 0);
+    const seen = meta.near || M.sampled(last ? 12 : 1, (s) => at(s * last)).flatMap((now) =>
+      some.map((i) => M.move(now[solid.bodies[i]], solid.vertices[i])));
+    if (!meta.near) seen.push(...meta.paths.flatMap(([points]) => points.filter((p) => p[0] !== null)),
+      ...meta.words.map(([, p]) => p));
+    return () => {
+      view.begin();
+      view.contain(seen);
+      view.floor(radius, height, radius > 1 ? 0.5 : 0.2, [x, y]);
+      view.mesh(solid, at(state.at), solid.palette);
+      meta.paths.forEach(([points, colour, dash]) =>
+        view.line(points.map((p) => (p[0] === null ? null : p)), colour, 2.5, { dash }));
+      meta.words.forEach(([word, p, colour]) => view.text(p, word, colour));
+      view.end();
+    };
+  });
+})();

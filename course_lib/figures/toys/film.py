@@ -1,0 +1,77 @@
+"""Stills and films of robots: solid bodies on a floor, drawn by the scene that draws the toys."""
+
+import numpy as np
+
+from course_lib.figures.solids import arm_model, arm_parts, link_poses, scene
+from course_lib.figures.solids.model import AXIS, VIOLET, Model, Part
+from course_lib.figures.toys.toy import Toy, solid
+from course_lib.rotations import log_so3
+
+_RATE, _MOST_POSES = 20, 600  # poses in a second, and in a film; bodies move along screws between them
+_MILLIMETRES = 1000  # the unit of positions, in which numbers are short
+VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
+
+
+def film(parts, poses, times, alt, caption="", *, name="", paths=(), words=(), view=VIEW, ground=None, near=None):
+    """Return a toy in which bodies move in real time, or stand still if there is one time.
+
+    parts: Parts, of the bodies 0, 1, ... poses: (m, bodies, 4, 4), at times (m,), in seconds, increasing. name: that of
+    its file if it is written as an animation. paths: (points (n, 3), colour, dashes in pixels); a row of NaN interrupts
+    a path. words: (word, point, colour). view: (3,), the direction to the eye. ground: the height of the floor; that of
+    the lowest point if None. near: (n, 3), what the picture shows; all if None.
+    """
+    kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
+    poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]
+    model = Model.of(parts)
+    vertices = model.placed(poses[:: max(1, len(poses) // 20)]).reshape(-1, 3)
+    shown = np.concatenate([vertices, *(points for points, *_ in paths), *([point] for _, point, _ in words)])
+    low, high = (extreme(shown if near is None else near, 0) for extreme in (np.nanmin, np.nanmax))
+    centre, radius = scene.floor_size(vertices)
+    azimuth, elevation = np.arctan2(view[1], view[0]), np.arctan2(view[2], np.hypot(view[0], view[1]))
+    meta = {
+        "title": alt.split(": ", 1)[-1].split(". ")[0],
+        "solid": solid(model),
+        "times": (times - times[0]).round(4).tolist(),
+        # Two arrays, because each is rounded by its own largest number.
+        "rotations": (np.round(log_so3(poses[..., :3, :3]) + 3.1e-7, 5) + 0.0).tolist(),
+        "positions": (np.round(_MILLIMETRES * poses[..., :3, 3] + 3.1e-4, 2) + 0.0).tolist(),
+        "paths": [
+            [np.round(points[:: max(1, len(points) // 300)] + 3.1e-7, 4).tolist(), colour, list(dash)]
+            for points, colour, dash in paths
+        ],
+        "words": [[word, np.round(point, 4).tolist(), colour] for word, point, colour in words],
+        "centre": ((low + high) / 2).round(3).tolist(),
+        "radius": round(0.25 * float(np.linalg.norm(high - low)), 3),
+        "azimuth": round(float(azimuth), 4),
+        "elevation": round(float(elevation), 4),
+        "floor": [*centre.tolist(), round(float(low[2] if ground is None else ground), 4), float(radius)],
+    }
+    if near is not None:
+        meta["near"] = np.round(near, 4).tolist()
+    return Toy("film", meta | ({"movie": name} if name else {}), alt, caption=caption)
+
+
+def draw(arm, q, alt, caption="", *, axes=False, extra=(), view=VIEW, ground=None, frame=True, near=None):
+    """Return a picture of an arm as solid bodies on a floor, at joint angles q (n,), with its end-effector frame.
+
+    The iiwa, the Panda and the UR5e look like themselves; any other arm gets capsules and drums from its screw axes.
+    axes: draw the joint axes, dashed and numbered. extra: Parts to draw on the bodies 0 to n, in the base frame at q =
+    0. view: (3,), the direction from the arm to the eye. ground: the height of the floor; 0 or that of the lowest point
+    if None. frame: draw the frame of the end-effector. near: (n, 3), what the picture shows; all if None.
+    """
+    model, poses = arm_model(arm, extra), link_poses(arm, np.asarray(q, float))
+    vertices = model.placed(poses)
+    size = max(np.ptp(vertices, axis=0).max(), np.linalg.norm(arm.home[-1, :3, 3]) * 0.5)
+    parts, paths, words = [*extra, *(scene.triad(arm.n, arm.home[-1], 0.17 * size) if frame else ())], [], []
+    if axes:
+        dashes, heads, at = scene.joint_axes(arm, poses, vertices, model.bodies, beyond=0.15 * size)
+        paths, words = [(dashes, AXIS, ())], [(word, point, AXIS) for word, point in at.items()]
+        parts += [Part(0, VIOLET, head) for head in heads]  # body 0 does not move
+    ground = min(0.0, vertices[:, 2].min()) if ground is None else ground
+    look = {"paths": paths, "words": words, "view": view, "near": near, "ground": ground}
+    return film(arm_parts(arm, parts), poses[None], [0.0], alt, caption, **look)
+
+
+def _evenly(n, most):
+    """The numbers of at most so many of n samples, the first and the last among them."""
+    return np.unique(np.linspace(0, n - 1, min(n, max(most, 2))).astype(int))
