@@ -9,7 +9,8 @@ import pytest
 from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, reflections_stay, right
 
 from course_lib import rotations
-from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Verdict
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Exercise, Property, Verdict
 from course_lib.checks.notebook import Check, Predict, Progress, describe
 from course_lib.checks.prediction import Prediction
 
@@ -39,10 +40,21 @@ def test_a_right_answer_is_one_line(shown):
     assert [words(bundle) for bundle in shown] == ["✓ nearest_so: right, 3 of 3 points"]
 
 
+def test_of_a_long_array_the_first_wrong_item_is_shown(shown):
+    rows = Property("the rows are 0, 1, 2 ...", lambda value, n: np.array_equal(value, _rows(n)))
+    exercise = Exercise("rows", 1, ("n",), lambda rng: [(9,)], numbers(lambda n: (n, 6)), (rows,), (), library=_rows)
+    Check(exercise)(lambda n: _rows(n) + (np.arange(n) == 4)[:, None])
+    assert "an array of shape (9, 6) whose item 4 is\n    [5 5 5 5 5 5]" in words(shown[0])
+
+
+def _rows(n):
+    return np.repeat(np.arange(n), 6).reshape(n, 6)
+
+
 def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(shown):
     Check(NEAREST_SO)(reflections_stay)
     (text,) = map(words, shown)
-    order = ["✗ nearest_so: not right yet", "For M = ", "your answer is ", "What should hold: ", "It looks as if "]
+    order = ["✗ nearest_so: not right yet", "It looks as if ", "What should hold: ", "For M = ", "your answer is "]
     positions = [text.index(part) for part in order]
     assert positions == sorted(positions)
     assert "<div" not in text
@@ -189,7 +201,10 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
         (lambda M: [1] - [2], "a list is taken for an array"),
         (lambda M: 2.0 ^ M, "^ is taken for a power"),
         (lambda M: 2.0 ^ M[0, 0].item(), "^ is taken for a power"),
-        (lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)), "decimals are added to an array of whole numbers"),
+        (
+            lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)),
+            "decimals are added in place, by += or -=, to an array of whole numbers",
+        ),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):

@@ -114,6 +114,10 @@ def test_a_test_that_always_says_the_same_earns_nothing(always):
     assert "your test" in verdict.mistake.name
 
 
+def test_a_test_without_return_is_told_so():
+    assert judge(TEST_LOG, Here(lambda log: None)).mistake == FORGOTTEN_RETURN
+
+
 def test_a_test_that_fails_on_a_right_version_says_where():
     verdict = judge(TEST_LOG, Here(lambda log: log(np.eye(3)).undefined))
     assert verdict.state == ERROR

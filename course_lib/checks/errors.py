@@ -23,7 +23,8 @@ _NUMBER_FOR_ARRAY = Mistake(
     "A number has no entries to index or to loop over. numpy's functions work on numbers and on arrays.",
 )
 _WHOLE_NUMBERS = Mistake(
-    "decimals are added to an array of whole numbers", "np.array(x, float) makes one that holds decimals."
+    "decimals are added in place, by += or -=, to an array of whole numbers",
+    "x = x + ... makes a new array, which holds decimals, and leaves the caller's array as it was.",
 )
 _SHAPES = Mistake("two arrays whose shapes do not fit are multiplied by @", "Print the .shape of both.")
 _NOT_FINITE = Mistake(

@@ -75,7 +75,7 @@ class Naming:
         found = found or next((known for known in everyday(self) if self._explains_enough(known, failing)), None)
         if found is None and not self._few_bits():
             found = next((known for known in own if self._explains(known, failing)), None)
-        return found or (FEW_DIGITS if self._nearly_right(failing) else None)
+        return found or (self._few_digits(failing) if self._nearly_right(failing) else None)
 
     def _few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
@@ -86,6 +86,10 @@ class Naming:
         if 2 * len(failing) < len(self.cases) or isinstance(self.values[failing[0]], bool):
             return False
         return all(attempt(_close, self.values[i], self.right(i)) for i in failing)
+
+    def _few_digits(self, failing):
+        off = max(_gap(self.values[i], self.right(i)) for i in failing)
+        return Mistake(f"the answer is right to its first digits only: it is off by {off:.2g}", _FEW_DIGITS)
 
     def of_other_form(self, position, value):
         """Return the Mistake of an answer of another shape than asked for, or None."""
@@ -168,7 +172,8 @@ def everyday(naming):
         for always in (True, False):
             yield Mistake(f"the answer is always {always}", _ALWAYS, lambda *case, always=always: always)
         return
-    if len({str(value) for value in values}) == 1 < len(values) and not np.isnan(np.asarray(values[0], float)).all():
+    no_number = attempt(lambda value: np.isnan(value).all(), values[0])
+    if len({str(value) for value in values}) == 1 < len(values) and not no_number:
         yield Mistake("the answer is the same for every input", _SAME, lambda *case: values[0])
     if exercise.library is None or naming.right(0) is None:
         return
@@ -348,10 +353,7 @@ _WHOLE = (
     "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has room for digits.",
 )
 
-FEW_DIGITS = Mistake(
-    "the answer is right to its first digits only",
-    "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is np.pi.",
-)
+_FEW_DIGITS = "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is np.pi."
 
 _OF_THE_ANSWER = (
     ("the answer is the transpose of what it should be", _ROWS, _transposed),

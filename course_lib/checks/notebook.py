@@ -8,11 +8,13 @@ import os
 import numpy as np
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, Verdict, review, with_blame
+from course_lib.checks.naming import attempt, predict, same
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
+_LONG = 40  # numbers: of a longer array one item is shown
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
@@ -254,26 +256,38 @@ def describe(verdict):
         return "\n".join(lines)
     if verdict.state == ERROR:
         lines.append(verdict.reason)
+    if verdict.mistake is not None:
+        lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
+    if verdict.state == WRONG:
+        lines.append(f"What should hold: {verdict.reason}")
     if verdict.case is not None:
         named = zip(exercise.arguments, verdict.case, strict=True)
         lines += [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
         if verdict.state == WRONG:
-            lines.append(_labelled("", "your answer is ", verdict.answer))
-    if verdict.state == WRONG:
-        lines.append(f"What should hold: {verdict.reason}")
-    if verdict.mistake is not None:
-        lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
-    elif exercise.hints:
+            lines.append(_labelled("", "your answer is ", verdict.answer, _first_wrong(verdict)))
+    if verdict.mistake is None and exercise.hints:
         lines.append(f"check.{exercise.name}.hint() gives a hint.")
     return "\n".join(lines)
 
 
-def _labelled(before, label, value):
-    """Write a value beside its label, its further lines indented below the first."""
+def _first_wrong(verdict):
+    """Return the number of the first item of a long answer that is not the library's; 0 if there is none."""
+    library, answer = verdict.exercise.library, verdict.answer
+    if library is None or not isinstance(answer, np.ndarray) or answer.size <= _LONG:
+        return 0
+    right = attempt(np.asarray, predict(library, verdict.case), float)
+    if right is None or right.shape != answer.shape:
+        return 0
+    return next((k for k, item in enumerate(right) if not same(answer[k], item)), 0)
+
+
+def _labelled(before, label, value, item=0):
+    """Write a value beside its label, its further lines indented below the first; of a long array one item."""
     if hasattr(value, "number"):
         text = f"numpy.random.default_rng({value.number})"
-    elif isinstance(value, np.ndarray) and value.size > 40:
-        return f"{before}{label}an array of shape {value.shape} that begins with\n" + _labelled("    ", "", value[0])
+    elif isinstance(value, np.ndarray) and value.size > _LONG:
+        which = f"whose item {item} is" if item else "that begins with"
+        return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled("    ", "", value[item])
     elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
         text = _six_digits(value)
     elif isinstance(value, np.ndarray):

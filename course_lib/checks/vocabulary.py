@@ -137,12 +137,18 @@ def is_rotation(R):
     return orthogonality_error(R) < FINE and np.linalg.det(R) > 0
 
 
+def _no_rotation(R):
+    if orthogonality_error(R) < FINE:
+        return f"The determinant of yours is {np.linalg.det(R):.4g}."
+    return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
+
+
 def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1"):
     """Return the Property that block(answer) is a rotation."""
     return Property(
         text,
         lambda answer, *case: is_rotation(block(answer)),
-        says=lambda answer, *case: f"The largest entry of R^T R - I is {orthogonality_error(block(answer)):.2g}.",
+        says=lambda answer, *case: _no_rotation(block(answer)),
     )
 
 

@@ -14,7 +14,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from course_lib.checks.answer_types import boolean
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Exercise, Mistake, Unreadable, Verdict, no_answer
+from course_lib.checks.exercise import (
+    ERROR,
+    FORGOTTEN_RETURN,
+    RIGHT,
+    WRONG,
+    Exercise,
+    Mistake,
+    Unreadable,
+    Verdict,
+    no_answer,
+)
 from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MOST_LETTERS = 20_000  # in the arguments of one call, as JSON
@@ -87,6 +97,8 @@ class WriteTest(Exercise):
                 verdict = no_answer(self, None, **error)
                 reason = f"{verdict.reason}\nYour test raised this for a right version: one {case.version.kind}."
                 return replace(verdict, state=ERROR, reason=reason, case=None)
+            if not error and answer["value"] is None:
+                return Verdict(self, WRONG, "your test returns True or False.", FORGOTTEN_RETURN)
             try:
                 judged.append((case.version, False if error else boolean(answer["value"])))
             except Unreadable as wrong_kind:

@@ -51,12 +51,12 @@ EXERCISE = Exercise(
             where=lambda q, J, T, T_target, step: np.array_equal(T, T_target),
         ),
         Property(
-            "if only the position differs, the answer is q + step J^T e, with p_target - p in e",
+            "if only the position differs, the step leads towards the target, as far as J^T says",
             lambda answer, *case: near(answer, right(*case)),
             where=lambda q, J, T, T_target, step: np.array_equal(T[:3, :3], T_target[:3, :3]),
         ),
         Property(
-            "the answer is q + step J^T e, with the error e that belongs to the geometric Jacobian",
+            "the error is the one that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
         ),
     ),

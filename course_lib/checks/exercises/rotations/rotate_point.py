@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.vocabulary import away_from_zero
+from course_lib.checks.vocabulary import away_from_zero, compared
 
 
 def _matrix(a):
@@ -32,7 +32,7 @@ EXERCISE = Exercise(
         Property(
             "the distance from the origin does not change",
             lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < 1e-9,
-            says=lambda image, p, a: f"It was {np.linalg.norm(p):.4g}; it is {np.linalg.norm(image):.4g}.",
+            says=lambda image, p, a: f"That is {compared(np.linalg.norm(p), np.linalg.norm(image))}.",
         ),
         Property(
             "the point moves counter-clockwise by the angle a",
