@@ -92,7 +92,7 @@ class Claims:
     def __init__(self, reply):
         self._reply, self._asked = reply, {}
 
-    def send(self, message):
+    def send(self, message, watch):
         self._asked = message
 
     def watch(self, *bounds):

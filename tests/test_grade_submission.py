@@ -186,7 +186,7 @@ def test_the_seed_chooses_the_cases_and_the_same_seed_gives_the_same_grade(few):
 
 def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few):
     sleeps = "import time\ndef nearest_so(M):\n    time.sleep(100)"
-    limits = replace(SHORT, idle_seconds=2, submission_seconds=2)
+    limits = replace(SHORT, idle_seconds=2, submission_seconds=1)
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
     assert "computed nothing for 2 seconds" in messages(result)["nearest_so"]
     assert "not graded" in messages(result)["nearest_se"]

@@ -66,7 +66,7 @@ def processes():
 
 def left_over(before):
     """The processes of sandboxes beyond those before, once those that were killed have had time to end."""
-    for _ in range(100):
+    for _ in range(600):
         found = processes() - before
         if not found:
             break

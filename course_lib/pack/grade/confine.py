@@ -2,8 +2,9 @@
 
 No student's code has run yet. Limits of the kernel hold for each process; a filter refuses the system calls that
 reserve memory outside those limits (anonymous files, message queues, large pipes, file systems in namespaces of one's
-own) or open large parts of the kernel that numerical work has no use for. Calls of Linux up to 5.1 are permitted unless
-they are listed here; of the newer ones only those listed are.
+own), leave something for another sandbox to see (locks on files that both see, properties of other processes), reach
+another machine or open large parts of the kernel that numerical work has no use for. Calls of Linux up to 5.1 are
+permitted unless they are listed here; of the newer ones only those listed are.
 """
 
 import contextlib
@@ -26,17 +27,23 @@ REFUSED = {  # name: its number on x86_64, and on aarch64
     "pivot_root": (155, 41), "userfaultfd": (323, 282), "bpf": (321, 280), "perf_event_open": (298, 241),
     "keyctl": (250, 219), "add_key": (248, 217), "request_key": (249, 218), "ptrace": (101, 117),
     "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "shmget": (29, 194), "msgget": (68, 186),
-    "semget": (64, 190), "mq_open": (240, 180),
+    "semget": (64, 190), "mq_open": (240, 180), "flock": (73, 32),
 }  # fmt: skip
 FIRST_NEW = 424  # from here on all processors share the numbers; the C library does without any of these calls
 NEW_PERMITTED = {"close_range": 436, "faccessat2": 439, "epoll_pwait2": 441, "futex_waitv": 449, "fchmodat2": 452}
-CLONE, FCNTL = (56, 220), (72, 25)
-NEW_NAMESPACES = 0x7E020000  # all CLONE_NEW... flags
-SET_PIPE_SIZE = 1031
+# linux/sched.h: all CLONE_NEW... flags. linux/fcntl.h: F_SETPIPE_SZ, F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW,
+# F_SETLEASE, F_NOTIFY. linux/socket.h: AF_UNIX, AF_INET, AF_INET6, AF_NETLINK.
+CHECKED = {  # name: its numbers, the argument that is looked at, values of it, whether these are permitted
+    "clone": ((56, 220), 0, (0x7E020000,), False),
+    "fcntl": ((72, 25), 1, (1031, 6, 7, 37, 38, 1024, 1026), False),
+    "prlimit64": ((302, 261), 0, (0,), True),
+    "setpriority": ((141, 140), 1, (0,), True),
+    "socket": ((41, 198), 0, (1, 2, 10, 16), True),
+}
 X32 = 0x40000000  # the second set of numbers on x86_64
 
 LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-NUMBER, ARCHITECTURE, FIRST_ARGUMENT, SECOND_ARGUMENT = 0, 4, 16, 24  # where in seccomp_data
+NUMBER, ARCHITECTURE, ARGUMENTS = 0, 4, 16  # where in seccomp_data; an argument has 8 bytes
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 
 
@@ -106,6 +113,10 @@ def program(machine):
     steps += [(AT_LEAST, 0, 1, FIRST_NEW), unknown]
     for numbers in REFUSED.values():
         steps += [(EQUAL, 0, 1, numbers[column]), no]
-    steps += [(EQUAL, 0, 4, CLONE[column]), (LOAD, 0, 0, FIRST_ARGUMENT), (ANY_BIT, 0, 1, NEW_NAMESPACES), no, yes]
-    steps += [(EQUAL, 0, 3, FCNTL[column]), (LOAD, 0, 0, SECOND_ARGUMENT), (EQUAL, 0, 1, SET_PIPE_SIZE), no, yes]
+    for name, (numbers, argument, values, permitted) in CHECKED.items():
+        test, (hit, miss) = ANY_BIT if name == "clone" else EQUAL, (yes, no) if permitted else (no, yes)
+        tests = [(test, len(values) - i, 0, value) for i, value in enumerate(values)]
+        body = [(LOAD, 0, 0, ARGUMENTS + 8 * argument), *tests, miss, hit]
+        steps += [(EQUAL, 0, len(body), numbers[column]), *body]
+    steps.append(yes)
     return b"".join(struct.pack("=HBBI", *step) for step in steps)

@@ -61,7 +61,7 @@ def _tried():
         try:
             command = start(Path(folder, "course"), limits)
             done = subprocess.run(
-                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, cwd="/", env=environment()
+                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=600, cwd="/", env=environment()
             )
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)

@@ -21,6 +21,7 @@ import psutil
 from course_lib.pack.grade import isolation
 
 LEAST_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
+WAIT = 0.25  # seconds between two looks
 WATCHERS = 2  # processes of ours around the student's: what begins the sandbox, and its first process
 
 
@@ -28,15 +29,15 @@ WATCHERS = 2  # processes of ours around the student's: what begins the sandbox,
 class Limits:
     """The most that one submission may use; sizes are in bytes.
 
-    Processor time ends a computation, so that a busy machine changes no verdict. Seconds without "cpu" are clock time:
-    idle_seconds end a process that computes nothing, and the others are far longer than any computation.
+    Processor time ends a computation, so that a busy machine changes no verdict. Seconds without "cpu" end what waits:
+    they are of clock time, less that in which the sandbox computes or waits for a processor.
     """
 
     cpu_seconds: int = 20  # for all answers of one exercise
     cell_cpu_seconds: int = 120
     notebook_cpu_seconds: int = 400  # for all cells of one run
     submission_cpu_seconds: int = 1200  # for everything together; exercises that remain then are not graded
-    idle_seconds: int = 60  # in which less than a hundredth of that time is computed
+    idle_seconds: int = 60  # in a row, but for a hundredth of them
     answer_seconds: int = 900  # for all answers of one exercise
     notebook_seconds: int = 3600  # for all cells of one run
     submission_seconds: int = 7200
@@ -65,13 +66,17 @@ class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
     contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must not be visible,
-    wherever they are. wanted: "none" if the instructor asked for no isolation.
+    wherever they are. isolate: "none" if the instructor asked for no isolation.
+
+    A thread keeps up to date: looks, how often it looked; computed, the processor time of everything in the sandbox;
+    free, the time in which an answer was waited for and nothing in the sandbox waited for a processor.
     """
 
-    def __init__(self, contents, limits, hidden=(), wanted=""):
+    def __init__(self, contents, limits, hidden=(), isolate=""):
         self._contents, self._limits, self._hidden = contents, limits, hidden
-        self._isolated = isolation.isolated(wanted)
+        self._isolated = isolation.isolated(isolate)
         self._left, self._over, self._excess, self._ended = bytearray(), "", "", threading.Event()
+        self.looks, self.computed, self.free, self._waited, self._before = 0, 0.0, 0.0, 0.0, (0.0, 0.0)
 
     def __enter__(self):
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
@@ -89,13 +94,14 @@ class Sandbox:
             shutil.rmtree(self._folder, ignore_errors=True)
             raise
         os.set_blocking(self._process.stdin.fileno(), False)
-        self._watcher = threading.Thread(target=self._watch_memory, daemon=True)
+        self._watcher = threading.Thread(target=self._look_on, daemon=True)
         self._watcher.start()
         return self
 
     def __exit__(self, *raised):
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
+        self._look()
         left = [] if self._isolated else self._processes()
         self._kill()
         for process in left:
@@ -108,23 +114,22 @@ class Sandbox:
         self._process.stderr.close()
         shutil.rmtree(self._folder, ignore_errors=True)
 
-    def send(self, message, seconds=30):
+    def send(self, message, watch):
         """Send a message, anything that JSON can hold."""
-        data, deadline = memoryview(json.dumps(message).encode() + b"\n"), time.monotonic() + seconds
+        data = memoryview(json.dumps(message).encode() + b"\n")
         if self._over:
             raise Ended(self._over)
         while data:
             try:
                 data = data[os.write(self._process.stdin.fileno(), data[:65536]) :]
             except BlockingIOError:
-                if not _wait_for(self._process.stdin, select.POLLOUT, max(deadline - time.monotonic(), 0)):
-                    raise Ended("it no longer listens") from None
+                self._wait(self._process.stdin, select.POLLOUT, watch)
             except OSError:
                 raise Ended(self._why()) from None
 
-    def watch(self, clock, cpu):
-        """Return a Watch for one or more calls of receive. clock, cpu: the most seconds of both."""
-        return Watch(self.computed, clock, cpu, self._limits.idle_seconds)
+    def watch(self, asleep, cpu):
+        """Return a Watch for one or more calls of send and receive. asleep, cpu: the most seconds of both."""
+        return Watch(self, asleep, cpu, self._limits.idle_seconds)
 
     def receive(self, watch):
         """Return the next message, a dict; raise Ended if the sandbox ended, and from then on always."""
@@ -134,17 +139,10 @@ class Sandbox:
             self._over = str(end)
             raise
 
-    def computed(self):
-        """Return the processor time of everything in the sandbox, in seconds; None if the system does not report it."""
-        if sys.platform != "linux":
-            return None
-        seconds, first = 0, WATCHERS if self._isolated else 0
-        for number, process in enumerate(self._processes()):
-            with contextlib.suppress(psutil.Error):
-                times = process.cpu_times()
-                seconds += times.children_user + times.children_system
-                seconds += times.user + times.system if number >= first else 0
-        return seconds
+    @property
+    def asleep(self):
+        """The seconds in which an answer was waited for and nothing in the sandbox computed or wanted to."""
+        return max(self.free - self.computed, 0)
 
     def _processes(self):
         """Return the process that begins the sandbox and all below it, parents before their children."""
@@ -154,19 +152,36 @@ class Sandbox:
         except psutil.Error:
             return []
 
-    def _watch_memory(self):
-        """End the sandbox if its processes together exceed a bound; in a thread, also while answers are judged."""
-        while not self._ended.wait(0.3):
-            running, limits, memory = self._processes(), self._limits, 0
-            for process in running:
-                with contextlib.suppress(psutil.Error):
-                    memory += process.memory_info().rss
-            if len(running) > limits.processes + 5:
-                self._excess = f"more than {limits.processes} processes"
-            elif memory > limits.everything:
-                self._excess = f"memory ran out; it may use {limits.everything // 10**9} GB"
+    def _look_on(self):
+        """Look again and again, also while answers are judged; end the sandbox if it exceeds a bound."""
+        pause = 0.3
+        while not self._ended.wait(pause):
+            begin = time.thread_time()
+            count, memory = self._look()
+            pause = max(0.3, 100 * (time.thread_time() - begin))  # it looks through all processes of the machine
+            if count > self._limits.processes + 5:
+                self._excess = f"more than {self._limits.processes} processes"
+            elif memory > self._limits.everything:
+                self._excess = f"memory ran out; it may use {self._limits.everything // 10**9} GB"
             if self._excess:
                 return self._kill()
+
+    def _look(self):
+        """Measure the processor time; return the number of processes and their memory together."""
+        processes, first = self._processes(), WATCHERS if self._isolated else 0
+        computed = delayed = memory = 0
+        for number, process in enumerate(processes):
+            with contextlib.suppress(psutil.Error, OSError):
+                times = process.cpu_times()
+                computed += times.children_user + times.children_system
+                memory += process.memory_info().rss
+                if number >= first:
+                    computed += times.user + times.system
+                    delayed += _delay(process.pid)
+        waited = self._waited
+        self.free += max(waited - self._before[0] - max(delayed - self._before[1], 0), 0)
+        self.computed, self._before, self.looks = max(computed, self.computed), (waited, delayed), self.looks + 1
+        return len(processes), memory
 
     def _kill(self):
         with contextlib.suppress(OSError):
@@ -179,7 +194,6 @@ class Sandbox:
             if end >= 0:
                 line, looked_at = bytes(self._left[:end]), 0
                 del self._left[: end + 1]
-                watch.look()
                 with contextlib.suppress(ValueError, RecursionError):
                     message = json.loads(line)
                     if isinstance(message, dict):
@@ -191,32 +205,40 @@ class Sandbox:
             self._left += self._more(watch)
 
     def _more(self, watch):
-        while not _wait_for(self._process.stdout, select.POLLIN, 0.25):
-            watch.look()
+        self._wait(self._process.stdout, select.POLLIN, watch)
         data = os.read(self._process.stdout.fileno(), 1 << 20)
         if not data:
             raise Ended(self._why())
         return data
+
+    def _wait(self, pipe, event, watch):
+        """Wait for an event of a pipe. What this process itself waits for a processor then does not count."""
+        waiting, ready = select.poll(), False
+        waiting.register(pipe, event)
+        while not ready:
+            begin = time.monotonic()
+            ready = waiting.poll(1000 * WAIT)
+            self._waited += min(time.monotonic() - begin, WAIT)
+            watch.look()
 
     def _why(self):
         """Return why the sandbox ended. Its stderr gives the reason; the student's code cannot write there."""
         if self._excess:
             return self._excess
         with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(2)
+            self._process.wait(10)
         os.set_blocking(self._process.stderr.fileno(), False)
         reason = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
         return reason.splitlines()[-1] if reason else "its process ended"
 
 
 class Watch:
-    """Ends the wait for a sandbox: by its processor time, by its idle time, and much later by the clock."""
+    """Ends the wait for a sandbox: by its processor time, and by the time in which it wants none."""
 
-    def __init__(self, computed, clock, cpu, idle):
-        self._computed, self._cpu, self._most, self._idle = computed, cpu, math.inf, idle
-        self._clock, self._end = clock, time.monotonic() + clock
-        self._looked = self._since = time.monotonic()
-        self._first = self._part = self._at = None
+    def __init__(self, sandbox, asleep, cpu, idle):
+        self._sandbox, self._cpu, self._most, self._asleep, self._idle = sandbox, cpu, math.inf, asleep, idle
+        self._looks, self._slept = sandbox.looks, sandbox.asleep
+        self._first = self._part = self._since = None
 
     def begin(self, cpu, most):
         """Allow so many seconds of processor time for the part that begins now, and for all parts together."""
@@ -224,30 +246,30 @@ class Watch:
 
     def look(self):
         """Raise TooSlow if a bound is exceeded."""
-        now = time.monotonic()
-        if now > self._end:
-            raise TooSlow(f"it was not done after {self._clock:.0f} seconds")
-        if now - self._looked < 0.25:
+        sandbox = self._sandbox
+        if sandbox.looks == self._looks:
             return
-        self._looked, computed = now, self._computed()
-        if computed is None:
-            return
-        self._first, self._part, self._at = (
-            computed if before is None else before for before in (self._first, self._part, self._at)
-        )
+        self._looks, computed = sandbox.looks, sandbox.computed
+        self._first = computed if self._first is None else self._first
+        self._part = computed if self._part is None else self._part
+        self._since = self._since or (sandbox.free, computed)
         if (used := computed - self._part) > self._cpu or computed - self._first > self._most:
             raise TooSlow(f"it took more than {self._cpu if used > self._cpu else self._most} seconds of computing")
-        if now - self._since > self._idle:
-            if computed - self._at < LEAST_PROGRESS * (now - self._since):
+        if sandbox.asleep - self._slept > self._asleep:
+            raise TooSlow(f"it waited for more than {self._asleep} seconds")
+        if (free := sandbox.free - self._since[0]) > self._idle:
+            if computed - self._since[1] < LEAST_PROGRESS * free:
                 raise Idle(f"it computed nothing for {self._idle} seconds. What does it wait for?")
-            self._since, self._at = now, computed
+            self._since = sandbox.free, computed
 
 
-def _wait_for(pipe, event, seconds):
-    """Return whether the event, or the end of the pipe, comes within so many seconds."""
-    waiting = select.poll()
-    waiting.register(pipe, event)
-    return bool(waiting.poll(1000 * seconds))
+def _delay(number):
+    """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux does not tell."""
+    total = 0
+    for thread in os.listdir(f"/proc/{number}/task") if sys.platform == "linux" else ():
+        with contextlib.suppress(OSError, IndexError), open(f"/proc/{number}/task/{thread}/schedstat") as file:
+            total += int(file.read().split()[1])
+    return total / 1e9
 
 
 def remove_old_folders():

@@ -8,7 +8,6 @@ At last a function that calls other exercises' functions that are not right is a
 
 import functools
 import json
-import resource
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -57,34 +56,34 @@ class Outcome:
         return other if its > mine or (its == mine and other.verdict.reason != self.verdict.reason) else self
 
 
-def _computed():
-    """Return the processor time of this process and of its children that have ended, in seconds."""
-    usages = [resource.getrusage(whose) for whose in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
-
-
 @dataclass
 class Run:
     """A submission while it is graded.
 
-    sandbox: what starts one, called with its files. left_out: {number of a cell that ended or blocked the process: how
-    it did}. too_slow: statements as [cell, line] that no later run executes again.
+    start: what returns a Sandbox, called with its files. left_out: {number of a cell that ended or blocked the process:
+    how it did}. too_slow: statements as (cell, line) that no later run executes again. sandboxes: all so far.
     """
 
     sources: list
     limits: Limits
     seed: int
     exercises: tuple
-    sandbox: Callable
+    start: Callable
     left_out: dict = field(default_factory=dict)
     too_slow: list = field(default_factory=list)
-    begin: float = field(default_factory=time.monotonic)
-    computed: float = field(default_factory=_computed)
+    sandboxes: list = field(default_factory=list)
+    begin: float = field(default_factory=time.process_time)
+
+    def sandbox(self, files):
+        """Return a Sandbox that is not yet started."""
+        self.sandboxes.append(self.start(files))
+        return self.sandboxes[-1]
 
     def over(self):
         """Return whether the submission has used all its time."""
-        late = time.monotonic() - self.begin > self.limits.submission_seconds
-        return late or _computed() - self.computed > self.limits.submission_cpu_seconds
+        computed = sum(each.computed for each in self.sandboxes) + time.process_time() - self.begin
+        asleep = sum(each.asleep for each in self.sandboxes)
+        return asleep > self.limits.submission_seconds or computed > self.limits.submission_cpu_seconds
 
 
 def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
@@ -104,7 +103,7 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
         problem = "It is not one of the course's notebooks: neither its name nor its functions match."
         return _result(notebook, release, None, [problem], {}, cells)
     limits = limits or Limits()
-    sandbox = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), wanted=wanted)
+    sandbox = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), isolate=wanted)
     run = Run(notebook_file.code(cells), limits, seed, course.exercises, sandbox)
     outcomes = ask_all(run)
     for exercise in course.exercises:
@@ -181,7 +180,7 @@ def attempt(run, exercises, forbidden, whole=False, instead=()):
     forbidden: the functions that are not there. instead: names of exercises whose right functions take the place of the
     student's.
     """
-    files, left_out, ended = _files(forbidden), dict.fromkeys(map(tuple, run.too_slow), "it took too long"), ""
+    files, left_out, ended = _files(forbidden), dict.fromkeys(run.too_slow, "it took too long"), ""
     for _ in range(MOST_RESTARTS):
         if run.over():
             return {e.name: Outcome(Verdict(e, ERROR, _time_is_up(run.limits)), answered=False) for e in exercises}
@@ -221,7 +220,7 @@ def run_cells(sandbox, order, run, ask_now):
     limits, current, checks = run.limits, None, Counter()
     watch = sandbox.watch(limits.notebook_seconds, limits.cell_cpu_seconds)
     try:
-        sandbox.send(order)
+        sandbox.send(order, watch)
         while True:
             message = sandbox.receive(watch)
             if "ran" in message:
@@ -231,7 +230,7 @@ def run_cells(sandbox, order, run, ask_now):
                 checks[name] += 1
                 if checks[name] <= MOST_CHECKS and ask_now(name, checks[name]):
                     return current, None
-                sandbox.send({})
+                sandbox.send({}, watch)
             elif isinstance(place, list) and len(place) == 2 and all(type(number) is int for number in place):
                 current = tuple(place) if 0 <= place[0] < len(run.sources) and 0 <= place[1] < 10**7 else current
             watch.begin(limits.cell_cpu_seconds, limits.notebook_cpu_seconds)
@@ -301,12 +300,13 @@ class Student:
         request |= {"instead": {name: each.arguments for name, each in self._instead.items()}}
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
         try:
-            self._sandbox.send(request | {"reply": limits.reply})
+            self._sandbox.send(request | {"reply": limits.reply}, watch)
             message = self._receive(watch)
             calls = 0
             while (consult or self._instead) and isinstance(message.get("call"), str):
                 calls += 1
-                self._sandbox.send({"answer": self._answer(message["call"], consult) if calls <= most else None})
+                answer = self._answer(message["call"], consult) if calls <= most else None
+                self._sandbox.send({"answer": answer}, watch)
                 message = self._receive(watch)
         except Ended as end:
             self.ended, self.too_slow = f"No answer came: {end}.", isinstance(end, Idle)
@@ -387,7 +387,7 @@ def _refused(reply):
 
 
 def _time_is_up(limits):
-    seconds = f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of the clock"
+    seconds = f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of waiting"
     return f"It was not graded: everything before it took {seconds}."
 
 
