@@ -119,7 +119,7 @@ def pairs(everyone):
     one that n students have counts 1 / (n - 1), times the share that this is of the smaller one's rare passages.
     everyone: Works, of this class and of earlier years.
     """
-    library, given = _ours()
+    library, given = _ours() if everyone else ({}, [])
     ours, having = _all(itertools.chain(given, *library.values())), defaultdict(list)
     for work in everyone:
         for passage in _all(work.cells) - ours:
@@ -139,7 +139,7 @@ def pairs(everyone):
 
 def copies(everyone):
     """Return [(student, notebook, what it is copied from, how many passages)], names included, of this class."""
-    library, given = _ours()
+    library, given = _ours() if everyone else ({}, [])
     released, found = _all(given, names=True), []
     sources = {name: _all(texts, names=True) - released for name, texts in library.items()}
     for work in (work for work in everyone if not work.year):
