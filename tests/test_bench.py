@@ -57,4 +57,4 @@ def test_the_table_takes_its_place_in_the_readme(monkeypatch, tmp_path):
         f"before\n\n{bench.BEGIN}\n| | time for one | beside | ratio |\n|---|---|---|---|\n| Twice | "
     )
     numpy, processor = f"numpy {np.__version__}", bench.processor()
-    assert text.endswith(f"With {numpy}, {numpy}, on {processor}.\n\n{bench.END}\nafter\n")
+    assert text.endswith(f"With {numpy}, {numpy},\non {processor}.\n\n{bench.END}\nafter\n")

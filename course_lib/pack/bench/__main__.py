@@ -25,7 +25,7 @@ def main(arguments):
         seconds, found = shares(task)
         lines += [f"| {task.title} | {1e6 * seconds:.2g} µs | {name} | {share:.2g} |" for name, share in found.items()]
     versions = [f"{name} {metadata.version(PACKAGES.get(name, name))}" for name in ("numpy", *peers)]
-    text = "\n".join([*lines, "", f"With {', '.join(versions)}, on {processor()}.", ""])
+    text = "\n".join([*lines, "", f"With {', '.join(versions)},\non {processor()}.", ""])
     print(text)
     if missing or arguments:
         print("README.md stays as it is.", *(f"Missing: {name}, {why}." for name, why in missing.items()), sep="\n")
