@@ -27,6 +27,13 @@ def refused(folder):
     return {each.place: each.refused for each in find(folder, NOTEBOOKS) if each.refused}
 
 
+def test_a_student_has_a_bounded_number_of_notebooks_graded(tmp_path, monkeypatch):
+    monkeypatch.setattr(collect, "MAX_GRADED", 2)
+    write(tmp_path, *(f"{student}/{name}.ipynb" for student in ("anna", "ben") for name in NOTEBOOKS))
+    assert len(found(tmp_path)) == 4
+    assert set(refused(tmp_path).values()) == {"Only 2 notebooks of a student are graded."}
+
+
 # ---- names ----
 
 STEMS = {

@@ -1,6 +1,7 @@
 """A run of the grading: killed and started again, on one processor or several, with a grader that fails."""
 
 import contextlib
+import errno
 import io
 import json
 import shutil
@@ -12,6 +13,7 @@ import psutil
 import pytest
 from grade_stand_in import TABLES, grade, hand_in, wait_for
 
+from course_lib.pack import files
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.notebook_file import UNREADABLE
 
@@ -64,6 +66,17 @@ def test_files_that_were_graded_are_not_graded_again(place):
     assert tables(place) != first
     run(place, "--jobs", "1", "--seed", "5")
     assert calls(place) == 13
+
+
+@pytest.mark.parametrize("jobs", ["1", "4"])
+def test_files_of_equal_content_are_graded_once(place, jobs):
+    for student in "abc":
+        hand_in(place / "in", f"{student}_01_rotations.ipynb", points=[2], seconds=0.2, log=str(place / "log"))
+    assert run(place, "--jobs", jobs) == 0
+    assert calls(place) == 1
+    assert [tables(place)[0].count(f"{student},01_rotations,core,exercise_0,2,2".encode()) for student in "abc"] == [
+        1
+    ] * 3
 
 
 def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_again(place, monkeypatch):
@@ -130,6 +143,22 @@ def test_what_fails_affects_one_submission_only_which_is_tried_again(place, do):
     assert f"s1,01_rotations,,,0,,not graded,s1_01_rotations.ipynb: {said}" in grades
     assert grades.count("exercise_0,2,2,right") == 5
     assert len(list(place.glob("out/results/*"))) == 5
+
+
+def test_a_full_disk_stops_the_run_and_the_sentence_names_the_file(place, capsys, monkeypatch):
+    def full(content, notebook, seed):
+        raise OSError(errno.ENOSPC, "No space left on device", "/tmp/grade-1")
+
+    fill(place, 2)
+    assert run(place, "--jobs", "1", grade=full) == 1
+    assert capsys.readouterr().err.endswith("Grading stopped. /tmp/grade-1: No space left on device.\n")
+
+    def fails(*arguments):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(files.os, "replace", fails)
+    assert run(place, "--jobs", "1", "--seed", "1") == 1
+    assert "/out/seed: No space left on device." in capsys.readouterr().err
 
 
 def test_two_runs_do_not_write_to_one_folder(place):

@@ -35,6 +35,8 @@ def write_atomically(path, content, mode=0o600):
             file.write(content.encode() if isinstance(content, str) else content)
         os.chmod(part, path.stat().st_mode & 0o777 if path.exists() else mode)
         os.replace(part, path)
-    except BaseException:
+    except BaseException as error:
         os.unlink(part)
+        if isinstance(error, OSError) and not error.filename:  # a full disk does not say where
+            error.filename = str(path)
         raise

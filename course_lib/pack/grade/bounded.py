@@ -5,11 +5,13 @@ process of its own, and within it a deadline ends an exercise that takes too lon
 """
 
 import contextlib
+import errno
 import json
 import multiprocessing
 import resource
 import signal
 import sys
+import tempfile
 import threading
 import warnings
 
@@ -76,13 +78,15 @@ class Bounded:
     def result(self):
         """Wait for the end of the work and return what the function returned, plain data.
 
-        Raises OutOfBounds if the function exceeded a bound or ended its process, and RuntimeError with the type and
-        message of an exception that it raised.
+        Raises OutOfBounds if the function exceeded a bound or ended its process, OSError if there was no space left for
+        its files, and RuntimeError with the type and message of any other exception that it raised.
         """
         outcome = {}
         with contextlib.suppress(EOFError, OSError):  # it ended, or wrote too much
             outcome = json.loads(self.pipe.recv_bytes(LARGEST_RESULT))
         self.end()
+        if "full" in outcome:
+            raise OSError(*outcome["full"])
         if "raised" in outcome:
             raise RuntimeError(outcome["raised"])
         if "value" not in outcome:
@@ -117,7 +121,9 @@ def _work(pipe, function, arguments, cpu_seconds, memory, clock_seconds):
     try:
         data = json.dumps({"value": function(*arguments)}).encode()
     except Exception as error:
-        data = json.dumps({"raised": f"{type(error).__name__}: {error}"[:500]}).encode()
+        full = isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT)
+        how = {"full": [error.errno, error.strerror, str(error.filename or tempfile.gettempdir())]} if full else {}
+        data = json.dumps(how | {"raised": f"{type(error).__name__}: {error}"[:500]}).encode()
     pipe.send_bytes(data)
 
 

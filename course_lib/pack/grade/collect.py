@@ -20,6 +20,7 @@ from course_lib.pack.grade.zips import Refused
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
 MAX_DEPTH = 20  # folders in folders, of one student
 MAX_ENTRIES = 20_000  # files and folders of one student that are looked at
+MAX_GRADED = 60  # notebooks of one student that are graded; there are six
 MAX_LISTED = 20  # notebooks and links of one student that are graded and get a line of their own
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"  # "01_rotations (1)", "01_rotations-Copy2"
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
@@ -83,7 +84,12 @@ def find(folder, notebooks, platform=None):
     if platform:
         found = [each for each in found if not (each.refused and ONLINE_TEXT.fullmatch(Path(each.place).stem))]
     found = [replace(each, modified=_modified(each.path)) for each in found]
-    return sorted(_one_name_each(found), key=lambda submission: submission.place)
+    found, counts = sorted(_one_name_each(found), key=lambda submission: submission.place), collections.Counter()
+    for number, each in enumerate(found):
+        counts[each.student] += not each.refused
+        if counts[each.student] > MAX_GRADED and not each.refused:
+            found[number] = replace(each, refused=f"Only {MAX_GRADED} notebooks of a student are graded.")
+    return found
 
 
 def platform_of(folder):

@@ -23,9 +23,9 @@ FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns no
 HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
 submissions and the grades, and use the network. Bubblewrap {problem}. Ubuntu since 24.04 also needs `sudo sysctl -w
 kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
-(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--cap-add SYS_ADMIN --cap-add NET_ADMIN
---security-opt seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none
-runs them as yourself, with limits only; never as root.""".replace("\n", " ")
+(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--init --cap-add SYS_ADMIN --cap-add
+NET_ADMIN --security-opt seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission,
+ISOLATION=none runs them as yourself, with limits only; never as root.""".replace("\n", " ")
 
 
 def isolated(wanted=""):

@@ -34,8 +34,8 @@ def course_hash():
 
 
 def result_name(submission, content, seed):
-    """Return the name of a result's file, which depends on the submission, its content, the seed and the course."""
-    parts = submission.place, submission.notebook, str(seed), course_hash(), hashlib.sha256(content).hexdigest()
+    """Return the name of a result's file, which depends on notebook, content, seed and course: equal files share it."""
+    parts = submission.notebook, str(seed), course_hash(), hashlib.sha256(content).hexdigest()
     return hashlib.sha256("\n".join(parts).encode()).hexdigest() + ".json"
 
 
@@ -74,7 +74,7 @@ def grade_all(submissions, results, seed, grade, jobs=0):
 
 def _results(submissions, results, seed, grade, jobs):
     """Yield each submission with its result as soon as that is there."""
-    running = {}  # the pipe of each process: (the process, the submission, the path of its result)
+    running = {}  # the pipe of each process: (the process, its submissions of equal content, the path of the result)
     try:
         for submission in submissions:
             try:
@@ -88,10 +88,13 @@ def _results(submissions, results, seed, grade, jobs):
             if (kept := stored(path)) is not None:
                 yield submission, kept
                 continue
+            if equal := next((others for _, others, its in running.values() if its == path), None):
+                equal.append(submission)
+                continue
             while len(running) >= jobs:
                 yield from _finished(running)
             work = Bounded(grade, content, submission.notebook, seed)
-            running[work.pipe] = work, submission, path
+            running[work.pipe] = work, [submission], path
         while running:
             yield from _finished(running)
     finally:
@@ -105,13 +108,14 @@ def _finished(running):
     Those that failed are not kept: the next run tries them again.
     """
     for pipe in wait(list(running)):
-        work, submission, path = running.pop(pipe)
+        work, submissions, path = running.pop(pipe)
+        failed = ""
         try:
             result = work.result()
-        except OutOfBounds as reason:
-            yield submission, ungraded_result(submission, f"It could not be graded: {reason}.", "not graded")
-        except RuntimeError as error:  # an error of the grader itself
-            yield submission, ungraded_result(submission, f"The grader failed: {error}", "not graded")
-        else:
             write_atomically(path, json.dumps(result, sort_keys=True, indent=1))
-            yield submission, result
+        except OutOfBounds as reason:
+            failed = f"It could not be graded: {reason}."
+        except RuntimeError as error:  # an error of the grader itself
+            failed = f"The grader failed: {error}"
+        for each in submissions:
+            yield each, ungraded_result(each, failed, "not graded") if failed else result
