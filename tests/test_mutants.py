@@ -1,7 +1,8 @@
 """Each check against the notebook's own solution with one small mistake made in it by machine.
 
 A mutant that the check accepts answers as the solution does on wider inputs (see equal_mutants.py), or stands in
-AS_RIGHT because the task accepts its answer too. The summary of the test run shows the counts.
+AS_RIGHT because the task accepts its answer too. One that is right in the notebook is so for all SEEDS of test_bank.py.
+The summary of the test run shows the counts.
 """
 
 import math
@@ -12,9 +13,9 @@ import numpy as np
 import pytest
 from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
-from test_bank import FILES, exercise_of
+from test_bank import FILES, SEEDS, exercise_of
 
-from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
+from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge, review
 from course_lib.checks.write_test import WriteTest
 
 MOST = 40  # of the mutants of an exercise
@@ -40,7 +41,7 @@ class Judge:
     """Asks a check about mutants. Neither the name of a mistake nor the functions that are called matter here."""
 
     def __init__(self, exercise, space):
-        exercise = replace(exercise, mistakes=[], forbidden=())
+        self.exercise = exercise = replace(exercise, mistakes=[], forbidden=())
         self.name, self.passes, self.parts, self.space = exercise.name, space["passes"], list(parts(exercise)), space
 
     def accepts(self, solution):
@@ -49,6 +50,12 @@ class Judge:
         said = self.lives(solution)
         self.passes.allowed = ENOUGH + 5 * self.passes.most
         return said
+
+    def depends_on_the_seed(self, mutant):
+        """Return whether a mutant that is right in the notebook is wrong for another seed."""
+        student = Here(made(mutant, self.name, self.space))
+        in_notebook = review(self.exercise, student).state == RIGHT
+        return in_notebook and any(judge(self.exercise, student, seed).state != RIGHT for seed in SEEDS)
 
     def lives(self, mutant):
         """Return whether the check accepts a mutant. The part that refuses it comes first for the next mutant."""
@@ -86,6 +93,8 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     every = mutants(sources[name])
     tried = [mutant for mutant in spread(every, SLOW.get(name, MOST)) if TOO_LARGE not in mutant.source]
     alive = [mutant for mutant in tried if judge_of.lives(mutant.source)]
+    unlucky = [mutant.line for mutant in alive if judge_of.depends_on_the_seed(mutant.source)]
+    assert not unlucky, f"right in the notebook, and wrong for another seed: {unlucky}"
     different = {mutant.line for mutant in alive if not solution.is_equalled_by(mutant.source)}
     record_property("mutants", (notebook, name, *map(str, (len(every), len(tried), len(alive), len(different)))))
     assert different == set(AS_RIGHT.get(name, ())), (

@@ -15,7 +15,7 @@ from course_lib.checks.naming import Naming, attempt, predict, same
 from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
-MOST_SETS, OFTEN_SECONDS = 25, 0.8  # of cases asked in the notebook, and the processor time after which none follows
+MOST_SETS, OFTEN_SECONDS = 50, 0.4  # of cases asked in the notebook, and the processor time after which none follows
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
