@@ -12,4 +12,4 @@ def right_shifted_remainder(angle):
 
 
 def right_sine_and_cosine(angle):
-    return np.arctan2([np.sin(angle)], [np.cos(angle)])
+    return np.arctan2(np.sin(angle), np.cos(angle)).tolist()

@@ -38,7 +38,7 @@ def is_last_row(T, tol):
     return np.allclose(T[-1], [0] * (len(T) - 1) + [1], rtol=0, atol=tol)
 
 
-def right_rows_in_place_of_columns(X, kind, tol):
+def right_by_einsum(X, kind, tol):
     if kind == "rotation" and X.shape in ((2, 2), (3, 3)):
-        return np.abs(np.einsum("ik,jk->ij", X, X) - np.eye(len(X))).max() <= tol and np.linalg.det(X) > 0
+        return np.abs(np.einsum("ki,kj", X, X) - np.eye(len(X))).max() <= tol >= abs(np.linalg.det(X) - 1)
     return np.bool_(right_three_helpers(X, kind, tol))

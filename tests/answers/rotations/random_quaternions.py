@@ -15,10 +15,10 @@ def right_normal_numbers(n, rng):
     return -q / np.linalg.norm(q, axis=1, keepdims=True)
 
 
-def right_one_half_of_the_sphere(n, rng):
+def right_every_other_one_negated(n, rng):
     q = rng.standard_normal((n, 4))
     q /= np.sqrt(np.einsum("ij,ij->i", q, q))[:, None]
-    q[q[:, 0] < 0] *= -1
+    q[::2] *= -1
     return q
 
 

@@ -63,7 +63,8 @@ def other_direction(screws, M, q, change):
 
 @EXERCISE.mistake(pose=(lambda each, M: products(each)[-1], lambda each, M: M @ products(each)[-1], lambda each, M: M))
 def another_pose(screws, M, q, pose):
-    """the pose that is inverted is not that of the end-effector at q. Compare it with your forward_kinematics."""
+    """the columns are seen from another frame than the end-effector's at q. Is M in it, and does your loop begin with
+    the body screws Ad(M^-1) S_i? Or do you invert a pose: is it that of your forward_kinematics?"""
     return adjoint(inverse(pose(exponentials(screws, q), M))) @ jacobian(screws, q)
 
 

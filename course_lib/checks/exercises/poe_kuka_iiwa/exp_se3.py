@@ -188,10 +188,16 @@ def factor_of_p(twist, factors):
     return _p(*_axis(twist), twist[3:], **factors)
 
 
+@EXERCISE.mistake(part=COLUMN, factor=(1, -0.5, -1))
+def second_term(twist, factor):
+    """for tiny angles the term omega x v / 2 has the wrong sign or factor. Which of the two vectors comes first?"""
+    return twist[3:] + factor * np.cross(twist[:3], twist[3:]) if _NO_ANGLE < _angle(twist) < 5e-6 else None
+
+
 @EXERCISE.seen
 def digits_lost(T, twist):
     """the part of p along omega x v is lost, or loses its digits, for tiny angles. What is 1 - cos(a) for a computer if
     a is 1e-8?
     """
     yours, right = _across(T, twist)
-    return _is_small(twist) and -0.5 < yours / right < 1.9 and (T[BLOCK] != np.eye(3)).any()
+    return _is_small(twist) and not _keeps_digits(T, twist) and -0.4 < yours / right < 1.9

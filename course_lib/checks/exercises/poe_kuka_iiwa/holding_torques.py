@@ -98,6 +98,12 @@ def two_frames(screws, M, q, mass, center, body_jacobian):
     return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
 
 
+@EXERCISE.mistake(factor=(0, -1))
+def moment(*case, factor):
+    """the moment of the weight is missing, or is f x p. A force at p has the moment p x f about the origin."""
+    return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))
+
+
 @EXERCISE.mistake
 def order_of_the_wrench(*case):
     """the wrench is in the order (f, m). The twist has omega first: which half of the wrench does work with it?"""

@@ -12,7 +12,8 @@ from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
 STEPS, _CLOSE = 50, 1e-6  # radians and metres
 _REACHED = 1.001e-6  # a little more than asked for, because the student's sums round otherwise
 _UR5E = ur5e().screw_axes, ur5e().home[-1]
-_BENT = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 0.2])
+_LONG = np.array([-1.5, -1.3, 1.6, 1.6, -0.1, -0.8])  # from which 16 steps are needed, and the error may grow
+_BENT = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 3.5])  # the last beyond pi
 
 
 def body_error(T, T_target):
@@ -62,6 +63,7 @@ def _cases(rng):
         _near(kuka, bent, rng),
         _near(kuka, -bent, rng),
         _near(elsewhere, _BENT, rng),
+        (*_UR5E, tool_pose(*_UR5E, _LONG - [0.3, 0.4, 0.1, 0.3, -0.2, -0.4]), _LONG),
         (*_UR5E, pose(here[:3, :3], [3.0, 0.5, 0.2]), _BENT),
     ]
 
@@ -152,8 +154,8 @@ EXERCISE = Exercise(
     )
 )
 def another_error(screws, M, T_target, q0, error):
-    """the steps do not converge to a target close by. Print the error after each step. From which pose to which does
-    it lead, and are its frame, and the order of its halves, those of your Jacobian?"""
+    """the steps do not converge to a target close by, or end too soon. Print the error after each step. From which
+    pose to which does it lead, and are its frame, and the order of its halves, those of your Jacobian?"""
     return descent(screws, M, T_target, q0, error)
 
 

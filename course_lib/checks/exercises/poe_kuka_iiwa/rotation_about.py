@@ -114,9 +114,9 @@ def square_of_hat(omega, point, theta, square):
     return _rodrigues(omega, theta, square=square)
 
 
-@EXERCISE.mistake(part=_P, sign=(1, -1), rotated=(False, True))
+@EXERCISE.mistake(part=_P, sign=(1, -1, 0), rotated=(False, True))
 def point_for_p(omega, point, theta, sign, rotated):
-    """p is the point itself, or the point rotated. T takes x to R x + p. Which p keeps the point where it is?"""
+    """p is 0, the point itself, or the point rotated. T takes x to R x + p. Which p keeps the point where it is?"""
     return sign * (exp_so3(theta * omega) @ point if rotated else point)
 
 

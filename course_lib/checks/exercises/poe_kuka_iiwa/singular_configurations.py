@@ -73,7 +73,7 @@ EXERCISE = Exercise(
             "all angles are within the joint limits",
             lambda rows: ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all(),
             says=_outside,
-            mistake=Mistake("an angle is beyond its limit", "The limits are in arm.limits, one row a joint."),
+            mistake=Mistake("an angle is beyond its limit", "arm.limits has them in radians, one row a joint."),
         ),
         Property(
             "the Jacobian has rank 5 in each of the three configurations",
@@ -114,7 +114,8 @@ def several_together():
 
 def _nearly_singular(value, predicted):
     smallest = [_smallest(row) for row in value]
-    return np.sort(smallest)[1:].max() < 1e-2 and any(_SINGULAR <= size < 1e-2 for size in smallest)
+    near = np.sort(smallest)[1:].max() < 1e-2 and np.abs(value).max() < np.pi
+    return near and any(_SINGULAR <= size < 1e-2 for size in smallest)
 
 
 @EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_nearly_singular)
@@ -136,7 +137,8 @@ def _half_way(value, predicted):
     """Return whether q2 or q6 is 0 in the row of its family, which is regular, and no row has less than rank 5."""
     losses = [_rank_loss(row) for row in value]
     zero = [False, abs(np.sin(value[1, 1])) < 1e-9, abs(np.sin(value[2, 5])) < 1e-9]
-    return max(losses) <= 1 and any(at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True))
+    possible = max(losses) <= 1 and np.abs(value).max() < np.pi
+    return possible and any(at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True))
 
 
 @EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_half_way)

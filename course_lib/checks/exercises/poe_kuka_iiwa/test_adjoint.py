@@ -19,6 +19,10 @@ def _wrong_beyond_a_right_angle(T):
     return adjoint(T) if np.trace(T[BLOCK]) > 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [-P @ R, R]])
 
 
+def _wrong_unless_about_z(T):
+    return adjoint(T) if T[2, 2] > 1 - 1e-9 else in_blocks(T, lambda R, P, zero: [[R, zero], [R @ P, R]])
+
+
 def _wrong_far_away(T):
     return adjoint(T) if np.abs(T[COLUMN]).max() < 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [zero, R]])
 
@@ -53,6 +57,7 @@ EXERCISE = WriteTest(
         Version("that is transposed", lambda T: adjoint(T).T),
         Version("that is wrong only for rotations by more than 90 degrees", _wrong_beyond_a_right_angle),
         Version("that is right only near the origin", _wrong_far_away),
+        Version("that is right only for some axes", _wrong_unless_about_z),
         Version("in other units of length", _made_of(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
         Version("that is right for the identity only", lambda T: np.eye(6), example=True),
         Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),

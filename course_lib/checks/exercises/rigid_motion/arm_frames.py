@@ -115,9 +115,9 @@ def from_the_frame_before(theta, second, third):
     return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
 
 
-@EXERCISE.mistake(angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1]))
-def tip_rotated_again(theta, angle):
-    """the tip's frame is rotated once more. There is no joint at the tip: how is link 2 rotated?"""
+@EXERCISE.mistake(angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1], lambda t: -t[0], lambda t: -t[1]))
+def tip_not_as_link_2(theta, angle):
+    """the tip's frame is not rotated as link 2 is. There is no joint at the tip: how is link 2 rotated?"""
     T = _right(theta)
     return np.array([*T[:2], T[2] @ _rot(angle(theta))])
 

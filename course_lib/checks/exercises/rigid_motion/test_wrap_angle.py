@@ -49,7 +49,7 @@ EXERCISE = WriteTest(
         _wrong("that returns the mirror image about the y axis", lambda a: np.arcsin(np.sin(a))),
         _wrong("that clips the angle", lambda a: np.clip(a, -np.pi, np.pi)),
         _wrong("in degrees", lambda a: np.rad2deg(wrap_angle(a))),
-        _wrong("with 3.14 for pi", lambda a: a - 6.28 * np.round(a / 6.28)),
+        _wrong("with 3.14159 for pi", lambda a: a - 6.28318 * np.round(a / 6.28318)),
         _wrong("that is right for angles between -pi and pi only", lambda a: a if abs(a) <= np.pi else 0.0),
     ),
     shapes=((),),

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.exercises.rigid_motion.shared import REVOLUTION
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import wrap_angle
@@ -16,7 +16,7 @@ def _cases(rng):
     near = [sign * angle for angle in (3.1415, 3.1417, 9.4247, 9.4249) for sign in (1, -1)]  # beside pi and 3 pi
     drawn = [float(sign * np.round(size, 2)) for size in sizes for sign in (1, -1)]
     arrays = [np.array([1.0, 4.0, -4.0]), np.round(rng.uniform(-40, 40, 5), 2)]
-    return [(angle,) for angle in [*named, *exact, *near, *drawn, *arrays]]
+    return [(angle,) for angle in [*named, *exact, *near, *drawn, *arrays, np.array([[4.0, 1.0], [-7.0, 2.0]])]]
 
 
 def _rounding(angle):
@@ -31,12 +31,20 @@ _ONE_ANGLE_ONLY = Mistake(
     "the function works for one angle, and not for an array of angles",
     "`while`, `if` and the functions of math take one number. numpy's round, mod and arctan2 work on whole arrays.",
 )
+
+
+def _in_its_shape(value, angle):
+    if np.size(value) == 1 and np.shape(value) != np.shape(angle):
+        raise Unreadable(f"the answer has the shape of the angle. Yours has {np.shape(value)}.", OTHER_FORM)
+    return numbers(np.shape)(value, angle)
+
+
 EXERCISE = Exercise(
     name="wrap_angle",
     points=1,
     arguments=("angle",),
     cases=_cases,
-    returns=numbers(np.shape),
+    returns=_in_its_shape,
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",
@@ -94,6 +102,6 @@ def from_zero(angle, shift):
 
 @EXERCISE.mistake(shift=(0, np.pi, -np.pi))
 def remainder_with_sign(angle, shift):
-    """the remainder of a negative angle is taken with its sign. math.fmod(-1, 5) is -1, and np.mod(-1, 5) is 4:
-    which of them is needed here?"""
+    """the revolutions are cut off towards 0, or the remainder has the sign of the angle. How many revolutions are
+    nearest to 4 rad? And math.fmod(-1, 5) is -1, np.mod(-1, 5) is 4: which is needed?"""
     return _each(lambda a: np.fmod(a + shift, REVOLUTION) - shift, angle)

@@ -83,8 +83,8 @@ EXERCISE = Exercise(
                 f"cos(beta) = 0 here: R[0, 0] is {R[0, 0]:.2g}, R[1, 0] is {R[1, 0]:.2g}, which is rounding."
             ),
             mistake=Mistake(
-                "at gimbal lock the angles are read from entries that are zero there",
-                "Put alpha = 0 and beta = pi/2 into the product: which entries still depend on gamma?",
+                "gimbal lock is not noticed here, or has a formula that is not right for both signs of beta",
+                "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries depend on gamma?",
             ),
         ),
     ),

@@ -10,7 +10,7 @@ from course_lib.rotations import exp_so3, hat
 
 def _cases(rng):
     named = [[0, 0, np.pi / 2], [0, np.pi / 2, 0], [np.pi / 2, 0, 0], [-1.0, 0, 0], [0, -1.0, 0], [0, 0, -1.0]]
-    lengths = [0.5, 2.0, np.pi, 5.0, 3.1e-4, 1e-5, 1e-9, 1e-12]
+    lengths = [0.5, 2.0, np.pi, 5.0, 3.1e-4, 9e-5, 1e-5, 1e-9, 1e-12]
     return [(np.array(w),) for w in named] + [(size * unit(rng),) for size in lengths] + [(np.zeros(3),)]
 
 

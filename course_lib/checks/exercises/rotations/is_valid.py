@@ -59,6 +59,7 @@ def _rotations(rng):
     loose = [stretched, R @ np.diag([1.0035, 1.0035, 1 / 1.0035]), R @ np.diag([1.02, 1 / 1.02, 1.0])]
     loose += [np.diag([0.991, 1.0045, 1.0045]), _unit_columns(-0.08), _unit_columns(-0.08, 3)]
     loose += [plane_rotation(0.5) @ np.diag([1.0, -0.997]), R @ np.diag([1.0, 1.0, -0.997])]
+    loose += [1.0045 * R, plane_rotation(np.pi / 4) @ np.diag([1.006, 1.0])]  # det R alone is off; R R^T alone is not
     return tight, loose, [stretched]
 
 
@@ -82,7 +83,10 @@ def _quaternions(rng):
 
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
-    return [
+    # Off by exactly tol: all these numbers have few binary digits.
+    exact = [(np.diag([1.125, 1.0]), "rotation", 0.265625), (1.125 * np.eye(3), "rotation", 0.423828125)]
+    exact += [(pose(np.eye(2), [3, 1], 0.25, 0, 1), "pose", 0.25), (np.array([0, 1.25, 0, 0]), "quaternion", 0.25)]
+    return exact + [
         (X, kind, tol)
         for kind, parts in drawn.items()
         for each, tol in zip(parts, (TIGHT, LOOSE, 1e-4), strict=True)
@@ -97,10 +101,10 @@ def _errors(ok, X, kind, tol):
     if kind == "quaternion":
         return f"|q| is {np.linalg.norm(X):.8g}, tol is {tol:g}."
     R = X[:-1, :-1] if kind == "pose" else X
-    seen = f"The largest entry of R^T R - I is {orthogonality_error(R):.3g}, det R is {np.linalg.det(R):.6g}, "
+    seen = f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R is {np.linalg.det(R):.8g}, "
     if kind == "pose":
-        seen += f"the last row differs from (0, ..., 0, 1) by at most {np.abs(row_error(X)).max():.3g}, "
-    return seen + f"tol is {tol:g}."
+        seen += f"the last row differs from (0, ..., 0, 1) by at most {np.abs(row_error(X)).max():.8g}, "
+    return seen + f"tol is {tol:.8g}."
 
 
 def _says(kind, text):
@@ -209,7 +213,14 @@ def one_shape_alone(X, kind, tol, shape):
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
 
 
-@EXERCISE.mistake
-def determinant_left_out(X, kind, tol):
-    """the determinant is not looked at. For which matrices is R^T R = I, although they are no rotations?"""
-    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol)
+@EXERCISE.mistake(passes=(lambda R: True, lambda R: np.linalg.det(R) > 0))
+def determinant_left_out(X, kind, tol, passes):
+    """the determinant is not compared with 1, within tol. For which matrices is R^T R = I, although they are no
+    rotations? And is a positive determinant enough?"""
+    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol and passes(R))
+
+
+@EXERCISE.mistake(about=_SHAPES)
+def exactly_tol_refused(X, kind, tol, about):
+    """an error of exactly tol is refused. What does *at most* say of equal numbers?"""
+    return is_valid(X, kind, tol * (1 - 1e-12)) if kind == about else None

@@ -9,18 +9,24 @@ from course_lib.checks.exercises.rotations.sampling import (
     DRAWS,
     LIBRARY_SAMPLERS,
     cases,
+    many,
     of_many,
     shoemake,
     tied,
     uniform_angle,
     uniform_rotations,
 )
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
 
 def _shoemake(q):
     """(s, theta1, theta2) of Shoemake's quaternions."""
     return q[:, 0] ** 2 + q[:, 3] ** 2, np.arctan2(q[:, 1], q[:, 2]), np.arctan2(q[:, 3], q[:, 0])
+
+
+def _extremes(q):
+    return np.quantile(np.linalg.norm(q, axis=1), [0, 1])
 
 
 EXERCISE = Exercise(
@@ -34,10 +40,16 @@ EXERCISE = Exercise(
         Property(
             "every quaternion has length one",
             lambda q, n, rng: np.abs(np.linalg.norm(q, axis=1) - 1).max() < 1e-9,
-            says=lambda q, n, rng: f"The first has length {np.linalg.norm(q[0]):.4g}.",
+            says=lambda q, n, rng: "Their lengths lie between {0[0]:.9g} and {0[1]:.9g}.".format(_extremes(q)),
             mistake=Mistake("the quaternions are not divided by their lengths", "Each has a length of its own."),
         ),
         *DRAWS,
+        Property(
+            "the quaternions lie all over the sphere: each of w, x, y, z is as often negative as positive",
+            lambda q, n, rng: np.abs((q < 0).mean(axis=0) - 0.5).max() < 2.5 / np.sqrt(n),  # five standard deviations
+            says=lambda q, n, rng: f"Negative are these parts of w, x, y, z: {format_tuple((q < 0).mean(axis=0))}.",
+            where=many,
+        ),
         *uniform_rotations(quaternion_to_matrix),
     ),
     hints=(
@@ -56,11 +68,11 @@ def one_draw_for_two(n, rng, which):
     return shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
 
 
-@EXERCISE.mistake(seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # for uniform ones it is 1/8
-def from_a_cube(n, rng):
-    """four numbers from [-1, 1] are normalised. A cube has corners: more draws point there. Which distribution looks
-    the same in all directions?"""
-    q = rng.uniform(-1, 1, (n, 4))
+@EXERCISE.mistake(low=(-1, 0), seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # uniform: 1/8
+def from_a_cube(n, rng, low):
+    """four uniform numbers are normalised. They fill a cube, which has corners: more draws point there. Which
+    distribution looks the same in all directions?"""
+    q = rng.uniform(low, 1, (n, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)
 
 

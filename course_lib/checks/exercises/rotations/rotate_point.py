@@ -18,6 +18,7 @@ def _right(p, a):
 def _cases(rng):
     named = [([1.0, 0.0], np.pi / 2), ([0.0, 1.0], np.pi / 2), ([2.0, 1.0], np.pi), ([-1.0, -2.0], 0.5)]
     drawn = [(away_from_zero(rng, 2), a) for a in (0.7, -1.2, 2.5, 7.0)]
+    named += [([3, -2], 0.5), ([2, 1], 0.5)]  # whole numbers
     return [(np.array(p), a) for p, a in named] + drawn + [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), 1.0)]
 
 

@@ -45,12 +45,13 @@ def _cases(rng):
     pairs += [(*_apart(rng, angle), t) for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.05, 0.3))]
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
     pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-6), 0.4), (*_apart(rng, 1e-9), 0.5)]
+    pairs += [(np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 1e-8, 0]), 0.5)]  # of which the cosine is 1
     q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
 
 def _angle_of(q0, q1):
-    return 2 * np.arccos(np.clip(abs(q0 @ q1), 0, 1))
+    return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
 
 EXERCISE = Exercise(

@@ -14,6 +14,10 @@ def _half_turn(R):
     return _angle(R) > np.pi - 1e-9
 
 
+def _nearly_half(R):
+    return np.pi - 0.02 < _angle(R) and not _half_turn(R)
+
+
 def _by_quaternion(R):
     q = matrix_to_quaternion(R)
     sine = np.linalg.norm(q[1:])
@@ -61,12 +65,12 @@ EXERCISE = WriteTest(
         Version("that lacks a factor 1/2", lambda R: 2 * log_so3(R)),
         Version("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
         Version("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
-        Version("that always returns zero", lambda R: np.zeros(3)),
         Version("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
         Version(
             "that is wrong only beyond 90 degrees",
             _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),
         ),
+        Version("that is wrong only near 180 degrees", _if(_nearly_half, lambda w, R: np.pi * w / _angle(R))),
         Version("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
         Version("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
         Version("that is wrong only at 180 degrees about some axes", _by_column(0)),
@@ -76,9 +80,9 @@ EXERCISE = WriteTest(
     ),
     hints=(
         "You need no right logarithm to compare with: the exponential of the answer has to be R again.",
-        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees about "
-        "axes of every sign, and about the coordinate axes. The exponential cannot see whether the shortest vector is "
-        "returned: its length can.",
+        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees and "
+        "a little less, about axes of every sign and the coordinate axes. The exponential cannot see whether the "
+        "shortest vector is returned: its length can.",
         "Make R = exp_so3(w) for several vectors w; return False as soon as np.allclose(exp_so3(answer), R) fails or "
         "the answer is longer than pi by more than 1e-6, and True at the end. np.asarray turns a list into an array.",
     ),

@@ -63,9 +63,11 @@ def _cases(rng):
     other_length = [
         (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -3, 1])),
         (k1, k2, p1, 1.001 * p2),
+        (k1, k2, p1, (1 + 5e-6) * p2),
         (k1, k2, 1.1 * p1, p2),
     ]
     apart = [(Z, X, Y + 3 * Z, 3 * X - Y), _apart(rng, 0.4, 1), _apart(rng, -0.2, -1), _around(rng, 1.01, 0.3)]
+    apart += [_around(rng, 1 + 1e-7, 2.0)]
     touching = [(Z, X, 4 * Y + 3 * Z, np.array([4.0, 3, 0])), _around(rng, 1.0, 2.0)]
     # Just apart, by more than rounding in any formula and by less than the 1e-9 that the task calls touching.
     touching += [_around(rng, 1 + 1e-12, 2.0), _around(rng, 1 + 1e-12, 0.5), _around(rng, 1 + 1e-12, 300.0)]
@@ -121,8 +123,8 @@ EXERCISE = Exercise(
                 _gap_of_the_first,
                 where=lambda *case: not _same_length(*case),
                 mistake=Mistake(
-                    "the lengths of p1 and p2 are not compared",
-                    "When do the two circles lie on one sphere? Compare within a tolerance.",
+                    "the lengths of p1 and p2 are not compared, or too loosely",
+                    "Circles on one sphere alone can meet. np.isclose adds a tolerance of its own: 1e-5 of the length.",
                 ),
             ),
             Property(
@@ -132,7 +134,7 @@ EXERCISE = Exercise(
                 where=lambda *case: _same_length(*case) and not solutions(*case),
                 mistake=Mistake(
                     "a pair is returned although the circles miss",
-                    "What does c^2 say of circles that miss by more than rounding?",
+                    "What does c^2 say of them? From where on does the task call it negative?",
                 ),
             ),
         ),
