@@ -58,6 +58,6 @@ def wrong_lengths_not_compared(k1, k2, p1, p2):
 def wrong_tolerance_without_a_scale(k1, k2, p1, p2):
     """circles that touch are taken for circles that miss"""
     a, b, square = _parts(k1, k2, p1, p2)
-    if square < -1e-9 or not np.isclose(p1 @ p1, p2 @ p2):
+    if square < -1e-9 or not np.isclose(p1 @ p1, p2 @ p2, rtol=1e-8):
         return []
     return _through(a, b, np.sqrt(max(square, 0)), k1, k2, p1, p2)

@@ -68,8 +68,8 @@ EXERCISE = Exercise(
     ),
     library=_right,
     hints=(
-        "T_01 rotates by theta1, without translation: pose_matrix([0, 0, theta[0]]).",
-        "From joint 1 to joint 2: 1 m along joint 1's x axis, then the rotation: pose_matrix([1, 0, theta[1]]).",
+        "What takes frame 0 to frame 1: a rotation, a translation, or both? And frame 1 to 2, and 2 to 3?",
+        "T_01 = pose_matrix([0, 0, theta[0]]). To joint 2: 1 m along joint 1's x axis, then the rotation.",
         "T_02 = T_01 @ T_12 and T_03 = T_02 @ T_23, with T_23 = pose_matrix([1, 0, 0]). np.array([T_01, T_02, T_03]).",
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),

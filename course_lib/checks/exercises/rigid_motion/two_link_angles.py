@@ -9,7 +9,7 @@ from course_lib.checks.vocabulary import angle_gap, same_list, two_link_angles, 
 
 _ABOVE_ONE = Mistake(
     "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
-    "np.clip(cosine, -1, 1) before arccos. A root of 1 - cosine^2 needs the same.",
+    "Print the cosine for this tip. What does arccos, or the root of 1 - cosine^2, make of it?",
 )
 _ONE = Mistake("only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below.")
 

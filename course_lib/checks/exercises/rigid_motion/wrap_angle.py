@@ -34,9 +34,10 @@ _ONE_ANGLE_ONLY = Mistake(
 
 
 def _in_its_shape(value, angle):
-    if np.size(value) == 1 and np.shape(value) != np.shape(angle):
+    read = numbers(np.shape)(value, angle)
+    if np.shape(value) != np.shape(angle):
         raise Unreadable(f"the answer has the shape of the angle. Yours has {np.shape(value)}.", OTHER_FORM)
-    return numbers(np.shape)(value, angle)
+    return read
 
 
 EXERCISE = Exercise(

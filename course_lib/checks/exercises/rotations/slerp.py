@@ -89,8 +89,8 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "On the sphere, the angle phi between q0 and q1 has the cosine q0 . q1. If that is negative, take -q1.",
-        "The two weights are sin((1 - t) phi) and sin(t phi), both divided by sin(phi).",
+        "Draw the arc on the unit sphere. How long is it, and which of q1 and -q1 is nearer to q0?",
+        "The arc phi has the cosine q0 . q1. The weights are sin((1 - t) phi) and sin(t phi), divided by sin(phi).",
         "If phi is below about 1e-6, (1 - t) q0 + t q1 is accurate enough.",
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),

@@ -52,7 +52,7 @@ EXERCISE = Exercise(
     square=(lambda s: s[-2] ** 2, lambda s: s[1] ** 2, lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2))
 )
 def another_singular_value(J, eps, square):
-    """another singular value than the largest decides. The factor must stay above -1 in every direction: in which
+    """one direction decides, and not the strictest one. The factor must stay above -1 in every direction: in which
     direction does it reach -1 first?"""
     return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
 
