@@ -152,11 +152,16 @@ def longer_arc(start, goal, n):
 
 
 @EXERCISE.mistake(
-    product=(lambda T0, T1, move: T0 @ move(T1 @ inverse(T0)), lambda T0, T1, move: move(inverse(T0) @ T1) @ T0)
+    product=(
+        lambda T0, T1, move: T0 @ move(T1 @ inverse(T0)),
+        lambda T0, T1, move: move(inverse(T0) @ T1) @ T0,
+        lambda T0, T1, move: T0 @ move(inverse(T1) @ T0),
+        lambda T0, T1, move: move(inverse(T0) @ T1),
+    )
 )
 def wrong_side(start, goal, n, product):
-    """the displacement is given in one frame and applied in the other. T_start^-1 T_goal is seen from start: on
-    which side of T_start does its exponential stand?"""
+    """the displacement is seen from another frame than that in which it is applied. T_start^-1 T_goal leads from start
+    to goal, seen from start: where does T_start stand in the product?"""
     return _by_matrices(start, goal, n, product)
 
 

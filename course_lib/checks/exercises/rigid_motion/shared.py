@@ -188,14 +188,6 @@ def add_step_mistakes(exercise, move):
         return np.concatenate([np.array([start], float), *parts])
 
     @exercise.mistake
-    def row_twice(start, plan, dt):
-        """the row at which a pair begins occurs twice. It is the last row of the pair before."""
-        rows = [np.array([start], float)]
-        for pair in plan:
-            rows.append(follow(move)(rows[-1][-1], [pair], dt))
-        return np.concatenate(rows[1:])
-
-    @exercise.mistake
     def one_step_a_pair(start, plan, dt):
         """only one step is taken for each pair. dt says how long a step is: how many does a pair of 0.25 s have?"""
         return follow(move, lambda duration, dt: [duration])(start, plan, dt)

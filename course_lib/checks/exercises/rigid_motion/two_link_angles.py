@@ -95,10 +95,9 @@ def first_link_wrong(tip, share):
 
 
 @EXERCISE.mistake
-def arctan(tip):
-    """arctan is used, which does not tell a direction from its opposite. arctan(y / x) is the same for (x, y) and
-    (-x, -y)."""
-    return _solutions(tip, _bend(tip), lambda direction, two: np.arctan(np.tan(direction)) - two / 2)
+def from_the_world(tip):
+    """theta2 is measured from the x axis of the world. From which direction does the arm of this notebook count it?"""
+    return two_link_angles(tip) @ [[1, 1], [0, 1]]
 
 
 @EXERCISE.mistake(theta1_too=(True, False))

@@ -98,9 +98,9 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(of=(lambda R: _right(R.T), lambda R: -_right(R), lambda R: -_right(R.T)))
+@EXERCISE.mistake(of=(lambda R: _right(R.T), lambda R: -_right(R), lambda R: -_right(R.T), lambda R: _right(R)[::-1]))
 def other_product(R, of):
-    """the angles are those of another product: of R^T, or of Rx Ry Rz. Multiply the three matrices on paper, and
+    """the angles are those of another product, or in another order. Multiply the three matrices on paper, and
     compare the entries."""
     return None if _lock(R) else of(R)
 

@@ -80,16 +80,13 @@ def series_cut(w, terms):
     return partial_sum(hat(w), terms)
 
 
-@EXERCISE.mistake
-def square_entry_by_entry(w):
-    """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
-    a, N = np.linalg.norm(w), hat(w / np.linalg.norm(w))
-    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N
+@EXERCISE.mistake(of=(lambda a, N: np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N, lambda a, N: np.exp(a * N)))
+def entry_by_entry(w, of):
+    """*, ** or np.exp works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
+    return of(np.linalg.norm(w), hat(w / (np.linalg.norm(w) or 1)))
 
 
-@EXERCISE.mistake
-def two_forms_mixed(w):
-    """two forms of Rodrigues' formula are mixed: I with [n]^2, or cos(a) I with n n^T. Which of the two do you use?"""
-    a = np.linalg.norm(w)
-    n = w / a
-    return np.eye(3) + np.sin(a) * hat(n) + (1 - np.cos(a)) * np.outer(n, n)
+@EXERCISE.mistake(order=((0, 1, 2), (2, 1, 0)))
+def one_axis_after_the_other(w, order):
+    """w is taken for angles about x, y and z, one after the other. Here it is one axis, and its length one angle."""
+    return np.linalg.multi_dot([exp_so3(w[k] * np.eye(3)[k]) for k in order])

@@ -75,13 +75,6 @@ def half_the_angle(q):
 
 
 @EXERCISE.mistake
-def outer_product(q):
-    """the squares on the diagonal are the wrong ones. A rotation about x leaves R[0, 0] = 1: which of the squares
-    x^2, y^2, z^2 can stand there?"""
-    return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * np.outer(q[1:], q[1:])
-
-
-@EXERCISE.mistake
 def entry_by_entry(q):
     """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
     return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * hat(q[1:]) ** 2

@@ -13,7 +13,6 @@ from course_lib.checks.exercises.rotations.sampling import (
     of_many,
     shoemake,
     tied,
-    uniform_angle,
     uniform_rotations,
 )
 from course_lib.checks.format_numbers import format_tuple
@@ -74,10 +73,3 @@ def from_a_cube(n, rng, low):
     distribution looks the same in all directions?"""
     q = rng.uniform(low, 1, (n, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)
-
-
-@EXERCISE.mistake(seen=of_many(lambda q: uniform_angle(quaternion_to_matrix(q))))
-def axis_and_angle(n, rng):
-    """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
-    v, a = rng.normal(size=(n, 3)), np.pi * rng.random((n, 1))
-    return np.hstack([np.cos(a / 2), np.sin(a / 2) * v / np.linalg.norm(v, axis=1, keepdims=True)])

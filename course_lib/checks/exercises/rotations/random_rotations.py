@@ -14,10 +14,11 @@ from course_lib.checks.exercises.rotations.sampling import (
     cases,
     of_many,
     tied,
+    uniform,
     uniform_angle,
     uniform_rotations,
 )
-from course_lib.rotations import exp_so3, random_rotations
+from course_lib.rotations import exp_so3, random_rotations, rot_x, rot_z
 
 EXERCISE = Exercise(
     name="random_rotations",
@@ -47,6 +48,18 @@ def one_draw_for_two(n, rng):
     """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
     x, z = rng.random((2, n))
     return arvo_rotations(2 * np.pi * x, 2 * np.pi * x, z)
+
+
+def _middle_angle_is_uniform(R):
+    entries = np.clip(R, -1, 1).reshape(-1, 9).T  # one of them is the sine or cosine of the middle angle
+    return any(uniform(np.arcsin(entry), -np.pi / 2, np.pi / 2) for entry in entries)
+
+
+@EXERCISE.mistake(seen=of_many(_middle_angle_is_uniform))
+def euler_angles(n, rng):
+    """three angles about fixed axes are drawn uniformly. Is there as much room near the poles as at the equator?"""
+    first, middle, last = 2 * np.pi * rng.random((3, n))
+    return rot_z(first) @ rot_x(middle) @ rot_z(last)
 
 
 @EXERCISE.mistake(seen=of_many(uniform_angle))

@@ -109,11 +109,18 @@ def longer_arc(q0, q1, t):
     return _along(q0, q1, t)
 
 
-@EXERCISE.mistake(end=(_shorter, lambda q0, q1: q1))
-def normalised_chord(q0, q1, t, end):
-    """the quaternions are mixed on the straight line and normalised. The points are evenly spaced on the chord, not
+@EXERCISE.mistake(end=(_shorter, lambda q0, q1: q1), size=(nearest_quaternion, lambda q: q))
+def straight_chord(q0, q1, t, end, size):
+    """the quaternions are mixed on the straight line between them. The points are evenly spaced on the chord, not
     on the arc: near its middle the rotation is faster."""
-    return nearest_quaternion((1 - t) * q0 + t * end(q0, q1))
+    return size((1 - t) * q0 + t * end(q0, q1))
+
+
+@EXERCISE.mistake(factor=(2, 0.5))
+def twice_the_arc(q0, q1, t, factor):
+    """the arc between the quaternions is doubled or halved. Is the cosine of phi q0 . q1, or half of something?"""
+    phi, q1 = factor * _angle_of(q0, q1) / 2, _shorter(q0, q1)
+    return (np.sin((1 - t) * phi) * q0 + np.sin(t * phi) * q1) / np.sin(phi)
 
 
 @EXERCISE.mistake
