@@ -21,8 +21,8 @@ BLUE = "#4a90d9"
 FEWEST = 20  # students, for a correlation
 POINTS = ("mean %", "separates")
 SEPARATES = (
-    "*Separates* is the correlation of its points with the student's other points in the notebook, with a 95 % "
-    f"confidence interval, from {FEWEST} students on: near 0, it does not tell strong students from weak ones."
+    "The column separates is the correlation of its points with the student's other points in the notebook, with a "
+    f"95 % confidence interval, from {FEWEST} students on: near 0, it does not tell strong students from weak ones."
 )
 
 
