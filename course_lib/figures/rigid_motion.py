@@ -28,7 +28,7 @@ _CAPTIONS = {  # of films
     "body-interpolated": "The body is slow at both ends, and rotates in proportion to the distance that it has moved.",
     "body-propagated": "While the body rotates its path bends; in the third part it moves sideways, without rotating.",
     "arm-interpolated": "Both joints move in proportion, and the tip draws a curve.",
-    "arm-linear": "Both joints move at constant velocity: they start and stop abruptly.",
+    "arm-linear": "Left linear in time, right cubic: one path, one duration. Which arm starts abruptly?",
     "arm-propagated": "First joint, second joint, both: one second each.",
 }
 
@@ -279,23 +279,31 @@ def end_velocities(times, curves):
 # ---- arms ----
 
 
-def arm_movie(name, points, times):
+def arm_movie(name, points, times, beside=None):
     """Return a film of a planar arm in red, with its tip's dashed blue path.
 
     name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base, joints and tip, at the
-    times (n,); links of one metre.
+    times (n,); links of one metre. beside: the points of a second arm at these times, which is drawn to its right.
     """
-    shown = np.round(points, 3)
-    trail = path(shown[:, -1], BLUE, dash="dash")
-    base = path(shown[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"})
+    links = points.shape[1] - 1
+    layout, still, shown = plane_layout(links + 0.4), [], np.round(points, 3)
+    arms = [shown] if beside is None else [shown, np.round(beside, 3) + np.array([2 * links + 0.4, 0])]
+    for each in arms:
+        still.append(path(each[:, -1], BLUE, dash="dash"))
+        still.append(path(each[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"}))
+    if beside is not None:  # a gap in the line separates the arms
+        layout["xaxis"]["range"] = [-links - 0.4, 3 * links + 0.8]
+        shown = np.concatenate([arms[0], np.full((len(shown), 1, 2), np.nan), arms[1]], axis=1)
     moving = [path(arm, CRIMSON, width=12, mode="lines+markers", size=17) for arm in shown]
     moving[0].update(marker={"line": {"color": "white", "width": 3}})
-    links = points.shape[1] - 1
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip draws a "
         f"dashed blue curve from {_point(points[0, -1])} to {_point(points[-1, -1] + 0.0)}."
     )
-    return Picture(movie(name, plane_layout(links + 0.4), [trail, base], moving, times), alt, _CAPTIONS.get(name, ""))
+    if beside is not None:
+        apart = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
+        alt += f" A second arm moves to its right; their tips are up to {apart:.2f} m apart."
+    return Picture(movie(name, layout, still, moving, times), alt, _CAPTIONS.get(name, ""))
 
 
 def arm_paths(contents):
