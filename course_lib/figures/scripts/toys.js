@@ -647,7 +647,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
     function follower({ at, axis, angle }, point, from) {
       const foot = M.add(at, axis, M.dot(M.add(point, at, -1), axis)), arm = M.add(point, foot, -1);
       const place = M.add(centre, eye, FAR * radius), towards = M.unit(M.add(place, point, -1));
-      if (Math.abs(M.dot(axis, towards)) < 0.25 || M.norm(arm) < 0.01 * radius) {
+      if (Math.abs(M.dot(axis, towards)) < 0.4 || M.norm(arm) < 0.01 * radius) {
         const d = M.unit(M.add(toPixels(M.add(point, M.cross(axis, towards), 1e-3 * radius)), toPixels(point), -1));
         const lever = Math.max(80, (M.norm(arm) * size) / away(point));
         return (pixel) => angle + M.dot(M.add(pixel, from, -1), d) / lever;
@@ -674,6 +674,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
       const { left, top } = canvas.getBoundingClientRect();
       return [clientX - left, clientY - top];
     };
+    // What is taken at the pointer, or for a finger a few pixels beside it.
+    const near = (event, far) => [[0, 0], [far, 0], [-far, 0], [0, far], [0, -far]].slice(0, far ? 5 : 1)
+      .reduce((found, beside) => found || take(M.add(where(event), beside)), null);
     const rotate = (da, de) => {
       camera.azimuth += da;
       camera.elevation = Math.min(1.5, Math.max(-0.3, camera.elevation + de));
@@ -682,12 +685,12 @@ outline:3px solid var(--focus);outline-offset:-3px}
     const zoom = (factor) => { camera.zoom = Math.min(6, Math.max(0.4, camera.zoom * factor)); redraw(); };
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
-      if (!fingers.size && !made.held) made.held = take(where(event));
+      if (!fingers.size && !made.held) made.held = near(event, event.pointerType === "touch" ? 14 : 0);
       if (!made.held) fingers.set(event.pointerId, [event.clientX, event.clientY]);
     });
     // A finger on a body scrolls no page.
     canvas.addEventListener("touchstart", (event) => {
-      if (take(where(event.touches[0]))) event.preventDefault();
+      if (near(event.touches[0], 14)) event.preventDefault();
     }, { passive: false });
     let over = null;
     const point = once(() => (canvas.style.cursor = over && take(over) ? "grab" : "move"));
