@@ -229,7 +229,8 @@ def _units(name, table, k, units):
         raise ValueError(f"{name}: angles reach {reach:.4g}. Are they degrees? {ask % (time or 's', 'deg')}")
     if time is None and t[0] > 1e17:
         time = "ns"  # since 1970, as ROS counts
-    elif time is None and step >= 1 and np.ptp(q, axis=0).max() < 0.02 * np.ptp(t) * np.abs(qd).max(initial=1):
+    moved, expected = np.abs(np.diff(q, axis=0)).sum(), np.abs(np.diff(t)[:, None] * qd[1:]).sum()
+    if time is None and step >= 1 and (moved < 0.05 * expected or not qd.size):
         raise ValueError(f"{name}: times are {step:.4g} apart. Are they milliseconds? {ask % ('ms', angle or 'rad')}")
     return time or "s", angle or "rad"
 

@@ -291,6 +291,13 @@ def test_what_peoples_programs_write_is_read_and_said_or_asked_about(tmp_path, n
             np.testing.assert_allclose(read.qd, table(15)[:, 8:], atol=1e-4)
 
 
+def test_a_slow_motion_whose_velocities_fit_seconds_is_not_asked_about(file):
+    slow = [f"{t},{t / 100},{1 / 100}" for t in range(0, 100, 5)]
+    assert load(file("t,q1,qd1", *slow)).t[-1] == 95
+    with pytest.raises(ValueError, match="Are they milliseconds"):
+        load(file("t,q1", *(row.rpartition(",")[0] for row in slow)))
+
+
 def test_times_that_disagree_with_the_velocities_are_said():
     assert disagreement(swinging(STEP)) == ""
     said = "The velocities fit times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s."
