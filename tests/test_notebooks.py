@@ -61,9 +61,14 @@ def test_has_all_its_rooms_and_folds_those_of_more(path):
     assert parts in ((REPORT, REPORT[:-1]) if "Appendix: the report" in titles else ([],))
 
 
-def test_its_core_takes_two_sittings_and_ends_with_a_summary(path):
+def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     notebook, stop = nbformat.read(path, 4), checks_of(path).progress.stop
     cells = [cell for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True) if not more]
+    hours = sittings(cells[0].source)
+    assert max(hours) <= 2.5
+    assert len(hours) == (2 if stop else 1)
+    if not stop:  # a short notebook, in one sitting
+        return
     at = next(i for i, cell in enumerate(cells) if cell.id == "stop-here")
     titles = [cell.source.splitlines()[0] for cell in cells[at:] if heading_level(cell) == 2]
     assert titles[titles.index("## Explain") + 1] == "## What you can now compute"
@@ -72,8 +77,6 @@ def test_its_core_takes_two_sittings_and_ends_with_a_summary(path):
     assert re.match(rf"\*\*You can stop here\.\*\*.* at \*{re.escape(stop[1])}\*", cells[at].source, re.DOTALL)
     tasks = ["".join(cell.source for cell in sitting) for sitting in (cells[:at], cells[at:])]
     minutes = [sum(map(int, re.findall(r"points?, (\d+) minutes\)", each))) for each in tasks]
-    hours = sittings(cells[0].source)
-    assert max(hours) <= 2.5
     assert sum(minutes) <= 45 * sum(hours), "text, toys and Explain take a quarter of the time at least"
     assert all(done + 15 <= 60 * given for done, given in zip(minutes, hours, strict=True))
 
