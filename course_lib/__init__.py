@@ -5,4 +5,4 @@ radians, lengths in metres. Public functions raise ValueError, naming the argume
 for a wrong shape, for entries that are not finite real numbers, or larger than 1e100.
 """
 
-__version__ = "1.0.0"
+__version__ = "1.1.0"
