@@ -78,6 +78,7 @@ NEEDS = {
     "def F(*a): S[1]; return right_F(*a)",
     "a module of its own": "%%writefile own_F.py\nvalue = 3\n# %%\nimport own_F\n"
     "def F(*a): own_F.value; return right_F(*a)",
+    "await": "async def soon(): return 1\n# %%\nA_F = await soon()\n# %%\ndef F(*a): A_F; return right_F(*a)",
     "a command": "!echo\nlines = !echo\nC = 1\nfor _ in lines: pass\ndef F(*a): C; return right_F(*a)",
     "a later name": "from numpy import exp\ndef F(*a): exp(1.0); return right_F(*a)\n"
     "# %%\ncheck.F(F)\n# %%\nexp = None",
