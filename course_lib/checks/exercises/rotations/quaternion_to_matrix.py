@@ -11,6 +11,7 @@ from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quat
 def _cases(rng):
     half = np.sqrt(0.5)
     named = [[half, 0, 0, half], [half, 0, half, 0], [half, half, 0, 0], [0, 0, 0, 1], [1, 0, 0, 0], [-1, 0, 0, 0]]
+    named += [[-0.5, 0.1, 0.7, -0.5], [0.5, -0.1, -0.5, -0.7]]  # exactly of length one, with w of either sign
     return [(np.array(q, float),) for q in named] + [(q,) for q in random_quaternions(6, rng)]
 
 
