@@ -63,22 +63,6 @@ def test_fk_is_the_product_of_exponentials(arm):
         close(arm.fk(q), moved @ joints["home"], 1e-13)
 
 
-def test_at_home(arm):
-    joints = six_joints()
-    close(arm.fk(np.zeros(6)), joints["home"])
-    close(arm.frames(np.zeros(6))[:6, :3, 3], joints["points"])
-    assert np.array_equal(arm.frames(np.zeros(6))[:6, :3, :3], np.broadcast_to(np.eye(3), (6, 3, 3)))
-    assert arm.n == 6
-    axes = joints["omega"] / np.linalg.norm(joints["omega"], axis=-1, keepdims=True)
-    close(arm.screw_axes, np.concatenate([axes, -np.cross(axes, joints["points"])], -1))
-
-
-@pytest.mark.parametrize("turns", [1.0, 1e3, 1e9])
-def test_whole_revolutions_of_a_joint_change_nothing(arm, turns):
-    q = angles(6)
-    close(arm.frames(q + 2 * PI * turns), arm.frames(q), 1e-14 * (1 + 6 * turns))
-
-
 # How fast -------------------------------------------------------------------------------------------------------------
 
 

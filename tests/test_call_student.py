@@ -7,7 +7,6 @@ import linecache
 import signal
 import sys
 import threading
-import warnings
 
 import numpy as np
 import pytest
@@ -46,17 +45,6 @@ def test_the_output_of_a_function_is_dropped(capfd):
 
     assert put(chatty, [1])[0]["value"] == 1
     assert capfd.readouterr() == ("", "")
-
-
-def test_a_warning_is_noted_and_stops_nothing():
-    def warns(x):
-        warnings.warn("first", stacklevel=1)
-        warnings.warn("second", stacklevel=1)
-        return np.arccos(x)
-
-    answer = put(warns, [2.0])[0]
-    assert answer["warning"] == "first"
-    assert np.isnan(answer["value"])
 
 
 def test_a_right_answer_that_warns_is_right_with_a_note():

@@ -120,30 +120,3 @@ def test_a_wrong_mutant_equals_no_solution_however_weak_the_check(name, change):
     assert solution.is_equalled_by(sources[name])
     assert change[0] in sources[name]
     assert not solution.is_equalled_by(sources[name].replace(*change))
-
-
-def test_the_list_of_mutants_that_are_right_too_names_exercises():
-    names = [path.stem for path in FILES]
-    assert len(set(names)) == len(names)
-    assert set(AS_RIGHT) <= set(names)
-
-
-def test_mutants_change_one_thing_and_are_spread_over_the_kinds():
-    found = mutants('def f(a, b):\n    """Text."""\n    return a[0] @ b.T + 2 * a')
-    lines = {mutant.line for mutant in found}
-    assert {"return a[1] @ b.T + 2 * a", "return a[0] @ b + 2 * a", "return b.T @ a[0] + 2 * a"} <= lines
-    assert {"return a[0] @ b.T - 2 * a", "return a[0] @ b.T", "return a[0] @ b.T + -2 * a"} <= lines
-    assert len(lines) == len(found)
-    few = spread(found, 6)
-    assert len(few) == 6
-    assert len({mutant.kind for mutant in few}) == 6
-
-
-def test_mutants_are_known_by_the_same_lines_after_a_reformatting_and_leave_broken_code_alone():
-    compact = 'def f(a, b):\n    """Text."""\n    c = (a+b)*2\n    return [c, "x"]'
-    airy = (
-        "def f(\n    a,\n    b,\n):\n    'Text.'\n    c = (\n        (a + b) * 2\n    )\n\n"
-        "    return [\n        c,\n        'x',\n    ]"
-    )
-    broken = compact + "\n    return a - b"
-    assert {m.line for m in mutants(compact)} == {m.line for m in mutants(airy)} == {m.line for m in mutants(broken)}

@@ -198,23 +198,6 @@ def test_without_more_its_cells_and_what_names_them_are_left_out(folded, tmp_pat
     assert "More" not in done.stdout
 
 
-@pytest.mark.parametrize(
-    "clause",
-    [
-        ", and *More*, folded below, two",
-        "; *More* takes two",
-        " (*More*: another\ntwo)",
-        ". The sections of *More*\ntake two",
-    ],
-)
-def test_without_more_no_clause_says_how_long_it_takes(clause):
-    cells = [f"# 1 · A, b\n\nIt takes about three hours{clause}. Then.\n\nLast.", "## More: c", "## Go further"]
-    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(text) for text in cells])
-    book.cells[1].metadata.tags = ["more"]
-    copy = nbformat.reads(students_copy(nbformat.writes(book), "x", "", more=False), 4)
-    assert copy.cells[0].source == "# 1 · A, b\n\nIt takes about three hours. Then.\n\nLast."
-
-
 @pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")))
 def test_no_cell_of_the_core_asks_for_what_is_left_out_with_more(name):
     text = (ROOT / "notebooks" / name).read_text(encoding="utf-8")
@@ -223,11 +206,6 @@ def test_no_cell_of_the_core_asks_for_what_is_left_out_with_more(name):
     asked = [(cell.id, each) for cell in core for each in ids[0] - ids[1] if f"check.{each}" in cell.source]
     assert asked == []
     assert [cell.id for cell in core if re.search(r"\*More\b|\bMore:", cell.source)] == []
-
-
-def test_more_is_yes_or_no(tmp_path, capsys):
-    assert main(["--root", str(ROOT), "--output", str(tmp_path / "student.zip"), "--more", "0.5"]) == 1
-    assert one_sentence(capsys) == "No release was written. MORE=0.5 is neither yes nor no.\n"
 
 
 # ---- what it takes to install ----

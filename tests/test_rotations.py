@@ -98,15 +98,6 @@ def test_sign_of_a_quaternion(axis, sign):
         assert matrix_to_quaternion(exp_so3(sign * angle * axis))[0] > 0
 
 
-def test_rotations_by_pi_among_others():
-    w = np.array([[0, -np.pi, 0], [0, 0, 0], [0, 0, -3.0], [0, 0.6 * np.pi, -0.8 * np.pi], [1e-9, 0, 0]])
-    R = exp_so3(w)
-    R[[0, 3]] = [2 * np.outer(a, a) - np.eye(3) for a in w[[0, 3]] / np.pi]
-    half = 1.5
-    expected = [[0, 0, 1, 0], [1, 0, 0, 0], [np.cos(half), 0, 0, -np.sin(half)], [0, 0, 0.6, -0.8], [1, 5e-10, 0, 0]]
-    close(matrix_to_quaternion(R), expected)
-
-
 def test_lengths_of_all_sizes_in_one_batch():
     size = np.array([0, 5e-324, 1e-300, 1e-150, 1e-140, 1, 1e100])
     assert_allclose(rotations.length(size[:, None] * [3, 0, -4]), 5 * size, rtol=1e-15)
