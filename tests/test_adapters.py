@@ -9,7 +9,7 @@ import sympy as sp
 
 from course_lib.checks import call_student, wire
 from course_lib.checks import decomposition_ik as check
-from course_lib.checks.adapters import ADAPTERS, NoNumber, with_symbols
+from course_lib.checks.adapters import NoNumber, with_symbols
 from course_lib.checks.exercise import ERROR, Here, judge
 from course_lib.checks.notebook import describe
 
@@ -107,10 +107,6 @@ def test_what_is_neither_expression_nor_number_is_not_plain(thing):
 def test_what_stays_an_expression_is_no_number(entry):
     with pytest.raises(NoNumber, match=r"theta|f"):
         with_symbols(lambda theta: [theta, entry], ["theta"], [0.5])
-
-
-def test_without_an_adapter_a_function_is_simply_called():
-    assert ADAPTERS[""](lambda x, y: x - y, ["x", "y"], [3, 1]) == 2
 
 
 # In the messages of a check

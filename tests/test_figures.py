@@ -251,40 +251,6 @@ def test_ticks_are_parts_of_pi():
     assert [ax.xaxis.get_major_formatter()(x) for x in (-np.pi, 0, np.pi / 2)] == ["$-\\pi$", "$0$", "$\\pi/2$"]
 
 
-def test_tables_stand_in_columns(capsys):
-    tables.table(["mean (cm)", "answered"], {"one": (0.1256, "99.8%"), "the other": (2e-7, "100%")})
-    assert tables.compared({"a table": np.array([[0.5, np.nan]])}, np.array([[True, True]])) == {"a table": 0.5}
-    some, none = (np.array([True, False]), np.array([7, 100])), (np.array([False]), np.array([1]))
-    tables.reached({"a": some, "b": none, "c": some}, rough=["c"])
-    tables.by_kind(np.array(["elbows mixed"] * 3 + ["fewer than 6 samples"]), np.array([[0.1, 7.0]] * 4))
-    tables.means({"one": np.array([0.1, 0.3, np.nan])})
-    tables.slopes({"affine": (2.0, 1.999)})
-    tables.dh_tables([[0, 0, 0.3]], [[0.1, np.pi / 2, 0.3]])
-    assert (
-        capsys.readouterr().out
-        == """\
-           mean (cm)  answered
-one             0.13     99.8%
-the other    < 1e-06      100%
-         mean (cm)  worst (cm)  answered  invented
-a table        0.5         0.5     50.0%         0
-   reached (%)  iterations (median)
-a           50                    7
-b            0                    -
-c     about 50              about 7
-                      queries  mean (cm)  worst (cm)
-elbows mixed              75%       3.55           7
-fewer than 6 samples      25%       3.55           7
-     mean (cm)  worst (cm)
-one       0.20        0.30
-        slope of the angle  of the position
-affine                2.00             2.00
-joint   modified: a    alpha     d   standard: a    alpha     d
-  1          0.0000       0° 0.300        0.1000      90° 0.300
-"""
-    )
-
-
 def test_a_count_that_rounding_decides_is_about_half():
     assert tables.mirrored(4, [120.0, 1, 2], [3.0, 1, 2]) == ("1 of 3", 2.0)
     assert tables.mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2]) == ("about half", 2.5)

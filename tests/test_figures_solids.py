@@ -1,7 +1,6 @@
 """Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, complete and small."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +19,6 @@ from course_lib.rotations import random_rotations
 
 NAMED = {"iiwa": iiwa14(), "panda": panda(), "ur5e": ur5e()}
 RNG = np.random.default_rng(7)
-NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 
 
 def random_arm(n, rng):
@@ -150,8 +148,3 @@ def test_a_film_contains_the_poses_at_twenty_times_a_second_and_little_more():
     assert_allclose(film.at(40), solids.arm_model(arm).placed(solids.link_poses(arm, q[200])), atol=2e-4)
     assert film.course["movie"] == "a"
     assert len(json.dumps(made.stored())) < 120_000
-
-
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_a_notebook_stays_below_two_megabytes(path):
-    assert path.stat().st_size < 2_000_000

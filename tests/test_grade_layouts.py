@@ -1,16 +1,13 @@
 """However a student lays out a cell, what runs in Jupyter runs when it is graded."""
 
-import ast
 import itertools
 import json
 import re
 
 import pytest
 from hostile.build import NAME, SEED, book
-from IPython.core.inputtransformer2 import TransformerManager
 from jupyter_client.manager import start_new_kernel
 
-from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.statements import parsed, plain, statements
 from course_lib.pack.grade.submission import grade
 
@@ -148,18 +145,6 @@ def test_whatever_a_function_needs_in_a_kernel_is_there_when_graded(few, needs, 
     found = {row["exercise"]: row for row in grade(book(*cells), NAME, SEED)["exercises"]}
     assert {name: states[name] for name in used} == dict.fromkeys(used, "right"), needs
     assert [found[name]["state"] for name in used] == ["right"] * len(used), [found[name] for name in used]
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
-def test_every_answer_is_read_as_ipython_reads_it(solutions, layout):
-    sources = [SPREAD, *(source for name in courses() for source in solutions(name))]
-    for source in sources:
-        cell = LAYOUTS[layout](source.strip()).replace("\r\n", "\n").replace("\r", "\n")
-        wanted = ast.parse(TransformerManager().transform_cell(cell)).body
-        if cell.lstrip().startswith("%%"):  # IPython passes the rest to the magic, as text
-            body = next(node.args[2].value for node in ast.walk(wanted[0]) if isinstance(node, ast.Call))
-            wanted = ast.parse(body).body if "script" not in cell[:9] else []
-        assert [ast.dump(tree) for tree in parsed(cell)] == [ast.dump(tree) for tree in wanted], cell
 
 
 def test_what_the_transformer_cannot_read_is_left_as_it_is():

@@ -103,20 +103,10 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     )
 
 
-@pytest.mark.parametrize(
-    ("name", "change"),
-    [
-        ("exp_so3", ("np.sin(a) * N", "np.sin(a) / N")),
-        ("slerp", ("np.sin(t * phi) * q1", "t * np.sin(phi) * q1")),
-        ("random_quaternions", ("np.sqrt(1 - s)", "np.sqrt(1.1 - s)")),
-        ("is_valid", ("<= tol", "<= 2 * tol")),
-        ("test_log_so3", ("np.pi + 1e-6", "2 * np.pi")),
-    ],
-)
-def test_a_wrong_mutant_equals_no_solution_however_weak_the_check(name, change):
-    (path,) = (path for path in FILES if path.stem == name)
+def test_a_sampler_that_is_not_uniform_equals_no_solution_however_weak_the_check():
+    """Of the other kinds of answers AS_RIGHT says as much."""
+    (path,) = (path for path in FILES if path.stem == "random_quaternions")
     space, sources = solved("01_rotations")
-    solution = Solution(replace(exercise_of(path), properties=()), space, sources)
-    assert solution.is_equalled_by(sources[name])
-    assert change[0] in sources[name]
-    assert not solution.is_equalled_by(sources[name].replace(*change))
+    solution, right = Solution(replace(exercise_of(path), properties=()), space, sources), sources[path.stem]
+    assert solution.is_equalled_by(right)
+    assert not solution.is_equalled_by(right.replace("np.sqrt(1 - s)", "np.sqrt(1.1 - s)"))

@@ -112,10 +112,3 @@ def test_the_trajectory_that_comes_with_the_course():
     weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
     by_differences = sum(w * q[i : len(q) - 8 + i] for i, w in enumerate(weights))
     close(by_differences, moved.qd[4:-4], 1e-6)
-
-
-def test_the_trajectory_is_what_make_data_makes():
-    made = data.iiwa_trajectory()
-    stored = trajectory.load(Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv")
-    for name in ("t", "q", "qd"):
-        close(getattr(stored, name), getattr(made, name), 1e-8)
