@@ -2,8 +2,8 @@
 
 A file holds time in seconds, the joint angles in radians and, if it has them, the velocities: a table as text (comma,
 semicolon, tab or spaces between columns, decimal point or comma) or NPY. A header names the columns in the words of
-common programs; without one they are t, q1 ... qk, qd1 ... qdk, and rows and columns may be swapped. Or two files hold
-positions and velocities, (n, k) or (k, n), and the time step is given. Rows count from 1, without a header.
+common programs; without one they are t, q1 ... qk, qd1 ... qdk. Or two files hold positions and velocities, (n, k) or
+(k, n), and the time step is given. Rows count from 1, without a header.
 """
 
 import codecs
@@ -72,8 +72,9 @@ def load(path, limits=None, velocities=None, step=None, units=None):
     Raises
     ------
     ValueError
-        If a column is missing or occurs twice, or a cell is not a finite number, is outside its limits, or makes time
-        stand still; it names file, row and column. If units are not clear, it asks.
+        If a column is missing or occurs twice, samples are the columns of a table with times, or a cell is not a finite
+        number, is outside its limits, or makes time stand still; it names file, row and column. If units are not
+        clear, it asks.
 
     Examples
     --------
@@ -263,9 +264,6 @@ def _read(path, limits, times):
         return table, range(1, table.shape[1] + 1), (None, None), remark
     k = 0 if limits is None else len(limits)
     fits = (1 + k, 1 + 2 * k) if k else range(3, 1000, 2)
-    rising = [np.all(np.diff(line) > 0) for line in (table[:, 0], table[0])]
-    if len(table) in fits and rising[1] and (table.shape[1] not in fits or not rising[0]):
-        table, remark = table.T, f"{remark}, samples in columns"
     if (m := table.shape[1]) not in fits:
         raise ValueError(
             f"{path.name} must begin with a header, or hold t, q1 ..., qd1 ...: column t is missing, or others; its "
