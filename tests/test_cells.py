@@ -78,13 +78,6 @@ def test_a_step_is_made_for_each_answer_but_those_that_are_missing():
     np.testing.assert_array_equal(found, [[[11, 22], [np.nan, 3]]])
 
 
-@pytest.mark.parametrize(("corner", "degree", "slope"), [((1.0, 0.9), 1, 2), ((1.0, 0.9), 2, 3), ((2.0, 0.0), 2, 1)])
-def test_the_largest_error_falls_with_the_power_that_taylor_or_the_edge_says(corner, degree, slope):
-    solve, forward = check.ik_2r.library, check.fk_2r.library
-    coarse, fine = cells.largest_errors(corner, (0.02, 0.01), degree, solve, forward)[1]
-    assert np.log2(coarse / fine) == pytest.approx(slope, abs=0.1)
-
-
 def test_a_table_of_noisy_samples_scores_by_what_it_reaches_and_not_by_what_it_leaves_out():
     ranges = np.deg2rad([[0, -90], [170, 90]])
 

@@ -208,6 +208,7 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     first = {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()}
     assert "1234,,,,4" in (out / "canvas.csv").read_text()
     assert "late,The learning platform marked it as late." in (out / "grades.csv").read_text()
+    written(tmp_path, "--more", "no")
     out = written(tmp_path, *("--lms", "canvas", "--roster", str(tmp_path / "roster.csv")),
                   *DEADLINE, "--times", "files")  # fmt: skip
     assert {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()} == first
@@ -268,16 +269,6 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
     assert "soon, for Doe, Jane, is not a time" in capsys.readouterr().err
 
 
-def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
-    orders = {"points": [2, 2], "more": ["exercise_1"], "log": str(tmp_path / "log")}
-    (tmp_path / "log").mkdir()
-    hand_in(tmp_path / "in", "jane_01_rotations.ipynb", **orders)
-    for typed, points in {"1": "4", "0.5": "3", "no": "2", "yes": "4"}.items():
-        text = (written(tmp_path, "--lms", "canvas", "--more", typed) / "canvas.csv").read_text()
-        assert [line.split(",")[-1] for line in text.splitlines()[1:]] == [points, points]
-    assert len(list((tmp_path / "log").iterdir())) == 1
-
-
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -289,10 +280,8 @@ def test_more_is_weighed_in_the_gradebook_and_nothing_is_graded_again(tmp_path):
         (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
         (("--more", "2"), "MORE=2 is neither a number from 0 to 1, nor yes or no."),
-        (("--more", "half"), "MORE=half is neither a number from 0 to 1, nor yes or no."),
         (("--more", "nan"), "MORE=nan is neither a number from 0 to 1, nor yes or no."),
         (("--times", "files"), "TIMES=files has no meaning without DEADLINE=."),
-        (("--deadline", "soon"), "DEADLINE=soon is not a date: write 2026-11-30 or '2026-11-30 18:00'."),
     ],
 )
 def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, capsys, options, said):
