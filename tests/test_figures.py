@@ -18,6 +18,7 @@ from course_lib.figures import rotations as nb1
 from course_lib.figures import subproblems_damped_ik as nb3
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import velocities_of_the_tip
+from course_lib.figures.style import plane_figure
 from course_lib.figures.three_views import three_views
 from course_lib.figures.toys.toy import Toy
 
@@ -209,6 +210,13 @@ def test_what_plotly_draws_lies_in_its_scene_and_the_last_bits_of_a_machine_do_n
 
 
 # ---- show ----
+
+
+def test_pages_may_cut_panels_apart_that_are_side_by_side():
+    fig, (left, right) = plane_figure(8, 3, 2)
+    (cut,) = shown(Picture(fig, ALT)).metadata["image/png"]["cuts"]
+    assert 768 * left.get_position().x1 < cut < 768 * right.get_position().x0
+    assert "cuts" not in shown(Picture(plane_figure(6, 6, 2, rows=2)[0], ALT)).metadata["image/png"]
 
 
 @pytest.mark.parametrize("alt", ["", "short", None, 3])

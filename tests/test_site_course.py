@@ -69,6 +69,13 @@ def test_nothing_jumps_while_a_page_is_loaded(on_a_phone):
     assert page.evaluate(SHIFT) < 0.1
 
 
+def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(on_a_phone):
+    panels = on_a_phone[1].page.locator(".panels > .panel").all()
+    sizes = [panel.evaluate("e => [e.getBoundingClientRect().right, e.clientWidth / e.width]") for panel in panels]
+    assert panels
+    assert all(right <= 390 and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
+
+
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(on_a_phone):
     assert_figures_keep_their_size_and_play(on_a_phone[1])
 

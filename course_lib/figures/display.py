@@ -3,6 +3,7 @@
 import base64
 import io
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -73,7 +74,7 @@ def show(fig, *, alt="", caption=""):
     elif hasattr(fig, "savefig"):
         width, height = (round(96 * inches) for inches in fig.get_size_inches())
         data = {"image/png": _png(fig), "text/plain": alt}
-        metadata = {"image/png": {"alt": alt, "width": width, "height": height}}
+        metadata = {"image/png": {"alt": alt, "width": width, "height": height} | _cuts(fig, width)}
     else:
         raise ValueError(f"fig must be a matplotlib or plotly figure; it is of type {type(fig).__name__}")
     display(data, raw=True, metadata=metadata)
@@ -86,6 +87,13 @@ def show_caption(caption):
 
     if caption:
         display({"text/markdown": caption, "text/plain": caption}, raw=True, metadata={"caption": caption})
+
+
+def _cuts(fig, width):
+    """Where pages may cut a drawn figure of panels side by side, in pixels from the left; {} if it has none."""
+    boxes = [ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>"]
+    cuts = [(left.x1 + right.x0) / 2 for left, right in pairwise(boxes) if left.x1 < right.x0]
+    return {"cuts": [round(x / fig.bbox.width * width) for x in cuts]} if 1 < len(boxes) == len(cuts) + 1 else {}
 
 
 def _png(fig):

@@ -134,7 +134,7 @@ def pose_errors(T, T_target):
         "geometric: along the base's axes": (T[:2, 3], straight, np.eye(2)),
     }
     fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
-    for ax, (start, arrow, along) in zip(axes, contents.values(), strict=True):
+    for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
         for pose, colour in ((T, BLUE), (T_target, GREEN)):
             for k, width in ((0, 3), (1, 1.5)):
                 ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.22 * pose[:2, k]]), color=colour, linewidth=width)
@@ -142,7 +142,7 @@ def pose_errors(T, T_target):
         for part in along.T:
             ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=GREY, linewidth=2)
         ax.annotate("", start + arrow, start, arrowprops={"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5})
-        ax.set(xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal")
+        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal")
         ax.text(0.98, 0.04, f"{np.linalg.norm(arrow):.2f} m", transform=ax.transAxes, ha="right", color=CRIMSON)
     lengths = ", ".join(f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items())
     return Picture(
@@ -174,7 +174,7 @@ def pinhole(K, T_cm, key_points):
     mug = meshes.mug()
     depth, outline = project(mug.vertices)
     far_first = np.argsort(-depth[mug.faces, 2].mean(1))
-    fig, (side, image) = plane_figure(10.5, 3.9, 2, width_ratios=[1.15, 1])
+    fig, (side, image) = plane_figure(9, 3.7, 2, width_ratios=[1.15, 1])
     f = 0.3 * z  # where the image plane is drawn; any distance would do
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
     side.plot([f, f], [-0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
@@ -213,7 +213,7 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
 
     times (m,) and clearances {what: (m,)} in metres; trajectory_times, speeds, accelerations (n,), 1 is a bound.
     """
-    fig, (near, hard) = plane_figure(10.5, 3.5, 2)
+    fig, (near, hard) = plane_figure(9, 3.4, 2)
     for what, gap in clearances.items():
         near.plot(times, 100 * gap, label=what, linewidth=2)
     worst = {what: gap.min() for what, gap in clearances.items()}
@@ -365,7 +365,7 @@ def share_by_starts(shares):
 
 
 def _shares(x, shares, xlabel, **options):
-    fig, (ax,) = plane_figure(7.2, 3.4)
+    fig, (ax,) = plane_figure(5.4, 3.2)
     ax.plot(x, shares, "o-", color=BLUE, linewidth=2)
     ax.set(xlabel=xlabel, ylabel="share of targets reached", ylim=(0, 1), **options)
     return fig

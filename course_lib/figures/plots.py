@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, MultipleLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, MultipleLocator
 
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLUE, CRIMSON, FRAME_COLOURS, GREY, PURPLE, plane_figure
@@ -37,14 +37,21 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     >>> fig.axes[0].get_ylabel()
     'height (m)'
     """
-    fig, (ax,) = plane_figure(7.2, 3.4)
+    many = len(series) > 3
+    fig, (ax,) = plane_figure(5.4, 4.2 if many else 3.2)
     draw_lines(ax, x, series)
     ax.set(xlabel=xlabel, ylabel=ylabel)
     for axis in log:
         ax.set(**{f"{axis}scale": "log"})
+        scale = ax.xaxis if axis == "x" else ax.yaxis
+        low, high = scale.get_view_interval()
+        if high < 30 * low:  # too few powers of ten to read it by
+            scale.set(major_locator=LogLocator(subs=[1, 2, 5]), major_formatter="{x:g}", minor_formatter="")
     if parts_of_pi:
         pi_ticks(ax.xaxis, parts_of_pi)
-    if len(series) > 1:
+    if many:
+        legend_above(fig, 1)
+    elif len(series) > 1:
         ax.legend(frameon=False)
     return fig
 
@@ -62,7 +69,10 @@ def draw_arms(contents, every, window=None):
     drawn, and the last. window: (2, 2), the lowest and the highest x and y shown; if None, what links of one metre can
     reach.
     """
-    fig, axes = in_columns(contents, 4.2, 4.2, xlabel="x (m)", ylabel="y (m)")
+    half = max(points.shape[1] for points in contents.values()) - 0.7
+    low, high = np.array([[-half] * 2, [half] * 2] if window is None else window)
+    height = 1.1 + 3.3 * (high[1] - low[1]) / (high[0] - low[0])
+    fig, axes = in_columns(contents, 4.2, height, xlabel="x (m)", ylabel="y (m)")
     for ax, points in zip(axes, contents.values(), strict=True):
         last = len(points) - 1
         for i in [*range(0, last, every), last]:
@@ -70,8 +80,6 @@ def draw_arms(contents, every, window=None):
             look |= {"linewidth": 5, "markersize": 8, "markeredgecolor": "white", "solid_capstyle": "round"}
             ax.plot(*points[i].T, "-o", **look)
         ax.plot(*points[:, -1].T, color=BLUE, linestyle="--", linewidth=2)
-        half = points.shape[1] - 1 + 0.3
-        low, high = [[-half] * 2, [half] * 2] if window is None else np.asarray(window)
         ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     return fig
 
@@ -106,11 +114,11 @@ def velocities_of_the_tip(contents):
 
 
 def in_columns(titles, width, height, *, xlabel, ylabel):
-    """Return a figure with a panel under each title, `width` inches wide, and its axes; the y axis is named once."""
+    """Return a figure with a panel under each title, `width` inches wide, and its axes, all with the same y axis."""
     fig, axes = plane_figure(width * len(titles), height, len(titles), sharey=True)
     for ax, title in zip(axes, titles, strict=True):
-        ax.set(title=title, xlabel=xlabel)
-    axes[0].set_ylabel(ylabel)
+        ax.set(title=title, xlabel=xlabel, ylabel=ylabel)
+        ax.tick_params(labelleft=True)  # on a phone it stands by itself
     return fig, axes
 
 
@@ -120,9 +128,9 @@ def in_metres(ax, **options):
 
 
 def legend_above(fig, columns, ax=None):
-    """Put one legend above all panels: that of `ax`, or of all of them."""
+    """Put one legend above all panels, at the left of the first: that of `ax`, or of all of them."""
     handles = ax.get_legend_handles_labels() if ax else ()
-    fig.legend(*handles, loc="outside upper center", ncols=columns, frameon=False)
+    fig.legend(*handles, loc="outside upper left", ncols=columns, frameon=False)
 
 
 def pi_ticks(axis, parts):

@@ -18,7 +18,7 @@ from course_lib.figures.toys.film import draw, film
 
 def wrong_frame(paths, table):
     """Return the paths {label: positions (n, 3)} of a gripper in the plane of x and z, above a table of that height."""
-    fig, (ax,) = plane_figure(6.4, 3.4)
+    fig, (ax,) = plane_figure(5.4, 3.4)
     for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
         ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
         ax.plot(*path[-1, [0, 2]], "o", color=colour, markersize=9)
@@ -180,7 +180,7 @@ def _mark(samples):
 
 def velocities_over_time(t, v):
     """Return the components of linear velocities over times (n,), one panel for each of {frame: velocities (n, 3)}."""
-    fig, axes = plane_figure(7.2, 6.6, rows=len(v), sharex=True, sharey=True)
+    fig, axes = plane_figure(5.4, 6.4, rows=len(v), sharex=True, sharey=True)
     for ax, (frame, part) in zip(axes, v.items(), strict=True):
         for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
             ax.plot(t, values, marker=_mark(t), label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
@@ -197,12 +197,13 @@ def velocities_over_time(t, v):
 
 def velocities_against_each_other(v):
     """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
-    fig, axes = plane_figure(7.2, 7.2, 3, rows=len(v))
+    fig, axes = plane_figure(6.2, 6.6, 3, rows=len(v))
     for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
         for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
             ax.plot(part[:, i], part[:, j], marker=_mark(part), color=colour, linewidth=1.8)
             ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
             ax.set_aspect("equal", adjustable="datalim")
+            ax.locator_params(nbins=3)
         row[1].set_title(title, fontweight="bold", pad=10)
     return Picture(
         fig,
@@ -255,7 +256,7 @@ def singular_values(arm, generic, straight):
         "$q_6$ varies (wrist)": (6, generic),
         "$q_5$ varies, $q_6 = 0$": (5, straight),
     }
-    fig, (ax,) = plane_figure(6.4, 3)
+    fig, (ax,) = plane_figure(5.4, 3.4)
     angles, said = np.linspace(-2, 2, 201), []
     for colour, (label, (joint, q)) in zip(COLOURS, varied.items(), strict=False):
         at = np.tile(np.asarray(q, float), (len(angles), 1))

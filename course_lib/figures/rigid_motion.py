@@ -59,7 +59,7 @@ def missed_dock(driven, believed):
 
     It stands in its dock in the last of the poses driven.
     """
-    fig, (ax,) = plane_figure(7.2, 4.4)
+    fig, (ax,) = plane_figure(5.4, 3.7)
     ax.plot(*driven[:, :2].T, color=BLUE, linewidth=3, label="where it drives")
     ax.plot(*believed[:, :2].T, "o--", color=CRIMSON, markersize=4, linewidth=2, label="where it believes it is")
     _robots(ax, driven, BLUE)
@@ -78,7 +78,7 @@ def parking(poses, dock, table, keep_away):
     keep_away: how far from there the car's centre has to stay.
     """
     middle = np.asarray(table[:2], float)
-    fig, (ax,) = plane_figure(5.6, 4.8)
+    fig, (ax,) = plane_figure(4.6, 4.8)
     ax.add_patch(Circle(middle, keep_away, facecolor="none", edgecolor=GREY, linestyle="--"))
     ax.add_patch(Circle(middle, table[2], facecolor="#e4e0d8", edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
@@ -113,7 +113,7 @@ def _dock(fig, ax, pose, columns):
 
 def wheels(left, right, track):
     """Return the circles of two wheels that roll at these speeds (m/s), `track` apart; the robot faces x at (0, 0)."""
-    fig, (ax,) = plane_figure(6.2, 4.6)
+    fig, (ax,) = plane_figure(5.4, 4.4)
     v, omega = (left + right) / 2, (right - left) / track
     pole, t = v / omega, np.linspace(-0.3, 1.2, 61)
     for name, speed, colour in (("left", left, BLUE), ("robot", v, GREY), ("right", right, CRIMSON)):
@@ -194,7 +194,7 @@ def _body_paths(contents, every, caption, pole=None):
 def euler_paths(paths):
     """Return paths {label: points (n, 2)} of a plan by Euler's method beside the exact one, which is the last."""
     exact = list(paths)[-1]
-    fig, (ax,) = plane_figure(7.2, 4.2)
+    fig, (ax,) = plane_figure(5.2, 4.8)
     said = []
     for style, (label, points) in zip(STYLES, paths.items(), strict=False):
         off = np.linalg.norm(points[-1] - paths[exact][-1])
@@ -205,7 +205,7 @@ def euler_paths(paths):
         ax.plot(*points.T, label=label, linestyle=style, linewidth=2, **few)
     in_metres(ax)
     ax.margins(0.08)
-    fig.legend(loc="outside right upper", frameon=False)
+    ax.legend(loc="center left", bbox_to_anchor=(0, 0.35), frameon=False)
     caption = "Euler's method leaves the exact path in the first bend; the smaller the step, the less."
     return Picture(fig, f"Paths from one point. {' '.join(said)}", caption)
 
@@ -323,15 +323,14 @@ def arm_paths(contents):
     caption = "Left, the joints move in proportion and the path is a curve; right, the path is a straight line."
     fig = draw_arms(titled, 10, window)
     if window:
-        fig.axes[0].set_ylabel("upwards in the view (m)")
         for ax in fig.axes:
-            ax.set_xlabel("across the view (m)")
+            ax.set(xlabel="across the view (m)", ylabel="upwards in the view (m)")
     return Picture(fig, " ".join(said), caption)
 
 
 def joint_tracks(paths):
     """Return paths {label: joint angles (n, 2) in radians} in the plane of these angles."""
-    fig, (ax,) = plane_figure(5.6, 3.8)
+    fig, (ax,) = plane_figure(5.4, 3.8)
     for colour, style, (label, theta) in zip(COLOURS, STYLES, paths.items(), strict=False):
         ax.plot(*theta.T, color=colour, linestyle=style, linewidth=2, label=label)
     ax.set(xlabel="angle of joint 1 (rad)", ylabel="angle of joint 2 (rad)")

@@ -223,7 +223,7 @@ def arm_by_hand():
 
 def motion_from_home():
     """Return a flange in the plane with its wrist center, one metre behind it: at home M, after M^-1, and at T."""
-    fig, (ax,) = plane_figure(6.8, 4.0)
+    fig, (ax,) = plane_figure(5.4, 3.8)
     at, behind = np.array([[2.0, 0], [0, 0], [3, 3]]), np.array([[1, 0], [1, 0], [0, 1]])
     words = [("home, $M$", (-16, -18)), ("after $M^{-1}$", (-28, -18)), ("goal, $T$", (12, 0))]
     for flange, x_axis, colour, (name, aside) in zip(at, behind, (GREY, BLUE, CRIMSON), words, strict=True):
@@ -290,7 +290,7 @@ def largest_rates(inverse_rate_matrix):
 
 def columns_and_ellipse(points, J):
     """Return a planar arm (n + 1, 2), the columns of its Jacobian (2, n) as arrows, and the manipulability ellipse."""
-    fig, (ax,) = plane_figure(6.0, 4.6)
+    fig, (ax,) = plane_figure(5.4, 4.4)
     scale = 0.3  # metres drawn for one metre of J
     ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
     tip = points[-1]
@@ -337,7 +337,8 @@ def descents(runs, target, caption):
         said.append(f"{label}: {'jumps about and is' if jumps else 'ends'} {end} from it")
     plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
     (left, low), (right, high) = _window(corners, 0.2)
-    in_metres(plane, xlim=(left, right), ylim=(low, high))
+    more = max(0, 0.85 * (right - left) - (high - low)) / 2  # else it would be a strip
+    in_metres(plane, xlim=(left, right), ylim=(low - more, high + more))
     error.set(xlabel="steps", ylabel="distance from the target (m)")
     if lowest < error.get_ylim()[1] / 30:
         error.set(yscale="log", ylim=(max(lowest, 1e-9) / 2, None))
@@ -375,7 +376,7 @@ def gains(epsilons, values):
     epsilons: the dampings. values: {label: a singular value to point out}.
     """
     s = np.linspace(0.01, 4.2, 300)
-    fig, (ax,) = plane_figure(7.2, 3.6)
+    fig, (ax,) = plane_figure(5.4, 3.8)
     ax.plot(s, 1 / s, color=BLACK, linewidth=1, label="no damping: $1/s$")
     for colour, style, eps in zip(COLOURS, STYLES, epsilons, strict=False):
         ax.plot(s, s / (s**2 + eps), color=colour, linestyle=style, linewidth=2, label=rf"$\epsilon$ = {eps:g} m$^2$")
@@ -386,7 +387,7 @@ def gains(epsilons, values):
         name = f"${label[0]}_{label[1:]}$"
         ax.annotate(name, (value, 2.05), xytext=(4, 0), textcoords="offset points", color=BLACK)
     ax.set(ylim=(0, 2.2), xlabel="singular value $s$ of the Jacobian (m)", ylabel="joint step per error (rad/m)")
-    legend_above(fig, 4)
+    legend_above(fig, 2)
     tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
     return Picture(
         fig,
@@ -402,7 +403,7 @@ def step_map(alphas, epsilons, errors, largest, runs):
     alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest singular value at the
     target. runs: the pairs (alpha, eps) to mark.
     """
-    fig, (ax,) = plane_figure(7.2, 4.6)
+    fig, (ax,) = plane_figure(5.4, 4.4)
     levels = TwoSlopeNorm(-2, -8, 0.5)
     decades = np.log10(np.maximum(errors.T, 1e-9))
     image = ax.pcolormesh(alphas, epsilons, decades, cmap="RdBu_r", norm=levels, rasterized=True)

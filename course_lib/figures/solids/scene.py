@@ -81,7 +81,7 @@ def layout(scenes, *, height=480, titles=()):
     notes = []
     for i, title in enumerate(titles):
         at = {"x": (i + 0.5) / len(scenes), "y": 1, "xref": "paper", "yref": "paper", "yanchor": "bottom"}
-        notes.append({"text": title, "showarrow": False, **at})
+        notes.append({"text": title, "xanchor": "center", "showarrow": False, **at})
     margin = {"l": 0, "r": 0, "t": 30 if titles else 0, "b": 0}
     own = {"annotations": notes, "height": height, "margin": margin, "showlegend": False}
     return {**PLOTLY_LAYOUT, **own, **{scene_name(i): settings for i, settings in enumerate(scenes)}}

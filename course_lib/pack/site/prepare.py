@@ -6,6 +6,7 @@ import html
 import io
 import json
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import nbformat
@@ -138,6 +139,8 @@ def _room(figure: dict) -> str:
     n = len(sides)
     if n > 1 and len({x[0] for x, _ in sides}) == n:  # an eighth is for titles; see stack in figures.js
         rooms += f";--stacked:min({n * height}px, {_least(n / 0.88, width / n, n * height)})"
+    if layout.get("xaxis2", {}).get("domain", [0])[0] > 0:
+        rooms += f";--stacked:{2 * height}px"
     return rooms
 
 
@@ -169,25 +172,36 @@ def _figure(figure: dict, alt: str, still: str) -> str:
 
 
 def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0) -> str:
-    """Store an image beside the pages and return the element that shows it.
+    """Store an image beside the pages and return the element that shows it; panels are cut apart, for a phone.
 
     `cut` is the share of its height to leave out at the bottom.
     """
-    text, ending, size, wide = output.data[kind], IMAGES[kind], "", False
+    text, stored = output.data[kind], output.metadata.get(kind, {})
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
-    if kind == "image/png":
-        image = Image.open(io.BytesIO(content))
-        image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
-        # Known beforehand, so that the text below does not jump when the picture arrives.
-        shown = output.metadata.get(kind, {}).get("width", image.width)
-        size = f' width="{shown:.0f}" height="{image.height * shown / image.width:.0f}"'
-        wide = shown > 700 and image.width > 1.7 * image.height  # several panels; one alone is 691 wide
+    if kind != "image/png":
+        return _stored(content, IMAGES[kind], name, alt, folder)
+    image = Image.open(io.BytesIO(content))
+    image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
+    # Known beforehand, so that the text below does not jump when the picture arrives.
+    shown = stored.get("width", image.width)
+    scale, ends, parts = image.width / shown, [0, *stored.get("cuts", []), shown], []
+    for left, right in pairwise(ends):
+        part = image.crop((round(scale * left), 0, round(scale * right), image.height))
         # The same dots in well under half the bytes.
-        image.save(smaller := io.BytesIO(), "WEBP", lossless=True, method=1, quality=50)
-        content, ending = smaller.getvalue(), "webp"
+        part.save(smaller := io.BytesIO(), "WEBP", lossless=True, method=1, quality=50)
+        size = f' width="{right - left:.0f}" height="{image.height / scale:.0f}"'
+        one = (name, alt) if len(ends) == 2 else ("panel", "")
+        parts.append(_stored(smaller.getvalue(), "webp", *one, folder, size))
+    if len(parts) == 1:
+        return parts[0]
+    said = f'role="img" aria-label="{html.escape(alt)}" style="--shape:{image.width / image.height:.3f}"'
+    return f'<div class="{name} panels" {said}>{"".join(parts)}</div>'
+
+
+def _stored(content: bytes, ending: str, name: str, alt: str, folder: Path, size: str = "") -> str:
+    """Store the bytes of an image, named by its content; return its element."""
     path = Path("_static", "pictures", f"{hashlib.sha256(content).hexdigest()[:16]}.{ending}")
     (folder / path).parent.mkdir(parents=True, exist_ok=True)
     (folder / path).write_bytes(content)
     # "dark-light" tells the theme to keep the colours in the dark theme.
-    element = f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'
-    return f'<div class="panels">{element}</div>' if name == "picture" and wide else element
+    return f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'

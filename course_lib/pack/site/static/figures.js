@@ -51,13 +51,13 @@
     });
   }
 
-  // On a phone, scenes that are side by side are stacked, each with its title.
+  // On a phone, scenes or plots that are side by side are stacked, each with its title.
   function stack(layout) {
-    const scenes = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
-    const spans = scenes.map((key) => (layout[key].domain && layout[key].domain.x) || [0, 1]);
+    const scenes = Object.keys(layout).filter((key) => /^(scene|xaxis)\d*$/.test(key));
+    const spans = scenes.map((key) => (layout[key].domain && (layout[key].domain.x || layout[key].domain)) || [0, 1]);
     if (scenes.length < 2 || new Set(spans.map(([from]) => from)).size < scenes.length) return;
     const order = scenes.map((_, i) => i).sort((a, b) => spans[a][0] - spans[b][0]);
-    const n = scenes.length, title = 0.12 / n;
+    const n = scenes.length, title = (layout.scene ? 0.12 : 0.3) / n; // and the names of the axis above it
     const top = (i) => 1 - order.indexOf(i) / n - title;
     (layout.annotations || []).forEach((words) => {
       const i = spans.findIndex(([from, to]) => words.x >= from && words.x <= to);
@@ -66,7 +66,11 @@
       words.x = (words.x - from) / (to - from);
       words.y = words.y >= 0.9 ? top(i) : top(i) - (1 - words.y) * (1 / n - title);
     });
-    scenes.forEach((key, i) => (layout[key].domain = { x: [0, 1], y: [top(i) - 1 / n + title, top(i)] }));
+    scenes.forEach((key, i) => {
+      const x = [0, 1], y = [top(i) - 1 / n + title, top(i)];
+      layout[key].domain = layout.scene ? { x, y } : x;
+      if (!layout.scene) layout[key.replace("x", "y")].domain = y;
+    });
   }
 
   function element(name, attributes, parent) {
@@ -226,12 +230,17 @@
   const toys = boxes.filter((box) => "withoutPlotly" in box.dataset && box.dataset.kind in window.course.kinds);
   boxes.filter((box) => !("withoutPlotly" in box.dataset) || toys.includes(box)).forEach((box) => watch.observe(box));
 
-  // A toy has its height once it is drawn: one after the other when the page is loaded and the browser is idle.
+  // A toy has its height once it is drawn: one after the other when the page is loaded and the browser is idle, those
+  // near the window first, and the others not all at once.
   const idle = window.requestIdleCallback || ((work) => setTimeout(work, 50));
   async function drawNext() {
-    const next = toys.findIndex((each) => each.checkVisibility()); // what is folded has no size yet
-    if (next < 0) return;
-    await figureOf(toys.splice(next, 1)[0]).come(true);
+    const far = (box) => Math.abs(box.getBoundingClientRect().top);
+    const [next] = toys.filter((box) => box.checkVisibility()).sort((a, b) => far(a) - far(b)); // folded: no size yet
+    if (!next) return;
+    toys.splice(toys.indexOf(next), 1);
+    const pause = far(next) < 2 * window.innerHeight ? 0 : 700;
+    await new Promise((done) => setTimeout(done, pause));
+    await figureOf(next).come(true);
     idle(drawNext);
   }
   window.addEventListener("load", () => idle(drawNext));

@@ -32,10 +32,10 @@
   });
 })();
 
-// What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code, a row of panels.
+// What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of code.
 (() => {
   "use strict";
-  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output, .panels";
+  const WIDE = ".math, pre, .pst-scrollable-table-container, .cell_output > .output";
   const reach = () =>
     document.querySelectorAll(WIDE).forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
