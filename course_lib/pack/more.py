@@ -6,14 +6,7 @@ TAG = "more"  # of the cell with the section's heading
 
 
 def heading_level(cell) -> int:
-    """Return the level of the heading with which a cell begins, or 0.
-
-    Examples
-    --------
-    >>> import nbformat
-    >>> heading_level(nbformat.v4.new_markdown_cell("## Two circles"))
-    2
-    """
+    """Return the level of the heading with which a cell begins, or 0."""
     found = re.match(r"(#+) ", cell.source) if cell.cell_type == "markdown" else None
     return len(found[1]) if found else 0
 

@@ -228,13 +228,7 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
 
 
 def size(figure: Figure) -> tuple[int, int]:
-    """Return the width and the height of a plotly figure, in pixels.
-
-    Examples
-    --------
-    >>> size({"layout": {"height": 300}})
-    (700, 300)
-    """
+    """Return the width and the height of a plotly figure, in pixels."""
     layout = figure.get("layout", {})
     return layout.get("width") or 700, layout.get("height") or 500  # plotly's own defaults
 
@@ -278,16 +272,7 @@ async def _draw_still(browser, figure: Figure) -> bytes:
 
 
 def tidy(notebook: nbformat.NotebookNode) -> None:
-    """Remove everything from a notebook that differs between authors.
-
-    Examples
-    --------
-    >>> cell = nbformat.v4.new_code_cell("x = 1", metadata={"collapsed": True, "tags": ["cover"]})
-    >>> notebook = nbformat.v4.new_notebook(cells=[cell])
-    >>> tidy(notebook)
-    >>> notebook.cells[0].metadata
-    {'tags': ['cover']}
-    """
+    """Remove everything from a notebook that differs between authors."""
     notebook.metadata = nbformat.from_dict(PYTHON | keep(notebook.metadata, NOTEBOOK_KEYS))
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for number, cell in enumerate(notebook.cells):
