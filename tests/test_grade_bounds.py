@@ -129,9 +129,7 @@ CLAIMS = {
     "positions": lambda count: (
         '{"answers": [' + ",".join(['{"value": 1, "changed": [1e308]}'] * count) + '], "calls": []}'
     ),
-    "no answers": lambda count: '{"answers": 3, "calls": {}}',
     "calls": lambda count: answers(count, "1").replace('"calls": []', '"calls": [' + "9" * 4000 + "]"),
-    "an error": lambda count: '{"answers": [' + ",".join(['{"error": 3}'] * count) + '], "calls": []}',
 }
 
 

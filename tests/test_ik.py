@@ -63,8 +63,6 @@ def test_damping_keeps_the_steps_of_a_stretched_arm_small():
 @pytest.mark.parametrize(
     ("changes", "named"),
     [
-        ({"arm": SIX, "q0": np.zeros(6)}, r"target must be an array of real numbers of shape \(\.\.\., 3\); its shape"),
-        ({"alpha": [1, 0]}, r"alpha\[1\] must be greater than zero; it is 0"),
         ({"q0": np.full(4, 1e-150), "target": [1e99, 1], "eps": 1e-300}, "alpha is too large"),
         ({"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300}, "eps is too small"),
     ],
