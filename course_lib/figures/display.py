@@ -90,8 +90,8 @@ def show_caption(caption):
 
 
 def _cuts(fig, width):
-    """Where pages may cut a drawn figure of panels side by side, in pixels from the left; {} if it has none."""
-    boxes = [ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>"]
+    """Where pages may cut a drawn figure of panels side by side, in pixels from the left; {} if it is not wide."""
+    boxes = [ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>" and width > 700]
     cuts = [(left.x1 + right.x0) / 2 for left, right in pairwise(boxes) if left.x1 < right.x0]
     return {"cuts": [round(x / fig.bbox.width * width) for x in cuts]} if 1 < len(boxes) == len(cuts) + 1 else {}
 
