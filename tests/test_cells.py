@@ -52,12 +52,6 @@ def test_a_cell_has_its_kind(q, split, kind):
     assert kind_of.tolist() == [cells.FEW, cells.FEW, kind, cells.FEW]
 
 
-def test_queries_are_drawn_until_all_are_kept():
-    found = cells.drawn(50, [0, 0], [1, 2], lambda xy: xy[:, 0] > 0.9, np.random.default_rng(0))
-    assert found.shape == (50, 2)
-    assert (found[:, 0] > 0.9).all()
-
-
 def test_a_table_of_branches_answers_only_in_cells_that_have_models():
     rng = np.random.default_rng(1)
     q = rng.uniform([0.5, -1.2], [1.5, 1.2], (4000, 2))
@@ -70,12 +64,6 @@ def test_a_table_of_branches_answers_only_in_cells_that_have_models():
     branch = (q[:200, 1] < 0).astype(int)
     assert np.nanmedian(np.abs(found[np.arange(200), branch] - q[:200])) < 0.02
     assert np.isnan(table.predict(xy[:3], np.array([-1, 99, -1]))).all()
-
-
-def test_a_step_is_made_for_each_answer_but_those_that_are_missing():
-    angles = np.array([[[1.0, 2.0], [np.nan, 3.0]]])
-    found = cells.after_step(lambda q, p: q + p, angles, np.array([[10.0, 20.0]]))
-    np.testing.assert_array_equal(found, [[[11, 22], [np.nan, 3]]])
 
 
 def test_a_table_of_noisy_samples_scores_by_what_it_reaches_and_not_by_what_it_leaves_out():
