@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib import figures, rotations
+from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, ur5e
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import ARM, all_solutions
 
@@ -13,6 +13,10 @@ READY = [0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4]
 AT = ARM.fk([0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 MODES = ("axis", "gimbals", "order", "velocity", "belt")
 PLAIN = ("iiwa_toy", "two_poses_toy", "circles_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy")
+T_WM = rigid.transform(rotations.rot_z(0.7), [0.3, -0.05, 0.6])  # a mug, and two cameras that see it
+T_WC = rigid.transform(rotations.rot_x(np.pi) @ rotations.rot_z(0.3) @ rotations.rot_y(-0.45), [0.6, -0.1, 1.2])
+T_MC = rigid.transform(rotations.rot_z(0.4) @ rotations.rot_x(-2.0), [0.2, -0.41, 0.256])
+VIEWS = np.array([[1300, 0, 320], [0, 1300, 240], [0, 0, 1]]), T_MC, T_WC, T_WM
 TOYS = {name: getattr(figures, name) for name in PLAIN}
 TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in MODES}
 TOYS |= {
@@ -25,4 +29,5 @@ TOYS |= {
     "fly": lambda: figures.alive(figures.fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
     "table": lambda: figures.alive(figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]),
     "drive": lambda: figures.alive(figures.drive(ROUND)),
+    "click": lambda: figures.alive(figures.click(*VIEWS)),
 }

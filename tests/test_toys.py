@@ -9,7 +9,7 @@ import pytest
 import some_toys
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from numpy.testing import assert_allclose
-from some_toys import Q7, ROUND, TOYS
+from some_toys import Q7, ROUND, TOYS, VIEWS
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
@@ -101,6 +101,7 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"at": [1, 1, 1]}, "at"),
         ("drive", {"plan": [((1, 2), 3)]}, "plan"),
+        ("click", {"K": np.eye(3), "T_mc": np.eye(4), "T_wc": np.eye(4), "T_wm": 2 * np.eye(4)}, "T_wm"),
         ("alive", {"figure": "reach"}, "figure"),
         ("alive", {"figure": figures.table([1, 1]), "f": 3}, "f"),
     ],
@@ -254,3 +255,17 @@ def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
     assert_allclose(seen[0][0], np.zeros(3))
     assert seen[0][1:] == ([((0.5, 0.0, 0.9), 0.7)], 0.5)
     assert "of shape (n, 3); its shape is (3,)" in asked(figure, lambda *case: [0, 0, 0], plan=log, dt=0.5)["problem"]
+
+
+def test_pixels_and_depths_of_both_pictures_reach_the_function_and_its_pose_the_figure():
+    figure, seen = figures.click(*VIEWS), []
+    pixels, depths = figure.model["clicks"], np.ones((2, 7)).tolist()
+    found = asked(figure, lambda *case: seen.append(case) or VIEWS[3], pixels=pixels, depths=depths)
+    assert_allclose(found["value"], VIEWS[3])
+    assert_allclose(seen[0][0], pixels)
+    assert_allclose(seen[0][1], depths)
+    for wrong, words in (
+        (np.eye(3), "of shape (4, 4); its shape is (3, 3)"),
+        (np.full((4, 4), np.nan), "contains NaN"),
+    ):
+        assert words in asked(figure, lambda *case, T=wrong: T, pixels=pixels, depths=depths)["problem"]

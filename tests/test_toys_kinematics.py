@@ -10,9 +10,11 @@ from numpy.testing import assert_allclose
 from playwright._impl._driver import compute_driver_executable
 from scipy.spatial.transform import Rotation
 
-from course_lib import ik, rigid, rotations
+from course_lib import ik, registration, rigid, rotations
 from course_lib.arms import SerialArm, panda, planar_arm
 from course_lib.checks import decomposition_ik as check
+from course_lib.figures.solids import meshes
+from course_lib.figures.toys.alive import SPOTS
 from course_lib.figures.toys.toy import SCRIPTS
 from course_lib.planar import interpolate_body_screw, pose_matrix, propagate_body, propagate_body_exact
 from course_lib.subproblems import subproblem2
@@ -267,3 +269,21 @@ def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(js, rng):
             assert_allclose(found[name]["angle"], np.abs(bend - inverse[:, 1]).max(), rtol=0, atol=1e-7)
             tips = check.fk_2r.library(np.stack([-bend / 2, bend], -1))
             assert_allclose(found[name]["tip"], np.linalg.norm(tips - np.stack([r, 0 * r], -1), axis=-1).max(), **CLOSE)
+
+
+def test_points_are_registered_as_the_library_does_also_three_and_after_half_a_revolution(js, rng):
+    angles = np.r_[rng.uniform(0, 3, N - 10), np.full(10, np.pi)]
+    for n in (3, 7):
+        src = rng.uniform(-0.1, 0.1, (N, n, 3))
+        T = rigid.exp_se3(np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1))
+        dst = src @ np.swapaxes(T[:, :3, :3], 1, 2) + T[:, None, :3, 3] + 0.002 * rng.normal(size=src.shape)
+        assert_allclose(js("register", src, dst), registration.register_points(src, dst), atol=1e-6)
+
+
+def test_a_ray_meets_the_mug_at_its_spots_and_nothing_above_it(js):
+    mug = meshes.mug()
+    for eye in ([0.2, -0.41, 0.256], [0.197, -0.232, 0.6]):  # both cameras see all spots
+        triangles = [(mug.vertices - eye)[mug.faces]] * 8
+        met = js("firstHit", np.concatenate([0.5 * (SPOTS - eye), [[0, 0, 1]]]), triangles)
+        assert_allclose(met[:7], 2, atol=0.002)
+        assert met[7] is None  # Infinity, in JSON

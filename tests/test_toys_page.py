@@ -129,7 +129,7 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
 
 
 HANDLES = ["axis", "two_poses_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy", "circles_toy", "reach", "fly"]
-HANDLES += ["table"]
+HANDLES += ["table", "click"]
 FREE = ("axis", "circles_toy", "fly", "reach", "table")  # on a sphere, the view widens, or where the function was asked
 
 
@@ -446,6 +446,35 @@ def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows
     box.get_by_label("Hide the robot").check()
     expect(status).to_contain_text("Drive the red robot to the dock")
     box.get_by_label("Hide the robot").uncheck()
+
+
+@once
+def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(visit):
+    box = figure_of(visit, "click")
+    words = box.locator("p[role=status]")
+    box.get_by_role("button", name="Take the shipped clicks").click()
+    put(box, "Point to click, 0 to 6", 2)
+
+    def said():
+        return [float(x) for x in re.findall(r"[\d.]+(?= mm)", words.inner_text())]
+
+    expect(words).to_contain_text(re.compile(r"Residual [01]\.\d mm .* is [01]\.\d mm from the mug"))
+    handle, at_first, before = box.locator(".handle").nth(1), said(), picture(box)
+    handle.focus()
+    for _ in range(2):  # 10 pixels: at 0.6 m about 5 mm
+        visit.page.keyboard.press("Shift+ArrowRight")
+    wait_for_another_picture(visit, box, before)
+    visit.page.wait_for_timeout(300)  # for the second key
+    off = said()
+    assert off[0] > at_first[0] + 0.8
+    assert off[1] > at_first[1] + 0.4
+    x, y = centre(handle)
+    visit.page.mouse.click(x - 8, y)  # clicked, not dragged: also where the handle covers the picture
+    expect(words).not_to_contain_text(f"Residual {off[0]} mm")
+    assert centre(handle)[0] == pytest.approx(x - 8, abs=1)
+    other = box.locator("canvas").first.bounding_box()
+    visit.page.mouse.click(other["x"] + 60, other["y"] + 60)
+    expect(box.get_by_label("Point to click, 0 to 6")).to_have_value("0")  # both are clicked: the next that is not
 
 
 @once

@@ -202,6 +202,24 @@ globalThis.course.motion = (() => {
     });
     return { r, direct, square, rooted, directError: errors(direct), rootedError: errors(rooted) };
   }
+  // The pose that moves points `from` nearest to points `to`, their partners, by least squares (Horn's quaternion).
+  function register(from, to) {
+    const mean = (points) => scale(points.reduce((sum, p) => add(sum, p)), 1 / points.length);
+    const [a, b] = [from, to].map((points) => points.map((p) => add(p, mean(points), -1)));
+    const S = times(transpose(a), b), [u, v, w] = [[1, 2], [2, 0], [0, 1]].map(([i, j]) => S[i][j] - S[j][i]);
+    const trace = S[0][0] + S[1][1] + S[2][2];
+    const N = eye(3).map((row, i) => row.map((x, j) => S[i][j] + S[j][i] - x * trace));
+    const { vectors: [[c, ...axis]] } = eigen([[trace, u, v, w], ...N.map((row, i) => [[u, v, w][i], ...row])]);
+    const R = rotation(unit(axis), 2 * Math.atan2(norm(axis), c));
+    return pose(R, add(mean(to), apply(R, mean(from)), -1));
+  }
+  // How far a ray from the origin runs to the first of some triangles, in its own lengths; Infinity if it meets none.
+  const firstHit = (ray, triangles) => Math.min(...triangles.map(([a, b, c]) => {
+    const normal = cross(add(b, a, -1), add(c, a, -1)), t = dot(normal, a) / dot(normal, ray), p = scale(ray, t);
+    const isInside = [[a, b], [b, c], [c, a]].every(([from, to]) =>
+      dot(normal, cross(add(to, from, -1), add(p, from, -1))) >= -1e-9 * dot(normal, normal)); // no gaps at edges
+    return isInside && t > 0 ? t : Infinity;
+  }));
   // Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations.
   function eigen(A) {
     const n = A.length, M = A.map((row) => [...row]), V = eye(n);
@@ -242,8 +260,8 @@ globalThis.course.motion = (() => {
   return {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, sampled, wrap, pose, rotationOf, positionOf, move,
     inverse, exp, log, rotationVector, interpolate, rotation, poseError, quaternion, multiply, toEuler, planar,
-    logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian,
-    geometricJacobian, planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, bendFits, eigen,
+    logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian, geometricJacobian,
+    planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, bendFits, eigen, register, firstHit,
     singularValues, nullVector, reach,
   };
 })();

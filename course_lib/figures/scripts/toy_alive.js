@@ -1,7 +1,8 @@
 // Figures that call the student's own function. What is dragged is a question; in a live notebook the function answers
 // it, one question at a time, the newest first; if it raises or there is no kernel, the library's function answers.
 // meta.figure says which: "reach" (a pose, joint angles), "fly" (two orientations, the motion between them), "table"
-// (a position, joint angles of a planar arm with two links, beside the true ones) or "drive" (velocities, poses).
+// (a position, joint angles of a planar arm with two links, beside the true ones), "drive" (velocities, poses) or
+// "click" (pixels and depths in two pictures of a mug, its pose).
 (() => {
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
@@ -277,7 +278,100 @@
     };
   }
 
-  const FIGURES = { reach, fly, table, drive };
+  // ---- two pictures of a mug with key points to click, and where the clicks say that it is ----
+
+  function click(card, meta, ask) {
+    const { K: [[fx, , cx], [, fy, cy]], cameras, mugs, grasp } = meta, { vertices, faces } = S.unpack(meta.solid);
+    const own = () => meta.clicks.map((each) => each.map(() => false)); // which ones the reader has clicked
+    const start = () => ({ clicks: structuredClone(meta.clicks), own: own() });
+    const state = card.state({ ...start(), chosen: 0 });
+    const toPixel = ([x, y, z]) => [(fx * x) / z + cx, -(fy * y) / z - cy]; // upwards, as the plane has it
+    const TITLES = ["template's picture", "scene's picture"], ARMS = [[1, 1], [-1, 1]];
+    const pictures = cameras.map((camera, i) => {
+      const T = M.times(M.inverse(camera), mugs[i]), seen = vertices.map((v) => M.move(T, v)), flat = seen.map(toPixel);
+      const triangles = faces.map((face) => face.map((k) => seen[k])), up = M.transpose(M.rotationOf(T))[2];
+      const [x, y] = M.transpose(flat).map((all) => [Math.min(...all) - 50, Math.max(...all) + 50]);
+      const normal = ([a, b, c]) => M.unit(M.cross(M.add(b, a, -1), M.add(c, a, -1)));
+      // Far triangles first, those that face away left out, each with how much light it gets.
+      const shown = triangles.filter((each) => M.dot(normal(each), each[0]) < 0)
+        .sort((p, q) => M.norm(q.reduce((a, b) => M.add(a, b))) - M.norm(p.reduce((a, b) => M.add(a, b))))
+        .map((each) => [each.map(toPixel), 0.55 + 0.45 * Math.max(0, M.dot(normal(each), M.unit([0.3, -0.7, -0.6])))]);
+      const plane = card.plane({ x, y, ticks: () => [], names: ["", ""], label: `Mug, ${TITLES[i]}`, proportion: 0.8 });
+      // What a depth camera measures: the mug, or the table behind it.
+      const rayAt = ([u, v]) => [(u - cx) / fx, (v - cy) / fy, 1];
+      const depth = (pixel) => Math.min(M.firstHit(rayAt(pixel), triangles),
+        M.dot(up, M.positionOf(T)) / M.dot(up, rayAt(pixel)));
+      const point = (pixel) => M.move(camera, M.scale(rayAt(pixel), depth(pixel)));
+      const put = ([u, v]) => {
+        const inside = [[u, x], [v, y]].map(([p, [low, high]]) => Math.min(high, Math.max(low, p)));
+        state.clicks[i][state.chosen] = [inside[0], -inside[1]];
+        state.own[i][state.chosen] = true;
+        moved();
+      };
+      const at = () => [state.clicks[i][state.chosen][0], -state.clicks[i][state.chosen][1]];
+      const handle = plane.handle({
+        name: `Point in the ${TITLES[i]}`, colour: COLOURS.blue, at, moved: put, stride: 1,
+        describe: () => `${state.chosen} at ${P.list(state.clicks[i][state.chosen], 1)} pixels`,
+      });
+      handle.style.background = "radial-gradient(transparent 7px,var(--colour) 7.5px 9.5px,transparent 10px)";
+      let pressed = null;
+      plane.box.addEventListener("pointerdown", ({ clientX, clientY }) => { pressed = [clientX, clientY]; });
+      plane.box.addEventListener("click", ({ clientX, clientY }) => {
+        if (!pressed || M.norm(M.add(pressed, [clientX, clientY], -1)) > 4) return; // it was dragged
+        const { left, top } = plane.box.getBoundingClientRect();
+        put(plane.fromPixels([clientX - left, clientY - top]));
+        const next = state.own[0].findIndex((_, k) => !state.own.every((each) => each[k]));
+        if (state.own.every((each) => each[state.chosen]) && next >= 0) slider.set(state.chosen = next);
+        card.draw();
+      });
+      return { plane, T, shown, depth, point };
+    });
+    const moved = () =>
+      ask({ pixels: state.clicks, depths: pictures.map(({ depth }, i) => state.clicks[i].map(depth)) });
+    const last = meta.spots.length - 1, range = { min: 0, max: last, step: 1 };
+    const slider = card.setting(`Point to click, 0 to ${last}`, state, "chosen", range, String);
+    card.button("Take the shipped clicks", () => { Object.assign(state, start()); moved(); });
+    const numbers = card.numbers(), words = card.words();
+    moved();
+    return () => {
+      const [model, scene] = pictures.map(({ point }, i) => state.clicks[i].map(point)), { answer } = state;
+      const found = (answer && answer.value) || M.register(model, scene), hold = M.times(found, grasp);
+      const off = model.map((p, k) => M.norm(M.add(M.move(found, p), scene[k], -1)));
+      pictures.forEach(({ plane, T, shown }, i) => {
+        const place = (p) => toPixel(M.move(T, p));
+        plane.begin();
+        for (let k = -10; k <= 10; k++) [[[k, -10], [k, 10]], [[-10, k], [10, k]]].forEach((ends) =>
+          plane.line(ends.map(([x, y]) => place([x / 40, y / 40, 0])), COLOURS.lines, 1));
+        shown.forEach(([points, light]) => plane.line(points, `rgb(${[214, 96, 86].map((c) => Math.round(c * light))})`,
+          0.6, { closed: true, fill: 1 }));
+        meta.spots.forEach((p) => plane.dot(place(p), "#f4f5f6", 4));
+        if (i) {
+          const inCamera = (p) => toPixel(M.move(M.inverse(cameras[1]), p)), tip = (p) => inCamera(M.move(hold, p));
+          const net = vertices.map((v) => inCamera(M.move(found, v))), side = ([[ax, ay], [bx, by], [cx, cy]]) =>
+            (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+          faces.map((face) => face.map((k) => net[k])).filter((each) => side(each) > 0)
+            .forEach((each) => plane.line(each, COLOURS.blue, 0.5, { closed: true }));
+          const jaws = [[0, 0.04, 0], [0, 0.04, -0.04], [0, -0.04, -0.04], [0, -0.04, 0]];
+          [jaws, [[0, 0, -0.04], [0, 0, -0.07]]].forEach((part) => plane.line(part.map(tip), COLOURS.green, 3));
+        }
+        state.clicks[i].forEach(([u, v], k) => {
+          const at = [u, -v], look = state.own[i][k] ? COLOURS.blue : COLOURS.purple;
+          ARMS.forEach((arm) => plane.line([M.add(at, arm, 5), M.add(at, arm, -5)], look, 1.5));
+          plane.text(M.add(at, [15, 9]), String(k));
+        });
+        plane.end();
+      });
+      const rms = M.norm(off) / Math.sqrt(off.length);
+      const far = M.norm(M.add(M.positionOf(found), M.positionOf(mugs[1]), -1));
+      numbers(["T_wm =", P.matrix(found)], `residuals: ${P.list(off.map((x) => 1000 * x), 1)} mm\n`
+        + `grasp at ${P.list(M.positionOf(hold), 3)} m`);
+      const here = `Click point ${state.chosen} in both pictures. Residual ${P.number(1000 * rms, 1)} mm `
+        + `(root mean square). The pose, blue, is ${P.number(1000 * far, 1)} mm from the mug.`;
+      words.textContent = said(state, here, here);
+    };
+  }
+
+  const FIGURES = { reach, fly, table, drive, click };
   P.toy("alive", (meta) => meta.title, (card, meta, kernel) =>
     FIGURES[meta.figure](card, meta, card.asker(kernel)));
 })();

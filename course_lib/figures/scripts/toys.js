@@ -400,6 +400,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
           return direction;
         });
         handles.push(place);
+        return node;
       },
       stop() { watch.disconnect(); box.remove(); },
     };
@@ -487,6 +488,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
         if (hollow) context.stroke();
       },
       text: (p, words, colour) => made.word(toPixels(p), words, colour),
+      fromPixels,
       // A round robot at a pose (x, y, theta), with a line to its front.
       robot([u, v, theta], radius, colour) {
         made.line(circle(radius, [u, v]), colour, 1.5, { closed: true, fill: 0.25 });
