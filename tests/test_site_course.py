@@ -71,7 +71,8 @@ def test_nothing_jumps_while_a_page_is_loaded(on_a_phone):
 
 def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(on_a_phone):
     panels = on_a_phone[1].page.locator(".panels > .panel").all()
-    sizes = [panel.evaluate("e => [e.getBoundingClientRect().right, e.clientWidth / e.width]") for panel in panels]
+    size = 'e => [e.getBoundingClientRect().right, e.clientWidth / e.getAttribute("width")]'
+    sizes = [panel.evaluate(size) for panel in panels]
     assert panels
     assert all(right <= 390 and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
 

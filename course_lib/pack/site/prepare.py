@@ -140,7 +140,7 @@ def _room(figure: dict) -> str:
     if n > 1 and len({x[0] for x, _ in sides}) == n:  # an eighth is for titles; see stack in figures.js
         rooms += f";--stacked:min({n * height}px, {_least(n / 0.88, width / n, n * height)})"
     if layout.get("xaxis2", {}).get("domain", [0])[0] > 0:
-        rooms += f";--stacked:{2 * height}px"
+        rooms += f";--stacked:{1.6 * height:.0f}px"
     return rooms
 
 
