@@ -147,9 +147,8 @@ def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, 
 
 
 def test_make_clean_leaves_the_environment(course):
-    (course / "build").mkdir(exist_ok=True)
     (course / "notebooks/__pycache__").mkdir()
-    (course / "build/grades/results").mkdir(parents=True)
+    (course / "build/grades/results").mkdir(parents=True, exist_ok=True)
     for name in ("questions.csv", "seed", "totals.csv", "results/1.json"):
         (course / "build/grades" / name).write_text("1")
     assert "build/grades/questions.csv and seed stay" in made(course, "clean")

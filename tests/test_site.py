@@ -201,10 +201,13 @@ def test_still_pictures_are_shown_without_scripts(site, browser):
         assert visit.page.locator(".plotly-still").is_visible()
 
 
+PLAN = "A semester with the course"  # for instructors
+
+
 def test_home_lists_assignments_and_search_finds_words(site, browser):
     with Visit(browser, site / "index.html") as visit:
         links = visit.page.locator(".card h2 a:not(.headerlink), #reference li a")
-        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation"]
+        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation", PLAN]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"

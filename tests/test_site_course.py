@@ -189,7 +189,7 @@ def test_plotly_is_loaded_when_a_figure_comes_near_and_the_still_is_shown_until_
     with Visit(browser, None) as visit:
         held = []
         visit.page.route("**/plotly.packed.js*", lambda route: held.append(route))
-        visit.page.goto((course / "04_poe_kuka_iiwa.html").as_uri())  # a file's page takes no routes afterwards
+        visit.page.goto((course / "06_decomposition_ik.html").as_uri())  # a file's page takes no routes afterwards
         expect(visit.page.get_by_text("When you are through, you can")).to_be_visible()
         visit.page.wait_for_load_state()
         box = visit.page.locator(".plotly-figure:not([data-without-plotly])").first

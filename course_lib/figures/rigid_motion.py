@@ -293,6 +293,7 @@ def arm_movie(name, points, times, beside=None):
         still.append(path(each[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"}))
     if beside is not None:  # a gap in the line separates the arms
         layout["xaxis"]["range"] = [-links - 0.4, 3 * links + 0.8]
+        layout["height"] = 400
         shown = np.concatenate([arms[0], np.full((len(shown), 1, 2), np.nan), arms[1]], axis=1)
     moving = [path(arm, CRIMSON, width=12, mode="lines+markers", size=17) for arm in shown]
     moving[0].update(marker={"line": {"color": "white", "width": 3}})
