@@ -146,7 +146,8 @@ FACTS = r"""() => {
   return {
     tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],
     unset: formulas.filter((f) => f.checkVisibility() && !isSet(f)).map((f) => f.outerHTML.slice(0, 200)),
-    images: [...document.querySelectorAll("img")].map((i) => [i.complete && i.naturalWidth > 0, i.alt.trim()]),
+    images: [...document.querySelectorAll("img")].map((i) => [
+      i.complete && i.naturalWidth > 0, (i.closest("[role=img]")?.getAttribute("aria-label") ?? i.alt).trim()]),
     groups: [...document.querySelectorAll(".plotly-figure")].map((f) => f.getAttribute("aria-label")),
     wide: [...document.querySelectorAll(".plotly-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
     width: Math.max(document.documentElement.scrollWidth, document.body.scrollWidth),
