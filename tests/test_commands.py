@@ -65,6 +65,12 @@ def test_more_is_left_out_of_the_release_and_weighed_in_the_grades(course, isola
     path.write_bytes(before)
 
 
+def test_make_update_makes_the_folder_of_exercises_and_says_that_it_is_new(course):
+    assert "Made exercises/" in made(course, "update")
+    assert "are of this version" in made(course, "update")
+    shutil.rmtree(course / "exercises")
+
+
 def test_make_data_gives_what_is_stored(course):
     folder = course / "notebooks/data"
     costs = json.loads((folder / "decomposition_costs.json").read_text())
