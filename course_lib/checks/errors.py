@@ -26,7 +26,7 @@ _WHOLE_NUMBERS = Mistake(
     "decimals are added in place, by += or -=, to an array of whole numbers",
     "x = x + ... makes a new array, which holds decimals, and leaves the caller's array as it was.",
 )
-_SHAPES = Mistake("two arrays whose shapes do not fit are multiplied by @", "Print the .shape of both.")
+_SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
 _NOT_FINITE = Mistake(
     "something was divided by zero, and the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
@@ -41,7 +41,7 @@ _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exerc
     ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
-    ("ValueError", "matmul", _SHAPES),
+    ("ValueError", "matmul|operands could not be broadcast", _SHAPES),
 )
 
 

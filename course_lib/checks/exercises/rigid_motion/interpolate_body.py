@@ -111,3 +111,9 @@ def not_wrapped(start, goal, n, difference):
     """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap the difference of
     the two angles, and only that, before it is scaled."""
     return _angle_changes(start, goal, n, difference(start[2], goal[2]))
+
+
+@EXERCISE.mistake
+def lengths_wrapped(start, goal, n):
+    """x and y are wrapped as if they were angles. Which of the three numbers repeats after 2 pi?"""
+    return _path(start, goal, n, wrap_angle(np.subtract(goal, start)))

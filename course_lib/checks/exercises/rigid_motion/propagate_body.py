@@ -137,6 +137,12 @@ def axes_of_the_world(start, plan, dt):
 
 
 @EXERCISE.mistake
+def no_sideways(start, plan, dt):
+    """vy is left out. Where does a body go that moves only to its left?"""
+    return follow(lambda pose, velocity, h: euler(pose, velocity * [1, 0, 1], h))(start, plan, dt)
+
+
+@EXERCISE.mistake
 def transposed(start, plan, dt):
     """R is transposed: the velocity is rotated in the opposite direction. A body that faces up drives up, and y
     grows."""

@@ -83,7 +83,7 @@ EXERCISE = Exercise(
             lambda q, q0, q1, t: min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < 1e-9,
             says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
             mistake=Mistake(
-                "the sine of a very small angle, or of 0, is the divisor",
+                "arccos is given a number just above 1, or a sine that is nearly 0 is the divisor",
                 "For nearly equal quaternions the arc is nearly straight: which simpler formula is good enough there?",
             ),
         ),
@@ -114,6 +114,14 @@ def straight_chord(q0, q1, t, end, size):
     """the quaternions are mixed on the straight line between them. The points are evenly spaced on the chord, not
     on the arc: near its middle the rotation is faster."""
     return size((1 - t) * q0 + t * end(q0, q1))
+
+
+@EXERCISE.mistake(size=(nearest_quaternion, lambda q: q))
+def chord_too_early(q0, q1, t, size):
+    """the straight line is taken at angles where it differs from the arc. From which angle on does your function take
+    it, and how many digits are right there?"""
+    end = _shorter(q0, q1)
+    return size((1 - t) * q0 + t * end) if q0 @ end > 0.9995 else slerp(q0, q1, t)
 
 
 @EXERCISE.mistake(factor=(2, 0.5))

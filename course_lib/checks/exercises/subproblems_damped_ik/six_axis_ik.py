@@ -93,6 +93,7 @@ def home_orientation_left_out(T):
     rest=(
         lambda q, R: R,
         lambda q, R: R @ _first(q).T,
+        lambda q, R: _first(q) @ R,
         lambda q, R: (rot_z(q[0]) @ rot_y(q[1])).T @ R,
     )
 )

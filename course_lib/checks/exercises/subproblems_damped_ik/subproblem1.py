@@ -123,6 +123,13 @@ EXERCISE = Exercise(
 )
 
 
+@EXERCISE.mistake
+def sign_lost(k, p, g):
+    """the sign of the angle is lost. Neither arccos nor the length of a cross product tells one direction of rotation
+    from the other: what does?"""
+    return abs(angle_about(k, p, g))
+
+
 @EXERCISE.mistake(sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n)))
 def not_projected(k, p, g, sine):
     """p and g are not projected onto the plane perpendicular to the axis. Which part of a point does the rotation
