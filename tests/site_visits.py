@@ -141,7 +141,7 @@ FACTS = r"""() => {
   const letters = (f) => [...f.querySelectorAll("use")].every((u) => document.querySelector(u.getAttribute("href")));
   const wide = (f) => f.querySelector("svg").getBoundingClientRect().width > 1;
   const isSet = (f) => wide(f) && letters(f) && f.querySelector("math");
-  const text = document.querySelector("article").cloneNode(true);
+  const text = (document.querySelector("article") ?? document.querySelector("main")).cloneNode(true);
   text.querySelectorAll("pre, code, script, .math, .plotly-live").forEach((e) => e.remove());
   return {
     tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],

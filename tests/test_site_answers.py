@@ -112,7 +112,7 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site
         for words in ("gooseberry", "orthogonal", "Rubric", "Model answer", ">Solution", "Right: ")
         if words in text
     ]
-    assert "orthogon" not in (site[False] / "_static/sections.js").read_text(encoding="utf-8")
+    assert "orthogon" not in (site[False] / "searchindex.js").read_text(encoding="utf-8")
 
 
 def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks, tmp_path):

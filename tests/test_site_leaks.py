@@ -40,8 +40,7 @@ def said(file):
         parts = [part for name, content in notebooks(file) for part in texts(name, content)]
         return "\n\n".join([*parts, *map(words, parts)])
     if file.suffix != ".html":
-        text = file.read_bytes().decode(errors="replace")
-        return text + "\n\n" + words(text) if file.name == "sections.js" else text
+        return file.read_bytes().decode(errors="replace")
     return "\n\n".join(shown(file.read_text(encoding="utf-8")))
 
 

@@ -86,8 +86,6 @@ def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, brows
     with Visit(browser, site / "search.html", query="?q=gooseberry") as visit:
         visit.page.locator("#search-results a").first.click()
         expect(visit.page.locator("details details .highlighted")).to_be_in_viewport()
-        visit.page.goto((site / "search.html").as_uri() + "?q=uniformly")
-        expect(visit.page.locator("#search-results a")).to_contain_text([TITLE])
 
 
 def test_a_figure_in_a_section_has_its_place_once_it_is_open(visit):

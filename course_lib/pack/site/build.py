@@ -15,7 +15,7 @@ from nbformat import NotebookNode
 
 import course_lib.figures
 from course_lib.pack.release.bundle import PAGES
-from course_lib.pack.site import SiteError, gather, icons, search, sections
+from course_lib.pack.site import SiteError, gather, icons, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
 from course_lib.pack.site.living import living_panda
@@ -51,7 +51,6 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
         _copy_libraries(pages / "_static")
         print(f"Making pages of {len(sources)} notebooks with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"))
-        search.write(site)
         finish(site)
         if release:
             release.rename(site / ZIP)

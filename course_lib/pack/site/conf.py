@@ -6,7 +6,7 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import LIVING, formulas, search
+from course_lib.pack.site import LIVING, formulas
 
 project = "Robot kinematics"
 html_title = ""  # it would follow the title of each page
@@ -36,6 +36,7 @@ html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
+html_show_search_summary = False  # for which it would fetch pages; browsers refuse that to pages in a folder
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
 html_theme_options = {
@@ -98,9 +99,6 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     if '<div class="living">' in context.get("body", ""):
         for script in LIVING:
             app.add_js_file(f"figures/{script}.js", loading_method="defer")
-    if pagename == "search":
-        app.add_js_file(search.NAME, loading_method="defer")
-        app.add_js_file("search.js", loading_method="defer")
     if figures:
         app.add_js_file("figures.js", loading_method="defer")
 
@@ -132,20 +130,8 @@ def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
         context["body"] = letters + body
 
 
-def use_own_search(app):
-    """Leave out Sphinx's search: it fetches pages for its excerpts, which browsers refuse to pages in a folder."""
-    app.builder.search = False
-
-
-def search_page(app):
-    """Return the search page."""
-    return [("search", {"title": "Search", "body": search.PAGE}, "page.html")]
-
-
 def setup(app):
     """Register the functions above."""
-    app.connect("builder-inited", use_own_search)
-    app.connect("html-collect-pages", search_page)
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
     app.connect("doctree-resolved", fold_more)

@@ -4,20 +4,18 @@ import re
 import shutil
 from pathlib import Path
 
-# On every page: a font of 1,500 icons as a script, the search of Sphinx and its index, footers with nothing in them.
-NOT_NEEDED = re.compile(
-    r'<script[^>]*src="[^"]*(?:fontawesome|searchtools|language_data|searchindex)\.js[^"]*"></script>|'
-    r'<footer class="bd-footer.*?</footer>',
-    re.DOTALL,
-)
-FILES = ("vendor", "locales", "scripts/*.map", "scripts/fontawesome.js", "searchtools.js", "language_data.js")
-FILES += ("styles/*.map", "english-stemmer.js")
+# On every page: a font of 1,500 icons as a script, and footers with nothing in them.
+NOT_NEEDED = re.compile(r'<script[^>]*fontawesome\.js[^>]*></script>|<footer class="bd-footer.*?</footer>', re.DOTALL)
+# The search, on pages that do not search.
+SEARCH = re.compile(r"<script[^>]*(?:searchtools|language_data|searchindex)\.js[^>]*></script>")
+FILES = ("vendor", "locales", "scripts/*.map", "scripts/fontawesome.js", "styles/*.map")
 
 
 def finish(site: Path) -> None:
     """Correct all pages of a site in place, and delete files."""
     for page in site.glob("*.html"):
         text = NOT_NEEDED.sub("", page.read_text(encoding="utf-8"))
+        text = text if page.stem == "search" else SEARCH.sub("", text)
         # A script chooses light or dark, which paper and readers without scripts do not wait for.
         text = text.replace('data-theme="auto"', 'data-theme="light"')
         # A screen reader shall read the line that the page shows, "Solution", not MyST-NB's name for all folded cells.

@@ -18,8 +18,8 @@
   };
   const arrive = () => {
     const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    if (!part) return;
-    const found = part.querySelector(".highlighted"); // by Sphinx, soon after the page is there
+    const found = (part || document).querySelector("article .highlighted"); // by Sphinx, soon after the page is there
+    if (!part && !found) return;
     unfold(found || part.querySelector(":scope > details") || part);
     (found || part).scrollIntoView();
   };
