@@ -42,7 +42,7 @@ def pytest_ignore_collect(collection_path):
 LONGEST = ["test_bank.py", "test_site_course.py", "test_grade_hostile.py", "test_mutants.py"]
 LONGEST += ["test_grade_layouts.py", "test_grade_submission.py", "test_site.py", "test_release_runs.py"]
 LONGEST += ["test_grade_jobs.py", "test_toys_page.py", "test_release_nbgrader.py", "test_guide_for_instructors.py"]
-LONGEST += ["test_author_guide.py", "test_site_leaks.py", "05_panda_dh_ik.ipynb", "test_site_looks.py"]
+LONGEST += ["test_author_guide.py", "test_site_leaks.py", "05_panda_dh_ik.ipynb"]
 LONGEST += ["test_grade_isolation.py", "test_site_controls.py", "test_notebook_runner.py"]
 LONGEST += ["test_notebooks.py", "test_grade_tests.py", "test_site_answers.py", "test_lab.py", "test_commands.py"]
 

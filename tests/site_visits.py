@@ -189,6 +189,7 @@ def assert_readable(visit, notebook, width, draws=True, rules=None):
 # other rule looks at, the others are taken off the page, and so are the strokes of formulas.
 ONE_OF_EACH_LOOK = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
+  document.querySelectorAll("[data-first-of-its-look]").forEach((e) => e.removeAttribute("data-first-of-its-look"));
   const numbers = new Map(), looks = new Map([[null, 0]]), seen = new Set(), first = [], again = [];
   const look = (e) => {
     if (!looks.has(e)) {
@@ -218,7 +219,7 @@ LOOKS_AT_THESE = 'axe.configure({ rules: [{ id: "color-contrast", selector: "[da
 def violations(visit, within=None, rules=None):
     """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
 
-    rules: the names of the rules to apply, or None for all. After a whole page was searched it is of no other use.
+    rules: the names of the rules to apply, or None for all. A whole page serves only for other searches afterwards.
     """
     if within is None:
         visit.page.evaluate(OPEN)

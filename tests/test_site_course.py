@@ -1,25 +1,46 @@
-"""The whole course as a site: every page and every figure, in a browser without a network."""
+"""The whole course as a site: every page and every figure, in a browser without a network.
+
+Each page is opened once, on a phone in the dark, and later made as wide as a desktop, in the light.
+"""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
+from bs4 import BeautifulSoup
+from PIL import Image
 from playwright.sync_api import expect
-from site_visits import OPEN, SHIFT, Visit, assert_readable
+from site_visits import OPEN, SHIFT, Visit, assert_readable, violations
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+PAGES = {notebook.stem: notebook for notebook in NOTEBOOKS}
+PAGES |= dict.fromkeys(("index", "errata", "sources", "notation", "search", "reports", "places", "changes"))
+PHONE, DESKTOP = 390, 1280
 
 # Whatever can be pressed, chosen or typed into, and can be seen.
 CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summary, [tabindex='0']")]
   .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".plotly-figure"))"""
+WIDE = """() => [...document.querySelectorAll("article :is(.math, pre, table, .output, .plotly-figure, .panels, img)")]
+  .filter((e) => e.scrollWidth > e.clientWidth || e.getBoundingClientRect().right > innerWidth)
+  .map((e) => `${e.scrollWidth} in ${e.clientWidth}: ${e.textContent.trim().slice(0, 80)}`)"""
+# The theme sees to it a moment after the window got another size.
+KEYS_SCROLL = "[...document.querySelectorAll('pre')].every((e) => e.scrollWidth <= e.clientWidth || e.tabIndex === 0)"
+WIDTH = "Math.max(document.documentElement.scrollWidth, document.body.scrollWidth)"
+LEVELS = """() => [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')]
+  .filter((e) => e.getClientRects().length || e.closest("details")).map((e) => Number(e.localName[1]))"""
 
 
-@pytest.fixture(scope="module", params=NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def on_a_phone(course, browser, request):
-    """A notebook, and the visit to its page on a phone, in the dark theme."""
-    with Visit(browser, course / f"{request.param.stem}.html", theme="dark", width=390) as visit:
-        yield request.param, visit
+@pytest.fixture(scope="module", params=PAGES)
+def visit(course, browser, request):
+    """The visit to a page on a phone, in the dark theme; its `notebook` is None for the pages that have none."""
+    with Visit(browser, course / f"{request.param}.html", theme="dark", width=PHONE) as visit:
+        visit.notebook = PAGES[request.param]
+        yield visit
+
+
+of_a_notebook = pytest.mark.parametrize("visit", [notebook.stem for notebook in NOTEBOOKS], indirect=True)
 
 
 @pytest.fixture(scope="module")
@@ -62,29 +83,58 @@ def assert_figures_keep_their_size_and_play(visit):
     assert visit.complaints == []
 
 
-def test_nothing_jumps_while_a_page_is_loaded(on_a_phone):
-    page = on_a_phone[1].page
-    page.wait_for_load_state()
-    page.wait_for_function(TOYS_DRAWN)
-    assert page.evaluate(SHIFT) < 0.1
+def test_nothing_jumps_while_a_page_is_loaded(visit):
+    visit.page.wait_for_load_state()
+    visit.page.wait_for_function(TOYS_DRAWN)
+    assert visit.page.evaluate(SHIFT) < 0.1
 
 
-def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(on_a_phone):
-    panels = on_a_phone[1].page.locator(".panels > .panel").all()
+def test_a_page_has_one_title_and_its_headings_skip_no_level(visit):
+    levels = visit.page.evaluate(LEVELS)
+    assert levels.count(1) == 1
+    assert levels[0] == 1
+    assert max((after - before for before, after in pairwise(levels)), default=0) <= 1
+
+
+def test_no_page_is_wider_than_the_narrowest_phone(visit):
+    """320 pixels, as WCAG requires (reflow)."""
+    with visit.at_width(320):
+        assert visit.page.evaluate(WIDTH) <= 320
+
+
+@of_a_notebook
+def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(visit):
+    panels = visit.page.locator(".panels > .panel").all()
     size = 'e => [e.getBoundingClientRect().right, e.clientWidth / e.getAttribute("width")]'
     sizes = [panel.evaluate(size) for panel in panels]
     assert panels
-    assert all(right <= 390 and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
+    assert all(right <= PHONE and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
 
 
-def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(on_a_phone):
-    assert_figures_keep_their_size_and_play(on_a_phone[1])
+@of_a_notebook
+def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(visit):
+    assert_figures_keep_their_size_and_play(visit)
 
 
-def test_a_notebooks_page_works_offline_on_a_phone(on_a_phone):
-    notebook, visit = on_a_phone
-    # What differs on a phone in the dark: test_site_looks.py applies all rules to the same pages on a desktop.
-    assert_readable(visit, notebook, 390, rules=["color-contrast", "scrollable-region-focusable"])
+def test_works_offline_on_a_phone(visit):
+    # What differs on a phone in the dark: on a desktop all rules are applied.
+    assert_readable(visit, visit.notebook, PHONE, rules=["color-contrast", "scrollable-region-focusable"])
+
+
+def test_nothing_scrolls_sideways_at_1400_pixels(visit):
+    with visit.at_width(1400):
+        assert visit.page.evaluate(WIDE) == []
+
+
+def test_nothing_bars_a_reader_on_a_desktop_in_the_light(visit):
+    width = DESKTOP if visit.notebook else 1000
+    visit.page.evaluate("document.documentElement.dataset.theme = 'light'")
+    visit.page.mouse.move(0, 0)  # on no link
+    with visit.at_width(width):
+        assert visit.page.evaluate(WIDTH) <= width
+        visit.page.wait_for_function(KEYS_SCROLL)
+        assert violations(visit) == []
+    assert visit.complaints == []
 
 
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_desktop(on_a_desktop):
@@ -201,3 +251,33 @@ def test_plotly_is_loaded_when_a_figure_comes_near_and_the_still_is_shown_until_
         held[0].continue_()
         expect(box.locator(".main-svg").first).to_be_visible()
         assert visit.complaints == []
+
+
+def test_the_still_of_a_film_has_no_empty_margin_below(course):
+    page = BeautifulSoup((course / "02_rigid_motion.html").read_text("utf-8"), "html.parser")
+    films = page.select(".plotly-figure[data-moves]")
+    assert films
+    for film in films:
+        image = Image.open(course / film.select_one("img")["src"]).convert("L")
+        ink = image.point(lambda dot: 255 * (dot < 250)).getbbox()
+        assert image.height - ink[3] < 70, "no strip for buttons that are not there"
+
+
+# ---- without JavaScript ----
+
+PRESSED = "button:visible, [role=button]:visible, input:visible, select:visible"
+
+
+@pytest.mark.parametrize("name", ["index", "02_rigid_motion"])
+def test_without_javascript_every_control_that_is_shown_works(course, browser, name):
+    with Visit(browser, course / f"{name}.html", width=1280, java_script_enabled=False) as visit:
+        link = visit.page.locator(".bd-sidebar-primary a", has_text="Errata")
+        for width in (1280, 390):
+            with visit.at_width(width):
+                assert [each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()] == []
+                start, words = (visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p"))
+                colours = [each.evaluate("e => getComputedStyle(e).color") for each in (start, words)]
+                assert colours[0] != colours[1], "links are seen"
+                assert link.is_visible(), "the other pages are in reach"
+        link.click()
+        assert "errata.html" in visit.page.url
