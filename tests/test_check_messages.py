@@ -25,9 +25,10 @@ def shown(monkeypatch):
 
 
 def words(bundle):
-    """Return the one text that a bundle shows, in whatever form."""
+    """Return the one text that a bundle shows, in whatever form; a folded part has a heading in HTML."""
     assert set(bundle) == {"text/plain", "text/html"}
-    assert html.unescape(re.sub("<[^>]*>", "", bundle["text/html"])) == bundle["text/plain"]
+    unfolded = re.sub("<details><summary>Input.*?</summary>|</details>(?=[^<])", "\n", bundle["text/html"])
+    assert html.unescape(re.sub("<[^>]*>", "", unfolded)) == bundle["text/plain"]
     return bundle["text/plain"]
 
 
@@ -44,7 +45,7 @@ def test_of_a_long_array_the_first_wrong_item_is_shown(shown):
     rows = Property("the rows are 0, 1, 2 ...", lambda value, n: np.array_equal(value, _rows(n)))
     exercise = Exercise("rows", 1, ("n",), lambda rng: [(9,)], numbers(lambda n: (n, 6)), (rows,), (), library=_rows)
     Check(exercise)(lambda n: _rows(n) + (np.arange(n) == 4)[:, None])
-    assert "an array of shape (9, 6) whose item 4 is\n    [5 5 5 5 5 5]" in words(shown[0])
+    assert re.search(r"an array of shape \(9, 6\) whose item 4 is\n +\[5 5 5 5 5 5\]", words(shown[0]))
 
 
 def _rows(n):
@@ -58,6 +59,24 @@ def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(sh
     positions = [text.index(part) for part in order]
     assert positions == sorted(positions)
     assert "<div" not in text
+
+
+def test_arguments_and_answer_stand_side_by_side_and_are_folded_if_they_need_many_lines(shown):
+    Check(NEAREST_SO)(lambda M: right(M) + 1)
+    assert "For M = [[2 0 0]    your answer is [[2 1 1]" in words(shown[0])
+    assert "<details>" not in shown[0]["text/html"]
+    many = replace(NEAREST_SO, cases=lambda rng: [(np.eye(6),)])
+    Check(many)(lambda M: M + np.pi)
+    said, _, folded = shown[1]["text/html"].partition("<details>")
+    assert "What should hold" in said
+    assert "For M = " not in said
+    assert "For M = [[1 0" in folded
+    assert "4.14159" in folded
+
+
+def test_a_pair_is_shown_as_it_was_returned():
+    verdict = Verdict(DOUBLE, WRONG, "it is a pair.", case=(np.zeros(1),), answer=(np.eye(2), np.ones(2)))
+    assert "your answer is [[1 0]    and [1 1]" in describe(verdict)
 
 
 def test_markup_in_a_message_is_shown_as_it_is(shown):
@@ -205,6 +224,7 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
             lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)),
             "decimals are added in place, by += or -=, to an array of whole numbers",
         ),
+        (lambda M: np.atleast_2d(M[0])[1], "an array has another shape than this line takes it to have"),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):

@@ -27,6 +27,10 @@ _WHOLE_NUMBERS = Mistake(
     "x = x + ... makes a new array, which holds decimals, and leaves the caller's array as it was.",
 )
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
+_OTHER_SHAPE = Mistake(
+    "an array has another shape than this line takes it to have",
+    "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is (n, 1).",
+)
 _NOT_FINITE = Mistake(
     "something was divided by zero, and the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
@@ -37,6 +41,7 @@ _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exerc
     ("AttributeError", "'list' object has no attribute '(shape|ndim|T|sum|mean|reshape)'", _LIST_FOR_ARRAY),
     ("TypeError", r"'(float|int|numpy\.float64)' object is not (iterable|subscriptable)", _NUMBER_FOR_ARRAY),
     ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
+    ("IndexError", "out of bounds for axis|too many indices for array", _OTHER_SHAPE),
     ("TypeError", r"operand type\(s\) for \^|bitwise_xor", _NO_POWER),
     ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),

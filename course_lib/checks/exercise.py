@@ -199,7 +199,8 @@ class Exercise:
         found = attempt(wanted.says, value, *case) if wanted.says else None
         reason = f"{wanted.text}." + (f" {found}" if found else "")
         mistake = Naming(self, cases, values).mistake(failing) or wanted.mistake
-        return Verdict(self, WRONG, reason, mistake, case, value, credit=self._credit(cases, answers))
+        shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value  # a pair as it was returned
+        return Verdict(self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers))
 
     def _credit(self, cases, answers):
         """Return the partial credit: points of the properties that hold wherever they apply, whatever else is wrong."""

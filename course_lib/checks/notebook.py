@@ -3,7 +3,9 @@
 import functools
 import html
 import importlib
+import itertools
 import os
+import textwrap
 
 import numpy as np
 
@@ -15,6 +17,7 @@ _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NOTHING = object()
 _LONG = 40  # numbers: of a longer array one item is shown
+_WIDTH, _IN_VIEW = 100, 8  # columns and lines that JupyterLab shows beside its file browser on a small laptop
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
@@ -91,7 +94,7 @@ class Check:
         text = describe(self.verdict)
         if "NBGRADER_EXECUTION" in os.environ and self.verdict.state != RIGHT:
             raise AssertionError(text)
-        _show(text, _MARKS[self.verdict.state][1])
+        _show(text, _MARKS[self.verdict.state][1], inside=_folded(self.verdict))
 
     def _judged(self, function):
         verdict = review(self.exercise, Here(function))
@@ -237,6 +240,20 @@ def describe(verdict):
     -------
     str
     """
+    return "\n".join(filter(None, (_said(verdict), _shown(verdict), _offer(verdict))))
+
+
+def _folded(verdict):
+    """Return a message in HTML whose case is folded, since it would push the hint out of view; None for a short one."""
+    lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
+    if not _shown(verdict) or sum(map(len, lines)) <= _IN_VIEW:
+        return None
+    said, case, offer = (html.escape(part(verdict)) for part in (_said, _shown, _offer))
+    return f"{said}<details><summary>Input and answer</summary>{case}</details>{offer}"
+
+
+def _said(verdict):
+    """Return what a message says, and from which line a student goes on."""
     exercise, mark = verdict.exercise, _MARKS[verdict.state][0]
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""
@@ -260,14 +277,43 @@ def describe(verdict):
         lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
     if verdict.state == WRONG:
         lines.append(f"What should hold: {verdict.reason}")
-    if verdict.case is not None:
-        named = zip(exercise.arguments, verdict.case, strict=True)
-        lines += [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
-        if verdict.state == WRONG:
-            lines.append(_labelled("", "your answer is ", verdict.answer, _first_wrong(verdict)))
-    if verdict.mistake is None and exercise.hints:
-        lines.append(f"check.{exercise.name}.hint() gives a hint.")
     return "\n".join(lines)
+
+
+def _shown(verdict):
+    """Return the arguments and the answer of the case that fails, or ""."""
+    if verdict.case is None or verdict.blames:
+        return ""
+    named = zip(verdict.exercise.arguments, verdict.case, strict=True)
+    blocks = [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
+    if verdict.state == WRONG:
+        answer = verdict.answer
+        several = isinstance(answer, tuple | list) and any(isinstance(part, np.ndarray) for part in answer)
+        first = _first_wrong(verdict)
+        for i, part in enumerate(answer if several else [answer]):
+            blocks.append(_labelled("", "and " if i else "your answer is ", part, first))
+    return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
+
+
+def _side_by_side(blocks):
+    """Return rows of blocks of lines, beside each other where they fit."""
+    rows = []
+    for block in blocks:
+        both = [block]
+        if rows:
+            width = 3 + max(map(len, rows[-1]))
+            pairs = itertools.zip_longest(rows[-1], block, fillvalue="")
+            both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]
+            if max(map(len, both[0])) > _WIDTH:
+                both = [rows[-1], block]
+        rows[-1:] = both
+    return rows
+
+
+def _offer(verdict):
+    """Return how to get a hint if the message contains none, or ""."""
+    named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
+    return "" if named or not verdict.exercise.hints else f"check.{verdict.exercise.name}.hint() gives a hint."
 
 
 def _first_wrong(verdict):
