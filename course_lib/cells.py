@@ -44,13 +44,7 @@ def sent(taken, shoulder=SHOULDER, belt=_BELT):
 
 def measured(q, rng):
     """Return the measured tips (m, 2) of the sagging arm at the angles q (m, 2) that were sent: 1 mm of noise."""
-    return tips(planar_forward, sagged(q)) + rng.normal(0, _NOISE, np.shape(q))
-
-
-def tips(forward, q):
-    """Return the positions (..., 2) that a forward kinematics in planar_forward's form gives for angles (..., 2)."""
-    q = np.asarray(q, float)
-    return np.stack(forward(q.reshape(-1, 2).T)[0], axis=-1).reshape(q.shape)
+    return planar_forward(sagged(q))[0] + rng.normal(0, _NOISE, np.shape(q))
 
 
 def numbered(index, n):
@@ -148,14 +142,14 @@ def quadratic_terms(xy):
 
 
 class BranchTable:
-    """A table with a model for each cell and branch, made of a function that fits one and one that evaluates it.
+    """A table with a model for each cell and branch: of q1, its multiple of q2 included, and of the square of q2.
 
     Parameters
     ----------
     terms : function
         terms(xy (m, 2)) is an array (m, k).
-    fit, predict : function
-        fit(terms, q (m, 2)) is a model, an array; predict(model, terms, sign) are angles (m, 2), sign 1 or -1.
+    fit : function
+        fit(terms, q (m, 2)) is a model (2, k + 1): of q1, whose last entry is the factor of q2, and of q2 squared.
     branch : function
         branch(q (m, 2)) is 0 or 1 for each sample, (m,).
     least : int
@@ -163,18 +157,18 @@ class BranchTable:
 
     Examples
     --------
-    The mean angles of each cell and branch:
+    With a model that is the same everywhere, q1 = 0.5 + q2 and q2 squared = 4:
 
-    >>> table = BranchTable(lambda xy: xy, lambda terms, q: q.mean(0), lambda mean, terms, sign: mean,
+    >>> table = BranchTable(linear_terms, lambda terms, q: np.array([[0.5, 0, 0, 1], [4, 0, 0, 0]]),
     ...                     branch=lambda q: np.array([0, 0, 1]), least=2)
-    >>> xy, q = np.zeros((3, 2)), np.array([[0.0, 1.0], [0.2, 1.0], [0.3, -1.0]])
+    >>> xy, q = np.zeros((3, 2)), np.array([[2.5, 2.0], [2.5, 2.0], [-1.5, -2.0]])
     >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
-    array([[[0.1, 1. ],
+    array([[[2.5, 2. ],
             [nan, nan]]])
     """
 
-    def __init__(self, terms, fit, predict, branch, least=8):
-        self.terms, self.one, self.evaluate, self.branch, self.least = terms, fit, predict, branch, least
+    def __init__(self, terms, fit, branch, least=8):
+        self.terms, self.one, self.branch, self.least = terms, fit, branch, least
 
     def fit(self, xy, q, number):
         """Fit to positions xy (m, 2) and angles q (m, 2) of samples in the cells `number` (m,); return self."""
@@ -196,7 +190,10 @@ class BranchTable:
         for c, own in _cells(number):
             for k, sign in ((0, 1), (1, -1)):
                 if (c, k) in self.models:
-                    found[own, k] = self.evaluate(self.models[c, k], self.terms(xy[own]), sign)
+                    (*of_q1, factor), of_square = self.models[c, k]
+                    terms = self.terms(xy[own])
+                    q2 = sign * np.sqrt(np.maximum(terms @ of_square[:-1], 0))  # 0: the arm is stretched
+                    found[own, k] = np.column_stack([terms @ of_q1 + factor * q2, q2])
         return found
 
 
@@ -217,8 +214,8 @@ class JointCells:
     --------
     >>> q = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (20_000, 2))
     >>> table = JointCells([0, -1.5], [2.9, 1.5], 8).fit(measured(q, np.random.default_rng(1)), q)
-    >>> (x, y), J = table.forward(q[:5].T)
-    >>> np.abs(np.stack([x, y], -1) - tips(planar_forward, sagged(q[:5]))).max() < 0.002
+    >>> position, J = table.forward(q[:5])
+    >>> np.abs(position - planar_forward(sagged(q[:5]))[0]).max() < 0.002
     np.True_
     """
 
@@ -227,22 +224,22 @@ class JointCells:
 
     def fit(self, xy, q):
         """Fit to measured positions xy (m, 2) and the angles q (m, 2) that were sent; return self."""
-        number, terms, _ = self._terms(q.T)
+        number, terms, _ = self._terms(q)
         self.models = np.zeros((self.n**2, 6, 2))
         for c, own in _cells(number):
-            self.models[c] = np.linalg.lstsq(terms[own], xy[own] - tips(planar_forward, q[own]))[0]
+            self.models[c] = np.linalg.lstsq(terms[own], xy[own] - planar_forward(q[own])[0])[0]
         return self
 
     def forward(self, theta):
-        """Return positions (2, m) and Jacobians (2, 2, m) for angles theta (2, m), as GridIK wants them."""
+        """Return positions (m, 2) and Jacobians (m, 2, 2) for angles theta (m, 2), as GridIK wants them."""
         number, terms, slopes = self._terms(theta)
-        position, J = (np.array(part) for part in planar_forward(theta))
-        position += np.einsum("mt,mtk->km", terms, self.models[number])
-        return position, J + np.einsum("jmt,mtk->kjm", slopes, self.models[number])
+        position, J = planar_forward(theta)
+        position = position + np.einsum("mt,mtk->mk", terms, self.models[number])
+        return position, J + np.einsum("jmt,mtk->mkj", slopes, self.models[number])
 
     def _terms(self, theta):
-        """The cells (m,) of angles (2, m), the six terms in each (m, 6), and their derivatives (2, m, 6)."""
-        at = (np.transpose(theta) - self.lowest) / self.width
+        """The cells (m,) of angles (m, 2), the six terms in each (m, 6), and their derivatives (2, m, 6)."""
+        at = (theta - self.lowest) / self.width
         index = np.clip(np.nan_to_num(at).astype(int), 0, self.n - 1)
         (u, v), o = (at - index - 0.5).T, np.zeros(len(at))
         terms = np.stack([o + 1, u, v, u * u, u * v, v * v], axis=-1)
@@ -313,6 +310,6 @@ def score_noisy_table(make, lowest, highest):
     chance = np.random.default_rng(7)
     angles = chance.uniform(lowest, highest, (2000, 2))
     noisy = measured(angles, chance)
-    wanted = tips(planar_forward, sagged(chance.uniform(lowest, highest, (1000, 2))))
-    off = np.linalg.norm(tips(planar_forward, sagged(make(noisy, angles)(wanted))) - wanted[:, None], axis=-1)
+    wanted, _ = planar_forward(sagged(chance.uniform(lowest, highest, (1000, 2))))
+    off = np.linalg.norm(planar_forward(sagged(make(noisy, angles)(wanted)))[0] - wanted[:, None], axis=-1)
     return float(100 * (np.nanmin(off, axis=1, initial=np.inf) < 5e-4).mean())

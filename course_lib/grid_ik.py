@@ -41,7 +41,7 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
 
     Parameters
     ----------
-    theta : array (2, m)
+    theta : array (..., 2)
         Joint angles in radians.
     lengths : pair of float, default (1, 1)
         Lengths of the links in metres.
@@ -49,18 +49,19 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
     Returns
     -------
     tuple
-        (x, y), and ((dx/dtheta1, dx/dtheta2), (dy/dtheta1, dy/dtheta2)); each entry is an array (m,).
+        Positions (..., 2), and Jacobians (..., 2, 2), their derivatives by theta1 and theta2.
 
     Examples
     --------
-    >>> (x, y), J = planar_forward(np.array([[0.0], [np.pi / 2]]))
-    >>> print(x, y)
-    [1.] [1.]
+    >>> position, J = planar_forward(np.array([0.0, np.pi / 2]))
+    >>> print(position)
+    [1. 1.]
     """
-    (c1, s1), (c12, s12) = _cos_sin(theta[0]), _cos_sin(theta[0] + theta[1])
+    (c1, s1), (c12, s12) = _cos_sin(theta[..., 0]), _cos_sin(theta[..., 0] + theta[..., 1])
     x2, y2 = lengths[1] * c12, lengths[1] * s12
     x, y = lengths[0] * c1 + x2, lengths[0] * s1 + y2
-    return (x, y), ((-y, -y2), (x, x2))
+    # Written in columns, which GridIK computes with.
+    return np.moveaxis(np.array([x, y]), 0, -1), np.moveaxis(np.array([[-y, -y2], [x, x2]]), (0, 1), (-2, -1))
 
 
 def _cos_sin(angle):
@@ -81,7 +82,7 @@ class GridIK(BaseEstimator):
     cells : pair of int, default (50, 50)
         (nx, ny), the number of cells along x and y.
     forward : function, optional
-        Takes angles (2, m), in the samples' order and unit, and returns positions (2, m) and Jacobians (2, 2, m), as
+        Takes angles (m, 2), in the samples' order and unit, and returns positions (m, 2) and Jacobians (m, 2, 2), as
         planar_forward does. None to answer by the models alone.
     steps : int, default 3
         The largest number of Newton steps; used with `forward`.
@@ -102,11 +103,11 @@ class GridIK(BaseEstimator):
     Examples
     --------
     >>> theta = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (50_000, 2))
-    >>> xy = np.stack(planar_forward(theta.T)[0], -1)
+    >>> xy, _ = planar_forward(theta)
     >>> found = GridIK(forward=planar_forward).fit(xy, theta).predict([[0.5, 1.5]])
-    >>> x, y = planar_forward(found[0].T)[0]  # the tip at both solutions
-    >>> print(x.round(6), y.round(6))
-    [0.5 0.5] [1.5 1.5]
+    >>> planar_forward(found[0])[0].round(6)  # the tip at both solutions
+    array([[0.5, 1.5],
+           [0.5, 1.5]])
     """
 
     def __init__(self, cells=(50, 50), forward=None, steps=3, tol=1e-9):
@@ -130,7 +131,7 @@ class GridIK(BaseEstimator):
         theta = real_array(theta, "theta", xy.shape, batched=False)
         _check_samples(xy, theta, nx * ny)
         box, ranges = (np.stack([a.min(0), a.max(0)]) for a in (xy, theta))
-        self._check_forward(xy[:1000].T, theta[:1000].T, (box[1] - box[0]) / cells)
+        self._check_forward(xy[:1000], theta[:1000], (box[1] - box[0]) / cells)
         self.cells_, self.box_, self.range_, self.n_features_in_ = cells, box, ranges, 2
         cell, u, v = self._cell(xy.T)
         slot = (nx * ny + 1) * (theta[:, 1] < 0) + cell
@@ -192,10 +193,10 @@ class GridIK(BaseEstimator):
         """Improve the array theta (2, m) until forward leads to xy (2, m); return whether it does (m,)."""
         reached, left = np.zeros(theta.shape[1], bool), np.flatnonzero(~np.isnan(theta[0]))
         at, xy = theta.take(left, 1), xy.take(left, 1)
-        position, J = self.forward(at)
+        position, J = self._at(at)
         for _ in range(self.steps):
             at = _step(at, xy - position, J)
-            position, J = self.forward(at)
+            position, J = self._at(at)
             near = (np.abs(xy - position) <= self.tol).all(0)
             there, off = left[near], np.flatnonzero(~near)
             reached[there] = True
@@ -206,6 +207,11 @@ class GridIK(BaseEstimator):
             left, at, xy, position = left.take(off), at.take(off, 1), xy.take(off, 1), np.take(position, off, 1)
             J = np.take(J, off, 2)
         return reached
+
+    def _at(self, theta):
+        """Return positions (2, m) and Jacobians (2, 2, m) for theta (2, m)."""
+        position, J = self.forward(theta.T)
+        return np.transpose(position), np.moveaxis(J, 0, -1)
 
     def _cell(self, xy):
         """Return the cells (m,) of positions (2, m), nx ny if outside, and u and v from -1 to 1 across the cell."""
@@ -233,11 +239,11 @@ class GridIK(BaseEstimator):
             position, J = self.forward(theta)
         except (TypeError, ValueError) as other:
             raise ValueError(
-                f"forward must be a function of angles (2, m) that returns positions and Jacobians: {other}"
+                f"forward must be a function of angles (m, 2) that returns positions and Jacobians: {other}"
             ) from other
         position = real_array(position, "forward(theta)[0]", xy.shape)
-        real_array(J, "forward(theta)[1]", (2, *xy.shape))
-        miss = np.median(np.abs(xy - position), 1)
+        real_array(J, "forward(theta)[1]", (*xy.shape, 2))
+        miss = np.median(np.abs(xy - position), 0)
         if (miss > width).any():
             raise ValueError(
                 f"forward must lead from theta to xy; it misses half of the samples by {miss.max():.3g} or more, which "

@@ -156,7 +156,7 @@ def spoilt(valid):
 RNG, PANDA = np.random.default_rng(0), panda()
 Q, FIVE = np.array([0.1, -0.5, 0.2, -2.0, 0.3, 1.8, 0.4]), RNG.normal(size=(5, 3))
 THETA = RNG.uniform([0, -1.5], [2.9, 1.5], (100, 2))
-XY = np.stack(planar_forward(THETA.T)[0], -1)
+XY, _ = planar_forward(THETA)
 RULES = ik.pose_error, lambda J, e, distance: np.einsum("kij,ki->kj", J, e) / 9, lambda q: q
 LIMITS = np.array([[-1.0, 1], [-2, 2]])
 POINTS = {"src": FIVE, "dst": FIVE + 1, "weights": np.ones(5)}

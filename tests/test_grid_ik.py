@@ -161,7 +161,7 @@ def test_the_same_answers_again_in_any_order_and_one_by_one(forward):
 def test_other_arms(lengths):
     theta = np.random.default_rng(7).uniform(LOW, HIGH, (50_000, 2))
     forward = partial(planar_forward, lengths=lengths)
-    xy = np.stack(forward(theta.T)[0], -1)
+    xy, _ = forward(theta)
     got = GridIK(forward=forward).fit(xy[:40_000], theta[:40_000]).predict(xy[40_000:])
     own = got[np.arange(10_000), (theta[40_000:, 1] < 0).astype(int)]
     there = ~np.isnan(own[:, 0])
@@ -173,11 +173,10 @@ def test_a_serial_arm_as_forward_and_samples_of_one_branch():
     arm = planar_arm([1, 1])
 
     def forward(theta):
-        J = arm.position_jacobian(theta.T)[:, :2]
-        return arm.fk(theta.T)[:, :2, 3].T, np.moveaxis(J, 0, -1)
+        return arm.fk(theta)[:, :2, 3], arm.position_jacobian(theta)[:, :2]
 
     theta = SAMPLES[1][:500]
-    for got, expected in zip(planar_forward(theta.T), forward(theta.T), strict=True):
+    for got, expected in zip(planar_forward(theta), forward(theta), strict=True):
         np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)
     xy, theta = (array[SAMPLES[1][:, 1] < 0][:5000] for array in SAMPLES)
     got, same = (GridIK((20, 20), f).fit(xy, theta).predict(xy[:500]) for f in (forward, planar_forward))

@@ -40,8 +40,8 @@ def methods(rng):
         return models.nbytes, lambda xy: check.predict.library(models, cell_number(xy), xy)
 
     def square(terms):
-        fit, predict = check.fit_square.library, check.predict_square.library
-        table = cells.BranchTable(terms, fit, predict, check.branch_by_sign.library).fit(xy, q, cell_number(xy))
+        table = cells.BranchTable(terms, check.fit_square.library, check.branch_by_sign.library)
+        table.fit(xy, q, cell_number(xy))
         return 8 * table.size, lambda xy: table.predict(xy, cell_number(xy))
 
     def network():
