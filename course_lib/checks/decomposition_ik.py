@@ -16,7 +16,7 @@ EXERCISES = (
     "fit_sag",
 )
 
-MORE = ("dh_symbolic", "fit_square", "predict_square", "newton_step")
+MORE = ("dh_symbolic", "fit_square", "fit_joint_cells", "newton_step")
 STOP = ("predict", "Where is it wrong?")
 
 PREDICTIONS = (

@@ -92,6 +92,27 @@ def clusters(contents):
     return Picture(fig, alt, "Compare each cut with the line q2 = 0, which separates the elbows.")
 
 
+def two_cells(q, xy, in_joints, in_plane):
+    """Return samples in joint space, and where they lead: those of a cell of joint space, and of one of the workspace.
+
+    q, xy: (m, 2), joint angles and positions. in_joints, in_plane: (m,), whether a sample lies in each of the cells.
+    """
+    fig, axes = plane_figure(9.6, 4.2, 2)
+    for ax, points in zip(axes, (np.rad2deg(q), xy), strict=True):
+        ax.plot(*points[::10].T, ".", color="#d5d8dc", markersize=2, rasterized=True)
+        for inside, colour in ((in_joints, BLUE), (in_plane, RED)):
+            ax.plot(*points[inside].T, ".", color=colour, markersize=4)
+    axes[0].set(title="joint angles", xlabel="$q_1$ (degrees)", ylabel="$q_2$ (degrees)")
+    in_metres(axes[1], title="positions")
+    up = np.rad2deg(q[in_plane, 1])
+    ranges = " and ".join(f"{part.min():.0f} to {part.max():.0f}" for part in (up[up > 0], up[up <= 0]))
+    alt = (
+        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one patch of positions; "
+    )
+    alt += f"a red rectangle of positions is reached from two patches of joint angles, with q2 from {ranges} degrees."
+    return Picture(fig, alt, "How many patches has the blue cell on the other side, and how many has the red one?")
+
+
 def percentiles(contents):
     """Return the percentiles of errors {label: errors, NaN where there is no answer} over their share."""
     share = np.linspace(5, 100, 96)
