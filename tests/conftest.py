@@ -44,7 +44,8 @@ LONGEST += ["test_grade_layouts.py", "test_grade_submission.py", "test_site.py",
 LONGEST += ["test_grade_jobs.py", "test_toys_page.py", "test_release_nbgrader.py", "test_guide_for_instructors.py"]
 LONGEST += ["test_author_guide.py", "test_site_leaks.py", "05_panda_dh_ik.ipynb"]
 LONGEST += ["test_grade_isolation.py", "test_site_controls.py", "test_notebook_runner.py"]
-LONGEST += ["test_notebooks.py", "test_grade_tests.py", "test_site_answers.py", "test_lab.py", "test_commands.py"]
+LONGEST += ["test_grade_cluster.py", "test_notebooks.py", "test_grade_tests.py", "test_site_answers.py", "test_lab.py"]
+LONGEST += ["test_commands.py"]
 
 
 # Thousands of tests are collected and kept: searching for garbage among them would double the time that takes.

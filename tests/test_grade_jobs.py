@@ -102,6 +102,21 @@ def test_the_same_tables_on_one_processor_and_on_several(place):
     assert b"s5,01_rotations,core,exercise_1,2,2,right" in tables(place)[0]
 
 
+def test_parts_of_a_class_graded_apart_with_one_seed_are_copied_together(place):
+    fill(place)
+    for part, students in {"one": "012", "two": "345"}.items():
+        for student in students:
+            (place / part).mkdir(exist_ok=True)
+            shutil.copy(place / f"in/s{student}_01_rotations.ipynb", place / part)
+        options = ["--output", str(place / f"out-{part}"), "--seed", "5", "--jobs", "1"]
+        assert main([str(place / part), *options], grade=grade) == 0
+        shutil.copytree(place / f"out-{part}/results", place / "out/results", dirs_exist_ok=True)
+    assert run(place, "--seed", "5") == 0
+    assert calls(place) == 6
+    assert run(place, "--seed", "5", "--jobs", "1", output="at once") == 0
+    assert written(place / "at once") == written(place / "out")
+
+
 def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
     fill(place, 8, seconds=0.4)
     command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]

@@ -11,7 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
-from course_lib.pack.grade import GradingStopped
+from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.alike import write_alike
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import find, platform_of
@@ -20,7 +20,7 @@ from course_lib.pack.grade.deadline import read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import IDENTITY, absent, gradebook_text, read_roster
 from course_lib.pack.grade.isolation import NONE
-from course_lib.pack.grade.jobs import ROOT, grade_all
+from course_lib.pack.grade.jobs import ROOT, Processes, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.sandbox import remove_old_folders
@@ -41,7 +41,7 @@ def main(arguments=None, grade=None):
         print(f"Grading stopped. {error.filename or 'A file'}: {error.strerror or error}.", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("\nStopped. All finished results are kept: the same command continues from there.", file=sys.stderr)
+        print(f"\nStopped. {KEPT}", file=sys.stderr)
         return 130
     return 0
 
@@ -53,6 +53,7 @@ def _parser():
     parser.add_argument(
         "--jobs", type=_whole_number("JOBS"), default=0, help="how many at once; one for each processor if not given"
     )
+    parser.add_argument("--cluster", default="", help="address of a Dask scheduler, whose workers grade")
     parser.add_argument(
         "--lms",
         default="",
@@ -85,16 +86,28 @@ def _grade(chosen, grade):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
         seed = _seed(output / "seed", chosen.seed)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
-        grade = grade or Grader(hidden, chosen.isolation)
-        remove_old_folders()
-        if hasattr(grade, "prepare"):
-            grade.prepare()
-            how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
-            print(f"Each submission runs {how}.", flush=True)
-        outcomes = grade_all(submissions, output / "results", seed, grade, chosen.jobs)
+        pool = _cluster(chosen, hidden) if chosen.cluster else _here(chosen, grade or Grader(hidden, chosen.isolation))
+        outcomes = grade_all(submissions, output / "results", seed, pool)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
         counting = [submission for submission, result in outcomes if "state" not in result]
         write_alike(output / "alike.html", counting, chosen.earlier, chosen.lms or None)
+
+
+def _here(chosen, grade):
+    """Return what grades on this machine."""
+    remove_old_folders()
+    if hasattr(grade, "prepare"):
+        grade.prepare()
+        how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
+        print(f"Each submission runs {how}.", flush=True)
+    return Processes(grade, chosen.jobs)
+
+
+def _cluster(chosen, hidden):
+    """Return what grades on other machines."""
+    from course_lib.pack.grade.cluster import Cluster  # which takes a second to load
+
+    return Cluster(chosen.cluster, hidden, chosen.isolation, chosen.jobs)
 
 
 def _submissions(chosen):

@@ -56,66 +56,91 @@ def ungraded_result(submission, reason, state):
 # ---- the work ----
 
 
-def grade_all(submissions, results, seed, grade, jobs=0):
+def grade_all(submissions, results, seed, pool):
     """Return each submission with its result, in the same order; stored results are not computed again.
 
-    results: the folder of stored results. grade(content, notebook, seed) returns a result. jobs: how many are graded at
-    once; 0 for one for each processor.
+    results: the folder of stored results. pool: what grades, such as Processes.
     """
     done = {}
-    with tqdm(total=len(submissions), desc="grading", unit="notebook") as bar:
-        found = _results(submissions, results, seed, grade, jobs if jobs > 0 else os.cpu_count())
-        with contextlib.closing(found):
-            for submission, result in found:
-                done[submission] = result
-                bar.update()
+    with tqdm(total=len(submissions), desc="grading", unit="notebook") as bar, contextlib.closing(pool):
+        for submission, result in _results(submissions, results, seed, pool):
+            done[submission] = result
+            bar.update()
     return [(submission, done[submission]) for submission in submissions]
 
 
-def _results(submissions, results, seed, grade, jobs):
+def _results(submissions, results, seed, pool):
     """Yield each submission with its result as soon as that is there."""
-    running = {}  # the pipe of each process: (the process, its submissions of equal content, the path of the result)
-    try:
-        for submission in submissions:
-            try:
-                content = read(submission)
-            except Exception as problem:  # nothing about one file may stop the others
-                known = isinstance(problem, Refused)
-                reason = str(problem) if known else f"It cannot be read: {type(problem).__name__}."
-                yield submission, ungraded_result(submission, reason, "refused")
-                continue
-            path = results / result_name(submission, content, seed)
-            if (kept := stored(path)) is not None:
-                yield submission, kept
-                continue
-            if equal := next((others for _, others, its in running.values() if its == path), None):
-                equal.append(submission)
-                continue
-            while len(running) >= jobs:
-                yield from _finished(running)
-            work = Bounded(grade, content, submission.notebook, seed)
-            running[work.pipe] = work, [submission], path
-        while running:
-            yield from _finished(running)
-    finally:
-        for work, *_ in running.values():
-            work.end()
+    begun = {}  # the path of a result: the submissions, of equal content, that wait for it
+    for submission in submissions:
+        try:
+            content = read(submission)
+        except Exception as problem:  # nothing about one file may stop the others
+            known = isinstance(problem, Refused)
+            reason = str(problem) if known else f"It cannot be read: {type(problem).__name__}."
+            yield submission, ungraded_result(submission, reason, "refused")
+            continue
+        path = results / result_name(submission, content, seed)
+        if path in begun:
+            begun[path].append(submission)
+        elif (kept := stored(path)) is not None:
+            yield submission, kept
+        else:
+            while not pool.room():
+                yield from _finished(pool, begun)
+            pool.begin(path, content, submission.notebook, seed)
+            begun[path] = [submission]
+    while begun:
+        yield from _finished(pool, begun)
 
 
-def _finished(running):
-    """Wait for at least one process; yield the submissions that are finished, whose results are then in files.
+def _finished(pool, begun):
+    """Wait a while; yield the submissions that are finished, whose results are then in files.
 
     Those that failed are not kept: the next run tries them again.
     """
-    for pipe in wait(list(running)):
-        work, submissions, path = running.pop(pipe)
-        failed = ""
-        try:
-            result = work.result()
-            write_atomically(path, json.dumps(result, sort_keys=True, indent=1))
-        except OutOfBounds as reason:
-            failed = f"It could not be graded: {reason}."
-        except RuntimeError as error:  # an error of the grader itself
-            failed = f"The grader failed: {error}"
-        for each in submissions:
-            yield each, ungraded_result(each, failed, "not graded") if failed else result
+    for path, outcome in pool.finished():
+        if "value" in outcome:
+            write_atomically(path, json.dumps(outcome["value"], sort_keys=True, indent=1))
+        for each in begun.pop(path):
+            yield each, outcome.get("value") or ungraded_result(each, outcome["failed"], "not graded")
+
+
+class Processes:
+    """Grades on this machine, each submission in a process of its own.
+
+    grade(content, notebook, seed) returns a result. jobs: how many at once; 0 for one for each processor.
+    """
+
+    def __init__(self, grade, jobs=0):
+        self._grade, self._jobs, self._running = grade, jobs if jobs > 0 else os.cpu_count(), {}
+
+    def room(self):
+        """Return whether another submission can begin."""
+        return len(self._running) < self._jobs
+
+    def begin(self, path, content, notebook, seed):
+        """Begin to grade; path: of the result, by which finished() names it."""
+        work = Bounded(self._grade, content, notebook, seed)
+        self._running[work.pipe] = work, path
+
+    def finished(self):
+        """Wait for at least one submission; yield (path, outcome) of those that are finished, see outcome()."""
+        for pipe in wait(list(self._running)):
+            work, path = self._running.pop(pipe)
+            yield path, outcome(work)
+
+    def close(self):
+        """End all that still runs."""
+        for work, _ in self._running.values():
+            work.end()
+
+
+def outcome(work):
+    """Wait for a Bounded grading; return {"value": result} or {"failed": a sentence}."""
+    try:
+        return {"value": work.result()}
+    except OutOfBounds as reason:
+        return {"failed": f"It could not be graded: {reason}."}
+    except RuntimeError as error:  # an error of the grader itself
+        return {"failed": f"The grader failed: {error}"}

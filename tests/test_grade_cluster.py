@@ -1,0 +1,177 @@
+"""Grading on the workers of a Dask cluster: real schedulers and workers, in processes of their own."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+from contextlib import ExitStack, suppress
+from pathlib import Path
+
+import psutil
+import pytest
+from course_copy import copied
+from grade_stand_in import hand_in, wait_for
+from hostile.build import answers, book
+
+from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.cluster import Order
+
+STAND_IN = Path(__file__).with_name("grade_stand_in.py")
+SEED = "48151623421"
+
+
+@pytest.fixture
+def dask(tmp_path):
+    """Return a function that starts a scheduler or, given its address, a worker, and returns the process.
+
+    The process has `log`, the path of what it says, and a scheduler its `address`.
+    """
+    with ExitStack() as started:
+
+        def start(address="", *options, **changed):
+            number, kind = len(os.listdir(tmp_path)), "worker" if address else "scheduler"
+            log = tmp_path / f"{number}-{kind}.log"
+            command = [sys.executable, "-m", f"distributed.cli.dask_{kind}", *filter(None, [address])]
+            command += ["--no-dashboard", "--host", "127.0.0.1", *options]
+            command += ["--nthreads", "1", "--local-directory", str(tmp_path / "space")] if address else ["--port", "0"]
+            with log.open("w") as said:
+                process = subprocess.Popen(command, stdout=said, stderr=said, env=os.environ | changed, cwd=tmp_path)
+            started.callback(process.wait)
+            started.callback(process.terminate)
+            process.log = log
+            if not address:
+                line = wait_for(lambda: [line for line in log.read_text().splitlines() if "Scheduler at:" in line])
+                process.address = line[0].split()[-1]
+            return process
+
+        yield start
+
+
+class Run(threading.Thread):
+    """`make grade` with a cluster."""
+
+    def __init__(self, place, address, output="out"):
+        super().__init__()
+        self._options = [str(place / "in"), "--output", str(place / output), "--seed", SEED, "--cluster", address]
+        self.start()
+
+    def run(self):
+        self.code = main(self._options)
+
+
+def written(folder):
+    """All that a run writes."""
+    return {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def grading(worker):
+    """Return the processes below a worker once one of them is the sandbox of a submission, not the one of the trial."""
+    below = psutil.Process(worker.pid).children(recursive=True)
+    with suppress(psutil.NoSuchProcess):
+        for process in below:
+            parents = process.parents()
+            if process.name() == "bwrap" and parents[0].name() != "bwrap" and parents[2].pid == worker.pid:
+                return below
+    return None
+
+
+def test_workers_that_are_killed_old_late_or_without_bubblewrap(dask, tmp_path, solutions, isolated, capsys):
+    """The real grader on real workers gives the same bytes as on one machine, and no log shows the seed."""
+    first, right = answers(solutions)
+    for student, content in {"a": book(first, right["nearest_so"]), "b": b"no JSON"}.items():
+        hand_in(tmp_path / "in", f"{student}_01_rotations.ipynb").write_bytes(content)
+    old = copied(tmp_path / "old", notebooks="01*")
+    address = dask().address
+    killed = dask(address, "--no-nanny")
+    dask(address, "--no-nanny", PYTHONPATH=str(old))
+    dask(address, "--no-nanny", PATH=os.environ["PATH"].partition(":")[0])
+    run = Run(tmp_path, address)
+    below = wait_for(lambda: grading(killed))
+    killed.kill()
+    wait_for(lambda: not any(process.is_running() for process in below))
+    late = dask(address)
+    run.join()
+    assert run.code == 0
+    said = capsys.readouterr().out
+    assert said.count(" ended: its submission goes to another.\n") == 1
+    assert "grades nothing: its course is another version.\n" in said
+    assert "grades nothing: Submissions cannot be kept apart from this machine, so none was run" in said
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "alone"), "--seed", SEED, "--jobs", "1"]) == 0
+    assert written(tmp_path / "out") == written(tmp_path / "alone")
+    assert b"a,01_rotations,core,nearest_so,3,3,right" in written(tmp_path / "out")[Path("grades.csv")]
+    late.terminate()
+    late.wait()
+    assert SEED not in "".join(path.read_text() for path in tmp_path.glob("*.log"))
+
+
+def fill(place, **orders):
+    """Write submissions of five students, each with a log of its own gradings. orders: more of some of them."""
+    for student in "abcde":
+        log = place / f"log-{student}"
+        log.mkdir(exist_ok=True)
+        about = {"points": [2], "log": str(log), "texts": [student]} | orders.get(student, {})
+        hand_in(place / "in", f"{student}_01_rotations.ipynb", **about)
+
+
+def graded(place):
+    """How often each student's submission was graded."""
+    return {student: len(os.listdir(place / f"log-{student}")) for student in "abcde"}
+
+
+def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_graded_once(dask, tmp_path, capsys):
+    fill(tmp_path, b={"do": "end"}, d={"do": "raise"})
+    address = dask().address
+    worker = dask(address, "--preload", str(STAND_IN))  # which a nanny starts again
+    run = Run(tmp_path, address)
+    run.join()
+    assert run.code == 0
+    assert graded(tmp_path) == {"a": 1, "b": 3, "c": 1, "d": 3, "e": 1}
+    lines = (tmp_path / "out/grades.csv").read_text().splitlines()
+    why = "It could not be graded: 3 workers ended while they graded it."
+    assert [line for line in lines if "not graded" in line] == [
+        f"{student},01_rotations,,,0,,not graded,{student}_01_rotations.ipynb: {why}," for student in "bd"
+    ]
+    assert sum("exercise_0,2,2,right" in line for line in lines) == 3
+    assert "Compute Failed" in worker.log.read_text()
+    assert SEED not in f"{worker.log.read_text()} {Order(SEED.encode())} {[Order(SEED.encode())]}"
+
+
+def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(dask, tmp_path, capsys):
+    fill(tmp_path, c={"seconds": 600})
+    scheduler = dask()
+    worker = dask(scheduler.address, "--no-nanny", "--preload", str(STAND_IN))
+    run = Run(tmp_path, scheduler.address)
+    wait_for(lambda: graded(tmp_path)["c"])
+    scheduler.send_signal(signal.SIGKILL)
+    run.join()
+    worker.kill()
+    assert run.code == 1
+    assert capsys.readouterr().err.endswith(
+        f"Grading stopped. The connection to {scheduler.address} was lost. "
+        "All finished results are kept: the same command continues from there.\n"
+    )
+    fill(tmp_path)
+    again = dask().address
+    run = Run(tmp_path, again)
+    dask(again, "--no-nanny", "--preload", str(STAND_IN))
+    run.join()
+    assert run.code == 0
+    assert "has no workers: waiting for one." in capsys.readouterr().out
+    assert graded(tmp_path) == {"a": 1, "b": 1, "c": 2, "d": 1, "e": 1}
+
+
+def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(dask, tmp_path, capsys, monkeypatch):
+    fill(tmp_path)
+    monkeypatch.setattr("course_lib.pack.grade.cluster.PATIENCE", 0)
+    hand_in(tmp_path / "other", "course_lib/__init__.py").write_text("")
+    scheduler = dask()
+    dask(scheduler.address, "--no-nanny", PYTHONPATH=str(tmp_path / "other"))
+    wait_for(lambda: "Register worker" in scheduler.log.read_text())
+    run = Run(tmp_path, scheduler.address)
+    run.join()
+    said = capsys.readouterr().err
+    assert f"Grading stopped. No worker of {scheduler.address} could grade for 0 seconds. tcp://" in said
+    assert said.endswith(": it has not this course (ModuleNotFoundError: No module named 'course_lib.pack').\n")
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--cluster", "tls//x"]) == 1
+    assert "Grading stopped. CLUSTER=tls//x: the scheduler does not answer" in capsys.readouterr().err
