@@ -1,6 +1,7 @@
 """Tables as CSV text: no cell is a formula to a spreadsheet, and what any spreadsheet saves can be read."""
 
 import csv
+import functools
 import io
 import re
 import unicodedata
@@ -62,6 +63,7 @@ def _decoded(content):
         return content.decode("cp1252", "replace")
 
 
+@functools.lru_cache(10_000, typed=True)  # most cells repeat others
 def cell(value, lines=False):
     """Return a value as text that no spreadsheet reads as a formula. lines: True keeps its line breaks and length."""
     if isinstance(value, int | float):

@@ -157,11 +157,12 @@ def sharing(everything):
     places, said = {}, []
     for each in everything:
         if each.student:
-            places.setdefault(each.student, {}).setdefault(each.submission.top, []).append(each.notebook)
+            places.setdefault(each.student, {}).setdefault(each.submission.top, []).append(each)
     for student, tops in places.items():
-        notebooks = [notebook for top in tops.values() for notebook in set(top)]
-        its = [each.submission for each in everything if each.student == student]
-        in_folder = any(each.in_folder and not each.platform_id for each in its)  # Moodle has one for each assignment
+        notebooks = [notebook for its in tops.values() for notebook in {each.notebook for each in its}]
+        submissions = (each.submission for its in tops.values() for each in its)
+        # Moodle has a folder for each assignment.
+        in_folder = any(each.in_folder and not each.platform_id for each in submissions)
         if len(tops) > 1 and (in_folder or len(set(notebooks)) < len(notebooks)):
             said.append(f"{student}: {', '.join(sorted(tops))}")
     return said
