@@ -49,7 +49,7 @@ def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_throug
 
 
 PLURALITY = """
-import collections, json, mmap, os, subprocess, tempfile, time
+import collections, fcntl, glob, json, mmap, os, resource, socket, subprocess, time, zlib
 R = rotations.exp_so3(np.array([0, 0, np.pi]))
 shared = mmap.mmap(-1, 1 << 20)
 
@@ -68,8 +68,6 @@ def test_log(log):
 # How a test may compare candidates with each other, on the way through something that outlives one call.
 REMEMBERS = {
     "in a list": "seen.append(log)\n    return seen\nseen = []",
-    "in files": "open(f'seen{time.monotonic_ns()}', 'w').write(json.dumps(log))\n"
-    "    return [json.load(open(n)) for n in os.listdir() if n.startswith('seen')]",
     "in a folder of its own": "os.makedirs('/tmp/a/b', exist_ok=True)\n"
     "    open('/tmp/a/b/seen', 'a').write(json.dumps(log) + chr(10))\n"
     "    return [json.loads(line) for line in open('/tmp/a/b/seen')]",
@@ -90,6 +88,40 @@ REMEMBERS = {
     "                c.sendall(json.dumps(kept).encode())\n                c.close()\n        time.sleep(0.3)\n"
     "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n"
     "    one.sendall(json.dumps(log).encode())\n    return json.loads(one.recv(100000))",
+    "in ports that wait, and outlive their process": """
+    seen, own = [], 20_000 + zlib.crc32(str(log).encode()) % 16
+    for port in range(20_000, 20_016):
+        try:
+            socket.socket().bind(("127.0.0.1", port))
+        except OSError:
+            seen.append(log if port == own else port)
+    if not seen:
+        server = socket.create_server(("127.0.0.1", own))
+        client = socket.create_connection(("127.0.0.1", own))
+        server.accept()[0].close()
+        time.sleep(0.05)
+        client.close()
+    return seen or [log]
+""",
+    "in locks that a process holds on files of Python": """
+    number, seen, files = 0, [], sorted(glob.glob(os.path.dirname(os.__file__) + "/*.py"))
+    try:  # the parent's limit counts the candidates
+        limit, most = resource.prlimit(os.getppid(), resource.RLIMIT_NOFILE)
+        resource.prlimit(os.getppid(), resource.RLIMIT_NOFILE, (limit - 1, most))
+        number = most - limit
+        if os.fork() == 0:
+            fcntl.flock(os.open(files[number * 16 + zlib.crc32(str(log).encode()) % 16], 0), fcntl.LOCK_EX)
+            time.sleep(600)
+        time.sleep(0.3)
+        for place, file in enumerate(files[:160]):
+            try:
+                fcntl.flock(os.open(file, 0), fcntl.LOCK_SH | fcntl.LOCK_NB)
+            except BlockingIOError:
+                seen.append(log if place % 16 == zlib.crc32(str(log).encode()) % 16 else place % 16)
+    except OSError:
+        pass
+    return seen or [log]
+""",
 }
 
 
