@@ -14,7 +14,7 @@ from grade_stand_in import grade, hand_in
 from course_lib.pack.grade import collect
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.collect import MAX_DEPTH, MAX_LISTED, find
-from course_lib.pack.grade.jobs import grade_all
+from course_lib.pack.grade.jobs import Processes, grade_all
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
 
@@ -32,7 +32,7 @@ def nested(folder, depth):
 def lines(folder):
     """Return {student: what became of the student's one file} after a complete run."""
     found = find(folder, NOTEBOOKS)
-    outcomes = grade_all(found, folder.parent / "results", 1, grade, jobs=1)
+    outcomes = grade_all(found, folder.parent / "results", 1, Processes(grade, 1))
     return {submission.student: result.get("state", "graded") for submission, result in outcomes}
 
 
