@@ -41,7 +41,7 @@ def boolean(value, *case):
     return bool(array.item())
 
 
-def numbers(shape_of, known=None, gaps=False, nan=None):
+def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
     """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,), and an array with one entry as a number.
 
     Parameters
@@ -55,6 +55,8 @@ def numbers(shape_of, known=None, gaps=False, nan=None):
         True to allow nan and inf.
     nan : callable, optional
         nan(*arguments) is the Mistake that nan or inf reveals, or None if nothing particular is known.
+    exact : bool, optional
+        True to read no other shape, where an answer to many items has one row for each.
 
     Returns
     -------
@@ -77,7 +79,7 @@ def numbers(shape_of, known=None, gaps=False, nan=None):
         array = _array(value, f"an array of shape {shape}")
         vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
         number = shape == () and array.size == 1
-        if array.shape != shape and not vectors and not number:
+        if array.shape != shape and (exact or not (vectors or number)):
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
             mistake = _named(known, array, case)
             raise Unreadable(reason, mistake, unspecific=mistake is OTHER_FORM)

@@ -31,6 +31,7 @@ _OTHER_SHAPE = Mistake(
     "an array has another shape than this line takes it to have",
     "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is (n, 1).",
 )
+_RAISED = Mistake("your own line raises this error", "What does the task want to be returned in this case?")
 _NOT_FINITE = Mistake(
     "something was divided by zero, and the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
@@ -46,7 +47,7 @@ _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exerc
     ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
-    ("ValueError", "matmul|operands could not be broadcast", _SHAPES),
+    ("ValueError", "matmul|could not be broadcast|must match exactly|same number of dim|at least one array", _SHAPES),
 )
 
 
@@ -82,7 +83,8 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
     own = [(type_, re.escape(words), mistake) for type_, words, mistake in exercise.errors]
     known = (mistake for type_, words, mistake in (*own, *_KNOWN) if type_ == kind and re.search(words, message))
     shows_case = not exercise.through  # otherwise the function was not given the numbers of the case
-    return "error", f"{where if source else f'Calling {call} raises'} {said}", next(known, None), shows_case
+    mistake = next(known, _RAISED if source.startswith("raise ") else None)
+    return "error", f"{where if source else f'Calling {call} raises'} {said}", mistake, shows_case
 
 
 def _waits(name, message):

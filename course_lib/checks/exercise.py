@@ -42,8 +42,8 @@ class Property:
     where : callable, optional
         where(*arguments): whether the property applies to this case.
     across : bool
-    mistake : Mistake, optional
-        The mistake that is named if no mistake of the exercise explains the answers.
+    mistake : Mistake or callable, optional
+        The mistake that is named if no mistake of the exercise explains the answers; or mistake(value, *arguments).
     points : int
         Partial credit: the points earned if this property holds and another does not.
 
@@ -59,7 +59,7 @@ class Property:
     says: Callable | None = None
     where: Callable | None = None
     across: bool = False
-    mistake: Mistake | None = None
+    mistake: Mistake | Callable | None = None
     points: int = 0
 
     def failing(self, cases, values):
@@ -199,6 +199,8 @@ class Exercise:
         found = attempt(wanted.says, value, *case) if wanted.says else None
         reason = f"{wanted.text}." + (f" {found}" if found else "")
         mistake = Naming(self, cases, values).mistake(failing) or wanted.mistake
+        if callable(mistake):
+            mistake = attempt(mistake, value, *case)
         shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value  # a pair as it was returned
         return Verdict(self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers))
 

@@ -1,6 +1,7 @@
 """Find the name of a mistake: those of the exercise first, then those that are tried for every exercise."""
 
 import copy
+import functools
 import itertools
 
 import numpy as np
@@ -132,6 +133,8 @@ class Naming:
         """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
         if not self._explains(mistake, failing, everywhere=True):
             return False
+        if not mistake.answers:
+            return True
         if any(self._is_right(mistake.answers[0], i) for i in failing):
             return False  # a list of solutions in reverse order, for example: this is not what is wrong
         changed = [value for i, value in enumerate(self.values) if self._predicts(mistake, mistake.answers[0], i)]
@@ -177,9 +180,10 @@ def everyday(naming):
         yield Mistake("the answer is the same for every input", _SAME, lambda *case: values[0])
     if exercise.library is None or naming.right(0) is None:
         return
-    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(naming.right(0)), *_of_other_sign(naming.right(0))):
+    right = naming.right(0)
+    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(right), *_of_other_sign(right), *_folded(right)):
         yield Mistake(name, hint, _Changed(lambda right, *case, change=change: change(right)))
-    yield Mistake(*_WHOLE, _Changed(lambda right, *case: np.trunc(right) if _has_whole_numbers(case) else None))
+    yield Mistake(*_WHOLE, seen=_cut_off)
     for k, argument in enumerate(exercise.arguments):
         for name, hint, change in _OF_A_CHANGE:
             yield Mistake(name.format(argument), hint, _Changed(_from(k, change)))
@@ -187,9 +191,12 @@ def everyday(naming):
         return
     for (i, one), (j, other) in itertools.combinations(enumerate(exercise.arguments), 2):
         yield Mistake(f"{one} and {other} have changed places", _ORDER, _asked(exercise.library, _swapped(i, j)))
-    for k, argument in enumerate(exercise.arguments):
+    numbers_first = sorted(
+        enumerate(exercise.arguments), key=lambda each: attempt(np.ndim, naming.cases[0][each[0]]) or 0
+    )
+    for k, argument in numbers_first:
         yield Mistake(f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k]))
-        for name, hint, change in _OF_AN_ARGUMENT:
+        for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
 
 
@@ -243,6 +250,20 @@ def _of_other_sign(right):
         yield f"{what} of the answer has the wrong sign", _SIGN, negated
 
 
+def _folded(right):
+    """Yield the names, hints and changes of angles, in all of the answer or in one column, on half of the circle."""
+    n = np.shape(right)[-1] if np.ndim(right) else 0
+    columns = [..., *((..., j) for j in range(n if n <= _MOST_LINES else 0))]
+    for index, (name, fold) in itertools.product(columns, _FOLDS):
+
+        def folded(x, index=index, fold=fold):
+            x = np.array(x)
+            x[index] = fold(x[index])
+            return x
+
+        yield f"an angle comes from {name}, which knows it on half of the circle only", _HALF, folded
+
+
 def _asked(right, change):
     """Return a function that answers rightly, but to changed arguments; None where these are the same."""
 
@@ -269,6 +290,17 @@ def _from(k, change):
     return changed
 
 
+def _of_an_entry(argument):
+    """Yield the names, hints and changes of a vector: another sign of an entry, 0 for it, another order."""
+    vector = attempt(_numbers, argument)
+    n = len(vector) if np.ndim(vector) == 1 else 0
+    for j in range(n if 1 < n <= _MOST_LINES else 0):
+        yield f"entry [{j}] of {{}} has the wrong sign", _SIGN, lambda x, j=j: x * np.where(np.arange(n) == j, -1, 1)
+        yield f"entry [{j}] of {{}} is not used", _SAME, lambda x, j=j: x * (np.arange(n) != j)
+    for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
+        yield "the entries of {} are in another order", _ENTRIES, lambda x, order=order: x[list(order)]
+
+
 def _swapped(i, j):
     def change(case):
         case = list(case)
@@ -293,8 +325,10 @@ def _numbers(argument):
     return array if array.ndim else argument
 
 
-def _has_whole_numbers(case):
-    return any(isinstance(argument, np.ndarray) and argument.dtype.kind == "i" for argument in case)
+def _cut_off(value, *case):
+    """Return whether an answer to lists or arrays of whole numbers is made of such."""
+    whole = any(attempt(np.asarray, each).dtype.kind == "i" for each in case if isinstance(each, np.ndarray | list))
+    return whole and np.size(value) >= _FEW and np.array_equal(value, np.trunc(value))
 
 
 def _transposed(M):
@@ -346,6 +380,7 @@ _UNIT = "In which unit is it asked for?"
 _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
+_HALF = "np.arctan2(y, x) takes sine and cosine apart, and knows the angle on all of the circle."
 _COPIES = "An array that changes in place changes wherever it stands: does a list hold it more than once?"
 
 _WHOLE = (
@@ -371,8 +406,18 @@ _OF_THE_ANSWER = (
     ("each item is the last one", _COPIES, lambda x: x[[-1] * len(x)]),
     ("each item after the first is the last one", _COPIES, lambda x: x[[0] + [-1] * (len(x) - 1)]),
     ("the answer is the square of what it should be", "Where does a root belong?", np.square),
+    (_WHOLE[0], _WHOLE[1], np.trunc),
     ("the answer is 100 times what it should be", _UNIT, lambda x: 100 * x),
     ("the answer is 1000 times what it should be", _UNIT, lambda x: 1000 * x),
+)
+
+_OF_THE_ANSWER += tuple(
+    (f"the answer is rounded to {k} digits", _FEW_DIGITS, functools.partial(np.round, decimals=k)) for k in range(2, 7)
+)
+_FOLDS = (
+    ("arcsin", lambda x: np.arcsin(np.sin(x))),
+    ("arccos", lambda x: np.arccos(np.cos(x))),
+    ("arctan", lambda x: np.arctan(np.tan(x))),
 )
 
 _OF_A_CHANGE = (  # of an argument, to which the answer adds something

@@ -287,12 +287,17 @@ def _shown(verdict):
     named = zip(verdict.exercise.arguments, verdict.case, strict=True)
     blocks = [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
     if verdict.state == WRONG:
-        answer = verdict.answer
-        several = isinstance(answer, tuple | list) and any(isinstance(part, np.ndarray) for part in answer)
-        first = _first_wrong(verdict)
-        for i, part in enumerate(answer if several else [answer]):
-            blocks.append(_labelled("", "and " if i else "your answer is ", part, first))
+        for i, part in enumerate(_parts(verdict.answer)):
+            blocks.append(_labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict)))
     return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
+
+
+def _parts(answer):
+    """Return the arrays of which a tuple or list is made: one if they have the same shape; else the answer alone."""
+    if not isinstance(answer, tuple | list) or not any(isinstance(part, np.ndarray) for part in answer):
+        return [answer]
+    joined = attempt(np.array, answer)
+    return answer if joined is None or joined.dtype == object else [joined]
 
 
 def _side_by_side(blocks):

@@ -86,6 +86,24 @@ def two_link_angles(xy):
     return np.stack([np.stack([middle - side * bend / 2, side * bend], -1) for side in (1, -1)], -2)
 
 
+_Q1 = Mistake(
+    "the angle of the elbow is right, and the first one is not",
+    "In which direction is the tip, from -pi to pi? On which side of it is the first link, for each elbow?",
+)
+_Q2 = Mistake(
+    "the angle of the elbow is another one",
+    "Which cosine follows from the squared distance of the tip? Does your inverse function know angles from 0 to pi?",
+)
+_NONE = Mistake("a position within reach has no answer", "What makes it nan: a range, a division, or a comparison?")
+
+
+def other_bend(angles, tip):
+    """Return the Mistake of two pairs of joint angles (2, 2) that do not lead to the tip (2,)."""
+    if np.isnan(angles).any():
+        return _NONE
+    return _Q1 if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < 1e-6 else _Q2
+
+
 # ---- comparisons; as `alike` of an exercise, they also take the arguments of the case ----
 
 FINE = 1e-9  # the error that a right answer may have, relative to its size
@@ -143,12 +161,13 @@ def _no_rotation(R):
     return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
 
 
-def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1"):
-    """Return the Property that block(answer) is a rotation."""
+def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1", mistake=None):
+    """Return the Property that block(answer) is a rotation; mistake: as of a Property."""
     return Property(
         text,
         lambda answer, *case: is_rotation(block(answer)),
         says=lambda answer, *case: _no_rotation(block(answer)),
+        mistake=mistake,
     )
 
 
@@ -160,8 +179,11 @@ LAST_ROW = Property(  # of a pose, or of each in an array of them
 )
 
 
-def part_is(text, right, part):
-    """Return the Property that a part of the answer, given by its index, is that of right(*arguments)."""
+def part_is(text, right, part, mistake=None):
+    """Return the Property that a part of the answer, given by its index, is that of right(*arguments).
+
+    mistake: as of a Property.
+    """
 
     def wanted(*case):
         return np.asarray(right(*case), float)[part]
@@ -170,6 +192,7 @@ def part_is(text, right, part):
         text,
         lambda answer, *case: near(answer[part], wanted(*case)),
         says=lambda answer, *case: f"That is {compared(wanted(*case), answer[part])}.",
+        mistake=mistake,
     )
 
 

@@ -141,10 +141,3 @@ def not_projected(k, p, g, sine):
 def sine_and_cosine_swapped(k, p, g):
     """the arguments of arctan2 are swapped. Which comes first, the sine or the cosine?"""
     return np.pi / 2 - angle_about(k, p, g)
-
-
-@EXERCISE.mistake(angle=(lambda s, c: np.arctan(np.divide(s, c)), lambda s, c: np.arcsin(s / np.hypot(s, c))))
-def one_quotient(k, p, g, angle):
-    """the angle is wrong beyond 90 degrees. arctan and arcsin return no such angle. Which function looks at the signs
-    of both sine and cosine?"""
-    return angle(k @ np.cross(p, g), across(k, p) @ g)
