@@ -29,7 +29,7 @@ def right_a_shift_and_a_turn(T):
 
 
 def wrong_inverse_in_the_upper_left(T):
-    """unnamed"""
+    """the upper left block is not R"""
     A = right_a_shift_and_a_turn(T)
     A[:3, :3] = A[:3, :3].T @ A[:3, :3].T
     return A

@@ -29,7 +29,7 @@ def right_as_lists():
 
 
 def wrong_lengths_of_the_iiwa():
-    """unnamed"""
+    """the flange is read elsewhere"""
     screws, M = right_matrix_and_cross_products()
     M[:3, 3] = 0, 0, 1.301
     return screws, M

@@ -42,7 +42,7 @@ def right_both_signs_of_arccos(R):
 
 
 def wrong_one_row_where_both_are_one(R):
-    """unnamed"""
+    """a triple is missing"""
     found = right_by_entries(R)
     return found[:1] if np.allclose(found[0], found[1]) else found
 

@@ -50,10 +50,14 @@ EXERCISE = Exercise(
             "the upper left 3x3 block is R: an angular velocity is rotated from frame b to frame a",
             lambda A, T: near(A[_UPPER_LEFT], T[BLOCK]),
             says=lambda A, T: first_off(A[_UPPER_LEFT], T[BLOCK]),
+            mistake=Mistake("the upper left block is not R", "How does frame a see the omega of frame b?"),
         ),
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
             lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= 1e-9,
+            mistake=Mistake(
+                "the upper right block is not zero", "Does the new omega depend on v, or the new v on omega?"
+            ),
         ),
         Property(
             "the lower right 3x3 block is R: without a rotation, v is rotated from frame b to frame a",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
     arms,
     columns,
@@ -33,11 +33,16 @@ EXERCISE = Exercise(
             "the last column is Ad(M^-1) Sn at all angles: seen from the end-effector, the last axis does not move",
             _right,
             np.s_[:, -1],
+            Mistake("the last axis is not seen from the end-effector at home", "What does Ad(M^-1) make of Sn?"),
         ),
         Property(
             "above, each column has the direction of its axis, along the end-effector's own axes",
             lambda J, *arm: near(J[:3], _right(*arm)[:3]),
             says=lambda J, *arm: first_off(J[:3], _right(*arm)[:3], "The upper half of column"),
+            mistake=Mistake(
+                "an axis is not moved by all joints between it and the end-effector, each by its own angle",
+                "Which exponentials, in which order, stand in Ad(...) before B_1?",
+            ),
         ),
         Property(
             "below, each column has the velocity of the end-effector's origin, along the end-effector's own axes",

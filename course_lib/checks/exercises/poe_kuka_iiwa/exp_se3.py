@@ -68,6 +68,14 @@ def _keeps_digits(T, twist):
     return abs(yours - right) <= 0.02 * abs(right) + 2e-15 * np.abs(twist[3:]).max()
 
 
+_TOO_EARLY = Mistake(
+    "a formula for small angles is used too early, or has too few terms",
+    "Below which angle does it hold to nine digits, and is R - I then [omega]?",
+)
+_OTHER_ROTATION = Mistake(
+    "the block is another rotation than that by |omega| about omega", "How long is omega, and what is its direction?"
+)
+
 EXERCISE = Exercise(
     name="exp_se3",
     points=3,
@@ -81,6 +89,7 @@ EXERCISE = Exercise(
             "the upper left 3x3 block is the rotation by |omega| about omega",
             lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
             says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
+            mistake=lambda T, twist: _TOO_EARLY if _angle(twist) < 0.1 else _OTHER_ROTATION,
             points=1,
         ),
         Property(
@@ -94,6 +103,10 @@ EXERCISE = Exercise(
             _p_is_right,
             says=_p_off,
             where=lambda twist: _angle(twist) > _NO_ANGLE,
+            mistake=Mistake(
+                "p is not where the origin arrives",
+                "The part of v along omega moves the origin all the way, the rest along an arc. Which term is which?",
+            ),
         ),
         Property(
             "without a rotation, omega = 0, the motion is a translation by v: R = I and p = v",
@@ -146,10 +159,10 @@ def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1):
     return (straight(a) * np.eye(3) + first(a) * N + second(a) * N @ N) @ v / a**power
 
 
-@EXERCISE.mistake(part=BLOCK)
-def tiny_rotations_cut_off(twist):
+@EXERCISE.mistake(part=BLOCK, below=(_SMALL, 2e-5, 1e-7))
+def tiny_rotations_cut_off(twist, below):
     """tiny rotations are cut off. An angle of 1e-9 is small, not 0: which is the first term of the series after I?"""
-    return np.eye(3) if _is_small(twist) else None
+    return np.eye(3) if _NO_ANGLE < _angle(twist) < below else None
 
 
 @EXERCISE.mistake(part=BLOCK)

@@ -45,6 +45,10 @@ EXERCISE = Exercise(
             "with all angles 0 the end-effector is at home: T = M",
             lambda T, screws, M, q: near(T, M),
             where=lambda screws, M, q: not q.any(),
+            mistake=Mistake(
+                "with all angles 0 the product is not M",
+                "What is exp([S] 0), a 4 x 4 matrix? Multiply so many of these, with @, and M once.",
+            ),
         ),
         LAST_ROW,
         rotation(lambda T: T[:3, :3], "the block R of T is a rotation: R^T R = I and det R = 1"),

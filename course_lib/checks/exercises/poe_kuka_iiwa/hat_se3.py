@@ -13,7 +13,7 @@ from course_lib.rotations import hat
 
 def _cases(rng):
     twists = [np.array([1.0, 2, 3, 4, 5, 6]), *np.eye(6), *(size * rng.normal(size=6) for size in (1, 1e-3, 1e3))]
-    return [(twist,) for twist in (*twists, np.array([1, -2, 3, 4, 0, 2]), np.zeros(6))]
+    return [(twist,) for twist in (*twists, np.array([1, -2, 3, 4, 0, 2]), np.zeros(6), [0, 0, 1, 5, 6, 7])]
 
 
 def _fits(part, right):
@@ -33,11 +33,13 @@ EXERCISE = Exercise(
             "the upper left 3x3 block is [omega], with omega = twist[:3]",
             lambda V, twist: _fits(V[BLOCK], hat(twist[:3])),
             says=lambda V, twist: first_off(V[BLOCK], hat(twist[:3])),
+            mistake=Mistake("the block is not [omega]", "Is omega the first half of the twist, with its own length?"),
         ),
         Property(
             "the last column begins with v = twist[3:]",
             lambda V, twist: _fits(V[COLUMN], twist[3:]),
             says=lambda V, twist: f"v is {format_tuple(twist[3:])}; your column begins with {format_tuple(V[COLUMN])}.",
+            mistake=Mistake("v does not stand in the last column", "Which entries of the twist are v, as they are?"),
         ),
         Property(
             "the last row is (0, 0, 0, 0)",
@@ -72,9 +74,3 @@ def block_transposed(twist):
 def block_of_v(twist):
     """the block is made of v, not of omega. A twist is (omega, v): which three entries come first?"""
     return hat(twist[3:])
-
-
-@EXERCISE.mistake(part=COLUMN)
-def slice_of_omega(twist):
-    """v is taken from the slice of omega. Which half of the twist is v?"""
-    return twist[:3]

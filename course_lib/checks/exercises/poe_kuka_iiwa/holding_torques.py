@@ -59,7 +59,15 @@ EXERCISE = Exercise(
     ),
     library=_right,
     properties=(
-        part_is("the torques hold the load: their work in a small motion is the energy that it gains", _right, ...),
+        part_is(
+            "the torques hold the load: their work in a small motion is the energy that it gains",
+            _right,
+            ...,
+            Mistake(
+                "the torques are not -J_s^T (p x f, f) of the weight f at the center p",
+                "How large is f? Where is p at these angles? Which matrix takes a wrench to torques?",
+            ),
+        ),
     ),
     hints=(
         "Three steps: where is the center of mass, seen from the base? What wrench (m, f) is the weight, seen from the "

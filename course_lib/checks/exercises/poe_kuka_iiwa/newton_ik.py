@@ -110,11 +110,16 @@ EXERCISE = Exercise(
             "a target close by is reached: numbers are returned, not nan",
             _found,
             where=lambda *case: not _out_of_reach(*case),
+            mistake=Mistake(
+                "the iteration gives up although the target can be reached",
+                "How many steps does the task allow? The error may grow for a step. Does q change in each of them?",
+            ),
         ),
         Property(
             "at the angles returned the end-effector is within 1e-6 rad and 1e-6 m of T_target",
             lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
             _off,
+            mistake=Mistake("the steps end before the target is reached", "What decides that no other step is needed?"),
             points=1,
         ),
         Property(

@@ -53,12 +53,17 @@ EXERCISE = Exercise(
             "the axes have the directions of the arrows in the drawing, of length one",
             lambda read: np.allclose(read[0], _OMEGA, atol=1e-6),
             says=_direction_off,
+            mistake=Mistake("an axis has another direction than its arrow", "Are the rows joints, omega first?"),
             points=1,
         ),
         Property(
             "v is the velocity of the point at the base's origin when the joint rotates at 1 rad/s",
             lambda read: (np.abs(read[1] - _V) <= _TOLERANCE).all(),
             says=_velocity_off,
+            mistake=Mistake(
+                "an axis is read elsewhere than it is drawn",
+                "Through which point goes the arrow of the joint below? Add up from the base, with signs, to 0.1 mm.",
+            ),
             points=1,
         ),
         Property(
@@ -82,6 +87,10 @@ EXERCISE = Exercise(
             "p is the flange's position in the base frame, in metres",
             lambda read: np.abs(read[2][COLUMN] - _P).max() <= _TOLERANCE,
             says=lambda read: f"Yours is {format_tuple(read[2][COLUMN])}.",
+            mistake=Mistake(
+                "the flange is read elsewhere than it is drawn",
+                "Go from axis 6 to the flange in each view: which lengths lead there, along which direction?",
+            ),
             points=1,
         ),
     ),
@@ -116,12 +125,6 @@ def other_order_of_the_product():
 
 
 @EXERCISE.mistake(alike=_screws)
-def points_for_velocities():
-    """points stand where velocities v belong. How is v made of omega and a point on the axis?"""
-    return np.hstack([_OMEGA, _POINTS]), _M
-
-
-@EXERCISE.mistake(alike=_screws)
 def v_first():
     """v stands before omega. In which order are the halves of a twist?"""
     return np.hstack([_V, _OMEGA]), _M
@@ -133,37 +136,16 @@ def millimetres():
     return _answered(points=1000 * _POINTS, p=1000 * _P)
 
 
-@EXERCISE.mistake(alike=_screws, of_points=([1, 1, 1], [1, -1, 1]))
-def y_reversed(of_points):
-    """the arrows along y are reversed. In the side view, does y point away from you or towards you, and what do a
-    dot and a cross stand for?"""
-    return _answered(_OMEGA * [1, -1, 1], _POINTS * of_points)
-
-
 @EXERCISE.mistake(alike=_screws, joint=range(6))
 def reversed_direction(joint):
     """the direction of a joint is reversed. Go through the arrows of the drawing, joint by joint."""
     return _answered(_OMEGA * np.where(np.arange(6) == joint, -1, 1)[:, None])
 
 
-@EXERCISE.mistake(alike=_screws, joints=((3, 4, 5), (4,)), x=(-0.3922, 0))
-def not_added_up(joints, x):
-    """dimensions are not added up from the base. From where to where does each arrow of a dimension go?"""
-    points = _POINTS.copy()
-    points[list(joints), 0] = x
-    return _answered(points=points)
-
-
 @EXERCISE.mistake(alike=_orientation)
 def parallel_to_the_base():
     """the flange is taken to be parallel to the base. In which directions do the flange's axes point in the drawing?"""
     return _answered(R=np.eye(3))
-
-
-@EXERCISE.mistake(alike=_screws, z=(0.1625, 0.2622))
-def height_of_axis_6(z):
-    """axis 6 is at the height of axes 2 to 4, or above them. Where is it in the side view?"""
-    return _answered(points=[*_POINTS[:5], [*_POINTS[5][:2], z]])
 
 
 @EXERCISE.mistake(alike=_orientation)

@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, away_from_zero, near, pose, rotation, unit
-from course_lib.rotations import exp_so3, hat
+from course_lib.rotations import exp_so3
 
 _R, _P = (0, slice(0, 3), slice(0, 3)), (0, slice(0, 3), 3)
 _BACK_P = (1, slice(0, 3), 3)
@@ -38,6 +38,11 @@ def _rotation_off(T, omega, point, theta):
     return f"The direction {format_tuple(e)} should become {right}; your R makes it {yours}."
 
 
+_RODRIGUES = Mistake(
+    "R is not what Rodrigues' formula gives",
+    "Which three terms has it, with which factors, and what are they for a small theta? W @ W is a matrix product.",
+)
+
 EXERCISE = Exercise(
     name="rotation_about",
     points=2,
@@ -47,11 +52,12 @@ EXERCISE = Exercise(
     library=_right,
     properties=(
         LAST_ROW,
-        rotation(lambda T: T[_R], "the block R of the first matrix is a rotation: R^T R = I and det R = 1"),
+        rotation(lambda T: T[_R], "the block R of the first matrix is a rotation: R^T R = I and det R = 1", _RODRIGUES),
         Property(
             "R rotates by theta about omega, counter-clockwise as seen from the tip of omega",
             lambda T, omega, point, theta: near(T[_R], exp_so3(theta * omega)),
             says=_rotation_off,
+            mistake=_RODRIGUES,
         ),
         Property(
             "a point on the axis stays where it is",
@@ -87,31 +93,6 @@ EXERCISE = Exercise(
 def clockwise(omega, point, theta):
     """the rotation goes clockwise, or the pose and its inverse are swapped. Which of the two comes first?"""
     return _right(omega, point, -theta)
-
-
-def _rodrigues(omega, theta, sine=np.sin, versine=lambda a: 1 - np.cos(a), identity=1, square=lambda W, w: W @ W):
-    W = hat(omega)
-    return identity * np.eye(3) + sine(theta) * W + versine(theta) * square(W, omega)
-
-
-@EXERCISE.mistake(
-    part=_R,
-    factors=(
-        {"versine": lambda a: 0},
-        {"identity": 0},
-        {"versine": np.cos},
-        {"sine": lambda a: 1 - np.cos(a), "versine": np.sin},
-    ),
-)
-def terms(omega, point, theta, factors):
-    """the terms of Rodrigues' formula are not all there, or have the wrong factor. Which are left at theta = 0?"""
-    return _rodrigues(omega, theta, **factors)
-
-
-@EXERCISE.mistake(part=_R, square=(lambda W, w: W * W, lambda W, w: W, lambda W, w: np.outer(w, w)))
-def square_of_hat(omega, point, theta, square):
-    """the last term is not the matrix product of [omega] with itself. What does ** 2 do to an array of numpy?"""
-    return _rodrigues(omega, theta, square=square)
 
 
 @EXERCISE.mistake(part=_P, sign=(1, -1, 0), rotated=(False, True))

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import WHOLE_HOME, at, in_blocks
 from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, part_is
 from course_lib.rigid import adjoint, inverse, transform
@@ -35,6 +35,12 @@ def _right(V_s, T):
     return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
+_BODY = Mistake("row 1 is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?")
+_HYBRID = Mistake(
+    "row 2 is not (omega, velocity of the end-effector's origin) along the base's axes",
+    "Which half comes first, and how fast does omega move the point p of T?",
+)
+
 EXERCISE = Exercise(
     name="twist_in_frames",
     points=2,
@@ -44,10 +50,10 @@ EXERCISE = Exercise(
     library=_right,
     properties=(
         part_is("row 0 is the twist as the space frame sees it: V_s itself", _right, 0),
-        part_is("row 2, omega: the axes are the base's, so omega is that of V_s", _right, (HYBRID, _OMEGA)),
-        part_is("row 2, v: the velocity of the end-effector's origin p", _right, (HYBRID, _V)),
-        part_is("row 1, omega: seen along the end-effector's axes", _right, (BODY, _OMEGA)),
-        part_is("row 1, v: the velocity of the end-effector's origin, seen along its axes", _right, (BODY, _V)),
+        part_is("row 2, omega: the axes are the base's, so omega is that of V_s", _right, (HYBRID, _OMEGA), _HYBRID),
+        part_is("row 2, v: the velocity of the end-effector's origin p", _right, (HYBRID, _V), _HYBRID),
+        part_is("row 1, omega: seen along the end-effector's axes", _right, (BODY, _OMEGA), _BODY),
+        part_is("row 1, v: the velocity of the end-effector's origin, seen along its axes", _right, (BODY, _V), _BODY),
     ),
     hints=(
         "Row 0 is V_s. For row 1: which adjoint takes what the base sees to what the end-effector sees?",

@@ -76,15 +76,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(both=(True, False))
-def translation_not_rotated(theta, both):
-    """the translation along a link is not rotated with the link. Trans(1, 0) Rot(theta1) goes to (1, 0) whatever
-    theta1 is: mind the order of the product."""
-    if both:
-        return _chain(_trans() @ _rot(theta[0]), _trans() @ _rot(theta[1]), _trans())
-    return _chain(_rot(theta[0]), _rot(-theta[0]) @ _trans() @ _rot(theta[0] + theta[1]), _trans())
-
-
 @EXERCISE.mistake(position_alone=(False, True))
 def from_the_world(theta, position_alone):
     """theta2 is taken for the angle from the x axis of the world. It is measured from the first link: along which
@@ -101,11 +92,10 @@ def links_first(theta, moved):
     return _chain(_rot(theta[0]) @ along[0], _rot(theta[1]) @ along[1], along[2])
 
 
-@EXERCISE.mistake(which=("all", "rotations"))
-def clockwise(theta, which):
-    """the rotations are clockwise. R(theta) = [[cos, -sin], [sin, cos]]: the minus is in the upper row."""
-    T = _right(-np.asarray(theta))
-    return T if which == "all" else np.concatenate([T[..., :2], _right(theta)[..., 2:]], -1)
+@EXERCISE.mistake
+def second_frame_as_first(theta):
+    """the frame of joint 2 is not rotated by theta2. A frame rotates with the link that follows its joint."""
+    return _chain(_rot(theta[0]), _trans(), _rot(theta[1]) @ _trans())
 
 
 @EXERCISE.mistake(second=(True, False), third=(True, False))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.planar import cubic_time_scaling
 
 
@@ -81,6 +81,11 @@ def _cubic(u, s0, s1, d0, d1, second=(3, -2, -1), third=(-2, 1, 1)):
     return s0 + d0 * u + (weighed @ second) * u**2 + (weighed @ third) * u**3
 
 
+_OTHER_VELOCITY = Mistake(
+    "your cubic has another velocity at an end",
+    "Differentiate your s(t) at 0 and at T. Is it the derivative by t, or by u?",
+)
+
 EXERCISE = Exercise(
     name="cubic_time_scaling",
     points=2,
@@ -90,18 +95,25 @@ EXERCISE = Exercise(
     properties=(
         Property("at t = 0 the value is s0", _at(lambda T: 0, 0), says=_found_at(lambda T: 0), where=_has(lambda T: 0)),
         Property("at t = T the value is s1", _at(lambda T: T, 1), says=_found_at(lambda T: T), where=_has(lambda T: T)),
-        Property("s is a polynomial in t of degree three", _is_cubic, where=_several),
+        Property(
+            "s is a polynomial in t of degree three",
+            _is_cubic,
+            where=_several,
+            mistake=Mistake("s is no cubic", "With velocities at its ends a cubic may leave the range from s0 to s1."),
+        ),
         Property(
             "at t = 0 the velocity ds/dt is v0",
             _velocity_is(0.0, 2),
             says=lambda s, *case: f"The cubic through your values has {_velocity(0.0)(s, *case):.4g} there.",
             where=_several,
+            mistake=_OTHER_VELOCITY,
         ),
         Property(
             "at t = T the velocity ds/dt is v1",
             _velocity_is(1.0, 3),
             says=lambda s, *case: f"The cubic through your values has {_velocity(1.0)(s, *case):.4g} there.",
             where=_several,
+            mistake=_OTHER_VELOCITY,
         ),
         Property(
             "each value is that of the one cubic with these values and velocities at its ends",
@@ -136,9 +148,9 @@ def other_velocities(t, T, s0, s1, v0, v1, factors):
 
 
 @EXERCISE.mistake
-def goal_for_change(t, T, s0, s1, v0, v1):
-    """s1 stands where s1 - s0 belongs. What grows from 0 to 1 multiplies the change."""
-    return cubic_time_scaling(t, T, s0, s0 + s1, v0, v1)
+def not_divided_by_T(t, T, s0, s1, v0, v1):
+    """t is not divided by T. Which u is 1 at the end?"""
+    return _cubic(t, s0, s1, v0 * T, v1 * T)
 
 
 @EXERCISE.mistake(

@@ -14,7 +14,7 @@ _POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that p
 def _cases(rng):
     ordinary = [[np.pi / 2, 1.0, 0.0], [0.5, 2.0, 0.0], [np.pi / 2, 0.0, 1.0], [-1.0, 1.0, 0.0], [2.5, -1.0, 3.0]]
     drawn = rng.uniform([-3, -4, -4], [3, 4, 4], (3, 3)).round(2)
-    small = [[size * sign, 3.0, -2.0] for size in (3e-4, 9e-5, 1e-5, 9e-9) for sign in (1, -1)]
+    small = [[size * sign, 3.0, -2.0] for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9) for sign in (1, -1)]
     edge = [[np.pi, 1.0, 2.0], [-np.pi, 1.0, 2.0], [7.0, 1.0, -1.0], [2 * np.pi, 1.0, 2.0]]
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
     return [(np.array(twist),) for twist in [*ordinary, *drawn, *edge, *none, *small]]
@@ -45,6 +45,10 @@ EXERCISE = Exercise(
             "the position is where the arc ends, to nine digits",
             _position_holds,
             says=lambda T, twist: f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m.",
+            mistake=Mistake(
+                "the position is not the integral of R(omega s) v from s = 0 to 1",
+                "Integrate the cosine and the sine of omega s. Does your formula hold for a negative omega, too?",
+            ),
         ),
     ),
     library=exp_se2,
@@ -77,7 +81,7 @@ def _side(omega):
 
 
 def _nearly(T, twist):
-    return 0 < abs(twist[0]) < 1e-3 and np.abs(_apart(T, twist)).max() < 1e-2
+    return 0 < abs(twist[0]) < 0.1 and np.abs(_apart(T, twist)).max() < 1e-2
 
 
 @EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))

@@ -7,8 +7,7 @@ from course_lib.checks.exercises.rigid_motion.shared import (
     ENDS,
     REVOLUTION,
     SHORTER_ARC,
-    TIME_SCALINGS,
-    cubic,
+    add_path_mistakes,
     on_a_line,
     one_arc_is_shorter,
     read_path,
@@ -78,31 +77,22 @@ EXERCISE = Exercise(
 )
 
 
-def _path(start, goal, n, change=None, s=None):
+def _path(start, goal, n, s=None, change=None):
     change = right_change(start, goal) if change is None else change
     return straight(start, change, scaling(n) if s is None else s) if one_arc_is_shorter(start, goal, n) else None
 
 
 def _angle_changes(start, goal, n, angle):
-    return _path(start, goal, n, [*right_change(start, goal)[:2], angle])
+    return _path(start, goal, n, change=[*right_change(start, goal)[:2], angle])
 
 
-@EXERCISE.mistake(s=TIME_SCALINGS)
-def other_time_scaling(start, goal, n, s):
-    """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
-    0, 1/2 and 1, and slow at both ends."""
-    return _path(start, goal, n, s=s(np.linspace(0, 1, n)))
-
-
-@EXERCISE.mistake(u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n))
-def an_end_missing(start, goal, n, u):
-    """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
-    return _path(start, goal, n, s=cubic(u(n)))
+add_path_mistakes(EXERCISE, _path)
 
 
 @EXERCISE.mistake(
     difference=(
         lambda a, b: b - a,
+        lambda a, b: (b - a) % REVOLUTION,
         lambda a, b: wrap_angle(b) - wrap_angle(a),
         lambda a, b: b - a - REVOLUTION * (b - a > np.pi) + REVOLUTION * (b - a < -np.pi),
     )
@@ -116,4 +106,4 @@ def not_wrapped(start, goal, n, difference):
 @EXERCISE.mistake
 def lengths_wrapped(start, goal, n):
     """x and y are wrapped as if they were angles. Which of the three numbers repeats after 2 pi?"""
-    return _path(start, goal, n, wrap_angle(np.subtract(goal, start)))
+    return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rigid_motion.interpolate_body import between, plain_cases, rotating_cases
 from course_lib.checks.exercises.rigid_motion.shared import (
     ENDS,
     SHORTER_ARC,
-    TIME_SCALINGS,
+    add_path_mistakes,
     change,
     deviation,
     on_a_line,
@@ -106,6 +106,7 @@ EXERCISE = Exercise(
             ),
             says=_seen_from_the_pole,
             where=_rotates,
+            mistake=Mistake("the path is no arc about one point", "Which function moves along an arc, not a line?"),
         ),
         *timed(by_screw, _fits),
     ),
@@ -135,11 +136,7 @@ def straight_line(start, goal, n, difference):
     return straight(start, difference(start, goal) if difference is change else np.subtract(goal, start), scaling(n))
 
 
-@EXERCISE.mistake(s=TIME_SCALINGS)
-def other_time_scaling(start, goal, n, s):
-    """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
-    0, 1/2 and 1, and slow at both ends."""
-    return _screw(start, goal, n, s(np.linspace(0, 1, n)))
+add_path_mistakes(EXERCISE, _screw)
 
 
 @EXERCISE.mistake
@@ -163,10 +160,3 @@ def wrong_side(start, goal, n, product):
     """the displacement is seen from another frame than that in which it is applied. T_start^-1 T_goal leads from start
     to goal, seen from start: where does T_start stand in the product?"""
     return _by_matrices(start, goal, n, product)
-
-
-@EXERCISE.mistake
-def logarithms_interpolated(start, goal, n):
-    """the logarithms of the two poses are interpolated. Take one logarithm, of the pose of goal in start's frame."""
-    first, last = log_se2(pose_matrix(start)), log_se2(pose_matrix(goal))
-    return _rows(exp_se2(first + np.multiply.outer(scaling(n), last - first)), start, goal, n)

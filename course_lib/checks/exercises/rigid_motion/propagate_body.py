@@ -136,10 +136,10 @@ def axes_of_the_world(start, plan, dt):
     return _moved((start, plan, dt), direction=lambda theta, omega, h: 0 * theta)
 
 
-@EXERCISE.mistake
-def no_sideways(start, plan, dt):
-    """vy is left out. Where does a body go that moves only to its left?"""
-    return follow(lambda pose, velocity, h: euler(pose, velocity * [1, 0, 1], h))(start, plan, dt)
+@EXERCISE.mistake(factor=(0, -1))
+def no_sideways(start, plan, dt, factor):
+    """vy is left out, or counted to the right. Where does a body go that moves only to its left?"""
+    return follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(start, plan, dt)
 
 
 @EXERCISE.mistake

@@ -170,6 +170,21 @@ def follow(move, lengths=lengths):
     return answer
 
 
+def add_path_mistakes(exercise, path):
+    """Add the mistakes in the timing of a path; path(start, goal, n, s): the answer with another time scaling."""
+
+    @exercise.mistake(s=TIME_SCALINGS)
+    def other_time_scaling(start, goal, n, s):
+        """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
+        0, 1/2 and 1, and slow at both ends."""
+        return path(start, goal, n, s(np.linspace(0, 1, n)))
+
+    @exercise.mistake(u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n))
+    def an_end_missing(start, goal, n, u):
+        """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
+        return path(start, goal, n, cubic(u(n)))
+
+
 def add_step_mistakes(exercise, move):
     """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
@@ -180,6 +195,11 @@ def add_step_mistakes(exercise, move):
         """a pair ends too late or too early: its last step is not shortened, or is missing. How much time of its
         duration remains for the last step?"""
         return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(start, plan, dt)
+
+    @exercise.mistake
+    def equally_long(start, plan, dt):
+        """the steps of a pair are equally long. Each is dt long, and the last one takes what is left."""
+        return follow(move, lambda *pair: np.full(n := len(lengths(*pair)), pair[0] / n))(start, plan, dt)
 
     @exercise.mistake
     def start_again(start, plan, dt):
@@ -231,6 +251,7 @@ def form(angles):
             "the first row is start",
             lambda rows, start, plan, dt: near(rows[:1], [start], angles, FINE),
             says=lambda rows, *case: f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row.",
+            mistake=Mistake("start is not the first row", "The list begins with start, before any step is made."),
         ),
         Property(
             "after start there is one row for each step",
@@ -238,6 +259,11 @@ def form(angles):
             says=lambda rows, start, plan, dt: (
                 f"The steps end at {_ends(plan, dt)} s, so with start there are {1 + len(steps(plan, dt)[1])} rows. "
                 f"Yours has {len(rows)}."
+            ),
+            mistake=Mistake(
+                "steps have no row, or a step has several",
+                "A shortened last step has a row, too. 0.3 / 0.1 is 2.9999999999999996: how many steps does "
+                "step_lengths(duration, dt) make of it?",
             ),
         ),
     )
@@ -281,4 +307,8 @@ STEP_LENGTHS = Property(
         f"they should be {format_tuple(steps(plan, dt)[1])}."
     ),
     where=lambda start, plan, dt: all(ahead and not any(rest) for (ahead, *rest), _ in plan),
+    mistake=Mistake(
+        "the steps have other lengths than step_lengths(duration, dt)",
+        "A step goes on where the one before has ended: how long is it itself?",
+    ),
 )

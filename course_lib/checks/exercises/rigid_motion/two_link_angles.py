@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import angle_gap, same_list, two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import angle_gap, other_bend, same_list, two_link_angles, two_link_tip
 
 _ABOVE_ONE = Mistake(
     "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
@@ -19,7 +19,7 @@ def _cases(rng):
     radii, angles = rng.uniform(0.3, 1.8, 4), rng.uniform(-np.pi, np.pi, 4)
     drawn = np.round(np.stack([radii * np.cos(angles), radii * np.sin(angles)], 1), 2)
     beyond = np.nextafter(2, 3)  # by rounding, as tips are that a program has computed
-    edge = [[2.0, 0.0], [0.0, -2.0], [beyond, 0.0], [0.0, beyond], [-beyond, 0.0]]
+    edge = [[1.2, 1.595], [2.0, 0.0], [0.0, -2.0], [beyond, 0.0], [0.0, beyond], [-beyond, 0.0]]
     return [(np.array(tip, float),) for tip in [*ordinary, *drawn, [0.0, 1.0], [1, 0], *edge]]
 
 
@@ -49,6 +49,7 @@ EXERCISE = Exercise(
                 f"It should be at {format_tuple(tip)}. With your rows it is at {format_tuple(two_link_tip(angles)[0])} "
                 f"and at {format_tuple(two_link_tip(angles)[1])}."
             ),
+            mistake=other_bend,
             points=1,
         ),
         Property(
@@ -106,11 +107,3 @@ def inside_the_triangle(tip, theta1_too):
     stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
     return angles if theta1_too else np.column_stack([two_link_angles(tip)[:, 0], angles[:, 1]])
-
-
-@EXERCISE.mistake(row=(0, 1))
-def both_signs_changed(tip, row):
-    """the second solution is the first with both signs changed: its arm is the mirror image about the x axis. About
-    which line are the two elbows mirror images?"""
-    angles = two_link_angles(tip)[row]
-    return np.array([angles, -angles])

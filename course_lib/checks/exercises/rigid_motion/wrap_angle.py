@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rigid_motion.shared import REVOLUTION
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import wrap_angle
@@ -33,29 +33,27 @@ _ONE_ANGLE_ONLY = Mistake(
 )
 
 
-def _in_its_shape(value, angle):
-    read = numbers(np.shape)(value, angle)
-    if np.shape(value) != np.shape(angle):
-        raise Unreadable(f"the answer has the shape of the angle. Yours has {np.shape(value)}.", OTHER_FORM)
-    return read
-
-
 EXERCISE = Exercise(
     name="wrap_angle",
     points=1,
     arguments=("angle",),
     cases=_cases,
-    returns=_in_its_shape,
+    returns=numbers(np.shape, exact=True),
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",
             lambda value, angle: np.all(np.abs(value - angle) <= _rounding(angle)),
             where=lambda angle: np.all(np.abs(angle) < np.pi),
+            mistake=Mistake("an angle is changed that needs no wrapping", "How much is one revolution: pi, or 2 pi?"),
         ),
         Property(
             "the answer lies between -pi and pi",
             lambda value, angle: np.all(np.abs(value) <= np.pi + _rounding(angle)),
             says=lambda value, angle: f"Yours is {np.abs(value).max() / np.pi:.4g} pi.",
+            mistake=Mistake(
+                "revolutions are left in the angle",
+                "It may hold many of them, of either sign, and each entry of an array has a number of its own.",
+            ),
         ),
         Property(
             "the answer is the same direction: it differs from the angle by a multiple of 2 pi",

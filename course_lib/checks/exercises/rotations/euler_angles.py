@@ -70,7 +70,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "beta lies between -pi/2 and pi/2",
-            lambda angles, R: abs(angles[1]) <= np.pi / 2 + 1e-6,
+            lambda angles, R: not abs(angles[1]) > np.pi / 2 + 1e-6,
             mistake=Mistake(
                 "the other triple of angles is returned, with beta beyond pi/2",
                 "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) is asked?",

@@ -61,10 +61,19 @@ def small_angles_lost(w, below):
     return np.eye(3) if np.linalg.norm(w) < below else exp_so3(w)
 
 
-@EXERCISE.mistake
-def zero_divided(w):
-    """w = 0 is divided by its length, which is 0. What does no rotation do to a point?"""
-    return exp_so3(w) if w.any() else np.full((3, 3), np.nan)
+@EXERCISE.mistake(
+    of=(
+        lambda a, N: np.sin(a) * N - (1 - np.cos(a)) * N @ N,
+        lambda a, N: (1 - np.cos(a)) * N + np.sin(a) * N @ N,
+        lambda a, N: np.sin(a) * N + (1 + np.cos(a)) * N @ N,
+        lambda a, N: np.sin(a) * N + (1 - np.cos(a)) * (N @ N + np.eye(3)),  # n n^T for [n]^2
+    )
+)
+def other_factors(w, of):
+    """the factor of [n], or of [n]^2, has a wrong sign, belongs to the other, or [n]^2 is taken for n n^T. Put a = 90
+    degrees and n = z into the formula: where does x go?"""
+    a = np.linalg.norm(w)
+    return np.eye(3) + of(a, hat(w / a)) if a else np.eye(3)
 
 
 @EXERCISE.mistake

@@ -169,11 +169,11 @@ def _upright(R, tol):
     return abs(np.linalg.det(R) - 1) <= tol
 
 
-@EXERCISE.mistake(about=_SHAPES)
-def negative_errors_pass(X, kind, tol, about):
+@EXERCISE.mistake(about=_SHAPES, low=(-np.inf, 0))
+def negative_errors_pass(X, kind, tol, about, low):
     """a negative error always passes. An error of -0.5 is as wrong as 0.5."""
     tests = {
-        "rotation": lambda R: _entries(R).max() <= tol and _upright(R, tol),
+        "rotation": lambda R: _entries(R).max() <= tol and low <= np.linalg.det(R) <= 1 + tol,
         "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and row_error(T).max() <= tol,
         "quaternion": lambda q: np.linalg.norm(q) - 1 <= tol,
     }
@@ -213,11 +213,18 @@ def one_shape_alone(X, kind, tol, shape):
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
 
 
-@EXERCISE.mistake(passes=(lambda R: True, lambda R: np.linalg.det(R) > 0))
+@EXERCISE.mistake(passes=(lambda d, tol: True, lambda d, tol: d > 0, lambda d, tol: abs(abs(d) - 1) <= tol))
 def determinant_left_out(X, kind, tol, passes):
     """the determinant is not compared with 1, within tol. For which matrices is R^T R = I, although they are no
     rotations? And is a positive determinant enough?"""
-    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol and passes(R))
+    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol and passes(np.linalg.det(R), tol))
+
+
+@EXERCISE.mistake(entries=(0, 1))
+def last_row_left_out(X, kind, tol, entries):
+    """the last row of a pose is not compared with (0, ..., 0, 1), or not all of it. How large may its entries be?"""
+    row = np.abs(row_error(X))[::-1][:entries] if X.ndim == 2 else ()
+    return _only("pose", X, kind, lambda T: _is_rotation(T[:-1, :-1], tol) and max(row, default=0) <= tol)
 
 
 @EXERCISE.mistake(about=_SHAPES)

@@ -79,32 +79,35 @@ def _vector_over_w(R):
 
 
 def _is_divided_by_little(q, R):
-    """Whether the vector part has the direction of R - R^T, and not the right length."""
-    if not np.isfinite(q).all():
-        return True
+    """Whether q is nan, or near 180 degrees its vector part has the direction of R - R^T, which may be 0."""
+    if not np.isfinite(q).all() or not _near_half_turn(R):
+        return not np.isfinite(q).all()
     along = _vector_over_w(R)
     parallel = np.abs(np.cross(q[1:], along)).max() < 1e-6 * np.linalg.norm(q[1:]) * np.linalg.norm(along)
-    return bool(along.any() and parallel and abs(np.linalg.norm(q) - 1) > 1e-6)
+    return bool(parallel if along.any() else 0 < np.linalg.norm(q) < 1e-3)
 
 
-@EXERCISE.mistake(seen=lambda q, R: _near_half_turn(R) and _is_divided_by_little(q, R))
+@EXERCISE.mistake(seen=_is_divided_by_little)
 def divided_by_w(R):
-    """an entry of q that is nearly 0 serves as the divisor. Any of w, x, y, z can be small, but not all of them at
-    once. Which one is a safe divisor?"""
+    """something that is nearly 0 serves as the divisor. Any of w, x, y, z, or the sine, can be small, but not all of w,
+    x, y, z at once. Which one is a safe divisor?"""
     w = np.sqrt(max(1 + np.trace(R), 0)) / 2
     return np.array([w, *(_vector_over_w(R) / (4 * w))])
 
 
-@EXERCISE.mistake(seen=lambda q, R: np.allclose(np.abs(q), np.abs(matrix_to_quaternion(R)), atol=1e-6))
+def _right_but_for_signs(q, R):
+    right = np.abs(matrix_to_quaternion(R))
+    return np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6) and np.isfinite(q).all()
+
+
+@EXERCISE.mistake(seen=_right_but_for_signs)
 def signs_lost(R):
-    """the signs of w, x, y, z do not fit together. The diagonal gives squares only. The signs come from the products
-    of two entries."""
+    """the signs of w, x, y, z do not fit together, or 0 is taken for a sign. The diagonal gives squares only. The signs
+    come from the products of two entries: at 180 degrees, of which?"""
     return np.abs(matrix_to_quaternion(R))
 
 
-@EXERCISE.mistake
-def angle_not_halved(R):
-    """the angle is not halved. A rotation by a has w = cos(a/2)."""
-    q = matrix_to_quaternion(R)
-    half, sine = np.arctan2(np.linalg.norm(q[1:]), q[0]), np.linalg.norm(q[1:])
-    return np.array([np.cos(2 * half), *(np.sin(2 * half) * q[1:] / (sine or 1))])
+@EXERCISE.mistake(seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3)
+def not_of_length_one(R):
+    """q has not length one. Divide the products of two entries by 4 times the entry that is known, and check |q|."""
+    return 2 * matrix_to_quaternion(R)

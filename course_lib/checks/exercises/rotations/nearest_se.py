@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import damaged_rotations, distances, ones, polar
+from course_lib.checks.exercises.rotations.shared import NOT_NEAREST, damaged_rotations, distances, ones, polar
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.rigid import nearest_se
 from course_lib.rotations import random_rotations
@@ -15,9 +15,9 @@ def _damaged_pose(M, p):
 
 
 def _cases(rng):
-    p = rng.normal(size=3)
+    p, slightly = rng.normal(size=3), random_rotations(1, rng)[0] @ np.diag([1.003, 0.999, 1])
     good = [pose(random_rotations(1, rng)[0], p), np.eye(3), np.eye(4)]
-    return [(T,) for T in [_damaged_pose(M, p) for M in damaged_rotations(rng)] + good]
+    return [(T,) for T in [_damaged_pose(M, p) for M in [*damaged_rotations(rng), slightly]] + good]
 
 
 def _is_pose(T):
@@ -48,6 +48,7 @@ EXERCISE = Exercise(
             "the block is the rotation nearest to that of T",
             lambda X, T: np.linalg.norm(X - nearest_se(T)) < 1e-6,
             says=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
+            mistake=NOT_NEAREST,
         ),
     ),
     hints=(

@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import damaged_rotations, distances, last_column_negated, ones, polar
+from course_lib.checks.exercises.rotations import shared
+from course_lib.checks.exercises.rotations.shared import NOT_NEAREST, damaged_rotations, distances, ones, polar
 from course_lib.checks.vocabulary import is_rotation, orthogonality_error
 from course_lib.rotations import nearest_so, random_rotations
 
@@ -20,7 +21,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(np.shape),
     library=nearest_so,
-    broken=last_column_negated,
+    broken=shared.last_column_negated,
     properties=(
         Property(
             "the columns of R have length one and are orthogonal: R^T R = I",
@@ -38,6 +39,7 @@ EXERCISE = Exercise(
             "no rotation is nearer to M than R",
             lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + 1e-9,
             says=distances,
+            mistake=NOT_NEAREST,
         ),
     ),
     hints=(

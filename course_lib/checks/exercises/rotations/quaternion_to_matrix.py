@@ -70,6 +70,13 @@ def factor_missing(q, factors):
 
 
 @EXERCISE.mistake
+def sign_of_w_lost(q):
+    """the sign of w is lost. q and -q are the same rotation: (-w, v) and (w, v) are not. Does arcsin, or a root, see
+    the sign?"""
+    return quaternion_to_matrix(np.array([abs(q[0]), *q[1:]]))
+
+
+@EXERCISE.mistake
 def half_the_angle(q):
     """R rotates by half the angle. w is the cosine of half the angle, not of the angle."""
     return exp_so3(np.arccos(np.clip(q[0], -1, 1)) * q[1:] / np.linalg.norm(q[1:]))

@@ -48,6 +48,10 @@ EXERCISE = Exercise(
             lambda q, n, rng: np.abs((q < 0).mean(axis=0) - 0.5).max() < 2.5 / np.sqrt(n),  # five standard deviations
             says=lambda q, n, rng: f"Negative are these parts of w, x, y, z: {format_tuple((q < 0).mean(axis=0))}.",
             where=many,
+            mistake=Mistake(
+                "a part of the sphere is never reached",
+                "An angle from half a circle, or a sign that is removed, leaves half of the sphere out.",
+            ),
         ),
         *uniform_rotations(quaternion_to_matrix),
     ),

@@ -52,7 +52,8 @@ def one_draw_for_two(n, rng):
 
 def _middle_angle_is_uniform(R):
     entries = np.clip(R, -1, 1).reshape(-1, 9).T  # one of them is the sine or cosine of the middle angle
-    return any(uniform(np.arcsin(entry), -np.pi / 2, np.pi / 2) for entry in entries)
+    half_turns = np.allclose(R, np.swapaxes(R, 1, 2))
+    return not half_turns and any(uniform(np.arcsin(np.abs(entry)), 0, np.pi / 2) for entry in entries)
 
 
 @EXERCISE.mistake(seen=of_many(_middle_angle_is_uniform))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import away_from_zero, compared
 
 
@@ -34,6 +34,10 @@ EXERCISE = Exercise(
             "the distance from the origin does not change",
             lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < 1e-9,
             says=lambda image, p, a: f"That is {compared(np.linalg.norm(p), np.linalg.norm(image))}.",
+            mistake=Mistake(
+                "the point comes nearer to the origin, or moves away",
+                "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go?",
+            ),
         ),
         Property(
             "the point moves counter-clockwise by the angle a",
@@ -62,7 +66,8 @@ def new_x_used(p, a):
     return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])
 
 
-@EXERCISE.mistake
-def arctan(p, a):
-    """the direction of p comes from arctan(y / x), which is the same for p and -p. Which function tells them apart?"""
-    return np.sign(p[0] or 1) * _right(p, a)
+@EXERCISE.mistake(of_x=(True, False))
+def half_of_the_circle(p, a, of_x):
+    """the direction of p comes from arctan or arccos, which know half of the circle only. Which function of x and y
+    tells p from -p?"""
+    return np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T if of_x else np.sign(p[0] or 1) * _right(p, a)

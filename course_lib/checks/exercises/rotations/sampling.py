@@ -138,6 +138,12 @@ def arvo(R):
     return z, phi, np.arctan2(image[:, 1], image[:, 0])
 
 
+_CROWDED = Mistake(
+    "the rotations crowd in some directions, or leave some out",
+    "Draw where the axes land. Does each of the numbers go through its whole range, for each draw anew?",
+)
+
+
 def uniform_rotations(matrices):
     """Return the properties of uniform rotations; matrices(value): the rotations of an answer."""
     return (
@@ -145,12 +151,18 @@ def uniform_rotations(matrices):
             "the angles follow the density (1 - cos a)/pi",
             lambda value, n, rng: angle_p_value(matrices(value)) > LEVEL,
             where=many,
+            mistake=Mistake(
+                "small rotation angles, or large ones, come too often",
+                "Draw the histogram of your angles beside (1 - cos a)/pi. Has each of the three numbers its range, and "
+                "its root?",
+            ),
         ),
         *(
             Property(
                 f"the images of e_{name} are uniform on the sphere",
                 lambda value, n, rng, axis=axis: axis_p_value(matrices(value), axis) > LEVEL,
                 where=many,
+                mistake=_CROWDED,
             )
             for axis, name in enumerate("xyz")
         ),

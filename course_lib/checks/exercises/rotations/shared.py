@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.exercise import Mistake
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -50,6 +51,12 @@ def right_handed(Q):
 def ones(M):
     """Return a sign + for each column of M but the last."""
     return [1.0] * (len(M) - 1)
+
+
+NOT_NEAREST = Mistake(
+    "the answer is a rotation, and another one is nearer",
+    "U V^T is nearest if its determinant is 1. Else one sign changes between U and V^T: where is M weakest?",
+)
 
 
 def distances(R, M):

@@ -131,9 +131,9 @@ def twice_the_arc(q0, q1, t, factor):
     return (np.sin((1 - t) * phi) * q0 + np.sin(t * phi) * q1) / np.sin(phi)
 
 
-@EXERCISE.mistake
-def cosine_alone_made_positive(q0, q1, t):
-    """the angle belongs to -q1, the weights to q1. If q0 . q1 is negative, q1 itself changes its sign, not only the
-    cosine."""
-    a = np.arccos(min(abs(q0 @ q1), 1))
-    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a) if q0 @ q1 < 0 else None
+@EXERCISE.mistake(sign=(1, -1))
+def cosine_alone_made_positive(q0, q1, t, sign):
+    """the angle belongs to -q1, the weights to q1, or the reverse. If q0 . q1 is negative, q1 itself changes its sign,
+    and the cosine with it."""
+    a, q1 = np.arccos(min(sign * abs(q0 @ q1), 1)), sign * q1
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a) if sign * (q0 @ q1) < 0 else None

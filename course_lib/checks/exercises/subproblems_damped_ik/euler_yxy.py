@@ -24,6 +24,13 @@ _AT_THE_END = Mistake(
 )
 
 
+_FIRST = Mistake(
+    "the first triple does not rebuild R",
+    "R e_y is a column of R, and e_y^T R a row. Which sign has the angle that subproblem 2 returns for b1?",
+)
+_SECOND = Mistake("the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?")
+
+
 def _yxy(b1, b2, b3):
     return rot_y(b1) @ rot_x(b2) @ rot_y(b3)
 
@@ -89,7 +96,11 @@ EXERCISE = Exercise(
     alike=same_list,
     properties=(
         Property(
-            "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)", _rebuilt(1e-9), _off, where=lambda R: _sine(R) > 1e-2
+            "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)",
+            _rebuilt(1e-9),
+            _off,
+            where=lambda R: _sine(R) > 1e-2,
+            mistake=lambda found, R: _FIRST if _misses(found[0], R) > 1e-9 else _SECOND,
         ),
         Property(
             "each triple rebuilds R also where b2 is near 0 or near pi",
@@ -122,6 +133,9 @@ EXERCISE = Exercise(
             "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
             lambda found, R: len(found) == 2,
             lambda found, R: f"Yours has {len(found)}.",
+            mistake=Mistake(
+                "a triple is missing where sin(b2) = 0", "There both triples are the same: return it twice."
+            ),
         ),
     ),
     hints=(
@@ -154,15 +168,6 @@ def second_from_the_first(R, first, change):
     Rebuild R from both."""
     triple, (sign, *halves) = _both(R)[first], change
     return None if _end(R) else [triple, triple * [1, sign, 1] + np.pi * np.array(halves)]
-
-
-@EXERCISE.mistake
-def arcsin(R):
-    """b2 is wrong beyond 90 degrees. arcsin gives the same angle for b2 and pi - b2. Which entry of R tells them
-    apart?"""
-    found = _both(R).copy()
-    found[:, 1] = np.arcsin(np.sin(found[:, 1]))
-    return None if _end(R) else found
 
 
 def _within_pi(found, R):

@@ -30,7 +30,12 @@ def _cases(rng):
     bends = rng.uniform(0.3, 1.5, (6, 4)) * rng.choice([-1, 1], (6, 4))
     drawn = [(q, rng.uniform(-2, 2, 2), alpha, eps) for q, (alpha, eps) in zip(bends, sizes, strict=True)]
     there = rng.uniform(0.3, 1.5, 4)
-    ends = [(there, tip(there), 1.0, 0.3), (straight, [3, 1], 1.0, 1e-6), (drawn[0][0], [1, 1], 0.1, 1e-6)]
+    ends = [
+        (there, tip(there), 1.0, 0.3),
+        (there, tip(there) + 4e-4, 1.0, 0.3),
+        (straight, [3, 1], 1.0, 1e-6),
+        (drawn[0][0], [1, 1], 0.1, 1e-6),
+    ]
     ends += [(np.array([7.0, -8, 20, -1]), [-1, 2], 0.6, 1.5), (np.array([1, 0, -1, 2]), [0, 3], 0.5, 2.0)]
     ends += [(near, [3, 0.2], 0.05, 1e-4), (near, [3, 0.2], 0.01, 1e-6)]
     return [(q, np.array(target, float), alpha, eps) for q, target, alpha, eps in named + drawn + ends]
@@ -82,6 +87,10 @@ EXERCISE = Exercise(
             _right,
             _motion,
             where=lambda *case: not _there(*case),
+            mistake=Mistake(
+                "the step is another one than the damped one",
+                "Which matrix is inverted, what does alpha multiply, and is a large or a small step treated otherwise?",
+            ),
         ),
         Property(
             "the angles are not wrapped: the answer is q and a small step",
@@ -128,6 +137,12 @@ def wrong_length(q, target, alpha, eps, factor):
     """the step has the right direction and a wrong length. Print your step for this input, and alpha: which factor is
     missing, or does not belong?"""
     return step(q, target, factor(alpha), eps)
+
+
+@EXERCISE.mistake
+def gradient_step(q, target, alpha, eps):
+    """the step is one of gradient descent, alpha J^T e. Which matrix stands before J^T?"""
+    return q - alpha * jacobian(q).T @ (tip(q) - target)
 
 
 @EXERCISE.mistake

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
 from course_lib.checks.vocabulary import X, Y, first_off
 from course_lib.rotations import rot_x, rot_y
@@ -40,6 +40,14 @@ def _cases(rng):
     return [(np.array(b, float),) for b in named + quadrants(rng) + ends] + [(np.array([1, 2, 3]),)]
 
 
+def _no_axis(A, b):
+    j = int(np.argmax(np.abs(A - rates(b)).max(0) > _FINE))
+    return Mistake(
+        f"column {j} is not the axis about which b{j + 1} rotates",
+        "About which axis does this factor rotate, and which rotations, to its left, carry that axis along?",
+    )
+
+
 EXERCISE = Exercise(
     name="rate_matrix",
     points=2,
@@ -52,6 +60,7 @@ EXERCISE = Exercise(
             "omega = A b', where [omega] = R' R^T with R = Ry(b1) Rx(b2) Ry(b3)",
             lambda A, b: np.abs(A - rates(b)).max() < _FINE,
             lambda A, b: first_off(A, rates(b)),
+            mistake=_no_axis,
         ),
     ),
     hints=(
@@ -81,10 +90,3 @@ def axis_not_carried_along(b, axes):
     """an axis is not carried along by the rotations before it. Which rotations stand to the left of that about b2,
     and of that about b3?"""
     return np.column_stack([Y, *axes(b)])
-
-
-@EXERCISE.mistake(of=([-1, 2, 3], [1, -2, 3], [3, 2, 1], [2, 1, 3], [1, 3, 2]))
-def another_angle(b, of):
-    """one angle has the other sign, or stands where another belongs. Which angles rotate the axes of columns 2 and 3,
-    and in which direction?"""
-    return rates(np.sign(of) * b[np.abs(of) - 1])

@@ -12,6 +12,10 @@ FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two
 _NOT_ONE = Mistake(
     "nan is returned where there is no solution", "Which number tells that there is none? Test it first."
 )
+NO_SOLUTION = Mistake(
+    "a solution in the list is none",
+    "Put it into the equation, term by term. Which length, point or angle is another one than you thought?",
+)
 _ROUNDED_OUT = Mistake(
     "rounding takes a number slightly out of its range, where the two solutions coincide",
     "What is arccos of a number just above 1, and the root of one just below 0?",
@@ -85,7 +89,7 @@ def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
         return lambda *case: len(solutions(*case)) == count
 
     return (
-        Property(equation, solved(FINE), worst, where=has(2)),
+        Property(equation, solved(FINE), worst, where=has(2), mistake=NO_SOLUTION),
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.exercises.subproblems_damped_ik.shared import different
+from course_lib.checks.exercises.subproblems_damped_ik.shared import NO_SOLUTION, different
 from course_lib.checks.vocabulary import X, Y, Z, remembered
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_y, rot_z
@@ -65,6 +65,7 @@ def every_solution(equation, misses, tell, solutions):
             lambda found, *case: all(misses(q, *case) < 1e-8 for q in found),
             lambda found, *case: tell(max(found, key=lambda q: misses(q, *case)), *case),
             where=lambda *case: len(solutions(*case)) > 0,
+            mistake=NO_SOLUTION,
         ),
         Property(
             "the list is not empty, for the target is within reach",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import single
 from course_lib.checks.vocabulary import near
 
@@ -38,6 +38,10 @@ EXERCISE = Exercise(
             "at the limit the largest factor is -1, and no factor is below it",
             lambda limit, *case: near(limit, _right(*case)),
             _factor,
+            mistake=Mistake(
+                "the limit is not that of the largest singular value",
+                "In which direction does the factor reach -1 first, and at which alpha?",
+            ),
         ),
     ),
     hints=(
@@ -62,12 +66,6 @@ def power_wrong(J, eps, share):
     """s or eps stands in a wrong power. Compare with the factor of a step, and ask whether you have s or its square:
     what are the eigenvalues of J J^T?"""
     return _by(lambda s, eps: 2 * (1 + share(s, eps)))(J, eps)
-
-
-@EXERCISE.mistake(limit=(lambda s, eps: 2 * (1 + s[0] ** 2 / eps), lambda s, eps: 2 / (1 + eps / s[0] ** 2)))
-def fraction_upside_down(J, eps, limit):
-    """a fraction is upside down. Does a larger damping allow larger steps, or only smaller ones?"""
-    return _by(limit)(J, eps)
 
 
 @EXERCISE.mistake(limit=(lambda s, eps: 2.0, lambda s, eps: 2 / s[0] ** 2))

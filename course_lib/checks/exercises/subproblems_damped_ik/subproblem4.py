@@ -30,9 +30,10 @@ def _cases(rng):
     ]
     k, h, p, _ = generic[0]
     low, high = _range(k, h, p)
+    close = [(k, h, p, high - 1e-6 * (high - low))]  # where the two solutions are 0.004 apart
     beyond = [(k, h, p, high + 0.1 * (high - low)), (k, h, p, low - 0.1 * (high - low))]
     none = [(Z, X, X, 1.5), (Z, X, X, -1.5), (Z, X, X + 2 * Z, 1.5), *beyond]
-    return named + generic + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+    return named + generic + close + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
 
 
 def _range(k, h, p):
