@@ -16,5 +16,5 @@ def right_one_by_one(q):
 
 
 def wrong_sign_itself(q):
-    """unnamed"""
+    """a sample has another label than its own q2 says"""
     return np.sign(q[:, 1])

@@ -48,6 +48,6 @@ def wrong_outside_left_out(xy, low, high, n):
 
 
 def wrong_with_a_tolerance(xy, low, high, n):
-    """unnamed"""
+    """a position outside has a cell"""
     near = np.clip(xy, low, high)
     return right_floor(np.where(abs(xy - near) < 1e-12, near, xy), low, high, n)

@@ -49,5 +49,5 @@ def wrong_one_row_of_nan(xy):
 
 
 def wrong_sorted(xy):
-    """unnamed"""
+    """the angle of the elbow is right, and the first one is not"""
     return np.sort(right_law_of_cosines(xy), axis=1)

@@ -68,5 +68,5 @@ def wrong_down_in_joint_space(q0, T_grasp):
 
 
 def wrong_rows_too_far_apart(q0, T_grasp):
-    """unnamed"""
+    """the rows are too far apart in time"""
     return np.column_stack([0.3 * np.arange(17), planned(q0, T_grasp)[::5, 1:]])

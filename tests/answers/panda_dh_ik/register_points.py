@@ -54,7 +54,7 @@ def wrong_sign_of_the_products_determinant(src, dst, weights):
 
 
 def wrong_Vt_taken_for_V(src, dst, weights):
-    """unnamed"""
+    """T is wrong even without noise"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V.T @ np.diag([1, 1, np.linalg.det(V.T @ Ut)]) @ Ut)
 
 

@@ -76,7 +76,11 @@ EXERCISE = Exercise(
     library=distances,
     properties=(
         no_number(
-            off, "the answer is the distance (m) from each position to the tip at each prediction", distances, _tell
+            off,
+            "the answer is the distance (m) from each position to the tip at each prediction",
+            distances,
+            _tell,
+            Mistake("an error is not |f(q) - xy|", "Where does fk_2r take each of the two predictions, by itself?"),
         ),
         no_number(no_gap, "if a prediction is nan, so is its distance", distances, _tell),
     ),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.decomposition_ik.split_branches import split_branches
 from course_lib.checks.vocabulary import two_link_angles
 
@@ -28,6 +28,10 @@ def _cases(rng):
     return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, single, np.zeros((0, 2)))]
 
 
+_OTHER_LABEL = Mistake(
+    "a sample has another label than its own q2 says", "Which labels are there, and where exactly does 1 begin?"
+)
+
 EXERCISE = Exercise(
     name="branch_by_sign",
     points=1,
@@ -40,11 +44,13 @@ EXERCISE = Exercise(
         Property(
             "samples of one elbow all have the same label: 0 if q2 >= 0, 1 if q2 < 0",
             lambda labels, q: np.array_equal(labels, right(q)),
+            mistake=_OTHER_LABEL,
             where=_one_elbow,
         ),
         Property(
             "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0",
             lambda labels, q: np.array_equal(labels, right(q)),
+            mistake=_OTHER_LABEL,
         ),
     ),
     hints=(

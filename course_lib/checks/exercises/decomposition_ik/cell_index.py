@@ -76,8 +76,8 @@ def cell_index(xy, low, high, n, parts=_parts, to_whole=np.floor, edge=_EDGES[0]
     return np.where(outside(xy, low, high), -1, index).astype(int)
 
 
-def _asked(text, chosen):
-    """The answer is right for the positions that chosen(xy, low, high) returns."""
+def _asked(text, chosen, name, hint):
+    """The answer is right for the positions that chosen(xy, low, high) returns; name, hint: of the mistake if not."""
 
     def wrong(index, xy, low, high, n):
         return np.flatnonzero(chosen(xy, low, high) & (index != cell_index(xy, low, high, n)).any(axis=1))
@@ -89,7 +89,7 @@ def _asked(text, chosen):
             f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Yours is {index[k].tolist()}."
         )
 
-    return Property(text, lambda *case: not wrong(*case).size, says)
+    return Property(text, lambda *case: not wrong(*case).size, says, mistake=Mistake(name, hint))
 
 
 EXERCISE = Exercise(
@@ -103,14 +103,20 @@ EXERCISE = Exercise(
         _asked(
             "each position in the box has the column and row of its cell, counted from 0 at low, with n cells each way",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0] & (xy < high).all(axis=1),
+            "a position has another cell than its own",
+            "Count from 0 at low. How wide is a cell along x, and how wide along y?",
         ),
         _asked(
             "a position on the upper edge of the box belongs to the last cell, n - 1",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0],
+            "a position on an upper edge is not in the last cell along that edge",
+            "Which number does it get before you mend it, and is it mended in x and in y, each by itself?",
         ),
         _asked(
             "a position outside the box is in no cell: its column and row are both -1",
             lambda xy, low, high: _outside(xy, low, high)[:, 0],
+            "a position outside has a cell",
+            "Compare with low and high themselves: what lies beyond them, by however little, is outside.",
         ),
         Property("columns and rows are integers, which can serve as indices", lambda index, *case: index.dtype == int),
     ),

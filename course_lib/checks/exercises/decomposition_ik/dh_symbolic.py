@@ -48,6 +48,11 @@ def dh_symbolic(a, alpha, d, theta):
     return Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
 
 
+_COLUMN = Mistake(
+    "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
+    "Multiply the four matrices on paper: where do a, d and both angles stand, exactly and in radians?",
+)
+
 EXERCISE = Exercise(
     name="dh_symbolic",
     points=1,
@@ -58,10 +63,22 @@ EXERCISE = Exercise(
     library=dh_symbolic,
     properties=(
         LAST_ROW,
-        part_is("the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0]),
-        part_is("the z axis, the third column, is rotated by alpha about x, then by theta about z", _right, COLUMNS[2]),
-        part_is("the y axis, the second column, is the cross product of the z axis and the x axis", _right, COLUMNS[1]),
-        part_is("the origin, the last column, is d up the old z, and then a along the new x", _right, COLUMNS[3]),
+        part_is("the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _COLUMN),
+        part_is(
+            "the z axis, the third column, is rotated by alpha about x, then by theta about z",
+            _right,
+            COLUMNS[2],
+            _COLUMN,
+        ),
+        part_is(
+            "the y axis, the second column, is the cross product of the z axis and the x axis",
+            _right,
+            COLUMNS[1],
+            _COLUMN,
+        ),
+        part_is(
+            "the origin, the last column, is d up the old z, and then a along the new x", _right, COLUMNS[3], _COLUMN
+        ),
     ),
     hints=(
         "Make four SymPy matrices, each 4 x 4: Rot_z(theta), Trans_z(d), Trans_x(a), Rot_x(alpha).",

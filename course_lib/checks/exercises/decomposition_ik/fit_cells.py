@@ -106,9 +106,31 @@ EXERCISE = Exercise(
     library=fit_cells,
     tries_arguments=False,
     properties=(
-        no_number(no_gap, "a cluster with fewer than 3 samples has no model: all 6 numbers are nan", fit_cells, _tell),
-        no_number(lambda a, b: no_gap(b, a), "a cluster with 3 samples or more has a model", fit_cells, _tell),
-        no_number(_far_off, "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples", fit_cells, _tell),
+        no_number(
+            no_gap,
+            "a cluster with fewer than 3 samples has no model: all 6 numbers are nan",
+            fit_cells,
+            _tell,
+            Mistake(
+                "a cluster of too few samples has a model", "Do you count the samples of the cluster, or of the cell?"
+            ),
+        ),
+        no_number(
+            lambda a, b: no_gap(b, a),
+            "a cluster with 3 samples or more has a model",
+            fit_cells,
+            _tell,
+            Mistake(
+                "a cluster with enough samples has no model", "Is each cell, and in it each cluster, asked by itself?"
+            ),
+        ),
+        no_number(
+            _far_off,
+            "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples",
+            fit_cells,
+            _tell,
+            Mistake("a model is not that of its own samples", "What is fitted to what, for which cell and cluster?"),
+        ),
     ),
     errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
     hints=(

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import two_link_tip
 
 
@@ -52,6 +52,11 @@ def _close(answer, q, xy):
     return np.abs(answer - fit_sag(q, xy)).max() < 1e-7
 
 
+_OTHER_FIT = Mistake(
+    "what is fitted is not delta by the two cosines of the angles sent, over all samples",
+    "Print delta: it is small, of either sign. Is it, with each sample, what the text calls delta?",
+)
+
 EXERCISE = Exercise(
     name="fit_sag",
     points=2,
@@ -64,8 +69,11 @@ EXERCISE = Exercise(
             "if all tips are above the base, the two coefficients fit delta with the least squared error",
             _close,
             where=lambda q, xy: not _beyond(q, xy),
+            mistake=_OTHER_FIT,
         ),
-        Property("they also do if the direction to a tip is beyond 180 degrees", _close, where=_beyond),
+        Property(
+            "they also do if the direction to a tip is beyond 180 degrees", _close, where=_beyond, mistake=_OTHER_FIT
+        ),
     ),
     hints=(
         "Which direction has the tip of the rigid arm? np.arctan2 gives the direction that was measured.",

@@ -15,11 +15,11 @@ def _least_squares(terms, wanted):
     return np.linalg.lstsq(terms, wanted, rcond=None)[0]
 
 
-def fit_square(terms, q, target=np.square, extra=lambda q2: q2, solve=_least_squares):
+def fit_square(terms, q, target=np.square, extra=lambda q2: q2):
     """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the terms."""
     terms, q = np.asarray(terms, float), np.asarray(q, float)
-    first = solve(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
-    return np.array([first, [*solve(terms, target(q[:, 1])), 0]])
+    first = _least_squares(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
+    return np.array([first, [*_least_squares(terms, target(q[:, 1])), 0]])
 
 
 def _cases(rng):
@@ -49,6 +49,7 @@ EXERCISE = Exercise(
     returns=numbers(
         lambda terms, q: (2, terms.shape[1] + 1),
         lambda array, terms, q: _ONE_COLUMN_LESS if array.shape == (2, terms.shape[1]) else None,
+        nan=lambda terms, q: Mistake("nan stands in the model", "The last entry of row 1 is 0."),
     ),
     library=fit_square,
     properties=(
@@ -57,7 +58,13 @@ EXERCISE = Exercise(
             "the last entry of row 1 is 0: the square of q2 is fitted by the terms alone",
             lambda model, *case: abs(model[1, -1]) < 1e-12,
         ),
-        Property("row 0, times the terms and q2, fits q1 with the least squares", _row(0)),
+        Property(
+            "row 0, times the terms and q2, fits q1 with the least squares",
+            _row(0),
+            mistake=Mistake(
+                "row 0 is no fit of q1 by the terms and q2 together", "Which columns has A, in which order?"
+            ),
+        ),
     ),
     hints=(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
@@ -77,12 +84,6 @@ def not_the_square(terms, q, target):
 def q1_without_q2(terms, q):
     """q1 has no term in q2. Is q1 alone a smooth function of the position?"""
     return np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]])
-
-
-@EXERCISE.mistake
-def constant_term_lost(terms, q):
-    """the constant term is lost. LinearRegression fits one of its own: where does it keep it, and what of the ones?"""
-    return fit_square(terms, q, solve=lambda A, b: _least_squares(A - A.mean(axis=0), b - b.mean()))
 
 
 @EXERCISE.mistake

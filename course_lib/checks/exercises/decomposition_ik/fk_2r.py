@@ -23,7 +23,17 @@ def _cases(rng):
     drawn = np.round(np.array([[0.4, 0.7], [1.9, -1.2]]) + rng.uniform(-0.2, 0.2, (2, 2)), 2)
     low, high = np.deg2rad([0, -90]), np.deg2rad([170, 90])
     batches = [rng.uniform(low, high, (*batch, 2)) for batch in [(5,), (2,), (2, 3), (2, 0)]]
-    return [(q,) for q in [*map(np.array, named), *drawn, *batches, [quarter, quarter]]]
+    return [
+        (q,)
+        for q in [
+            *map(np.array, named),
+            *drawn,
+            *batches,
+            [quarter, quarter],
+            np.array([1, 2]),
+            np.array([[1, 0], [0, 2]]),
+        ]
+    ]
 
 
 def _first_rows(q):
@@ -54,7 +64,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("q",),
     cases=_cases,
-    returns=numbers(np.shape, _known_form),
+    returns=numbers(np.shape, _known_form, exact=True),
     library=two_link_tip,
     properties=(
         Property(
@@ -66,6 +76,9 @@ EXERCISE = Exercise(
             "the tip is 1 m from the elbow, which is 1 m from the base in the direction q1",
             lambda found, q: np.allclose(np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9),
             says=_tell,
+            mistake=Mistake(
+                "the second link is not 1 m long", "Which angle belongs to its cosine, and which to its sine?"
+            ),
         ),
         Property(
             "the second link bends by q2 from the direction of the first, counter-clockwise",

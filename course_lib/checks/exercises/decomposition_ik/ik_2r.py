@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip
 
 _EDGE, _REACH = 2 - 1e-3, 2 + 1e-9  # from here on a position is near the edge, and out of reach
 _FINE, _ROUGH = 1e-9, 1e-7  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
@@ -14,7 +14,6 @@ _NO_ROWS = Mistake(
     "a position out of reach is given another form",
     "Every answer has the shape (2, 2), so that a table of queries can go on. What stands in it here?",
 )
-_RAISED = Mistake("an error is raised for a position out of reach", "What does the task want to be returned there?")
 _DIVIDED = Mistake("y is divided by x, which may be 0", "Which function takes y and x without dividing them?")
 _NO_COSINE = Mistake(
     "arccos gets a number outside [-1, 1]: out of reach, or by rounding at the edge",
@@ -90,7 +89,7 @@ EXERCISE = Exercise(
     library=ik_2r,
     alike=_alike,
     properties=(
-        Property("each row brings the tip to xy", _reaches(_FINE), _tell_tip, where=_inside),
+        Property("each row brings the tip to xy", _reaches(_FINE), _tell_tip, where=_inside, mistake=other_bend),
         Property(
             "the first row has q2 >= 0, the second q2 <= 0",
             _in_order,
@@ -102,12 +101,14 @@ EXERCISE = Exercise(
             lambda q, xy: _reaches(_ROUGH)(q, xy) and _in_order(q, xy),
             _tell_tip,
             where=_at_edge,
+            mistake=Mistake("the edge is treated too roughly", "Up to which distance is the arm not quite stretched?"),
         ),
         Property(
             "a position out of reach, farther than 2 m from the base, has two rows of NaN",
             lambda q, xy: np.isnan(q).all(),
             lambda q, xy: f"This position is {np.linalg.norm(xy):.6g} m from the base.",
             where=_outside,
+            mistake=Mistake("a position out of reach has an answer", "Which distance is allowed for rounding?"),
         ),
     ),
     hints=(
@@ -122,7 +123,6 @@ EXERCISE = Exercise(
         ("ZeroDivisionError", "", _DIVIDED),
         ("ValueError", "math domain error", _NO_COSINE),
         ("ValueError", "expected a number in range", _NO_COSINE),
-        ("ValueError", "reach", _RAISED),
     ),
 )
 
@@ -142,12 +142,6 @@ def answered_out_of_reach(xy, answer):
 def _with_q1(xy, q1):
     q2 = ik_2r(xy)[:, 1]
     return np.column_stack([q1(q2) + 0 * q2, q2])
-
-
-@EXERCISE.mistake(row=(0, 1))
-def same_q1(xy, row):
-    """q1 is the same for both solutions. Does the first link point to the same side of the tip for both elbows?"""
-    return _with_q1(xy, lambda q2: ik_2r(xy)[row, 0])
 
 
 @EXERCISE.mistake(factor=(1, 0.5, -0.5))

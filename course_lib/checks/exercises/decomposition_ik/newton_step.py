@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
 
 
@@ -41,7 +41,13 @@ EXERCISE = Exercise(
             lambda answer, q, xy: near(answer, q),
             where=lambda q, xy: near(two_link_tip(q), xy),
         ),
-        Property("J times the change of q is p - f(q)", lambda answer, q, xy: near(answer, newton_step(q, xy))),
+        Property(
+            "J times the change of q is p - f(q)",
+            lambda answer, q, xy: near(answer, newton_step(q, xy)),
+            mistake=Mistake(
+                "the step is not J^-1 (p - f(q))", "Differentiate x and y by q1 and q2. Is J inverted as it is?"
+            ),
+        ),
     ),
     hints=(
         "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times the step.",

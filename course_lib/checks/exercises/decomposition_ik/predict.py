@@ -71,8 +71,22 @@ EXERCISE = Exercise(
     returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), _known_form, gaps=True),
     library=predict,
     properties=(
-        no_number(off, "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster", predict, _tell),
-        no_number(no_gap, "if there is no cell or no model, there is no prediction: nan", predict, _tell),
+        no_number(
+            off,
+            "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster",
+            predict,
+            _tell,
+            Mistake(
+                "a prediction is not that of its own model", "models[c, k, j] is of cell c, cluster k and angle j."
+            ),
+        ),
+        no_number(
+            no_gap,
+            "if there is no cell or no model, there is no prediction: nan",
+            predict,
+            _tell,
+            Mistake("a missing model is answered", "What does nan times a number give, and does your code keep it?"),
+        ),
     ),
     hints=(
         "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] >= 0.",

@@ -10,16 +10,19 @@ def with_one(xy):
     return np.column_stack([np.ones(len(xy)), xy])
 
 
-def no_number(is_wrong, text, right, tell):
+def no_number(is_wrong, text, right, tell, mistake=None):
     """Return the Property that no number of an answer is_wrong(numbers, those of right(*case)).
 
-    tell(index, answer, *case) says what is wrong at the first one.
+    tell(index, answer, *case) says what is wrong at the first one; mistake: as of a Property.
     """
 
     def wrong(answer, *case):
         return np.argwhere(is_wrong(answer, right(*case)))
 
-    return Property(text, lambda *case: not wrong(*case).size, lambda *case: tell(wrong(*case)[0], *case))
+    def says(*case):
+        return tell(wrong(*case)[0], *case)
+
+    return Property(text, lambda *case: not wrong(*case).size, says, mistake=mistake)
 
 
 def off(answer, right):

@@ -147,6 +147,9 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, labelled(q)),
             says=_means,
             where=several,
+            mistake=Mistake(
+                "cluster 0 has the smaller mean q2", "Compare the two means with one another, in each cell."
+            ),
         ),
     ),
     errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, panda_jacobian
 from course_lib.checks.vocabulary import away_from_zero, remembered
 
@@ -66,12 +66,17 @@ EXERCISE = Exercise(
             "no joint is faster than `bound`",
             lambda q_dot, J, v, bound, eps: np.abs(q_dot).max() <= bound + 1e-6,
             says=lambda q_dot, J, v, bound, eps: f"Your fastest joint has {np.abs(q_dot).max():.4g}.",
+            mistake=Mistake("a joint is faster than the argument bound", "Where is bound used, and for which joints?"),
         ),
         Property(
             "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
             lambda q_dot, *case: _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-5) + 1e-7,
             says=lambda q_dot, *case: (
                 f"With yours it is {_cost(q_dot, *case):.6g}; {_cost(right(*case), *case):.6g} is possible."
+            ),
+            mistake=Mistake(
+                "other velocities within the bounds are better",
+                "Is each joint bounded by itself, in both directions? Which sum of squares is least, and to the end?",
             ),
         ),
     ),

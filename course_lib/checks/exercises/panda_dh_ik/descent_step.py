@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian, pose_error
 from course_lib.checks.vocabulary import any_pose, away_from_zero, near
 from course_lib.rigid import inverse, log_se3, transform
@@ -54,10 +54,14 @@ EXERCISE = Exercise(
             "if only the position differs, the step leads towards the target, as far as J^T says",
             lambda answer, *case: near(answer, right(*case)),
             where=lambda q, J, T, T_target, step: np.array_equal(T[:3, :3], T_target[:3, :3]),
+            mistake=Mistake("the step is not step J^T e", "How long is it, and which matrix stands before e?"),
         ),
         Property(
             "the error is the one that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
+            mistake=Mistake(
+                "the lower half of the error is not phi", "Which vector takes R to R_target, and how long is it?"
+            ),
         ),
     ),
     hints=(

@@ -89,6 +89,10 @@ EXERCISE = Exercise(
             "with the signs applied to its angles, the table gives the poses that were measured",
             lambda answer, *case: np.array_equal(answer, right(*case)),
             says=_off,
+            mistake=Mistake(
+                "another pattern fits better",
+                "Is each of the 2^n patterns tried as a whole, by dh_standard, in all configurations, by whole poses?",
+            ),
         ),
     ),
     hints=(

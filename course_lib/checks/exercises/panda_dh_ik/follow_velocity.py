@@ -62,6 +62,7 @@ def _cases(rng):
     s = _smallest(q[1])
     return [
         (READY, _OUT, 0.1, 3, 0.02, 0.01),
+        (READY, _OUT, 0.1, 2, 0.0, 0.01),
         (q[0], v[0], 0.05, 4, 0.01, 0.05),
         (_EARLY + 0.05 * rng.uniform(-1, 1, 7), _OUT, 0.1, 8, 0.1, 0.02),
         (q[1], v[1], 0.1, 4, round(2 * s, 3), 0.03),
@@ -75,6 +76,11 @@ def _first_off(path, *case):
     return f"Configuration {k} is the first that differs."
 
 
+_OTHER_STEP = Mistake(
+    "a step is not dt q_dot of the configuration before it",
+    "Print the first step: at which configuration is J, how large is eps, and by which time is q_dot multiplied?",
+)
+
 EXERCISE = Exercise(
     name="follow_velocity",
     points=2,
@@ -87,6 +93,7 @@ EXERCISE = Exercise(
             "away from singularities, s > near, the flange moves with v: q_dot is J^+ v",
             lambda path, *case: np.abs(path - right(*case)).max() < 1e-8,
             _first_off,
+            mistake=_OTHER_STEP,
             where=lambda q, v, dt, n, near, most: min(map(_smallest, right(q, v, dt, n, near, most))) > near,
         ),
         Property(
@@ -94,6 +101,7 @@ EXERCISE = Exercise(
             "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
             lambda path, *case: np.abs(path - right(*case)).max() < 1e-7,
             _first_off,
+            mistake=_OTHER_STEP,
         ),
     ),
     hints=(

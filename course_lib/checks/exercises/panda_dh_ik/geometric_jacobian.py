@@ -59,11 +59,12 @@ def _cases(rng):
     return [(np.array(frames),) for frames in (*simple, *drawn, *map(shared.frames, configurations), drawn[1])]
 
 
-def _half(text, rows):
+def _half(text, rows, name, hint):
     return Property(
         text,
         lambda J, frames: near(J[rows], right(frames)[rows]),
         lambda J, frames: first_off(J[rows], right(frames)[rows], "That half of column"),
+        mistake=Mistake(name, hint),
     )
 
 
@@ -75,10 +76,17 @@ EXERCISE = Exercise(
     returns=numbers(lambda frames: (6, len(frames) - 1), _known_form),
     properties=(
         SAME_TWICE,
-        _half("the lower half of each column is the angular velocity if its joint rotates at 1 rad/s", _BELOW),
+        _half(
+            "the lower half of each column is the angular velocity if its joint rotates at 1 rad/s",
+            _BELOW,
+            "an axis is not that of its joint",
+            "Which column of which frame is the axis of joint i, along the world's axes?",
+        ),
         _half(
             "the upper half of each column is the velocity of the flange's origin if its joint rotates at 1 rad/s",
             _ABOVE,
+            "the velocity is not z x (p - o) of its joint",
+            "From which point to which does p - o lead, for each joint, and how long is the product?",
         ),
     ),
     hints=(
@@ -106,11 +114,11 @@ def other_column(frames, axis):
     return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
 
 
-@EXERCISE.mistake(z=(0, 1), step=(1, -1))
-def another_frame(frames, z, step):
+@EXERCISE.mistake(z=(0, 1), step=(1, -1), base=(np.eye(4), shared.T_W0))
+def another_frame(frames, z, step, base):
     """the origin, or the axis too, is that of the next frame, or of the one before. On which joint's axis does frame i
     lie here?"""
-    others = frames[1:] if step > 0 else np.concatenate([[np.eye(4)], frames[:-2]])
+    others = frames[1:] if step > 0 else np.concatenate([[base], frames[:-2]])
     return _jacobian((frames[:-1], others)[z][:, :3, 2], others[:, :3, 3], frames[-1, :3, 3])
 
 

@@ -75,7 +75,7 @@ def _cases(rng):
         _case(rng, 7, 2, deceives=[_worst_dropped]),
         _case(rng, 8, 3),
     ]
-    drawn += [_case(rng, 5, 0), _case(rng, 9, range(4), "same"), _case(rng, 9, [2, 5, 8], "own")]
+    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same"), _case(rng, 9, [2, 5, 8], "own")]
     few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
     return [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
 
@@ -99,11 +99,16 @@ EXERCISE = Exercise(
             "if all matches are within tol of one pose, all are good",
             lambda good, *case: good.all(),
             where=lambda *case: right(*case).all(),
+            mistake=Mistake("good matches are left out", "Do all n take part, and may a set have three matches only?"),
         ),
         Property(
             "the good matches are the largest set within tol of one triple's pose",
             lambda good, *case: (good == right(*case)).all(),
             says=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
+            mistake=Mistake(
+                "another set is returned than the largest one",
+                "Is every triple tried, are all n distances compared with tol, and is the largest set kept?",
+            ),
         ),
     ),
     hints=(

@@ -84,7 +84,13 @@ EXERCISE = Exercise(
         lambda array, q, J, *rest: _OUTER if array.shape in ((len(q), len(q)), J.T.shape) else None,
     ),
     properties=(
-        Property("the answer is q + J^T (J J^T + eps I)^-1 e", _right, _off, where=lambda q, J, e, eps: e.any()),
+        Property(
+            "the answer is q + J^T (J J^T + eps I)^-1 e",
+            _right,
+            _off,
+            where=lambda q, J, e, eps: e.any(),
+            mistake=Mistake("the step is another one than the damped one", "Does your formula hold for all J and eps?"),
+        ),
         Property("if e is 0, the angles stay as they are", _right, _off),
     ),
     hints=(
@@ -118,7 +124,7 @@ def along_the_gradient(q, J, e, eps, size):
     return q + size(eps) * J.T @ e
 
 
-@EXERCISE.mistake(wide=(True, False))
-def every_entry(q, J, e, eps, wide):
-    """eps is added to every entry of the matrix. Which entries does eps times the unit matrix have?"""
-    return q + (J.T @ np.linalg.pinv(J @ J.T + eps) @ e if wide else np.linalg.pinv(J.T @ J + eps) @ J.T @ e)
+@EXERCISE.mistake
+def undamped(q, J, e, eps):
+    """the step is not damped: it is J^+ e. Where does eps stand in J^T (J J^T + eps I)^-1 e?"""
+    return q + np.linalg.pinv(J) @ e

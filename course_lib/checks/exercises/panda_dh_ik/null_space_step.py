@@ -53,10 +53,17 @@ EXERCISE = Exercise(
             "to first order the end-effector stays: J times the change of q is 0",
             lambda answer, q, J, *rest: near(J @ (answer - q), np.zeros(len(J))),
             says=lambda answer, q, J, *rest: f"Yours moves it at {np.abs(J @ (answer - q)).max():.3g}.",
+            mistake=Mistake(
+                "the step still moves the end-effector",
+                "What is J times I - J^+ J, for any J, and does a factor, or damping, keep it so?",
+            ),
         ),
         Property(
             "of all such changes this one is closest to gain (q_middle - q)",
             lambda answer, *case: near(answer, right(*case)),
+            mistake=Mistake(
+                "the step is not all of gain (I - J^+ J)(q_middle - q)", "Which part or factor is missing?"
+            ),
         ),
     ),
     hints=(
@@ -98,7 +105,7 @@ def towards_zero(q, J, q_middle, gain, direction):
     return q + gain * _projector(J) @ direction(q, q_middle)
 
 
-@EXERCISE.mistake
-def one_for_identity(q, J, q_middle, gain):
-    """1 stands for the identity matrix. What does numpy subtract from in 1 - A?"""
-    return q + gain * (1 - np.linalg.pinv(J) @ J) @ (q_middle - q)
+@EXERCISE.mistake(kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J))
+def no_projection(q, J, q_middle, gain, kept):
+    """the wish q_middle - q is not projected, or its other part is kept. Which part of it does J^+ J hold?"""
+    return q + gain * kept(J) @ (q_middle - q)

@@ -14,13 +14,11 @@ from course_lib.checks.exercises.panda_dh_ik.shared import (
     about_z,
     frames,
     modified,
-    standard,
 )
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, near, products
 
 _FLANGE = about_z(0.0, 0.107)
-_STANDARD = np.column_stack([np.vstack([TABLE[1:, :2], [0, 0]]), TABLE[:, 2]])
 _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
@@ -42,9 +40,9 @@ def _cases(rng):
     return [(q,) for q in (READY, np.zeros(7), bent, *one, *drawn, drawn[0])]
 
 
-def steps(q, table=TABLE, convention=modified, flange=_FLANGE):
-    """Return each frame in the one before, and the flange in the last: (n + 1, 4, 4)."""
-    return np.array([convention(*row, theta) for row, theta in zip(table, q, strict=True)] + [flange])
+def steps(q):
+    """Return each frame in the one before, and the flange in the last: (8, 4, 4)."""
+    return np.array([modified(*row, theta) for row, theta in zip(TABLE, q, strict=True)] + [_FLANGE])
 
 
 def _chain(*steps, base=T_W0):
@@ -77,8 +75,17 @@ EXERCISE = Exercise(
             "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle alone",
             lambda T, q: near(T[0], frames(q)[0]),
             says=_off,
+            mistake=Mistake("frame 1 is not T_w0 T_1", "On which side does T_1 stand, and is your row (a, alpha, d)?"),
         ),
-        Property("the pose of frame i in the world is T_w0 T_1 ... T_i", lambda T, q: near(T, frames(q)), _off),
+        Property(
+            "the pose of frame i in the world is T_w0 T_1 ... T_i",
+            lambda T, q: near(T, frames(q)),
+            _off,
+            mistake=Mistake(
+                "a pose is not the one before it times its own step",
+                "T = T @ dh_modified(...) makes a new array. Which frame is the first that is off, and by which row?",
+            ),
+        ),
     ),
     hints=(
         "Begin with the pose of the base in the world, and multiply by one step for each row of the table.",
@@ -96,22 +103,10 @@ def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
 
 
-@EXERCISE.mistake(base=(T_W0, np.eye(4)))
-def not_accumulated(q, base):
-    """each pose holds its own step only. Relative to what is a row of the table, and relative to what is the answer?"""
-    return base @ steps(q)
-
-
 @EXERCISE.mistake(moved=(np.eye(4), about_z(0, -0.107), about_x(0, 0.107)))
 def flange_misplaced(q, moved):
     """the flange is in the wrong place relative to frame 7. How far is it, and along which axis of which frame?"""
     return np.concatenate([frames(q)[:7], [frames(q)[6] @ moved]])
-
-
-@EXERCISE.mistake(pair=((TABLE, standard), (_STANDARD, modified), (_STANDARD, standard)))
-def conventions_mixed_up(q, pair):
-    """the standard convention, or its table, is used. Which function belongs to modified_table?"""
-    return _chain(*steps(q, *pair))
 
 
 @EXERCISE.mistake
@@ -124,10 +119,3 @@ def flange_above(q):
 def base_for_flange(q):
     """the first pose is the base, and the flange is missing. Which frame is the first of the eight?"""
     return np.concatenate([[T_W0], frames(q)[:7]])
-
-
-@EXERCISE.mistake
-def multiplied_from_the_left(q):
-    """each step is multiplied from the left. On which side stands a motion along the axes that the others have made?"""
-    each = np.swapaxes(steps(q), 1, 2)
-    return T_W0 @ np.swapaxes(products(each)[1:], 1, 2)

@@ -9,6 +9,7 @@ from course_lib.checks.vocabulary import any_pose, first_off, near
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
+_NOT_MOVED = Mistake("the points are not moved by T_wc", "Which two parts of a pose act on a point?")
 _ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
 
 
@@ -24,13 +25,13 @@ def right(pixels, depths, K, T_wc):
 
 
 def _cases(rng):
-    simple, other = ([[f, 0, 320], [0, g, 240], [0, 0, 1.0]] for f, g in ((600.0, 600), (580, 610)))
+    simple, other = [[600.0, 0, 320], [0, 600, 240], [0, 0, 1]], [[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]]
     hangs = transform(rot_x(np.pi), [0.3, 0.1, 1.4])
     three = np.array([[320.0, 240], [380, 240], [320, 180]])
     cases = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
     cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
     for n in (1, 3, 4, 7):
-        pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)))
+        pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)), n % 2)
         cases.append((pixels, np.round(rng.uniform(0.3, 1.5, n), 3), np.array(other), any_pose(rng)))
     return cases
 
@@ -64,14 +65,21 @@ EXERCISE = Exercise(
             lambda points, *case: near(_projected(points, *case), case[0]),
             _off,
             where=lambda pixels, depths, K, T_wc: np.array_equal(T_wc, np.eye(4)),
+            mistake=Mistake("the point in the camera's frame is another one", "Solve u = f_x x / z + c_x for x."),
         ),
         Property(
             "the depth of each point is its z in the camera's frame",
             lambda points, pixels, depths, K, T_wc: near(_in_camera(points, T_wc)[:, 2], depths),
             _off,
+            mistake=_NOT_MOVED,
         ),
         Property(
-            "the camera at T_wc sees each point at its pixel", lambda points, *case: near(points, right(*case)), _off
+            "the camera at T_wc sees each point at its pixel",
+            lambda points, *case: near(points, right(*case)),
+            _off,
+            mistake=Mistake(
+                "K, or a pixel, is not used as it came", "Which numbers of K differ from camera to camera?"
+            ),
         ),
     ),
     hints=(

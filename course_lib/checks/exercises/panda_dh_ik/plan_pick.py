@@ -129,11 +129,15 @@ EXERCISE = Exercise(
         Property(
             "the first row is the time 0 and q0",
             lambda x, q0, T: abs(x[0, 0]) < 1e-9 and np.abs(x[0, 1:] - q0).max() < 1e-6,
+            mistake=Mistake("the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"),
         ),
         Property(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
             lambda x, q0, T: f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}.",
+            mistake=Mistake(
+                "the plan ends elsewhere than at T_grasp", "Which pose of the flange brings the gripper there?"
+            ),
         ),
         Property("all angles are within the limits", lambda x, *case: _inside(x)),
         Property(
@@ -142,7 +146,12 @@ EXERCISE = Exercise(
             _touches,
             points=1,
         ),
-        Property("no joint is too fast", lambda x, *case: shares(x)[0].max() < _BOUND, _too_much(0, "speed")),
+        Property(
+            "no joint is too fast",
+            lambda x, *case: shares(x)[0].max() < _BOUND,
+            _too_much(0, "speed"),
+            mistake=Mistake("a leg is too short in time for its speeds", "What does `timed` make of a leg?"),
+        ),
         Property(
             "no joint accelerates harder than it may, at the start and at the end included: it rests before and after",
             lambda x, *case: shares(x)[1].max() < _BOUND,
@@ -154,7 +163,11 @@ EXERCISE = Exercise(
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
             mistake=Mistake("it is slower than it need be", "By which factor may all times shrink?"),
         ),
-        Property("each row is at most 0.2 s after the one before", lambda x, *case: np.diff(x[:, 0]).max() < 0.201),
+        Property(
+            "each row is at most 0.2 s after the one before",
+            lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
+            mistake=Mistake("the rows are too far apart in time", "How many rows does each leg have?"),
+        ),
         Property("it enters nothing deeper than 1 cm", lambda x, *case: _arrives(x, *case, -0.01), points=1),
     ),
     hints=(

@@ -72,6 +72,7 @@ def _cases(rng):
         _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
         _case(rng, 6, others, 0.05, 35, 1.5),
         (near, READY, 0.01, 15),
+        (PANDA.fk(HIGH[None] + 0.1), HIGH + 0.1, 0.01, 0),
         (halves, READY, 1000.0, 2),
         *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
     ]
@@ -103,6 +104,11 @@ EXERCISE = Exercise(
             lambda found, *case: (found == right(*case)).all(),
             says=lambda found, *case: (
                 f"In yours {int(found.sum())} of {len(found)} are reached; {int(right(*case).sum())} are."
+            ),
+            mistake=Mistake(
+                "the steps, or the test after them, are others than the task's",
+                "Is eps constant, are targets seen from the base, do error and Jacobian fit, and do both halves count? "
+                "With no steps the start is judged as it is.",
             ),
         ),
     ),

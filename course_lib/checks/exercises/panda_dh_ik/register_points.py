@@ -19,7 +19,7 @@ from course_lib.checks.exercises.panda_dh_ik.shared_points import (
     size,
 )
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
-from course_lib.rigid import inverse, transform
+from course_lib.rigid import transform
 from course_lib.rotations import nearest_so, rot_x, rot_z
 
 _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
@@ -110,11 +110,16 @@ EXERCISE = Exercise(
             lambda T, src, dst, weights: near(moved(T, src), dst),
             _off,
             where=_exact,
+            mistake=Mistake(
+                "T is wrong even without noise",
+                "Is dst on the left in the sum of the w_i b_i a_i^T, and by what are the weighted sums divided?",
+            ),
         ),
         Property(
             "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least: a point of weight 0 changes nothing",
             lambda T, *case: close(T, registered(*case)),
             _off,
+            mistake=Mistake("the weights count otherwise", "Does each w_i, itself, stand once in each of the sums?"),
         ),
     ),
     hints=(
@@ -202,9 +207,3 @@ def sign_elsewhere(T, *case):
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]
     return any(_has_block(T, block, *case) for block in blocks)
-
-
-@EXERCISE.mistake
-def from_dst_to_src(*case):
-    """T goes the other way, from dst to src. To what is T applied?"""
-    return inverse(registered(*case))
