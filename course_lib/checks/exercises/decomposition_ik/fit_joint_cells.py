@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off, with_one
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_tip
@@ -33,8 +33,8 @@ def _case(rng, *sizes):
     return q[order], two_link_tip(q[order]), cell[order], len(sizes)
 
 
-def _judged(is_wrong, text):
-    return no_number(is_wrong, text, fit_joint_cells, _tell)
+def _judged(is_wrong, text, name, hint):
+    return no_number(is_wrong, text, fit_joint_cells, _tell, Mistake(name, hint))
 
 
 def _tell(index, models, q, xy, cell, count):
@@ -51,9 +51,24 @@ EXERCISE = Exercise(
     library=fit_joint_cells,
     tries_arguments=False,
     properties=(
-        _judged(no_gap, "a cell with fewer than 3 samples has no model: all 6 numbers are nan"),
-        _judged(lambda a, b: no_gap(b, a), "a cell with 3 samples or more has a model"),
-        _judged(lambda a, b: off(a / 100, b / 100), "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit"),
+        _judged(
+            no_gap,
+            "a cell with fewer than 3 samples has no model: all 6 numbers are nan",
+            "a cell of too few samples has a model",
+            "How many samples of its own has each cell?",
+        ),
+        _judged(
+            lambda a, b: no_gap(b, a),
+            "a cell with 3 samples or more has a model",
+            "a cell with enough samples has no model",
+            "Does your loop go on after a cell without a model?",
+        ),
+        _judged(
+            lambda a, b: off(a / 100, b / 100),
+            "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit",
+            "a model is not that of its own samples",
+            "What is fitted to what, and for which cell?",
+        ),
     ),
     hints=(
         "models = np.full((count, 2, 3), np.nan), and then a loop over the cells, as in fit_cells.",
