@@ -40,8 +40,7 @@ def statements(sources):
 def needed(found, names):
     """Return the Statements that functions of these names need: those that affect what they read.
 
-    A function reads names when it is called, so the search begins before the statement that mentions the function. Of a
-    package that is needed all imports are, because each may load another part of it.
+    A function reads names when it is called, so the search begins before the statement that mentions the function.
     """
     imported = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
     kept, left, seen = set(), [(name, len(found)) for name in [*names, "*"]], set()
@@ -59,15 +58,7 @@ def needed(found, names):
             left += [(read, later) for read in each.reads]
             if name in each.binds and isinstance(each.tree, SIMPLE):
                 break
-    packages = {package for position in kept for package in _packages(found[position].tree)}
-    return [each for i, each in enumerate(found) if i in kept or packages & _packages(each.tree)]
-
-
-def _packages(tree):
-    """Return the packages that a statement imports from."""
-    if isinstance(tree, ast.ImportFrom):
-        return {(tree.module or "").partition(".")[0]}
-    return {alias.name.partition(".")[0] for alias in tree.names} if isinstance(tree, ast.Import) else set()
+    return [found[position] for position in sorted(kept)]
 
 
 # ---- the text of a cell ----
