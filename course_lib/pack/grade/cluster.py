@@ -33,7 +33,6 @@ MOST_ENDED = 3  # workers that ended while they graded a submission, which then 
 PATIENCE = 600  # seconds without a worker that can grade
 LOOK = 1  # seconds between two looks at the workers
 ARRIVES = 30  # seconds that a result may take from its worker
-GIVEN_UP = f"It could not be graded: {MOST_ENDED} workers ended while they graded it."
 
 
 class Order(bytes):
@@ -65,15 +64,15 @@ class Task:
 class Cluster:
     """Grades on the workers of a Dask cluster; its methods are those of Processes in jobs.py.
 
-    address: of the scheduler. hidden, isolation: see Grader. jobs: how many at once; 0 for one for each thread.
+    address: of the scheduler. hidden, isolation: see Grader.
     """
 
-    def __init__(self, address, hidden, isolation, jobs=0):
-        self._address, self._most = address, jobs or float("inf")
+    def __init__(self, address, hidden, isolation):
+        self._address = address
         self._about = {"course": course_hash(), "hidden": hidden, "isolation": isolation}
-        self._workers = None  # {address: number of threads}
+        self._workers = {}  # {address: number of threads}
         self._fit, self._unfit = set(), {}  # {address: why it cannot grade}
-        self._tasks, self._again, self._given_up = {}, [], []  # {key of its future: Task}, to be sent, (path, outcome)
+        self._tasks, self._again = {}, []  # {key of its future: Task}, and Tasks to be sent
         self._answers = queue.SimpleQueue()  # futures
         self._looked, self._last_fit = 0.0, time.monotonic()
         dask.config.set({"distributed.admin.large-graph-warning-threshold": "1 GB"})  # a notebook may have 10 MB
@@ -81,7 +80,7 @@ class Cluster:
             self._client = Client(address, set_as_default=False)
         except (OSError, ValueError) as error:
             raise GradingStopped(f"CLUSTER={address}: the scheduler does not answer: {error}.") from None
-        print(f"The workers of {address} grade.", flush=True)
+        print(f"The workers of {address} grade, also those that join later.", flush=True)
 
     def room(self):
         """Return whether another submission can begin."""
@@ -94,7 +93,7 @@ class Cluster:
 
     def finished(self):
         """Wait for a moment; yield (path, outcome) of submissions that are finished, see outcome() in jobs.py."""
-        self._look()
+        yield from self._look()
         with suppress(queue.Empty):
             future = self._answers.get(timeout=LOOK)
             while True:
@@ -102,8 +101,6 @@ class Cluster:
                     yield from self._answered(task, future)
                 future = self._answers.get_nowait()
         self._send()
-        while self._given_up:
-            yield self._given_up.pop()
 
     def close(self):
         """Leave the cluster; what its workers still do is not used."""
@@ -120,7 +117,7 @@ class Cluster:
         for task in self._tasks.values():
             free[task.worker] = free.get(task.worker, 0) - 1
         best = max(free, key=free.get, default=None)
-        return best if best and free[best] > 0 and len(self._tasks) < self._most else None
+        return best if best and free[best] > 0 else None
 
     def _send(self):
         while self._again and (worker := self._free()):
@@ -134,7 +131,7 @@ class Cluster:
         task.future.add_done_callback(self._answers.put)
 
     def _look(self):
-        """Find workers that joined or ended."""
+        """Find workers that joined or ended; yield (path, outcome) of submissions that are given up."""
         now = time.monotonic()
         if now - self._looked < LOOK:
             return
@@ -143,16 +140,12 @@ class Cluster:
             workers = self._client.nthreads()
         except (OSError, RuntimeError):
             raise self._lost() from None
-        joined = workers.keys() - (self._workers or {}).keys()
-        if not workers and self._workers is None:
-            tqdm.write(f"{self._address} has no workers: waiting for one.")
-        self._workers = workers
-        self._fit &= workers.keys()
-        for worker in joined:
+        for worker in workers.keys() - self._workers.keys():
             self._give(Task(), worker)
+        self._workers, self._fit = workers, self._fit & workers.keys()
         for key, task in list(self._tasks.items()):
             if task.worker not in workers:
-                self._ended(self._tasks.pop(key))
+                yield from self._ended(self._tasks.pop(key))
         if self._fit:
             self._last_fit = now
         elif now - self._last_fit > PATIENCE and workers.keys() <= self._unfit.keys():
@@ -169,9 +162,10 @@ class Cluster:
         try:
             found = json.loads(future.result(timeout=ARRIVES))
         except Exception as error:  # for example, the worker ended before it could pass on what it had found
-            found = None if task.path else {"unfit": f"it has not this course ({type(error).__name__}: {error})."}
+            why = " ".join(f"{type(error).__name__}: {error}".split())
+            found = None if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
         if not found:
-            self._ended(task)
+            yield from self._ended(task)
         elif "unfit" in found:
             self._fit.discard(task.worker)
             self._unfit[task.worker] = found["unfit"]
@@ -183,13 +177,13 @@ class Cluster:
             self._fit.add(task.worker)
 
     def _ended(self, task):
-        """Give the submission of a worker that ended to another one, or give it up."""
+        """Give the submission of a worker that ended to another one, or give it up and yield (path, outcome)."""
         task.ended += 1
         if task.path and task.ended < MOST_ENDED:
             tqdm.write(f"The worker {task.worker} ended: its submission goes to another.")
             self._again.append(task)
         elif task.path:
-            self._given_up.append((task.path, {"failed": GIVEN_UP}))
+            yield task.path, {"failed": f"It could not be graded: {MOST_ENDED} workers ended while they graded it."}
 
     def _lost(self):
         return GradingStopped(f"The connection to {self._address} was lost. {KEPT}")
