@@ -8,7 +8,6 @@ import pytest
 
 from course_lib.pack.grade import collect, zips
 from course_lib.pack.grade.collect import Refused, Submission, file_names, find, printable, read, split
-from course_lib.pack.grade.tables import graded_files, sharing
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 
@@ -19,7 +18,7 @@ def write(folder, *names):
         (folder / name).write_text("{}")
 
 
-def found(folder, platform=None):
+def found(folder, platform=""):
     return [(each.student, each.notebook) for each in find(folder, NOTEBOOKS, platform) if not each.refused]
 
 
@@ -86,29 +85,15 @@ MOODLE = {
 }
 
 
-@pytest.mark.parametrize("exported", [CANVAS, MOODLE], ids=["canvas", "moodle"])
-def test_names_that_learning_platforms_export_are_recognized_by_all_together(exported, tmp_path):
+@pytest.mark.parametrize(("platform", "exported"), [("canvas", CANVAS), ("moodle", MOODLE)])
+def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(platform, exported, tmp_path):
     write(tmp_path, *exported, "roster.csv")
-    seen = [each for each in find(tmp_path, NOTEBOOKS) if each.place != "roster.csv"]
+    seen = [each for each in find(tmp_path, NOTEBOOKS, platform) if each.place != "roster.csv"]
     assert {each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen} == exported
-
-
-@pytest.mark.parametrize("ending", ["/01_rotations.ipynb", "_01_rotations.ipynb"])
-@pytest.mark.parametrize(
-    "names",
-    [
-        ("2026_01_15_alice", "2026_01_15_bob"),
-        ("2026_11_15_alice", "2026_11_16_bob"),
-        ("hw_2026_11_alice", "hw_2026_11_bob"),
-        ("alice_1_2_x", "alice_2_2_x"),
-        ("alice_1234_5678_x", "bob_1234_5679_x"),
-        ("Points Possible", "doejane_1234_5678_x"),
-        ("Bo", "Jane_42_assignsubmission_file_"),
-    ],
-)
-def test_names_that_are_not_all_a_platforms_are_the_students_own(names, ending, tmp_path):
-    write(tmp_path, *(name + ending for name in names))
-    assert found(tmp_path) == [(name, "01_rotations") for name in names]
+    assert collect.platform_of(tmp_path) == platform, "so that the instructor is asked"
+    write(tmp_path, "Bo/01_rotations.ipynb")
+    assert collect.platform_of(tmp_path) == ""
+    assert {each.platform_id for each in find(tmp_path, NOTEBOOKS)} == {""}
 
 
 def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
@@ -117,30 +102,19 @@ def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_
     assert found(tmp_path, "none") == [("bo_1235_98", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
 
 
-def test_places_that_share_a_student_are_named(tmp_path):
-    write(tmp_path, "ada/01_rotations.ipynb", "ada_02_rigid_motion.ipynb", "ada/02_rigid_motion.ipynb")
-    write(
-        tmp_path, "bo_01_rotations.ipynb", "bo_rotations (1).ipynb", "cy_01_rotations.ipynb", "cy_02_rigid_motion.ipynb"
-    )
-    empty = {"problems": [], "exercises": [], "questions": [], "release": ""}
-    files = graded_files([(each, empty | {"notebook": each.notebook}) for each in find(tmp_path, NOTEBOOKS)], {})
-    said = ["ada: ada/, ada_02_rigid_motion.ipynb", "bo: bo_01_rotations.ipynb, bo_rotations (1).ipynb"]
-    assert sharing(files) == said
-
-
 def test_text_typed_into_a_platform_is_no_refusal(tmp_path):
     moodle = "Jane Doe_42_assignsubmission"
     write(tmp_path / "m", f"{moodle}_file/01_rotations.ipynb", f"{moodle}_onlinetext/onlinetext.html")
     write(tmp_path / "c", "doejane_1234_5678_01_rotations.ipynb", "doejane_1234_text.html", "bo_LATE_7_link.html")
-    assert found(tmp_path / "m") == [("Jane Doe", "01_rotations")]
-    assert found(tmp_path / "c") == [("doejane_1234", "01_rotations")]
+    assert found(tmp_path / "m", "moodle") == [("Jane Doe", "01_rotations")]
+    assert found(tmp_path / "c", "canvas") == [("doejane_1234", "01_rotations")]
 
 
 def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
     for number, name in [(1, "01_rotations"), (2, "01_rotations"), (3, "02_rigid_motion")]:
         write(tmp_path, f"Jane Doe_{number}_assignsubmission_file_/{name}.ipynb")
         write(tmp_path, f"Al Bo_{number + 10}_assignsubmission_file_/{name}.ipynb") if number > 1 else None
-    students = sorted(student for student, _ in found(tmp_path))
+    students = sorted(student for student, _ in found(tmp_path, "moodle"))
     assert students == ["Al Bo", "Al Bo", "Jane Doe 1", "Jane Doe 2", "Jane Doe 3"]
 
 

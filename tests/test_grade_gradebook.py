@@ -19,7 +19,6 @@ POINTS = Totals(
     of={"01_rotations": 12, "02_rigid_motion": 15},
     students={"doejane_1234": {"01_rotations": 7.5}, "al": {"01_rotations": 12, "02_rigid_motion": 0}},
     waiting={"doejane_1234": 0, "al": 0},
-    late={("doejane_1234", "01_rotations"): 2 * 86_400, ("al", "01_rotations"): 0, ("al", "02_rigid_motion"): 0},
     user_ids={"doejane_1234": "1234"},
 )
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
@@ -71,19 +70,13 @@ def test_moodle_takes_whatever_identifies_the_user(roster):
     text, *_ = gradebook_text("moodle", POINTS)
     assert rows(text)[0][:3] == ["Username", "ID number", "Email address"]
     assert rows(text)[1] == ["al", "", "", "", "", "12", "0"]
-    names = Totals(POINTS.of, {"Jane Doe": {"01_rotations": 3}, "Al Bö": {}, "Eve": {}}, {}, {}, {})
+    names = Totals(POINTS.of, {"Jane Doe": {"01_rotations": 3}, "Al Bö": {}, "Eve": {}})
     text, missing, _ = gradebook_text("moodle", names, roster(MOODLE))
     assert rows(text)[1:] == [
         ["", "1234", "jane@example.org", "Jane", "Doe", "3", ""],
         ["", "1235", "al@example.org", "Al", "Bö", "", ""],
     ]
     assert missing == ["Eve"]
-
-
-def test_gradescopes_columns_contain_the_maximum_points_and_the_lateness():
-    text, *_ = gradebook_text("gradescope", POINTS)
-    assert rows(text)[0][4:7] == ["01_rotations", "01_rotations - Max Points", "01_rotations - Lateness (H:M:S)"]
-    assert rows(text)[2] == ["", "", "doejane_1234", "", "7.5", "12", "48:00:00", "", "15", ""]
 
 
 def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_them(roster):
@@ -195,6 +188,7 @@ def written(folder, *options):
 
 
 DEADLINE = ("--deadline", "2026-11-30 18:00", "--late", "10%")
+ON_MOODLE = ("--lms", "moodle", *DEADLINE)
 
 
 def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
@@ -208,7 +202,7 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     first = {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()}
     assert "1234,,,,4" in (out / "canvas.csv").read_text()
     assert "late,The learning platform marked it as late." in (out / "grades.csv").read_text()
-    written(tmp_path, "--more", "no")
+    written(tmp_path, "--lms", "canvas", "--more", "no")
     out = written(tmp_path, *("--lms", "canvas", "--roster", str(tmp_path / "roster.csv")),
                   *DEADLINE, "--times", "files")  # fmt: skip
     assert {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()} == first
@@ -231,7 +225,10 @@ def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp
         path = hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2, 2])
         os.utime(path, (4e9, 4e9))
     (tmp_path / "more.csv").write_text("student,notebook,deadline\n1236,01_rotations,2026-12-04\nUma Ab,,2026-12-01\n")
-    out = written(tmp_path, *DEADLINE, "--extensions", str(tmp_path / "more.csv"))
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
+    asked = "The names look as Canvas exports them: add LMS=canvas, or LMS=none if they are the students' own."
+    assert capsys.readouterr().err == f"Grading stopped. {asked}\n"
+    out = written(tmp_path, "--lms", "canvas", *DEADLINE, "--extensions", str(tmp_path / "more.csv"))
     assert totals_in(out) == {"bo_1235": "4", "doejane_1234": "3.6", "eve_1236": "4"}
     said = capsys.readouterr().out
     assert "Marked LATE by the platform: 1, which count as one day late" in said
@@ -252,20 +249,20 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
     """The columns and texts that mod/assign/gradingtable.php writes (col_recordid, col_status, col_timesubmitted)."""
     for name in ("Jane Doe_42", "Al Bö_43", "Eve Ce_44"):
         hand_in(tmp_path / "in", f"{name}_assignsubmission_file/01_rotations.ipynb", points=[2, 2])
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *DEADLINE], grade=grade) == 1
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *ON_MOODLE], grade=grade) == 1
     assert "The zips of Moodle and Canvas carry no times." in capsys.readouterr().err
     (tmp_path / "worksheets").mkdir()
     (tmp_path / "worksheets/1.csv").write_text(WORKSHEET)
-    out = written(tmp_path, *DEADLINE, "--times", str(tmp_path / "worksheets/1.csv"))
+    out = written(tmp_path, *ON_MOODLE, "--times", str(tmp_path / "worksheets/1.csv"))
     assert totals_in(out) == {"Al Bö": "4", "Eve Ce": "4", "Jane Doe": "3.6"}
     said = capsys.readouterr().out
     assert "Late: 1 of 3 notebooks, 1 by up to an hour." in said
     assert "Without a time in TIMES=: 1 notebook, for example of Eve Ce." in said
     (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;2026-11-30 18:05\n")
     more = "--extensions", str(tmp_path / "more.csv")
-    assert totals_in(written(tmp_path, *DEADLINE, *more, "--times", str(tmp_path / "worksheets")))["Jane Doe"] == "4"
+    assert totals_in(written(tmp_path, *ON_MOODLE, *more, "--times", str(tmp_path / "worksheets")))["Jane Doe"] == "4"
     (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;soon\n")
-    assert main([str(tmp_path / "in"), *DEADLINE, *more, "--times", "files"], grade=grade) == 1
+    assert main([str(tmp_path / "in"), *ON_MOODLE, *more, "--times", "files"], grade=grade) == 1
     assert "soon, for Doe, Jane, is not a time" in capsys.readouterr().err
 
 
@@ -275,7 +272,7 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         (("--jobs", "two"), "JOBS=two is not a whole number, 0 or more."),
         (("--seed", "-2"), "SEED=-2 is not a whole number, 0 or more."),
         (("--isolation", "weak"), "ISOLATION=weak is not none, the only choice to make."),
-        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, gradescope, none."),
+        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, none."),
         (("--notebooks", "07"), "NOTEBOOKS=07 is not a list of numbers such as 01,02."),
         (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
         (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),

@@ -25,7 +25,7 @@ from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
-from course_lib.pack.grade.tables import graded_files, grades_text, sharing, totals, totals_text
+from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
 
 MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
 
@@ -57,7 +57,7 @@ def _parser():
     parser.add_argument(
         "--lms",
         default="",
-        help="the platform that exported the files and gets the totals: canvas, moodle, gradescope; or none",
+        help="the platform that exported the files and gets the totals: canvas or moodle; or none",
     )
     parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
     parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
@@ -86,11 +86,16 @@ def _grade(chosen, grade):
         read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
         seed = _seed(output / "seed", chosen.seed)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
-        pool = _cluster(chosen, hidden) if chosen.cluster else _here(chosen, grade or Grader(hidden, chosen.isolation))
+        if chosen.cluster:
+            from course_lib.pack.grade.cluster import Cluster  # which takes a second to load
+
+            pool = Cluster(chosen.cluster, hidden, chosen.isolation)
+        else:
+            pool = _here(chosen, grade or Grader(hidden, chosen.isolation))
         outcomes = grade_all(submissions, output / "results", seed, pool)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
         counting = [submission for submission, result in outcomes if "state" not in result]
-        write_alike(output / "alike.html", counting, chosen.earlier, chosen.lms or None)
+        write_alike(output / "alike.html", counting, chosen.earlier, chosen.lms)
 
 
 def _here(chosen, grade):
@@ -101,13 +106,6 @@ def _here(chosen, grade):
         how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
         print(f"Each submission runs {how}.", flush=True)
     return Processes(grade, chosen.jobs)
-
-
-def _cluster(chosen, hidden):
-    """Return what grades on other machines."""
-    from course_lib.pack.grade.cluster import Cluster  # which takes a second to load
-
-    return Cluster(chosen.cluster, hidden, chosen.isolation, chosen.jobs)
 
 
 def _submissions(chosen):
@@ -123,16 +121,18 @@ def _submissions(chosen):
         raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
     if chosen.isolation not in ("", NONE):
         raise GradingStopped(f"ISOLATION={chosen.isolation} is not none, the only choice to make.")
-    platform = chosen.lms or platform_of(folder)
-    if platform and not chosen.lms:
-        print(f"The names are read as {platform.capitalize()} exports them; LMS=none if they are the students' own.")
-    if chosen.deadline and not chosen.times and platform != "canvas":
+    if not chosen.lms and (platform := platform_of(folder)):
+        raise GradingStopped(
+            f"The names look as {platform.capitalize()} exports them: add LMS={platform}, or LMS=none if they are the "
+            "students' own."
+        )
+    if chosen.deadline and not chosen.times and chosen.lms != "canvas":
         raise GradingStopped(
             "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, or a table, "
             "TIMES=worksheet.csv. The zips of Moodle and Canvas carry no times."
         )
     names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
-    found = find(folder, names, chosen.lms or None)
+    found = find(folder, names, chosen.lms)
     if not found:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
@@ -237,10 +237,7 @@ def _write(output, outcomes, deadline, weight, platform, roster):
 def _summary(output, everything, listed):
     states = Counter(each.result.get("state", "unreadable" if each.unreadable else "graded") for each in everything)
     said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
-    several = sharing(everything)
-    lines = ["One student in several places, of which the better points of each notebook count:"] if several else []
-    lines += _shortened(several, "more students.")
-    lines.append(f"{output / 'grades.csv'}: {said}.")
+    lines = [f"{output / 'grades.csv'}: {said}."]
     troubled = [e for e in everything if e.unreadable or e.result.get("state") == "refused"]
     reasons = [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled]
     lines += _shortened(reasons, "more, with their reasons in the table.")

@@ -74,7 +74,7 @@ def works(submissions, year=""):
     return found
 
 
-def earlier_works(folder, platform=None):
+def earlier_works(folder, platform=""):
     """Return the Works in a folder of an earlier year's submissions, or in one that has such a folder for each year."""
     names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
     years = [path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()] or [folder]
@@ -93,7 +93,7 @@ def _ours():
     return library, given
 
 
-def write_alike(path, submissions, earlier="", platform=None):
+def write_alike(path, submissions, earlier="", platform=""):
     """Write the page, unless it is there for these Submissions and this folder of earlier years.
 
     Lexing what students wrote may take any time, so it is done in a process of its own, within bounds.

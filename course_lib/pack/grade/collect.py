@@ -61,14 +61,13 @@ class Submission:
 # ---- finding ----
 
 
-def find(folder, notebooks, platform=None):
+def find(folder, notebooks, platform=""):
     """Return the Submissions in a folder, in the order of their places.
 
     folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export. notebooks:
-    the course's. platform: which one exported the files; None to look whether all names are as one exports them.
+    the course's. platform: which one exported the files; "" if none did.
     """
     paths = [path for path in sorted(folder.iterdir()) if not _is_clutter(path.name)]
-    platform = platform_of(folder) if platform is None else platform
     found = []
     for path in paths:
         try:
@@ -93,7 +92,7 @@ def find(folder, notebooks, platform=None):
 
 
 def platform_of(folder):
-    """Return the platform that seems to have exported all notebooks, zips and folders in a folder, or ""."""
+    """Return the platform that may have exported all notebooks, zips and folders in a folder, or ""."""
     paths = [path for path in folder.iterdir() if not _is_clutter(path.name)]
     folders = [printable(path.name) for path in paths if os.path.isdir(path)]
     return recognized(folders + [printable(path.stem) for path in paths if path.suffix.lower() in READ], folders)
@@ -165,7 +164,7 @@ def _in_zip(whole, notebooks):
     except Refused as reason:
         return [replace(whole, refused=str(reason))]
     stems = [printable(name.rpartition("/")[2]).removesuffix(".ipynb") for name in names]
-    if not whole.in_folder and len(stems) > 1 and recognized(stems, []):
+    if not whole.in_folder and len({exported_name(stem, recognized(stems)).student for stem in stems}) > 1:
         reason = "It looks like a learning platform's export of a class: unpack it into the folder of submissions."
         return [replace(whole, refused=reason)]
     if not names:

@@ -5,11 +5,8 @@ Rows are matched by ID, SIS User ID or SIS Login ID (instructure/canvas-lms, lib
 check_for_non_student_row, process_student).
 Moodle: any columns, one of which identifies the user: username, ID number or e-mail address
 (docs.moodle.org, "Grade import", CSV import).
-Gradescope imports no totals: the file has the columns of its own export, "<name> - Max Points" and "<name> - Lateness
-(H:M:S)" beside each score, for programs that read those.
 """
 
-import math
 import re
 
 from course_lib.pack.grade import GradingStopped
@@ -18,11 +15,9 @@ from course_lib.pack.grade.csv_text import cell_text, read_table, table_text, wo
 IDENTITY = {
     "canvas": ("Student", "ID", "SIS User ID", "SIS Login ID", "Section"),
     "moodle": ("Username", "ID number", "Email address", "First name", "Last name"),
-    "gradescope": ("First Name", "Last Name", "SID", "Email"),
 }
-NAMES = ("Student", "First name", "Last name", "First Name", "Last Name")  # columns that do not identify a student
+NAMES = ("Student", "First name", "Last name")  # columns that do not identify a student
 KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
-WITHOUT_ROSTER = {"moodle": "Username", "gradescope": "SID"}  # the column of the students' names if there is no roster
 POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words in its first cell for that row
 
 
@@ -88,11 +83,8 @@ def gradebook_text(platform, totals, roster=None):
             missing.append(f"{student} ({len(rows)} lines of the roster fit)" if len(rows) > 1 else student)
         else:
             lines.setdefault(identity, []).append(student)
-    rows = [[*identity, *_points(platform, totals, students)] for identity, students in sorted(lines.items())]
-    columns = [*IDENTITY[platform]]
-    for notebook in totals.of:
-        more = [f"{notebook} - Max Points", f"{notebook} - Lateness (H:M:S)"] if platform == "gradescope" else []
-        columns += [notebook, *more]
+    rows = [[*identity, *_points(totals, students)] for identity, students in sorted(lines.items())]
+    columns = [*IDENTITY[platform], *totals.of]
     if platform == "canvas":
         rows.insert(0, [f"    {POINTS_POSSIBLE}", *[""] * (len(IDENTITY[platform]) - 1), *totals.of.values()])
     shared = [students for students in lines.values() if len(students) > 1]
@@ -112,16 +104,11 @@ def _rows(platform, student, user_id, look):
         return look.find(student, user_id)
     if platform == "canvas":
         return [{"Student": student, "ID": user_id} if user_id else {"Student": student, "SIS Login ID": student}]
-    return [{WITHOUT_ROSTER[platform]: student}]
+    return [{"Username": student}]
 
 
-def _points(platform, totals, students):
+def _points(totals, students):
     """Return the cells after those that identify one student of the platform, who may have several names here."""
-    for notebook, of in totals.of.items():
-        having = [student for student in students if notebook in totals.students[student]]
-        best = max(having, key=lambda student: totals.students[student][notebook], default=None)
-        yield "" if best is None else totals.students[best][notebook]
-        if platform == "gradescope":
-            yield of
-            minutes, seconds = divmod(math.ceil(totals.late.get((best, notebook), 0)), 60)
-            yield "" if best is None else f"{minutes // 60:02}:{minutes % 60:02}:{seconds:02}"
+    for notebook in totals.of:
+        its = [totals.students[student][notebook] for student in students if notebook in totals.students[student]]
+        yield max(its, default="")

@@ -1,7 +1,7 @@
 """Learning platforms: the names of the files that they export.
 
-A pattern that fits one name may be chance (`2026_01_15_alice`), so names are read as a platform's only if the
-instructor says which (LMS=), or if all names fit it and none contradicts another.
+A pattern that fits a name may be chance (`2026_01_15_alice`), so names are read as a platform's only if the instructor
+says which (LMS=). If all names fit one, the instructor is asked.
 """
 
 import re
@@ -58,22 +58,11 @@ def exported_name(stem, platform):
     return Exported()
 
 
-def recognized(stems, folders):
-    """Return the platform whose export all these names are, or "".
+def recognized(stems, folders=()):
+    """Return the platform whose export all these names may be, or "".
 
     stems: the names of all files and folders, without endings. folders: of those, the folders; Canvas exports none.
     """
     if stems and all(map(MOODLE.fullmatch, stems)):
         return "moodle"
-    found = [CANVAS.fullmatch(stem) for stem in stems]
-    if folders or not found or not all(found):
-        return ""
-    # In an export each file has a number of its own and each user one name; no number begins with 0, and names are
-    # letters. Dates at the beginning of names contradict one of these.
-    files = [each["file"] or each["file1"] for each in found]
-    names = {(each["id"] or each["anonymous"]): each["name"] for each in found}
-    pairs = {(each["id"] or each["anonymous"], each["name"]) for each in found}
-    numbers = [*files, *(number for number in names if number.isdigit())]
-    lettered = all(name is None or not any(c.isdigit() for c in name) for name in names.values())
-    plain = lettered and not any(number.startswith("0") for number in numbers)
-    return "canvas" if plain and len(set(files)) == len(files) and len(pairs) == len(names) else ""
+    return "canvas" if stems and not folders and all(map(CANVAS.fullmatch, stems)) else ""

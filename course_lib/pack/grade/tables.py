@@ -152,22 +152,6 @@ def _graded_file(submission, result, rows, deadline, weight):
     return replace(each, answers=tuple(mark_answer(question, each.student, each.notebook, rows) for question in read))
 
 
-def sharing(everything):
-    """Return sentences on students to whom several places lead: folders, or files of one notebook."""
-    places, said = {}, []
-    for each in everything:
-        if each.student:
-            places.setdefault(each.student, {}).setdefault(each.submission.top, []).append(each)
-    for student, tops in places.items():
-        notebooks = [notebook for its in tops.values() for notebook in {each.notebook for each in its}]
-        submissions = (each.submission for its in tops.values() for each in its)
-        # Moodle has a folder for each assignment.
-        in_folder = any(each.in_folder and not each.platform_id for each in submissions)
-        if len(tops) > 1 and (in_folder or len(set(notebooks)) < len(notebooks)):
-            said.append(f"{student}: {', '.join(sorted(tops))}")
-    return said
-
-
 def lateness(each):
     """Return a sentence on how late a file was and how many points it lost, or ""."""
     lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
@@ -212,15 +196,14 @@ class Totals:
     """The points of a class.
 
     of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those of More}. waiting:
-    {student: number of answers still to be read}. late: {(student, notebook): seconds}. user_ids: {student: the number
-    by which the platform's gradebook knows them}.
+    {student: number of answers still to be read}. user_ids: {student: the number by which the platform's gradebook
+    knows them}.
     """
 
     of: dict = field(default_factory=dict)
     students: dict = field(default_factory=dict)
     more: dict = field(default_factory=dict)
     waiting: dict = field(default_factory=dict)
-    late: dict = field(default_factory=dict)
     user_ids: dict = field(default_factory=dict)
 
 
@@ -236,7 +219,6 @@ def totals(everything):
         line[each.notebook] = line.get(each.notebook, 0) + _rounded(each.total)
         found.more[each.student] = found.more.get(each.student, 0) + _rounded(each.of_more)
         of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
-        found.late[each.student, each.notebook] = each.late or 0
         if each.submission.user_id:
             found.user_ids[each.student] = each.submission.user_id
     return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
