@@ -54,8 +54,8 @@ class Judge:
     def depends_on_the_seed(self, mutant):
         """Return whether a mutant that is right in the notebook is wrong for another seed."""
         student = Here(made(mutant, self.name, self.space))
-        in_notebook = review(self.exercise, student).state == RIGHT
-        return in_notebook and any(judge(self.exercise, student, seed).state != RIGHT for seed in SEEDS)
+        wrong = any(judge(self.exercise, student, seed).state != RIGHT for seed in SEEDS)
+        return wrong and review(self.exercise, student).state == RIGHT  # which takes longer
 
     def lives(self, mutant):
         """Return whether the check accepts a mutant. The part that refuses it comes first for the next mutant."""
