@@ -2,7 +2,7 @@ import difflib
 import gc
 import os
 import zipfile
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import nbformat
@@ -38,14 +38,14 @@ def pytest_ignore_collect(collection_path):
     return not (only in name or (name.endswith(".py") and only in collection_path.read_text(encoding="utf-8"))) or None
 
 
-# What takes longest: it goes first, so that the processes that share the files end together.
-LONGEST = ["test_bank.py", "test_site_course.py", "test_grade_hostile.py", "test_mutants.py"]
-LONGEST += ["test_grade_layouts.py", "test_grade_submission.py", "test_site.py", "test_release_runs.py"]
-LONGEST += ["test_grade_jobs.py", "test_toys_page.py", "test_release_nbgrader.py", "test_guide_for_instructors.py"]
-LONGEST += ["test_author_guide.py", "test_site_leaks.py", "05_panda_dh_ik.ipynb"]
-LONGEST += ["test_grade_isolation.py", "test_site_controls.py", "test_notebook_runner.py"]
-LONGEST += ["test_grade_cluster.py", "test_notebooks.py", "test_grade_tests.py", "test_site_answers.py", "test_lab.py"]
-LONGEST += ["test_commands.py"]
+# What takes longest: it goes first, so that the processes that share the files end together. JupyterLab is waited for
+# most of the time, so others work meanwhile; files that need a browser follow each other, for it stays open.
+LONGEST = ["test_lab.py", "test_site_course.py", "test_mutants.py", "test_grade_hostile.py", "test_bank.py"]
+LONGEST += ["test_grade_submission.py", "test_release_runs.py", "05_panda_dh_ik.ipynb", "06_decomposition_ik.ipynb"]
+LONGEST += ["test_toys_page.py", "test_site.py", "test_site_scripts.py", "test_site_controls.py", "test_site_more.py"]
+LONGEST += ["test_site_answers.py", "test_site_living.py", "test_grade_jobs.py", "test_grade_layouts.py"]
+LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_release_nbgrader.py", "test_commands.py"]
+LONGEST += ["test_site_leaks.py", "test_grade_isolation.py", "test_notebook_runner.py", "test_grade_tests.py"]
 
 
 # Thousands of tests are collected and kept: searching for garbage among them would double the time that takes.
@@ -56,6 +56,7 @@ def pytest_collection_finish(session):
     """With ONLY=typo say what there is instead of pytest's "no tests ran"."""
     gc.freeze()
     gc.enable()
+    session.config.in_browser = {item.path for item in session.items if "browser" in getattr(item, "fixturenames", ())}
     only = os.environ.get("ONLY")
     if only and not session.items and not session.testsfailed:
         names = {path.stem for pattern in ("*", "*/*.py") for path in BANK.glob(pattern)}
@@ -89,12 +90,20 @@ def pytest_runtest_protocol(item):
 def pytest_configure(config):
     config.addinivalue_line("markers", "tools(*names): programs that the test needs; it sees no others (tools.py)")
     config.machine = Machine()
+    config.browser, config.to_close = None, ExitStack()
+
+
+def pytest_unconfigure(config):
+    config.to_close.close()
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
     """Before fixtures are made: those of a module see what its first test declares."""
     item.config.machine.show(item)
+    if item.path not in item.config.in_browser:  # while a browser is open, no other event loop can run
+        item.config.to_close.close()
+        item.config.browser = None
 
 
 @pytest.fixture(scope="session")
@@ -180,12 +189,15 @@ def unpacked(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def browser():
-    # Here, for most tests need no browser. One for a module: while it is open, no other event loop can run.
-    from site_visits import open_browser
+def browser(request):
+    """A browser, which stays open for the next module if that needs one, too: to start it takes as long as a page."""
+    config = request.config
+    if config.browser is None or not config.browser.is_connected():
+        from site_visits import open_browser  # here, for most tests need no browser
 
-    with open_browser() as browser:
-        yield browser
+        config.to_close.close()
+        config.browser = config.to_close.enter_context(open_browser())
+    return config.browser
 
 
 def pytest_terminal_summary(terminalreporter):

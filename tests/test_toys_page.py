@@ -66,7 +66,7 @@ once = pytest.mark.parametrize("visit", [LOOKS["desktop"]], ids=["desktop"], ind
 @pytest.fixture(scope="module", params=LOOKS.values(), ids=LOOKS)
 def visit(page, browser, request):
     width, theme = request.param
-    with Visit(browser, None, width=width, theme=theme) as visit:
+    with Visit(browser, None, width=width, theme=theme, java_script_enabled=True) as visit:
         visit.page.add_init_script(KEPT)
         visit.page.set_viewport_size({"width": width, "height": ALL})
         visit.page.goto(page.as_uri())
