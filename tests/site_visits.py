@@ -121,6 +121,15 @@ class Visit:
         return traces
 
 
+# Waits so many milliseconds of the page's own time, after what is begun is drawn; then what follows is drawn, too. A
+# busy machine makes it longer and changes no order: in a page timers end as they are due.
+SETTLED = """async (milliseconds) => {
+  const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  await drawn();
+  await new Promise((done) => setTimeout(done, milliseconds));
+  await drawn();
+}"""
+
 # How far what stood in the window jumped while the page was loaded (CLS).
 SHIFT = """new Promise((done) => new PerformanceObserver((list) => done(list.getEntries().map((e) => e.value)))
   .observe({ type: "layout-shift", buffered: true }) || setTimeout(() => done([]), 500))

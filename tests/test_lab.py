@@ -180,7 +180,7 @@ def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folde
         assert page.closed == []
         choose(page, "Kernel", "Restart Kernel and Run All Cells…")
         page.get_by_role("button", name="Confirm Kernel Restart").click()
-        page.wait_for_timeout(1000)
+        expect(page.locator(".jp-InputPrompt").get_by_text("[*]:").first).to_be_attached()
         assert_all_ran(when_idle(page, path))
         page.closed.clear()  # a restart closes the connection and opens another
         page.wait_for_timeout(max(0, WHOLE - (time.monotonic() - begun)) * 1000)

@@ -12,7 +12,6 @@ from course_lib.arms import panda
 from course_lib.pack.site.living import START
 
 PICTURE = "document.querySelector('.living canvas').toDataURL()"
-COMES_TO_REST = f"() => window.before === (window.before = {PICTURE})"
 
 
 def position(visit):
