@@ -112,9 +112,3 @@ def no_length(*case, length):
 def wrong_axis(*case):
     """the length is taken along another axis. On which axis of the differences are x and y?"""
     return distances(*case, lambda d: np.linalg.norm(d, axis=1))
-
-
-@EXERCISE.mistake
-def zero_for_none(xy, angles):
-    """a missing prediction is taken for angles of 0. Where would the tip be then?"""
-    return distances(xy, np.nan_to_num(angles))

@@ -171,12 +171,6 @@ def each_number_by_itself(*case, edge):
 
 
 @EXERCISE.mistake(edge=_EDGES)
-def one_cell_too_few(*case, edge):
-    """there are n - 1 cells along each side. Between how many lines do n cells lie?"""
-    return cell_index(*case, parts=lambda xy, low, high, n: _parts(xy, low, high, n - 1), edge=edge)
-
-
-@EXERCISE.mistake(edge=_EDGES)
 def rounded(*case, edge):
     """the number is rounded to the nearest. In which cell is a position that is 0.7 widths from low?"""
     return cell_index(*case, to_whole=np.round, edge=edge)

@@ -105,15 +105,3 @@ def second_direction(q, direction):
     q = np.asarray(q, float)
     second = direction(q[..., 0], q[..., 1])
     return _elbow(q) + np.stack([np.cos(second), np.sin(second)], -1)
-
-
-@EXERCISE.mistake(link=(1, 2))
-def a_link_missing(q, link):
-    """one of the two links is missing. Where does the first link end, and how far is the tip from there?"""
-    return _elbow(q) if link == 1 else two_link_tip(q) - _elbow(q)
-
-
-@EXERCISE.mistake
-def reshaped(q):
-    """x and y are stacked along the first axis and then put into rows. Does reshape swap axes, or only cut anew?"""
-    return np.moveaxis(two_link_tip(q), -1, 0).reshape(np.shape(q)) if np.ndim(q) > 1 else None

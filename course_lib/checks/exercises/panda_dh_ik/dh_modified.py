@@ -91,9 +91,3 @@ def other_order(a, alpha, d, theta, order):
 def in_degrees(a, alpha, d, theta, convert):
     """the angles are taken for degrees, or converted to degrees. In which unit do they come?"""
     return modified(a, convert(alpha), d, convert(theta))
-
-
-@EXERCISE.mistake
-def entry_by_entry(a, alpha, d, theta):
-    """two matrices are multiplied entry by entry. In numpy the product of matrices is @."""
-    return about_x(alpha, a) * about_z(theta, d)

@@ -106,12 +106,6 @@ def along_the_ray(pixels, depths, K, T_wc):
     return moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
 
 
-@EXERCISE.mistake
-def without_depth(pixels, depths, K, T_wc):
-    """all points are at depth 1. Where does the depth come in?"""
-    return moved(T_wc, _rays(pixels, K))
-
-
 @EXERCISE.mistake(of=(lambda x: x[:, [1, 0, 2]], lambda x: x * [1, -1, 1], lambda x: x * [-1, -1, 1]))
 def other_axes(pixels, depths, K, T_wc, of):
     """x and y of the camera are swapped, or one points the other way. A pixel (u, v): which of them counts columns, and

@@ -204,9 +204,3 @@ def from_full_speed(q0, T_grasp):
     """
     first, second = legs(q0, T_grasp, _EVEN)
     return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))
-
-
-@EXERCISE.mistake(seen=lambda x, *case: shares(x)[0].max() < _BOUND < shares(x)[1][1:-1].max())
-def accelerations_not_asked(q0, T_grasp):
-    """the speeds are within their bounds, but not the accelerations. If all times double, by how much do they fall?"""
-    return joined(*(timed(leg, lambda *most: max(most[0], 0.9 * most[1] ** 0.5)) for leg in legs(q0, T_grasp)))

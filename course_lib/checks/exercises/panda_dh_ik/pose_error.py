@@ -148,12 +148,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.seen
-def at_pi(e, *case):
-    """pi is taken for a rotation of 0, or its axis is wrong. What is X - X^T at a half turn, and what is the sine?"""
-    return _angle(*case) > np.pi - 1e-3 and near(e[:3], _between(*case)[0])
-
-
 @EXERCISE.mistake(signs=((-1, -1), (-1, 1), (1, -1)))
 def away_from_the_target(T, T_target, signs):
     """the error, or one half of it, leads away from the target. From which pose to which should it lead?"""

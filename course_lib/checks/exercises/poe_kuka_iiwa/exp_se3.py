@@ -6,8 +6,8 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, LAST_ROW, X, Y, Z, first_off, partial_sum, unit
-from course_lib.rigid import exp_se3, hat_se3
+from course_lib.checks.vocabulary import FINE, LAST_ROW, X, Y, Z, first_off, unit
+from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, hat, length
 
 _NO_LENGTH = Mistake(
@@ -170,12 +170,6 @@ def omega_in_place_of_n(twist):
     """[omega] stands in Rodrigues' formula, where [n] belongs. How long is n?"""
     a, N = _axis(twist)
     return np.eye(3) + a * np.sin(a) * N + a * a * _versine(a) * N @ N
-
-
-@EXERCISE.mistake(terms=range(2, 21))
-def series_cut(twist, terms):
-    """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
-    return partial_sum(hat_se3(twist), terms)
 
 
 @EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))

@@ -166,12 +166,6 @@ def counted_from_1(t, q, limits):
 
 
 @EXERCISE.mistake
-def last_bad_row(t, q, limits):
-    """the last bad row is returned. Where does your loop end, and does a later row overwrite an earlier one?"""
-    return max(np.flatnonzero(_bad(t, q, limits)), default=-1)
-
-
-@EXERCISE.mistake
 def row_before(t, q, limits):
     """the row before the fault is named, where time runs backwards. Of which two rows is np.diff(t)[i] made?"""
     return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))

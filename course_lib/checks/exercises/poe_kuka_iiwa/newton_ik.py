@@ -164,12 +164,6 @@ def another_error(screws, M, T_target, q0, error):
     return descent(screws, M, T_target, q0, error)
 
 
-@EXERCISE.mistake(nothing=(lambda q0: q0, lambda q0: np.full(len(q0), np.nan)))
-def no_step(screws, M, T_target, q0, nothing):
-    """no step is made towards the target. Is q another one after a round of your loop?"""
-    return q0 if np.allclose(tool_pose(screws, M, q0), T_target, rtol=0, atol=2e-6) else nothing(q0)
-
-
 @EXERCISE.mistake(
     part_of=([0, 1], [1, 0]), seen=lambda q, *case: _gaps(q, *case).min() < _CLOSE < _gaps(q, *case).max()
 )

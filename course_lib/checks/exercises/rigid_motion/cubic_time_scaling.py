@@ -151,15 +151,3 @@ def other_velocities(t, T, s0, s1, v0, v1, factors):
 def not_divided_by_T(t, T, s0, s1, v0, v1):
     """t is not divided by T. Which u is 1 at the end?"""
     return _cubic(t, s0, s1, v0 * T, v1 * T)
-
-
-@EXERCISE.mistake(
-    coefficients=(
-        *({"second": second} for second in ((3, -1, -2), (3, -1, -1), (3, 2, 1), (3, -2, 1), (3, 2, -1), (-3, -2, -1))),
-        *({"third": third} for third in ((-2, -1, 1), (-2, 1, -1), (-2, -1, -1), (2, 1, 1), (-3, 1, 1))),
-    )
-)
-def another_coefficient(t, T, s0, s1, v0, v1, coefficients):
-    """the coefficient of u^2 or u^3 has a wrong number or sign. Differentiate your polynomial on paper: which of the
-    four conditions does it violate?"""
-    return _cubic(t / T, s0, s1, v0 * T, v1 * T, **coefficients)

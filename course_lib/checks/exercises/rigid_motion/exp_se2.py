@@ -98,12 +98,6 @@ def straight_line(twist, R):
     return _with_position(twist, R(twist) @ twist[1:])
 
 
-@EXERCISE.mistake(across=(_side, lambda omega: omega / 2 * np.sinc(omega / 2) ** 2))
-def sinc(twist, across):
-    """np.sinc is taken for sin(x) / x. What does its documentation say of pi?"""
-    return _arc(twist, np.sinc, across)
-
-
 @EXERCISE.mistake
 def order_of_the_twist(twist):
     """the twist is read as (vx, vy, omega). A twist is (omega, vx, vy): the angular velocity comes first."""

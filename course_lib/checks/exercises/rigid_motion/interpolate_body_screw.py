@@ -139,15 +139,6 @@ def straight_line(start, goal, n, difference):
 add_path_mistakes(EXERCISE, _screw)
 
 
-@EXERCISE.mistake
-def longer_arc(start, goal, n):
-    """the difference of theta is not wrapped, so the body takes the longer arc. log_se2 wraps: between which bounds
-    does its omega lie?"""
-    rows = _screw(start, goal, n, scaling(n))
-    rows[:, 2] = start[2] + scaling(n) * (goal[2] - start[2])
-    return rows
-
-
 @EXERCISE.mistake(
     product=(
         lambda T0, T1, move: T0 @ move(T1 @ inverse(T0)),

@@ -81,13 +81,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(time_of=("step", "duration"))
-def assigned(start, plan, dt, time_of):
-    """the angles are assigned where they should be added. The joints had angles before the step. Where do they
-    enter?"""
-    return _assigned(start, plan, dt, time_of)
-
-
 add_step_mistakes(EXERCISE, _step)
 
 

@@ -107,6 +107,7 @@ SHORTER_ARC = Property(
     _on_the_shorter_arc,
     says=lambda rows, start, goal, n: f"From {start[2]:.4g} that is a rotation by {change(start, goal)[2]:.4g} rad.",
     where=one_arc_is_shorter,
+    mistake=Mistake("the body takes the longer arc", "Between which bounds does the difference of two angles lie?"),
 )
 
 
@@ -195,11 +196,6 @@ def add_step_mistakes(exercise, move):
         """a pair ends too late or too early: its last step is not shortened, or is missing. How much time of its
         duration remains for the last step?"""
         return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(start, plan, dt)
-
-    @exercise.mistake
-    def equally_long(start, plan, dt):
-        """the steps of a pair are equally long. Each is dt long, and the last one takes what is left."""
-        return follow(move, lambda *pair: np.full(n := len(lengths(*pair)), pair[0] / n))(start, plan, dt)
 
     @exercise.mistake
     def start_again(start, plan, dt):

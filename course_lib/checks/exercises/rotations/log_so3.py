@@ -169,10 +169,3 @@ def inaccurate_near_half_turns(R):
     """near 180 degrees the answer is too inaccurate. There sin(a) is small and a rounded angle has a rounded sine;
     and the formula for 180 degrees itself is exact at pi only."""
     return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
-
-
-@EXERCISE.mistake
-def arcsin(R):
-    """the angle is wrong beyond 90 degrees. arcsin gives the same angle for a and pi - a. Which part of R tells them
-    apart?"""
-    return log_so3(R) / (_angle(R) or 1) * min(_angle(R), np.pi - _angle(R))

@@ -52,9 +52,3 @@ def other_order(R_bg, R_cg, R_cm, order):
     """the factors stand in another order. Neighbouring letters must match."""
     links = R_bg, R_cg.T, R_cm
     return links[order[0]] @ links[order[1]] @ links[order[2]]
-
-
-@EXERCISE.mistake(ends=("gm", "bc", "cm", "bg"))
-def chain_too_short(R_bg, R_cg, R_cm, ends):
-    """the chain ends too early: it has to lead from the base to the mug. Which link is missing?"""
-    return {"gm": R_cg.T @ R_cm, "bc": R_bg @ R_cg.T, "cm": R_cm, "bg": R_bg}[ends]

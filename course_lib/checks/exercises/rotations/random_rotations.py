@@ -5,15 +5,11 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rotations.sampling import (
-    ARVO_RANGES,
     DRAWS,
     LIBRARY_SAMPLERS,
     ROTATIONS,
-    arvo,
-    arvo_rotations,
     cases,
     of_many,
-    tied,
     uniform,
     uniform_angle,
     uniform_rotations,
@@ -41,13 +37,6 @@ EXERCISE = Exercise(
 def reflection(n, rng):
     """I - 2 V V^T is used, a reflection. Its determinant is -1. The rotation by 180 degrees about V is its negative."""
     return -random_rotations(n, rng)
-
-
-@EXERCISE.mistake(seen=of_many(lambda R: tied(arvo(R), ARVO_RANGES)))
-def one_draw_for_two(n, rng):
-    """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
-    x, z = rng.random((2, n))
-    return arvo_rotations(2 * np.pi * x, 2 * np.pi * x, z)
 
 
 def _middle_angle_is_uniform(R):

@@ -82,10 +82,3 @@ def another_origin(center, given):
     """a distance or a point is measured from another point than it should be. Which point do joints 1 and 2 leave
     where it is, which one joint 3, and in which direction does each of your differences point?"""
     return _with(center, **given)
-
-
-@EXERCISE.mistake
-def elbow_not_bent(center):
-    """the elbow is not bent when q1 and q2 are computed. Where has joint 3 brought the point that joints 1 and 2
-    rotate?"""
-    return _with(center, part=lambda q3: WRIST - SHOULDER)

@@ -91,10 +91,3 @@ def not_differentiated(q, signs):
     """sine and cosine are not differentiated, or their rows are swapped. Row 1 is the velocity along x: what is the
     derivative of the x coordinate?"""
     return jacobian(q)[::-1] * signs
-
-
-@EXERCISE.mistake(directions=(lambda q: np.cumsum(q) - q, lambda q: np.cumsum(q[::-1])[::-1]))
-def other_directions(q, directions):
-    """the direction of link i is the sum of other angles than q1 to qi. Which entries of q does your sum contain for
-    the first link, and for the last?"""
-    return _of_links(directions(q))

@@ -134,12 +134,6 @@ def add_swings(exercise, solutions, ends):
     ends(*arguments): the axis, the point that rotates, and the direction in which it points in the middle.
     """
 
-    @exercise.mistake
-    def middle_left_out(*case):
-        """the angle in the middle of the two solutions is left out: this is arccos alone. Around which angle do the
-        two solutions lie?"""
-        return two(solutions, *case) - angle_about(*ends(*case))
-
     def by_arctan(k, p, g):
         return np.arctan(np.divide(k @ np.cross(p, g), across(k, p) @ g))
 

@@ -143,6 +143,3 @@ def triangle_not_across(k, p, g, d, lost, across_axis):
     product = np.linalg.norm(a) * np.linalg.norm(b) if across_axis else np.linalg.norm(p) * np.linalg.norm(g)
     aside = np.arccos(np.clip((a @ a + b @ b - d * d + lost(k @ p, k @ g)) / (2 * product), -1, 1))
     return [middle - aside, middle + aside]
-
-
-shared.add_swings(EXERCISE, _solutions, lambda k, p, g, d: (k, p, g))
