@@ -33,7 +33,7 @@ _OTHER_SHAPE = Mistake(
 )
 _RAISED = Mistake("your own line raises this error", "What does the task want to be returned in this case?")
 _NOT_FINITE = Mistake(
-    "something was divided by zero, and the result, nan or infinity, is used further",
+    "something is divided by zero, or the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
 )
 _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
@@ -47,6 +47,7 @@ _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exerc
     ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
+    ("ZeroDivisionError", "", _NOT_FINITE),
     ("ValueError", "matmul|could not be broadcast|must match exactly|same number of dim|at least one array", _SHAPES),
 )
 

@@ -74,11 +74,11 @@ class Naming:
         own = self.exercise.mistakes
         found = next((known for known in own if self._explains(known, failing, everywhere=True)), None)
         found = found or next((known for known in everyday(self) if self._explains_enough(known, failing)), None)
-        if found is None and not self._few_bits():
+        if found is None and not self.few_bits():
             found = next((known for known in own if self._explains(known, failing)), None)
         return found or (self._few_digits(failing) if self._nearly_right(failing) else None)
 
-    def _few_bits(self):
+    def few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
         return all(bool(attempt(lambda bits: np.isin(bits, (-1, 0, 1)).all(), value)) for value in self.values)
 
@@ -181,7 +181,8 @@ def everyday(naming):
     if exercise.library is None or naming.right(0) is None:
         return
     right = naming.right(0)
-    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(right), *_of_other_sign(right), *_folded(right)):
+    folds = () if naming.few_bits() else _folded(right)
+    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(right), *_of_other_sign(right), *folds):
         yield Mistake(name, hint, _Changed(lambda right, *case, change=change: change(right)))
     yield Mistake(*_WHOLE, seen=_cut_off)
     for k, argument in enumerate(exercise.arguments):
@@ -261,7 +262,7 @@ def _folded(right):
             x[index] = fold(x[index])
             return x
 
-        yield f"an angle comes from {name}, which knows it on half of the circle only", _HALF, folded
+        yield name, _HALF, folded
 
 
 def _asked(right, change):
@@ -415,9 +416,9 @@ _OF_THE_ANSWER += tuple(
     (f"the answer is rounded to {k} digits", _FEW_DIGITS, functools.partial(np.round, decimals=k)) for k in range(2, 7)
 )
 _FOLDS = (
-    ("arcsin", lambda x: np.arcsin(np.sin(x))),
-    ("arccos", lambda x: np.arccos(np.cos(x))),
-    ("arctan", lambda x: np.arctan(np.tan(x))),
+    ("an angle comes from arcsin, which knows half of the circle only", lambda x: np.arcsin(np.sin(x))),
+    ("a sign is lost, as that of an angle by arccos", lambda x: np.arccos(np.cos(x))),
+    ("an angle comes from arctan, which knows half of the circle only", lambda x: np.arctan(np.tan(x))),
 )
 
 _OF_A_CHANGE = (  # of an argument, to which the answer adds something

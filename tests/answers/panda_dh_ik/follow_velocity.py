@@ -45,7 +45,7 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
 
 
 def wrong_null_space_of_J_T_J(q, v, dt, n, near, most):
-    """the joints move more than they need to"""
+    """a step is not dt q_dot of the configuration before it"""
     path = [q]
     for _ in range(n):
         J = jacobian(path[-1])

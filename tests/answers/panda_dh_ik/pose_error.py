@@ -44,7 +44,7 @@ def wrong_allclose(T, T_target):
 
 
 def wrong_half_turn_taken_for_none(T, T_target):
-    """pi is taken for a rotation of 0, or its axis is wrong"""
+    """phi does not take R to R_target"""
     e = right_by_log_so3(T, T_target)
     return np.append(e[:3], e[3:] if np.linalg.norm(e[3:]) < 3.1415926 else np.zeros(3))
 

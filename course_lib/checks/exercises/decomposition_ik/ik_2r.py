@@ -158,17 +158,3 @@ def inner_angle(xy, q1):
     q = ik_2r(xy)
     q2 = np.sign(q[:, 1]) * np.pi - q[:, 1]
     return np.column_stack([q1(q, q2), q2])
-
-
-@EXERCISE.mistake(
-    direction=(
-        lambda x, y: np.arctan(y / x),
-        lambda x, y: np.arctan(y / x) if x else 0,
-        lambda x, y: np.arctan2(x, y),
-    ),
-    factor=(1, -1),
-)
-def another_direction(xy, direction, factor):
-    """the direction to the tip is right in some quadrants only. Which of atan(y / x), atan2(x, y) and atan2(y, x) is
-    -pi / 2 for (0, -1), and near pi for (-1, 0)?"""
-    return _with_q1(xy, lambda q2: direction(*xy) - factor * q2 / 2)

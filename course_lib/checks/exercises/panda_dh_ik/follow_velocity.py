@@ -117,16 +117,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.seen
-def moved_in_the_null_space(path, q, v, dt, *rest):
-    """the flange moves with v, but the joints move more than they need to. If eps is 0, which of J J^T and J^T J has an
-    inverse?
-    """
-    jacobians, steps = [panda_jacobian(q) for q in path[:-1]], np.diff(path, axis=0)
-    follows = np.allclose([J @ step for J, step in zip(jacobians, steps, strict=True)], dt * v, rtol=0, atol=1e-4 * dt)
-    return follows and not np.allclose(steps, [np.linalg.pinv(J) @ v * dt for J in jacobians], rtol=0, atol=1e-6)
-
-
 @EXERCISE.mistake(
     eps_of=(
         lambda s, near, most: most,

@@ -4,21 +4,11 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import (
-    HIGH,
-    LOW,
-    READY,
-    T_W0,
-    TABLE,
-    about_x,
-    about_z,
-    frames,
-    modified,
-)
+from course_lib.checks.exercises.panda_dh_ik import shared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, near, products
 
-_FLANGE = about_z(0.0, 0.107)
+_FLANGE = shared.about_z(0.0, 0.107)
 _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
@@ -36,22 +26,22 @@ def _known_form(array, q):
 def _cases(rng):
     bent = np.array([0.4, 0.5, -0.3, -1.6, 0.8, 1.9, 0.6])
     one = [np.where(np.arange(7) == i, np.pi / 2 if i % 2 else 0.5, 0.0) for i in range(7)]
-    drawn = list(np.round(rng.uniform(LOW, HIGH, (4, 7)), 2))
-    return [(q,) for q in (READY, np.zeros(7), bent, *one, *drawn, drawn[0])]
+    drawn = list(np.round(rng.uniform(shared.LOW, shared.HIGH, (4, 7)), 2))
+    return [(q,) for q in (shared.READY, np.zeros(7), bent, *one, *drawn, drawn[0])]
 
 
 def steps(q):
     """Return each frame in the one before, and the flange in the last: (8, 4, 4)."""
-    return np.array([modified(*row, theta) for row, theta in zip(TABLE, q, strict=True)] + [_FLANGE])
+    return np.array([shared.modified(*row, theta) for row, theta in zip(shared.TABLE, q, strict=True)] + [_FLANGE])
 
 
-def _chain(*steps, base=T_W0):
+def _chain(*steps, base=shared.T_W0):
     return np.array(products([base, *steps])[2:])
 
 
 def _off(T, q):
     """Return in words which of your poses is the first that is wrong, and in what."""
-    right = frames(q)
+    right = shared.frames(q)
     k = next(k for k in range(8) if not near(T[k], right[k]))
     if not near(T[k, :3, 3], right[k, :3, 3]):
         wanted, yours, what = right[k, :3, 3], T[k, :3, 3], "is at"
@@ -73,13 +63,13 @@ EXERCISE = Exercise(
         LAST_ROW,
         Property(
             "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle alone",
-            lambda T, q: near(T[0], frames(q)[0]),
+            lambda T, q: near(T[0], shared.frames(q)[0]),
             says=_off,
             mistake=Mistake("frame 1 is not T_w0 T_1", "On which side does T_1 stand, and is your row (a, alpha, d)?"),
         ),
         Property(
             "the pose of frame i in the world is T_w0 T_1 ... T_i",
-            lambda T, q: near(T, frames(q)),
+            lambda T, q: near(T, shared.frames(q)),
             _off,
             mistake=Mistake(
                 "a pose is not the one before it times its own step",
@@ -92,7 +82,7 @@ EXERCISE = Exercise(
         "In the loop: T = T @ dh_modified(a, alpha, d, theta). Append each T to a list.",
         "The flange is T @ rigid.transform(np.eye(3), [0, 0, 0.107]). Return np.array(list), shape (8, 4, 4).",
     ),
-    library=frames,
+    library=shared.frames,
     forbidden=("course_lib.arms.panda", "course_lib.arms.SerialArm"),
 )
 
@@ -103,19 +93,19 @@ def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
 
 
-@EXERCISE.mistake(moved=(np.eye(4), about_z(0, -0.107), about_x(0, 0.107)))
+@EXERCISE.mistake(moved=(np.eye(4), shared.about_z(0, -0.107), shared.about_x(0, 0.107)))
 def flange_misplaced(q, moved):
     """the flange is in the wrong place relative to frame 7. How far is it, and along which axis of which frame?"""
-    return np.concatenate([frames(q)[:7], [frames(q)[6] @ moved]])
+    return np.concatenate([shared.frames(q)[:7], [shared.frames(q)[6] @ moved]])
 
 
 @EXERCISE.mistake
 def flange_above(q):
     """the flange is 0.107 m above frame 7 along the world's z. Along whose z axis does the table move it?"""
-    return np.concatenate([frames(q)[:7], [about_z(0, 0.107) @ frames(q)[6]]])
+    return np.concatenate([shared.frames(q)[:7], [shared.about_z(0, 0.107) @ shared.frames(q)[6]]])
 
 
 @EXERCISE.mistake
 def base_for_flange(q):
     """the first pose is the base, and the flange is missing. Which frame is the first of the eight?"""
-    return np.concatenate([[T_W0], frames(q)[:7]])
+    return np.concatenate([[shared.T_W0], shared.frames(q)[:7]])

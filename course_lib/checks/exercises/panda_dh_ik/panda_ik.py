@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY, T_W0, flange, panda_jacobian
+from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY, T_W0, flange, frames, panda_jacobian
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import remembered
 from course_lib.ik import solve
@@ -220,6 +220,12 @@ def base_forgotten(q, T, q0):
     """
     back = inverse(T_W0)
     return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
+
+
+@EXERCISE.seen
+def flange_forgotten(q, T, q0):
+    """the flange is forgotten: the frame of joint 7 is at T_target. Which of the eight poses is the flange's?"""
+    return bool((_gaps(frames(q)[6], T) < 1e-3).all())
 
 
 @EXERCISE.seen

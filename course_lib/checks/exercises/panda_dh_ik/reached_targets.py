@@ -129,7 +129,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(clip=("", "end"))
 def limits_ignored(*case, clip):
     """the limits are ignored, or applied at the end only. From which configuration does each step start?"""
-    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1)
+    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None
 
 
 @EXERCISE.mistake(

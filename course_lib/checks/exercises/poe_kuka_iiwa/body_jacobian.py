@@ -3,29 +3,22 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
-    arms,
-    columns,
-    exponentials,
-    jacobian,
-    read_jacobian,
-    tool_pose,
-)
+from course_lib.checks.exercises.poe_kuka_iiwa import shared
 from course_lib.checks.vocabulary import SAME_TWICE, first_off, near, part_is, products, remembered
 from course_lib.rigid import adjoint, inverse
 
 
 @remembered
 def _right(screws, M, q):
-    return adjoint(inverse(tool_pose(screws, M, q))) @ jacobian(screws, q)
+    return adjoint(inverse(shared.tool_pose(screws, M, q))) @ shared.jacobian(screws, q)
 
 
 EXERCISE = Exercise(
     name="body_jacobian",
     points=3,
     arguments=("screws", "M", "q"),
-    cases=arms,
-    returns=read_jacobian,
+    cases=shared.arms,
+    returns=shared.read_jacobian,
     library=_right,
     properties=(
         SAME_TWICE,
@@ -63,19 +56,19 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(change=(adjoint, lambda T: np.eye(6)))
 def other_direction(screws, M, q, change):
     """nothing, or Ad(T), stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees."""
-    return change(tool_pose(screws, M, q)) @ jacobian(screws, q)
+    return change(shared.tool_pose(screws, M, q)) @ shared.jacobian(screws, q)
 
 
 @EXERCISE.mistake(pose=(lambda each, M: products(each)[-1], lambda each, M: M @ products(each)[-1], lambda each, M: M))
 def another_pose(screws, M, q, pose):
     """the columns are seen from another frame than the end-effector's at q. Is M in it, and does your loop begin with
     the body screws Ad(M^-1) S_i? Or do you invert a pose: is it that of your forward_kinematics?"""
-    return adjoint(inverse(pose(exponentials(screws, q), M))) @ jacobian(screws, q)
+    return adjoint(inverse(pose(shared.exponentials(screws, q), M))) @ shared.jacobian(screws, q)
 
 
 @EXERCISE.mistake(others=(lambda each, i: each[i + 1 :], lambda each, i: each[:i], lambda each, i: each[i + 2 :][::-1]))
 def other_joints(screws, M, q, others):
     """the exponentials of the body screws are in the wrong order, or of the wrong joints. Which move column i?"""
     B = screws @ adjoint(inverse(M)).T
-    each = exponentials(B, -q)
-    return columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)
+    each = shared.exponentials(B, -q)
+    return shared.columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)

@@ -165,13 +165,6 @@ def tiny_rotations_cut_off(twist, below):
     return np.eye(3) if _NO_ANGLE < _angle(twist) < below else None
 
 
-@EXERCISE.mistake(part=BLOCK)
-def omega_in_place_of_n(twist):
-    """[omega] stands in Rodrigues' formula, where [n] belongs. How long is n?"""
-    a, N = _axis(twist)
-    return np.eye(3) + a * np.sin(a) * N + a * a * _versine(a) * N @ N
-
-
 @EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
 def p_is_v(twist, rotated):
     """p is v, or R v. That is the velocity at the beginning, or at the end, of the motion: what is it on the way?"""

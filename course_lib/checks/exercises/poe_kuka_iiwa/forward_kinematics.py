@@ -4,14 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
-    WHOLE,
-    WHOLE_ANGLES,
-    WHOLE_HOME,
-    arms,
-    exponentials,
-    tool_pose,
-)
+from course_lib.checks.exercises.poe_kuka_iiwa import shared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
 from course_lib.rigid import exp_se3
@@ -26,7 +19,7 @@ def _known_form(array, screws, M, q):
 
 
 def _off(T, *case):
-    right = tool_pose(*case)
+    right = shared.tool_pose(*case)
     if not near(T[:3, 3], right[:3, 3]):
         return f"It is at {format_tuple(right[:3, 3])}; the last column of yours says {format_tuple(T[:3, 3])}."
     return f"Your position is right, but not the orientation. {first_off(T[:3, :3], right[:3, :3])}"
@@ -36,9 +29,9 @@ EXERCISE = Exercise(
     name="forward_kinematics",
     points=2,
     arguments=("screws", "M", "q"),
-    cases=lambda rng: [*arms(rng), (WHOLE, WHOLE_HOME, WHOLE_ANGLES)],
+    cases=lambda rng: [*shared.arms(rng), (shared.WHOLE, shared.WHOLE_HOME, shared.WHOLE_ANGLES)],
     returns=numbers(lambda *case: (4, 4), _known_form),
-    library=tool_pose,
+    library=shared.tool_pose,
     properties=(
         SAME_TWICE,
         Property(
@@ -54,7 +47,7 @@ EXERCISE = Exercise(
         rotation(lambda T: T[:3, :3], "the block R of T is a rotation: R^T R = I and det R = 1"),
         Property(
             "T = exp([S1] q1) exp([S2] q2) ... exp([Sn] qn) M",
-            lambda T, screws, M, q: near(T, tool_pose(screws, M, q)),
+            lambda T, screws, M, q: near(T, shared.tool_pose(screws, M, q)),
             says=_off,
         ),
     ),
@@ -70,19 +63,19 @@ EXERCISE = Exercise(
 @EXERCISE.mistake
 def M_missing(screws, M, q):
     """M is missing. The exponentials move the end-effector away from home: where does its pose at home come in?"""
-    return products(exponentials(screws, q))[-1]
+    return products(shared.exponentials(screws, q))[-1]
 
 
 @EXERCISE.mistake
 def M_on_the_left(screws, M, q):
     """M stands on the left of the exponentials. On which side of M does a motion seen from the base act?"""
-    return M @ products(exponentials(screws, q))[-1]
+    return M @ products(shared.exponentials(screws, q))[-1]
 
 
 @EXERCISE.mistake(times_M=(lambda T, M: T @ M, lambda T, M: M @ T, lambda T, M: T))
 def reverse_order(screws, M, q, times_M):
     """the exponentials are multiplied in the reverse order. Joint 1 moves all the others: which is applied last?"""
-    return times_M(products(exponentials(screws, q)[::-1])[-1], M)
+    return times_M(products(shared.exponentials(screws, q)[::-1])[-1], M)
 
 
 @EXERCISE.mistake
@@ -94,4 +87,4 @@ def twists_added_up(screws, M, q):
 @EXERCISE.mistake(joint=(0, -1))
 def joint_left_out(screws, M, q, joint):
     """the first or the last joint is left out. How many exponentials does your loop multiply?"""
-    return products(np.delete(exponentials(screws, q), joint, axis=0))[-1] @ M
+    return products(np.delete(shared.exponentials(screws, q), joint, axis=0))[-1] @ M

@@ -4,16 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import (
-    KUKA,
-    KUKA_HOME,
-    TWO,
-    at,
-    axes,
-    drawn_axes,
-    jacobian,
-    tool_pose,
-)
+from course_lib.checks.exercises.poe_kuka_iiwa import shared
 from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
 from course_lib.rigid import adjoint, inverse
 
@@ -23,15 +14,21 @@ _WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each join
 
 def _cases(rng):
     # Axes along -y, links along x.
-    upright = np.hstack([TWO[:, [0, 2, 1]] * [1, -1, 1], TWO[:, [3, 5, 4]] * [1, 1, -1]])
-    arm = (KUKA, KUKA_HOME)
+    upright = np.hstack([shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]])
+    arm = (shared.KUKA, shared.KUKA_HOME)
     drawn = [
-        (axes(*drawn_axes(rng, n)), any_pose(rng), away_from_zero(rng, n), rng.uniform(1, 5), away_from_zero(rng, 3))
+        (
+            shared.axes(*shared.drawn_axes(rng, n)),
+            any_pose(rng),
+            away_from_zero(rng, n),
+            rng.uniform(1, 5),
+            away_from_zero(rng, 3),
+        )
         for n in (2, 4, 5, 7)
     ]
     return [
-        (upright, at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
-        (upright, at(2, 0, 0), np.array([0.4, 0.5]), 2.0, np.array([0.1, 0, 0])),
+        (upright, shared.at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
+        (upright, shared.at(2, 0, 0), np.array([0.4, 0.5]), 2.0, np.array([0.1, 0, 0])),
         (*arm, np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2]), 10.0, np.array([0.02, -0.05, 0.1])),
         *drawn,
         (*arm, np.zeros(7), 10.0, np.array([0.1, 0.2, 0.05])),
@@ -40,12 +37,12 @@ def _cases(rng):
 
 def _weight(screws, M, q, mass, center):
     """Return the wrench of the load's weight, as the base sees it."""
-    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
     return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
 
 
 def _right(screws, M, q, mass, center):
-    return -jacobian(screws, q).T @ _weight(screws, M, q, mass, center)
+    return -shared.jacobian(screws, q).T @ _weight(screws, M, q, mass, center)
 
 
 EXERCISE = Exercise(
@@ -82,8 +79,8 @@ EXERCISE = Exercise(
 
 def _by(screws, M, q, mass, center, wrench):
     """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T, f)."""
-    T, f = tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-    return -jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
+    T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return -shared.jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
 
 
 @EXERCISE.mistake(origin=(0, 1))
@@ -101,8 +98,8 @@ def weight_along_the_tool(screws, M, q, mass, center):
 @EXERCISE.mistake(body_jacobian=(True, False))
 def two_frames(screws, M, q, mass, center, body_jacobian):
     """the Jacobian and the wrench belong to two frames. From which frame is each of yours seen?"""
-    back, F = adjoint(inverse(tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
-    J = jacobian(screws, q)
+    back, F = adjoint(inverse(shared.tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
+    J = shared.jacobian(screws, q)
     return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
 
 

@@ -53,19 +53,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(
-    poses=(
-        lambda each: [np.eye(4), *products(each)[:-2]],
-        lambda each: [np.eye(4), *each[:-1]],
-        lambda each: [products(each)[-1]] * len(each),
-    )
-)
-def moved_by_other_joints(screws, q, poses):
-    """columns are moved by other joints than all those before them. Which joints' exponentials are in T when you note
-    column 3, and which should be?"""
-    return columns(adjoint(poses(exponentials(screws, q))), screws)
-
-
 @EXERCISE.mistake(own=(0, 1))
 def reverse_order(screws, q, own):
     """the exponentials are multiplied in the reverse order. Joint 1 moves all the others: on which side is its?"""

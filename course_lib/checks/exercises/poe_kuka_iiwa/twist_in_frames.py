@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import WHOLE_HOME, at, in_blocks
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import WHOLE_HOME, at
 from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, part_is
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
@@ -95,19 +95,3 @@ def hybrid_rotated(V_s, T, powers, moved):
 def other_direction(V_s, T):
     """Ad(T) stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees: and you?"""
     return adjoint(T) @ V_s
-
-
-@EXERCISE.mistake(
-    part=BODY,
-    form=(
-        lambda R, P, zero: [[R.T, zero], [P @ R, R]],
-        lambda R, P, zero: [[R, zero], [R @ P, R]],
-        lambda R, P, zero: [[R, zero], [-P @ R, R]],
-        lambda R, P, zero: [[R, zero], [zero, R]],
-        lambda R, P, zero: [[R, zero], [P, R]],
-        lambda R, P, zero: [[R, zero], [R.T @ P @ R @ R, R]],
-    ),
-)
-def wrong_adjoint(V_s, T, form):
-    """a block of the adjoint, or of what stands for it, is wrong. Does your adjoint, or inverse, pass its check?"""
-    return in_blocks(inverse(T), form) @ V_s

@@ -75,10 +75,9 @@ def _is_cubic(s, t, T, *ends):
     return np.abs(np.polynomial.polynomial.polyval(t / T, a) - s).max() <= 1e3 * _size(T, *ends)
 
 
-def _cubic(u, s0, s1, d0, d1, second=(3, -2, -1), third=(-2, 1, 1)):
-    """The cubic of any u; second, third: how s1 - s0, d0 and d1 are weighed in the coefficients of u^2 and u^3."""
-    weighed = np.array([s1 - s0, d0, d1])
-    return s0 + d0 * u + (weighed @ second) * u**2 + (weighed @ third) * u**3
+def _cubic(u, s0, s1, d0, d1):
+    """The cubic of any u, with the derivatives d0 and d1 by u at 0 and 1."""
+    return s0 + d0 * u + (3 * (s1 - s0) - 2 * d0 - d1) * u**2 + (d0 + d1 - 2 * (s1 - s0)) * u**3
 
 
 _OTHER_VELOCITY = Mistake(

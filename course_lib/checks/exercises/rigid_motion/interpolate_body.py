@@ -3,19 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.rigid_motion.shared import (
-    ENDS,
-    REVOLUTION,
-    SHORTER_ARC,
-    add_path_mistakes,
-    on_a_line,
-    one_arc_is_shorter,
-    read_path,
-    same_path,
-    scaling,
-    straight,
-    timed,
-)
+from course_lib.checks.exercises.rigid_motion import shared
 from course_lib.checks.exercises.rigid_motion.shared import change as right_change
 from course_lib.planar import interpolate_body, wrap_angle
 
@@ -47,8 +35,8 @@ def rotating_cases(rng):
         (np.array([-7.0, -5.0, -2.6]), np.array([6.0, 5.0, 2.2]), 6),
     ]
     beyond = np.round(rng.uniform(1.7, 3.0, 4) * [1, -1, -1, 1], 2)
-    directions = [*beyond.reshape(2, 2), (0.3, 1.2 + 2 * REVOLUTION), (-0.5, -1.8 - 3 * REVOLUTION)]
-    directions += [(4.0, 5.2 - REVOLUTION), (4.0, 5.0), (9.4, 8.5), (0.2, 3.341), (0.2, 3.342)]
+    directions = [*beyond.reshape(2, 2), (0.3, 1.2 + 2 * shared.REVOLUTION), (-0.5, -1.8 - 3 * shared.REVOLUTION)]
+    directions += [(4.0, 5.2 - shared.REVOLUTION), (4.0, 5.0), (9.4, 8.5), (0.2, 3.341), (0.2, 3.342)]
     directions += [(0.0, np.pi), (np.pi / 2, -np.pi / 2), (0.7, 0.7 + np.pi)]
     drawn = [between(rng, *pair, 5) for pair in directions]
     return [*named, *drawn, ([2, -1, 3], [-2, 1, -3], 5), between(rng, 2.0, -2.0, 21)]
@@ -59,12 +47,14 @@ EXERCISE = Exercise(
     points=2,
     arguments=("start", "goal", "n"),
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
-    returns=read_path,
+    returns=shared.read_path,
     properties=(
-        *ENDS,
-        Property("x and y stay on the straight line from start to goal", on_a_line, where=one_arc_is_shorter),
-        SHORTER_ARC,
-        *timed(lambda start, goal, s, angle: straight(start, [*right_change(start, goal)[:2], angle], s)),
+        *shared.ENDS,
+        Property(
+            "x and y stay on the straight line from start to goal", shared.on_a_line, where=shared.one_arc_is_shorter
+        ),
+        shared.SHORTER_ARC,
+        *shared.timed(lambda start, goal, s, angle: shared.straight(start, [*right_change(start, goal)[:2], angle], s)),
     ),
     library=interpolate_body,
     hints=(
@@ -72,29 +62,33 @@ EXERCISE = Exercise(
         "The change is goal - start, of arrays (np.array(start, float)); its third entry, that of theta, is wrapped.",
         "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
-    alike=same_path,
+    alike=shared.same_path,
     forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
 )
 
 
 def _path(start, goal, n, s=None, change=None):
     change = right_change(start, goal) if change is None else change
-    return straight(start, change, scaling(n) if s is None else s) if one_arc_is_shorter(start, goal, n) else None
+    return (
+        shared.straight(start, change, shared.scaling(n) if s is None else s)
+        if shared.one_arc_is_shorter(start, goal, n)
+        else None
+    )
 
 
 def _angle_changes(start, goal, n, angle):
     return _path(start, goal, n, change=[*right_change(start, goal)[:2], angle])
 
 
-add_path_mistakes(EXERCISE, _path)
+shared.add_path_mistakes(EXERCISE, _path)
 
 
 @EXERCISE.mistake(
     difference=(
         lambda a, b: b - a,
-        lambda a, b: (b - a) % REVOLUTION,
+        lambda a, b: (b - a) % shared.REVOLUTION,
         lambda a, b: wrap_angle(b) - wrap_angle(a),
-        lambda a, b: b - a - REVOLUTION * (b - a > np.pi) + REVOLUTION * (b - a < -np.pi),
+        lambda a, b: b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi),
     )
 )
 def not_wrapped(start, goal, n, difference):

@@ -3,22 +3,8 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercises.rigid_motion import shared
 from course_lib.checks.exercises.rigid_motion.interpolate_body import between, plain_cases, rotating_cases
-from course_lib.checks.exercises.rigid_motion.shared import (
-    ENDS,
-    SHORTER_ARC,
-    add_path_mistakes,
-    change,
-    deviation,
-    on_a_line,
-    one_arc_is_shorter,
-    read_path,
-    same_path,
-    scaling,
-    size,
-    straight,
-    timed,
-)
 from course_lib.planar import interpolate_body_screw, pose_matrix
 from course_lib.rigid import exp_se2, inverse, log_se2
 
@@ -40,12 +26,12 @@ def by_screw(start, goal, s, angle):
 
 
 def _angle(start, goal):
-    return abs(change(start, goal)[2])
+    return abs(shared.change(start, goal)[2])
 
 
 def _rotates(start, goal, n):
     """Return whether there is a rotation that is not tiny."""
-    return _angle(start, goal) >= SMALL and one_arc_is_shorter(start, goal, n)
+    return _angle(start, goal) >= SMALL and shared.one_arc_is_shorter(start, goal, n)
 
 
 def _pole(start, goal):
@@ -68,19 +54,19 @@ def _seen_from_the_pole(rows, start, goal, n):
 def _fits(rows, path, start, goal):
     """Return whether the rows are right; with a tiny angle, to the digits that formulas with the pole leave."""
     fine = 1e-9 if _angle(start, goal) >= SMALL else 1e-7
-    return deviation(rows, path) <= fine * size(start, goal)
+    return shared.deviation(rows, path) <= fine * shared.size(start, goal)
 
 
 def _rows(T, *case):
     rows = np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
-    return rows if one_arc_is_shorter(*case) else None
+    return rows if shared.one_arc_is_shorter(*case) else None
 
 
 def _by_matrices(start, goal, n, product):
     """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s."""
 
     def move(T):
-        return exp_se2(np.multiply.outer(scaling(n), log_se2(T)))
+        return exp_se2(np.multiply.outer(shared.scaling(n), log_se2(T)))
 
     return _rows(product(pose_matrix(start), pose_matrix(goal), move), start, goal, n)
 
@@ -90,25 +76,25 @@ EXERCISE = Exercise(
     points=2,
     arguments=("start", "goal", "n"),
     cases=_cases,
-    returns=read_path,
+    returns=shared.read_path,
     properties=(
-        *ENDS,
-        SHORTER_ARC,
+        *shared.ENDS,
+        shared.SHORTER_ARC,
         Property(
             "without rotation, x and y stay on the straight line from start to goal",
-            on_a_line,
+            shared.on_a_line,
             where=lambda start, goal, n: _angle(start, goal) == 0,
         ),
         Property(
             "the body rotates about one point, the pole, and stays at the same distance from it",
             lambda rows, start, goal, n: (
-                np.ptp(_distances(rows, start, goal)) <= 1e-9 * size(start, goal) / _angle(start, goal)
+                np.ptp(_distances(rows, start, goal)) <= 1e-9 * shared.size(start, goal) / _angle(start, goal)
             ),
             says=_seen_from_the_pole,
             where=_rotates,
             mistake=Mistake("the path is no arc about one point", "Which function moves along an arc, not a line?"),
         ),
-        *timed(by_screw, _fits),
+        *shared.timed(by_screw, _fits),
     ),
     library=interpolate_body_screw,
     hints=(
@@ -117,26 +103,30 @@ EXERCISE = Exercise(
         "T = T0 @ rigid.exp_se2(s * twist) for each s = 3 u^2 - 2 u^3; x and y are T[0, 2] and T[1, 2].",
         "theta is start[2] + s * twist[0], or np.arctan2(T[1, 0], T[0, 0]).",
     ),
-    alike=same_path,
+    alike=shared.same_path,
     forbidden=("course_lib.planar.interpolate_body_screw",),
 )
 
 
 def _screw(start, goal, n, s):
     """The path by one rotation, as far as its direction is known."""
-    return by_screw(start, goal, s, change(start, goal)[2]) if one_arc_is_shorter(start, goal, n) else None
+    return (
+        by_screw(start, goal, s, shared.change(start, goal)[2]) if shared.one_arc_is_shorter(start, goal, n) else None
+    )
 
 
-@EXERCISE.mistake(difference=(change, np.subtract))
+@EXERCISE.mistake(difference=(shared.change, np.subtract))
 def straight_line(start, goal, n, difference):
     """x, y and theta are interpolated each by itself: a straight line. Here the velocity is constant in the body's
     frame. Which function has an arc for that?"""
-    if not one_arc_is_shorter(start, goal, n):
+    if not shared.one_arc_is_shorter(start, goal, n):
         return None
-    return straight(start, difference(start, goal) if difference is change else np.subtract(goal, start), scaling(n))
+    return shared.straight(
+        start, difference(start, goal) if difference is shared.change else np.subtract(goal, start), shared.scaling(n)
+    )
 
 
-add_path_mistakes(EXERCISE, _screw)
+shared.add_path_mistakes(EXERCISE, _screw)
 
 
 @EXERCISE.mistake(

@@ -4,15 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercises.rigid_motion import shared
 from course_lib.checks.exercises.rigid_motion.propagate_body import drawn_case
-from course_lib.checks.exercises.rigid_motion.shared import (
-    add_step_mistakes,
-    each_step,
-    follow,
-    form,
-    lengths,
-    same_rows,
-)
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -49,7 +42,7 @@ def _assigned(start, plan, dt, time_of="elapsed"):
     """The angle is the velocity times a time, and is not added to what was: as the broken code has it."""
     angles = [np.array(start, float)]
     for velocity, duration in plan:
-        for elapsed, h in zip(np.cumsum(found := lengths(duration, dt)), found, strict=True):
+        for elapsed, h in zip(np.cumsum(found := shared.lengths(duration, dt)), found, strict=True):
             time = {"elapsed": elapsed, "step": h, "duration": duration}[time_of]
             angles.append(np.array(velocity, float) * time)
     return np.array(angles)
@@ -62,12 +55,14 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case),
     properties=(
-        *form(ARM),
-        each_step("in each step each joint angle grows by its velocity times the length of the step", _step, ARM),
+        *shared.form(ARM),
+        shared.each_step(
+            "in each step each joint angle grows by its velocity times the length of the step", _step, ARM
+        ),
     ),
     library=propagate_arm,
     broken=_assigned,
-    alike=same_rows(ARM),
+    alike=shared.same_rows(ARM),
     hints=(
         "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle jump?",
         "An angle after a step is the angle before it, plus velocity times the length of the step.",
@@ -81,10 +76,10 @@ EXERCISE = Exercise(
 )
 
 
-add_step_mistakes(EXERCISE, _step)
+shared.add_step_mistakes(EXERCISE, _step)
 
 
 @EXERCISE.mistake
 def elapsed_twice(start, plan, dt):
     """the time since the pair began is counted from the row before. Which time belongs to the row before?"""
-    return follow(_step, lambda duration, dt: np.cumsum(lengths(duration, dt)))(start, plan, dt)
+    return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(start, plan, dt)

@@ -4,17 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.exercises.rigid_motion.shared import (
-    BODY,
-    MATRICES,
-    STEP_LENGTHS,
-    add_step_mistakes,
-    each_step,
-    follow,
-    form,
-    rotated,
-    same_rows,
-)
+from course_lib.checks.exercises.rigid_motion import shared
 from course_lib.planar import propagate_body
 
 ORIGIN = (0.0, 0.0, 0.0)
@@ -22,7 +12,7 @@ AHEAD, LEFT, SPIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 
 def _matrices(array, *case):
-    return MATRICES if array.ndim == 3 and array.shape[1:] == (3, 3) else None
+    return shared.MATRICES if array.ndim == 3 and array.shape[1:] == (3, 3) else None
 
 
 def read_poses(value, *case):
@@ -74,8 +64,11 @@ def body_cases(rng):
     return [*simple, *sums, *several, *(drawn_case(rng) for _ in range(4))]
 
 
-THETA = each_step(
-    "theta grows by omega times the length of the step", lambda pose, velocity, h: pose + velocity * h, BODY, part=[2]
+THETA = shared.each_step(
+    "theta grows by omega times the length of the step",
+    lambda pose, velocity, h: pose + velocity * h,
+    shared.BODY,
+    part=[2],
 )
 
 
@@ -84,7 +77,7 @@ def move_by(direction):
 
     def move(pose, velocity, h):
         theta, omega = pose[2], velocity[2]
-        translation = rotated(direction(theta, omega, h), velocity[:2]) * h
+        translation = shared.rotated(direction(theta, omega, h), velocity[:2]) * h
         return np.array([*(pose[:2] + translation), theta + omega * h])
 
     return move
@@ -100,10 +93,12 @@ EXERCISE = Exercise(
     cases=body_cases,
     returns=read_poses,
     properties=(
-        *form(BODY),
-        STEP_LENGTHS,
+        *shared.form(shared.BODY),
+        shared.STEP_LENGTHS,
         THETA,
-        each_step("the translation in each step is R(theta) (vx, vy) h, with theta at its beginning", euler, BODY),
+        shared.each_step(
+            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning", euler, shared.BODY
+        ),
     ),
     library=propagate_body,
     hints=(
@@ -112,14 +107,14 @@ EXERCISE = Exercise(
         "x grows by (cos(theta) vx - sin(theta) vy) h, y by (sin(theta) vx + cos(theta) vy) h, and only then theta by "
         "omega h.",
     ),
-    alike=same_rows(BODY),
+    alike=shared.same_rows(shared.BODY),
     forbidden=("course_lib.planar.propagate_body",),
 )
 
 
 def _moved(case, direction):
     """Euler's method along another direction."""
-    return follow(move_by(direction))(*case)
+    return shared.follow(move_by(direction))(*case)
 
 
 @EXERCISE.mistake(share=(1, 0.5))
@@ -139,7 +134,7 @@ def axes_of_the_world(start, plan, dt):
 @EXERCISE.mistake(factor=(0, -1))
 def no_sideways(start, plan, dt, factor):
     """vy is left out, or counted to the right. Where does a body go that moves only to its left?"""
-    return follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(start, plan, dt)
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(start, plan, dt)
 
 
 @EXERCISE.mistake
@@ -158,7 +153,7 @@ def theta_kept(start, plan, dt):
 @EXERCISE.mistake
 def order_of_the_twist(start, plan, dt):
     """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
-    return follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(start, plan, dt)
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(start, plan, dt)
 
 
-add_step_mistakes(EXERCISE, euler)
+shared.add_step_mistakes(EXERCISE, euler)

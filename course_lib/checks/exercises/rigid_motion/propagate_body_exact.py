@@ -3,26 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.exercises.rigid_motion.propagate_body import (
-    ORIGIN,
-    THETA,
-    body_cases,
-    drawn_case,
-    move_by,
-    read_poses,
-)
-from course_lib.checks.exercises.rigid_motion.shared import (
-    BODY,
-    FINE,
-    STEP_LENGTHS,
-    add_step_mistakes,
-    each_step,
-    follow,
-    form,
-    goes_straight,
-    near,
-    same_rows,
-)
+from course_lib.checks.exercises.rigid_motion import propagate_body, shared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.planar import pose_matrix, propagate_body_exact
 from course_lib.rigid import exp_se2
@@ -30,15 +11,15 @@ from course_lib.rigid import exp_se2
 
 def _cases(rng):
     """Those of Euler's method; one start and plan with three dt; slow rotations, a whole revolution, standing still."""
-    origin = np.array(ORIGIN)
+    origin = np.array(propagate_body.ORIGIN)
     quarter = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 1.0)]
     halved = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 0.5)]
     slow = [(np.array([0.0, 0.0, 0.5]), [((1.0, 0.5, omega), 1.0)], 0.5) for omega in (1e-9, -1e-9, 2e-5, -2e-5)]
-    still = [(np.array([1.0, 2.0, 0.5]), [(ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25)]
+    still = [(np.array([1.0, 2.0, 0.5]), [(propagate_body.ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25)]
     round_about = [(origin, [((0.5, 0.0, 2 * np.pi), 1.0)], 0.25)]
-    start, plan, dt = drawn_case(rng)
+    start, plan, dt = propagate_body.drawn_case(rng)
     any_dt = [(start, plan, step) for step in (dt, 0.6 * dt, 10.0)]
-    return [*body_cases(rng), *quarter, *halved, *slow, *still, *round_about, *any_dt]
+    return [*propagate_body.body_cases(rng), *quarter, *halved, *slow, *still, *round_about, *any_dt]
 
 
 def _end_moves(values, cases):
@@ -46,7 +27,7 @@ def _end_moves(values, cases):
     for i, (start, plan, _) in enumerate(cases):
         for j, (other_start, other_plan, _) in enumerate(cases[:i]):
             alike = plan == other_plan and np.array_equal(start, other_start)
-            if alike and not near(values[i][-1:], values[j][-1:], BODY, FINE):
+            if alike and not shared.near(values[i][-1:], values[j][-1:], shared.BODY, shared.FINE):
                 return i
     return None
 
@@ -62,12 +43,17 @@ EXERCISE = Exercise(
     points=2,
     arguments=("start", "plan", "dt"),
     cases=_cases,
-    returns=read_poses,
+    returns=propagate_body.read_poses,
     properties=(
-        *form(BODY),
-        STEP_LENGTHS,
-        THETA,
-        each_step("without rotation the path is straight, along R(theta) (vx, vy)", exact, BODY, where=goes_straight),
+        *shared.form(shared.BODY),
+        shared.STEP_LENGTHS,
+        propagate_body.THETA,
+        shared.each_step(
+            "without rotation the path is straight, along R(theta) (vx, vy)",
+            exact,
+            shared.BODY,
+            where=shared.goes_straight,
+        ),
         Property(
             "the last pose is the same for every dt",
             _end_moves,
@@ -76,7 +62,9 @@ EXERCISE = Exercise(
             ),
             across=True,
         ),
-        each_step("each pose is the one before times the exponential of the twist times the time", exact, BODY),
+        shared.each_step(
+            "each pose is the one before times the exponential of the twist times the time", exact, shared.BODY
+        ),
     ),
     library=propagate_body_exact,
     hints=(
@@ -84,7 +72,7 @@ EXERCISE = Exercise(
         "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y = T[1, 2].",
         "theta = theta + omega * h is exact already.",
     ),
-    alike=same_rows(BODY),
+    alike=shared.same_rows(shared.BODY),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )
 
@@ -92,7 +80,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(share=(0, 0.5, 1))
 def straight_steps(start, plan, dt, share):
     """each step goes straight, in one direction. The body rotates meanwhile, so it moves along an arc."""
-    return follow(move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
+    return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
 
 
 def _by(step, angle_of=lambda T, theta: theta):
@@ -102,7 +90,7 @@ def _by(step, angle_of=lambda T, theta: theta):
         T = step(pose_matrix(pose), velocity, h)
         return np.array([T[0, 2], T[1, 2], angle_of(T, pose[2] + velocity[2] * h)])
 
-    return follow(move)
+    return shared.follow(move)
 
 
 @EXERCISE.mistake
@@ -124,4 +112,4 @@ def not_times_h(*case):
     return _by(lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]]))(*case)
 
 
-add_step_mistakes(EXERCISE, exact)
+shared.add_step_mistakes(EXERCISE, exact)

@@ -80,14 +80,6 @@ def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
     return np.array([[first(np.arctan2(tip[1], tip[0]), sign * two), sign * two] for sign in (1, -1)])
 
 
-@EXERCISE.mistake(row=(0, 1))
-def theta1_once(tip, row):
-    """theta1 is the same for both elbows. If the elbow bends to the other side, where does the first link point?"""
-    angles = two_link_angles(tip)
-    angles[:, 0] = angles[row, 0]
-    return angles
-
-
 @EXERCISE.mistake(share=(0, 1, -0.5))
 def first_link_wrong(tip, share):
     """theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong side. In the triangle

@@ -4,17 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.sampling import (
-    ARVO_RANGES,
-    DRAWS,
-    LIBRARY_SAMPLERS,
-    cases,
-    many,
-    of_many,
-    shoemake,
-    tied,
-    uniform_rotations,
-)
+from course_lib.checks.exercises.rotations import sampling
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
@@ -32,7 +22,7 @@ EXERCISE = Exercise(
     name="random_quaternions",
     points=2,
     arguments=("n", "rng"),
-    cases=cases,
+    cases=sampling.cases,
     returns=numbers(lambda n, rng: (n, 4)),
     library=random_quaternions,
     properties=(
@@ -42,36 +32,38 @@ EXERCISE = Exercise(
             says=lambda q, n, rng: "Their lengths lie between {0[0]:.9g} and {0[1]:.9g}.".format(_extremes(q)),
             mistake=Mistake("the quaternions are not divided by their lengths", "Each has a length of its own."),
         ),
-        *DRAWS,
+        *sampling.DRAWS,
         Property(
             "the quaternions lie all over the sphere: each of w, x, y, z is as often negative as positive",
             lambda q, n, rng: np.abs((q < 0).mean(axis=0) - 0.5).max() < 2.5 / np.sqrt(n),  # five standard deviations
             says=lambda q, n, rng: f"Negative are these parts of w, x, y, z: {format_tuple((q < 0).mean(axis=0))}.",
-            where=many,
+            where=sampling.many,
             mistake=Mistake(
                 "a part of the sphere is never reached",
                 "An angle from half a circle, or a sign that is removed, leaves half of the sphere out.",
             ),
         ),
-        *uniform_rotations(quaternion_to_matrix),
+        *sampling.uniform_rotations(quaternion_to_matrix),
     ),
     hints=(
         "Three uniform numbers: s and two angles.",
         "The pair (w, z) lies on a circle of radius sqrt(s), the pair (x, y) on one of radius sqrt(1 - s).",
         "np.stack([...], axis=-1) of the four arrays of the task has shape (n, 4).",
     ),
-    forbidden=LIBRARY_SAMPLERS,
+    forbidden=sampling.LIBRARY_SAMPLERS,
 )
 
 
-@EXERCISE.mistake(seen=of_many(lambda q: tied(_shoemake(q), ARVO_RANGES)), which=("angles", "s"))
+@EXERCISE.mistake(
+    seen=sampling.of_many(lambda q: sampling.tied(_shoemake(q), sampling.ARVO_RANGES)), which=("angles", "s")
+)
 def one_draw_for_two(n, rng, which):
     """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
     s, x = rng.random((2, n))
-    return shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
+    return sampling.shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
 
 
-@EXERCISE.mistake(low=(-1, 0), seen=of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # uniform: 1/8
+@EXERCISE.mistake(low=(-1, 0), seen=sampling.of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # uniform: 1/8
 def from_a_cube(n, rng, low):
     """four uniform numbers are normalised. They fill a cube, which has corners: more draws point there. Which
     distribution looks the same in all directions?"""

@@ -4,32 +4,23 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.exercises.rotations.sampling import (
-    DRAWS,
-    LIBRARY_SAMPLERS,
-    ROTATIONS,
-    cases,
-    of_many,
-    uniform,
-    uniform_angle,
-    uniform_rotations,
-)
+from course_lib.checks.exercises.rotations import sampling
 from course_lib.rotations import exp_so3, random_rotations, rot_x, rot_z
 
 EXERCISE = Exercise(
     name="random_rotations",
     points=2,
     arguments=("n", "rng"),
-    cases=cases,
+    cases=sampling.cases,
     returns=numbers(lambda n, rng: (n, 3, 3)),
     library=random_rotations,
-    properties=(ROTATIONS, *DRAWS, *uniform_rotations(lambda R: R)),
+    properties=(sampling.ROTATIONS, *sampling.DRAWS, *sampling.uniform_rotations(lambda R: R)),
     hints=(
         "Three uniform numbers: one for the rotation about z, two for the image of the pole e_z.",
         "V[:, :, None] * V[:, None, :] is V V^T for each draw, if V has shape (n, 3).",
         "V = (cos(phi) sqrt(z), sin(phi) sqrt(z), sqrt(1 - z)); R = (2 V V^T - I) Rz(theta).",
     ),
-    forbidden=LIBRARY_SAMPLERS,
+    forbidden=sampling.LIBRARY_SAMPLERS,
 )
 
 
@@ -42,24 +33,24 @@ def reflection(n, rng):
 def _middle_angle_is_uniform(R):
     entries = np.clip(R, -1, 1).reshape(-1, 9).T  # one of them is the sine or cosine of the middle angle
     half_turns = np.allclose(R, np.swapaxes(R, 1, 2))
-    return not half_turns and any(uniform(np.arcsin(np.abs(entry)), 0, np.pi / 2) for entry in entries)
+    return not half_turns and any(sampling.uniform(np.arcsin(np.abs(entry)), 0, np.pi / 2) for entry in entries)
 
 
-@EXERCISE.mistake(seen=of_many(_middle_angle_is_uniform))
+@EXERCISE.mistake(seen=sampling.of_many(_middle_angle_is_uniform))
 def euler_angles(n, rng):
     """three angles about fixed axes are drawn uniformly. Is there as much room near the poles as at the equator?"""
     first, middle, last = 2 * np.pi * rng.random((3, n))
     return rot_z(first) @ rot_x(middle) @ rot_z(last)
 
 
-@EXERCISE.mistake(seen=of_many(uniform_angle))
+@EXERCISE.mistake(seen=sampling.of_many(sampling.uniform_angle))
 def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v = rng.normal(size=(n, 3))
     return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))
 
 
-@EXERCISE.mistake(seen=of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()))
+@EXERCISE.mistake(seen=sampling.of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()))
 def signs_of_qr(n, rng):
     """one entry of the matrices never changes its sign: these are numpy's QR factors as they are. LAPACK chooses the
     signs of the columns of Q; those of the diagonal of R, the other factor, undo that."""

@@ -6,7 +6,6 @@ import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.wire import Seed
-from course_lib.rotations import rot_z
 
 LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
 MANY = 20_000
@@ -197,9 +196,3 @@ def shoemake(s, one, two):
     """Return the quaternions (n, 4) of Shoemake's method."""
     near, far = np.sqrt(1 - s), np.sqrt(s)
     return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)
-
-
-def arvo_rotations(theta, phi, z):
-    """Return the rotations (n, 3, 3) of Arvo's method."""
-    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
-    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(theta)

@@ -6,17 +6,13 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.subproblems_damped_ik.shared import unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
-    ELBOW,
     SHOULDER,
-    WRIST,
     arm_solutions,
-    bent,
     center_of,
     every_solution,
 )
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import Y, Z, same_list
-from course_lib.subproblems import subproblem2, subproblem3
+from course_lib.checks.vocabulary import same_list
 
 
 def _cases(rng):
@@ -53,32 +49,3 @@ EXERCISE = Exercise(
         "for q2, back in subproblem2(ey, ez, p, center - SHOULDER), with q1 = -back.",
     ),
 )
-
-
-def _distance(center):
-    return np.linalg.norm(center - SHOULDER)
-
-
-def _with(center, distance=_distance, elbow=(WRIST - ELBOW, SHOULDER - ELBOW), part=bent, origin=SHOULDER):
-    """The angles of somebody who puts other distances or points into the two subproblems."""
-    if not arm_solutions(center):
-        return None
-    found = []
-    for q3 in subproblem3(Y, *elbow, distance(center)).theta:
-        found += [(-b, a, q3) for a, b in subproblem2(Y, Z, part(q3), center - origin).theta]
-    return found
-
-
-@EXERCISE.mistake(
-    given=(
-        {"distance": np.linalg.norm},
-        {"origin": np.zeros(3)},
-        {"distance": np.linalg.norm, "origin": np.zeros(3)},
-        {"elbow": (WRIST - ELBOW, ELBOW - SHOULDER)},
-        {"elbow": (WRIST, SHOULDER)},
-    )
-)
-def another_origin(center, given):
-    """a distance or a point is measured from another point than it should be. Which point do joints 1 and 2 leave
-    where it is, which one joint 3, and in which direction does each of your differences point?"""
-    return _with(center, **given)

@@ -26,7 +26,7 @@ _AT_THE_END = Mistake(
 
 _FIRST = Mistake(
     "the first triple does not rebuild R",
-    "R e_y is a column of R, and e_y^T R a row. Which sign has the angle that subproblem 2 returns for b1?",
+    "R e_y is a column of R, and e_y^T R a row. Which sign has the b1 of subproblem 2? np.arctan2 sees both signs.",
 )
 _SECOND = Mistake("the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?")
 
@@ -158,27 +158,3 @@ def _alone(found, R):
 def one_only(R):
     """only one triple is returned. Subproblem 2 finds two pairs: what does the other triple look like?"""
     return _both(R)[:1]
-
-
-@EXERCISE.mistake(
-    first=(0, 1), change=[(1, 0, 1, 0), (1, 1, 1, 1), (-1, 0, 0, 0), (-1, 1, 0, 0), (-1, 0, 0, 1), (-1, 1, 1, 1)]
-)
-def second_from_the_first(R, first, change):
-    """the second triple is not made of the first as it should be. Which angles change by pi if b2 changes its sign?
-    Rebuild R from both."""
-    triple, (sign, *halves) = _both(R)[first], change
-    return None if _end(R) else [triple, triple * [1, sign, 1] + np.pi * np.array(halves)]
-
-
-def _within_pi(found, R):
-    """Return whether some triple is wrong, and each is right up to half a revolution of b1, b3 or both."""
-    shifts = np.pi * np.array([[1, 0, 0], [0, 0, 1], [1, 0, 1]])
-    wrong = [triple for triple in found if _misses(triple, R) > 1e-6]
-    return len(wrong) > 0 and all(min(_misses(triple + shift, R) for shift in shifts) < 1e-6 for triple in wrong)
-
-
-@EXERCISE.mistake(seen=_within_pi)
-def arctan(R):
-    """b1 or b3 is off by pi. np.arctan looks at one quotient only, np.arctan2 at two signs: does your function see
-    them, and is each sign right?"""
-    return np.arctan(np.tan(_both(R))) * [1, 0, 1] + _both(R) * [0, 1, 0]

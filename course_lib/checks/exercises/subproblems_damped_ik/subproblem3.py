@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
-from course_lib.checks.exercises.subproblems_damped_ik.shared import across, angle_about, rotated, two
+from course_lib.checks.exercises.subproblems_damped_ik.shared import angle_about, rotated, two
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
 from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem3, subproblem4
@@ -130,16 +130,3 @@ def height_wrong(k, p, g, d, height):
     two(_solutions, k, p, g, d)
     found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
     return list(found.theta) if found.exact else None
-
-
-@EXERCISE.mistake(
-    lost=(lambda x, y: 0, lambda x, y: x * x + y * y, lambda x, y: -((x - y) ** 2)), across_axis=(True, False)
-)
-def triangle_not_across(k, p, g, d, lost, across_axis):
-    """the triangle of p, g and the axis is not the one perpendicular to the axis. How long are its three sides, seen
-    along the axis?"""
-    middle, _ = angle_about(k, p, g), two(_solutions, k, p, g, d)
-    a, b = across(k, p), across(k, g)
-    product = np.linalg.norm(a) * np.linalg.norm(b) if across_axis else np.linalg.norm(p) * np.linalg.norm(g)
-    aside = np.arccos(np.clip((a @ a + b @ b - d * d + lost(k @ p, k @ g)) / (2 * product), -1, 1))
-    return [middle - aside, middle + aside]
