@@ -8,9 +8,7 @@ from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_numbe
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 
-_ONE = Mistake(
-    "one distance is returned for both predictions", "What would stay hidden if one of the two were quite wrong?"
-)
+_ONE = Mistake("one distance is returned for both predictions", "What would stay hidden if one were quite wrong?")
 _NOT_LINED_UP = Mistake(
     "each position does not stand beside both of its predictions",
     "The tips have the shape (m, 2, 2), the positions (m, 2). Where does xy need one more axis?",
@@ -106,9 +104,3 @@ EXERCISE = Exercise(
 def no_length(*case, length):
     """the differences in x and y are not combined into a distance. How long is the straight line for 3 m and 4 m?"""
     return distances(*case, length)
-
-
-@EXERCISE.mistake
-def wrong_axis(*case):
-    """the length is taken along another axis. On which axis of the differences are x and y?"""
-    return distances(*case, lambda d: np.linalg.norm(d, axis=1))

@@ -28,9 +28,7 @@ def _cases(rng):
     return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, single, np.zeros((0, 2)))]
 
 
-_OTHER_LABEL = Mistake(
-    "a sample has another label than its own q2 says", "Which labels are there, and where exactly does 1 begin?"
-)
+_OTHER_LABEL = Mistake("a sample has another label than its own q2 says", "Which labels are there, where does 1 begin?")
 
 EXERCISE = Exercise(
     name="branch_by_sign",
@@ -77,10 +75,3 @@ def still_split(q, one_elbow):
 def one_elbow_is_branch_0(q):
     """samples that all have q2 < 0 are in branch 0. Does their label depend on the other samples of the cell?"""
     return 0 * right(q) if _one_elbow(q) else None
-
-
-@EXERCISE.mistake(middle=(np.mean, np.median))
-def own_middle(q, middle):
-    """the samples are compared with one another: with their mean, their median, or as clusters of q2. Where is that
-    in a cell of one elbow?"""
-    return q[:, 1] < middle(q[:, 1]) if len(q) else None

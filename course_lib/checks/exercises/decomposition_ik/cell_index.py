@@ -6,9 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 
-_FLAT = Mistake(
-    "one number is returned for each cell, not its column and row", "How many numbers does each position get?"
-)
+_FLAT = Mistake("one number is returned for each cell, not its column and row", "How many numbers has a position?")
 _DROPPED = Mistake("positions outside the box are left out", "What is the row of the answer for such a position?")
 _read = numbers(
     lambda xy, *rest: xy.shape,
@@ -133,18 +131,6 @@ EXERCISE = Exercise(
 def floats(index, *case):
     """the numbers of the cells are floats. Can 3.0, or 3.7, be the index of an array?"""
     return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
-
-
-@EXERCISE.mistake(outside=(_outside, lambda xy, low, high: False))
-def beyond_the_last(*case, outside):
-    """the cell of the upper edge is n. What is the number of the last cell?"""
-    return cell_index(*case, edge=lambda index, *rest: index, outside=outside)
-
-
-@EXERCISE.mistake(below=(np.less, np.less_equal))
-def edge_taken_for_outside(*case, below):
-    """positions on an edge of the box are taken for outside. To which cells do the two edges belong?"""
-    return cell_index(*case, outside=lambda xy, low, high: (below(xy, low) | (xy >= high)).any(axis=1, keepdims=True))
 
 
 @EXERCISE.mistake(

@@ -16,9 +16,7 @@ _ASKED_A_SYMBOL = Mistake(
     "an if or a comparison looks at the value of a symbol, which has none",
     "The matrix is one formula for all values: no case needs a branch of its own.",
 )
-_NUMBERS_NOT_TAKEN = Mistake(
-    "the arguments are taken for symbols only", "The function is called with numbers too: SymPy's functions take both."
-)
+_NUMBERS_NOT_TAKEN = Mistake("the arguments are taken for symbols only", "SymPy's functions take numbers too.")
 
 
 def _cases(rng):

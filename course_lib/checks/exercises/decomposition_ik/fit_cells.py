@@ -111,18 +111,14 @@ EXERCISE = Exercise(
             "a cluster with fewer than 3 samples has no model: all 6 numbers are nan",
             fit_cells,
             _tell,
-            Mistake(
-                "a cluster of too few samples has a model", "Do you count the samples of the cluster, or of the cell?"
-            ),
+            Mistake("a cluster of too few samples has a model", "Do you count those of the cluster, or of the cell?"),
         ),
         no_number(
             lambda a, b: no_gap(b, a),
             "a cluster with 3 samples or more has a model",
             fit_cells,
             _tell,
-            Mistake(
-                "a cluster with enough samples has no model", "Is each cell, and in it each cluster, asked by itself?"
-            ),
+            Mistake("a cluster with enough samples has no model", "Is each cluster of each cell asked by itself?"),
         ),
         no_number(
             _far_off,

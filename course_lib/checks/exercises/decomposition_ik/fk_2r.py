@@ -76,9 +76,7 @@ EXERCISE = Exercise(
             "the tip is 1 m from the elbow, which is 1 m from the base in the direction q1",
             lambda found, q: np.allclose(np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9),
             says=_tell,
-            mistake=Mistake(
-                "the second link is not 1 m long", "Which angle belongs to its cosine, and which to its sine?"
-            ),
+            mistake=Mistake("the second link is not 1 m long", "Which angle belongs to its cosine and sine?"),
         ),
         Property(
             "the second link bends by q2 from the direction of the first, counter-clockwise",

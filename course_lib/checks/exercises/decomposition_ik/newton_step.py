@@ -44,9 +44,7 @@ EXERCISE = Exercise(
         Property(
             "J times the change of q is p - f(q)",
             lambda answer, q, xy: near(answer, newton_step(q, xy)),
-            mistake=Mistake(
-                "the step is not J^-1 (p - f(q))", "Differentiate x and y by q1 and q2. Is J inverted as it is?"
-            ),
+            mistake=Mistake("the step is not J^-1 (p - f(q))", "Differentiate x and y. Is J inverted as it is?"),
         ),
     ),
     hints=(

@@ -76,9 +76,7 @@ EXERCISE = Exercise(
             "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster",
             predict,
             _tell,
-            Mistake(
-                "a prediction is not that of its own model", "models[c, k, j] is of cell c, cluster k and angle j."
-            ),
+            Mistake("a prediction is not that of its own model", "models[c, k, j] is of cell c, cluster k, angle j."),
         ),
         no_number(
             no_gap,
@@ -132,9 +130,3 @@ def another_factor(*case, affine):
 def axes(*case, change):
     """the axes of cluster and angle, or the clusters, have changed places. In [i, k, j], which index is what?"""
     return change(predict(*case))
-
-
-@EXERCISE.mistake
-def cell_zero_left_out(models, cell, xy):
-    """cell 0 is taken for none. From which number on are the cells counted?"""
-    return predict(models, np.where(cell == 0, -1, cell), xy)

@@ -118,9 +118,7 @@ EXERCISE = Exercise(
             "each label is 0 or 1",
             lambda labels, q: np.isin(labels, (0, 1)).all(),
             says=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
-            mistake=Mistake(
-                "there are other labels than 0 and 1", "How many clusters are asked for, and what are they called?"
-            ),
+            mistake=Mistake("there are other labels than 0 and 1", "What are the two clusters called?"),
         ),
         Property(
             "with fewer than two different samples there is nothing to split: all labels are 0",
@@ -147,9 +145,7 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, labelled(q)),
             says=_means,
             where=several,
-            mistake=Mistake(
-                "cluster 0 has the smaller mean q2", "Compare the two means with one another, in each cell."
-            ),
+            mistake=Mistake("cluster 0 has the smaller mean q2", "Compare the two means with one another."),
         ),
     ),
     errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),

@@ -59,9 +59,7 @@ EXERCISE = Exercise(
         Property(
             "the error is the one that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
-            mistake=Mistake(
-                "the lower half of the error is not phi", "Which vector takes R to R_target, and how long is it?"
-            ),
+            mistake=Mistake("the lower half of the error is not phi", "Which vector takes R to R_target?"),
         ),
     ),
     hints=(

@@ -126,9 +126,3 @@ def another_frame(frames, z, step, base):
 def along_the_flange_s_axes(frames):
     """v and omega are along the flange's own axes. Along which axes does the task ask for them?"""
     return np.kron(np.eye(2), frames[-1, :3, :3].T) @ right(frames)
-
-
-@EXERCISE.mistake
-def last_joint_for_the_flange(frames):
-    """the origin of frame n is taken for the flange's. Which of the frames is the flange's?"""
-    return _jacobian(*_parts(frames)[:2], frames[-2, :3, 3])

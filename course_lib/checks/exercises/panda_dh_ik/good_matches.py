@@ -138,13 +138,6 @@ def worst_dropped(src, dst, tol, most):
     return np.isin(np.arange(len(src)), kept)
 
 
-@EXERCISE.mistake(some=(lambda masks, triples: masks[:1], lambda masks, triples: masks[np.ptp(triples, axis=1) == 2]))
-def some_triples(src, dst, tol, some):
-    """only some of the triples are tried, or the first that will do is taken. How many triples are there?"""
-    triples, masks = _masks(src, dst, tol)
-    return max(some(masks, triples), key=np.sum)
-
-
 @EXERCISE.mistake
 def by_coordinates(src, dst, tol):
     """each coordinate is compared with tol, not the distance. How far is a point if each coordinate is off by tol?"""

@@ -61,9 +61,7 @@ EXERCISE = Exercise(
         Property(
             "of all such changes this one is closest to gain (q_middle - q)",
             lambda answer, *case: near(answer, right(*case)),
-            mistake=Mistake(
-                "the step is not all of gain (I - J^+ J)(q_middle - q)", "Which part or factor is missing?"
-            ),
+            mistake=Mistake("the step is not all of gain (I - J^+ J)(q_middle - q)", "Which part of it is missing?"),
         ),
     ),
     hints=(
@@ -97,12 +95,6 @@ def full_rank(answer, q, J, *rest):
     has more dimensions: does your formula still hold?
     """
     return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
-
-
-@EXERCISE.mistake(direction=(lambda q, q_middle: -q, lambda q, q_middle: q_middle))
-def towards_zero(q, J, q_middle, gain, direction):
-    """the step goes towards 0, or along q_middle. From where to where should it lead?"""
-    return q + gain * _projector(J) @ direction(q, q_middle)
 
 
 @EXERCISE.mistake(kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J))

@@ -100,12 +100,6 @@ def flange_misplaced(q, moved):
 
 
 @EXERCISE.mistake
-def flange_above(q):
-    """the flange is 0.107 m above frame 7 along the world's z. Along whose z axis does the table move it?"""
-    return np.concatenate([shared.frames(q)[:7], [shared.about_z(0, 0.107) @ shared.frames(q)[6]]])
-
-
-@EXERCISE.mistake
 def base_for_flange(q):
     """the first pose is the base, and the flange is missing. Which frame is the first of the eight?"""
     return np.concatenate([[shared.T_W0], shared.frames(q)[:7]])

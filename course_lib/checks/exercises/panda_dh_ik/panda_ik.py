@@ -166,9 +166,7 @@ EXERCISE = Exercise(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < 1e-6,
             _elsewhere,
-            mistake=Mistake(
-                "the iteration does not begin at q0", "What is q before the first step of the first start?"
-            ),
+            mistake=Mistake("the iteration does not begin at q0", "What is q before the first step?"),
             where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
         ),
         Property(

@@ -77,9 +77,7 @@ EXERCISE = Exercise(
             "the camera at T_wc sees each point at its pixel",
             lambda points, *case: near(points, right(*case)),
             _off,
-            mistake=Mistake(
-                "K, or a pixel, is not used as it came", "Which numbers of K differ from camera to camera?"
-            ),
+            mistake=Mistake("K, or a pixel, is not used as it came", "Which numbers differ from camera to camera?"),
         ),
     ),
     hints=(
@@ -104,14 +102,6 @@ def along_the_ray(pixels, depths, K, T_wc):
     """the depth is taken as the distance along the ray. Along which axis is it measured?"""
     rays = _rays(pixels, K)
     return moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
-
-
-@EXERCISE.mistake(of=(lambda x: x[:, [1, 0, 2]], lambda x: x * [1, -1, 1], lambda x: x * [-1, -1, 1]))
-def other_axes(pixels, depths, K, T_wc, of):
-    """x and y of the camera are swapped, or one points the other way. A pixel (u, v): which of them counts columns, and
-    does v grow downwards?
-    """
-    return moved(T_wc, of(right(pixels, depths, K, np.eye(4))))
 
 
 @EXERCISE.mistake

@@ -135,9 +135,7 @@ EXERCISE = Exercise(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
             lambda x, q0, T: f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}.",
-            mistake=Mistake(
-                "the plan ends elsewhere than at T_grasp", "Which pose of the flange brings the gripper there?"
-            ),
+            mistake=Mistake("the plan ends elsewhere than at T_grasp", "Which flange pose brings the gripper there?"),
         ),
         Property("all angles are within the limits", lambda x, *case: _inside(x)),
         Property(

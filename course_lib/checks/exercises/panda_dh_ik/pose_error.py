@@ -110,9 +110,7 @@ EXERCISE = Exercise(
             "the rotation vector phi takes R to R_target: exp([phi]) R = R_target",
             lambda e, *case: np.abs(exp_so3(e[3:]) - _between(*case)[1]).max() < 10 * _fine(*case),
             _off,
-            mistake=Mistake(
-                "phi does not take R to R_target", "Is it the logarithm of R_target R^T, also for a tiny angle?"
-            ),
+            mistake=Mistake("phi does not take R to R_target", "Is it the logarithm of R_target R^T, however small?"),
         ),
         Property(
             "phi is the shortest rotation: its angle is at most pi",

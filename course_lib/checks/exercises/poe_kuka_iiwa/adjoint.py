@@ -55,9 +55,7 @@ EXERCISE = Exercise(
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
             lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= 1e-9,
-            mistake=Mistake(
-                "the upper right block is not zero", "Does the new omega depend on v, or the new v on omega?"
-            ),
+            mistake=Mistake("the upper right block is not zero", "Does omega depend on v, or v on omega?"),
         ),
         Property(
             "the lower right 3x3 block is R: without a rotation, v is rotated from frame b to frame a",

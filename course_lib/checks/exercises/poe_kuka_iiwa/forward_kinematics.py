@@ -9,9 +9,7 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
 from course_lib.rigid import exp_se3
 
-_EACH = Mistake(
-    "a matrix for each joint is returned", "Where is the end-effector after all of them, one after another?"
-)
+_EACH = Mistake("a matrix for each joint is returned", "Where is the end-effector after all of them?")
 
 
 def _known_form(array, screws, M, q):

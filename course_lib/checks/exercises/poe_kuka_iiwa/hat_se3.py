@@ -44,7 +44,6 @@ EXERCISE = Exercise(
         Property(
             "the last row is (0, 0, 0, 0)",
             lambda V, twist: not V[3].any(),
-            says=lambda V, twist: f"Yours is {format_tuple(V[3])}.",
             mistake=Mistake("the last row is not zero", "A twist is a velocity: the 1 at the end of a point is fixed."),
         ),
     ),

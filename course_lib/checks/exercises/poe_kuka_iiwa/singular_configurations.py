@@ -79,20 +79,14 @@ EXERCISE = Exercise(
             "the Jacobian has rank 5 in each of the three configurations",
             lambda rows: all(_rank_loss(row) == 1 for row in rows),
             says=lambda rows: f"The ranks of your three are {', '.join(str(6 - _rank_loss(row)) for row in rows)}.",
-            mistake=Mistake(
-                "a configuration is not singular",
-                "np.linalg.svd of the Jacobian shows it: the last singular value must be 0.",
-            ),
+            mistake=Mistake("a configuration is not singular", "The last of its singular values must be 0."),
         ),
         Property(
             "row 0 is singular because of the elbow (joint 4), row 1 of the shoulder (joints 2 and 3), row 2 of the "
             "wrist (joints 5 and 6)",
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             says=_families,
-            mistake=Mistake(
-                "two rows are of one family",
-                "Each row must become regular when the joints of its own family move, and only then.",
-            ),
+            mistake=Mistake("two rows are of one family", "Which joints make each row regular when they move?"),
         ),
     ),
     hints=(

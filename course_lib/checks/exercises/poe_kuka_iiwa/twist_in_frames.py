@@ -89,9 +89,3 @@ def cross_product_reversed(V_s, T, sign):
 def hybrid_rotated(V_s, T, powers, moved):
     """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
     return _rotated(V_s, T, powers, moved)
-
-
-@EXERCISE.mistake(part=BODY)
-def other_direction(V_s, T):
-    """Ad(T) stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees: and you?"""
-    return adjoint(T) @ V_s

@@ -8,9 +8,7 @@ from course_lib.checks.vocabulary import LAST_ROW, part_is
 from course_lib.planar import pose_matrix
 
 _ORIGIN = np.s_[:2, 2]
-_ONLY_POINTS = Mistake(
-    "the points are returned, not the frames", "Each frame is a matrix: rotation, position, and (0, 0, 1)."
-)
+_ONLY_POINTS = Mistake("the points are returned, not the frames", "Each frame is a matrix, with R and p in it.")
 _ONLY_POSES = Mistake("the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each.")
 
 

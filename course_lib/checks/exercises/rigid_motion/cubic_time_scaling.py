@@ -80,10 +80,7 @@ def _cubic(u, s0, s1, d0, d1):
     return s0 + d0 * u + (3 * (s1 - s0) - 2 * d0 - d1) * u**2 + (d0 + d1 - 2 * (s1 - s0)) * u**3
 
 
-_OTHER_VELOCITY = Mistake(
-    "your cubic has another velocity at an end",
-    "Differentiate your s(t) at 0 and at T. Is it the derivative by t, or by u?",
-)
+_OTHER_VELOCITY = Mistake("your cubic has another velocity at an end", "Do you differentiate by t, or by u?")
 
 EXERCISE = Exercise(
     name="cubic_time_scaling",

@@ -61,9 +61,7 @@ EXERCISE = Exercise(
                 f"The angle of T is {_angle(T):.4g} rad. The position of its exponential is off by "
                 f"{format_tuple(_V(twist[0]) @ twist[1:] - T[:2, 2])} m."
             ),
-            mistake=Mistake(
-                "v does not lead to the position of T", "Is your v the solution of A v = p, or A p itself?"
-            ),
+            mistake=Mistake("v does not lead to the position of T", "Does your v solve A v = p, or is it A p?"),
         ),
     ),
     library=log_se2,

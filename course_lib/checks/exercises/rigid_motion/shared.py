@@ -203,11 +203,6 @@ def add_step_mistakes(exercise, move):
         parts = [follow(move)(start, [pair], dt)[1:] for pair in plan]
         return np.concatenate([np.array([start], float), *parts])
 
-    @exercise.mistake
-    def one_step_a_pair(start, plan, dt):
-        """only one step is taken for each pair. dt says how long a step is: how many does a pair of 0.25 s have?"""
-        return follow(move, lambda duration, dt: [duration])(start, plan, dt)
-
 
 def rotated(theta, v):
     """Return the vectors v (..., 2), rotated by theta (...)."""

@@ -55,11 +55,8 @@ EXERCISE = Exercise(
         Property(
             "the two rows are different solutions: the elbow is bent to one side and to the other",
             lambda angles, tip: angle_gap(angles[:1], angles[1:]) > 1e-3,
-            says=lambda angles, tip: f"Yours have theta2 = {angles[0, 1]:.4g} and {angles[1, 1]:.4g}.",
             where=lambda tip: not _straight(tip),
-            mistake=Mistake(
-                "the same elbow is returned twice", "The cosine does not tell the sign of theta2: both occur."
-            ),
+            mistake=Mistake("the same elbow is returned twice", "The cosine does not tell the sign of theta2."),
         ),
     ),
     library=two_link_angles,

@@ -88,9 +88,7 @@ EXERCISE = Exercise(
             "the angle |w| is the smallest one, between 0 and pi",
             lambda w, R: np.linalg.norm(w) <= np.pi + 1e-6,
             where=_between(1e-3, np.pi - 1e-3),
-            mistake=Mistake(
-                "the longer of the two rotations is taken", "The angle 2 pi - a about the opposite axis is smaller."
-            ),
+            mistake=Mistake("the longer of the two rotations is taken", "Which angle has the opposite axis?"),
         ),
         Property(
             "small angles keep their digits",

@@ -42,9 +42,7 @@ DRAWS = (
         "another seed draws something else",
         lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
         across=True,
-        mistake=Mistake(
-            "a generator is made inside the function", "Use the rng that is passed in; it is made by whoever calls."
-        ),
+        mistake=Mistake("a generator is made inside the function", "Use the rng that is passed in."),
     ),
     Property(
         "n draws are n different ones",

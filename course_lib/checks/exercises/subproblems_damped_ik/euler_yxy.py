@@ -133,9 +133,7 @@ EXERCISE = Exercise(
             "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
             lambda found, R: len(found) == 2,
             lambda found, R: f"Yours has {len(found)}.",
-            mistake=Mistake(
-                "a triple is missing where sin(b2) = 0", "There both triples are the same: return it twice."
-            ),
+            mistake=Mistake("a triple is missing where sin(b2) = 0", "There both are the same: return it twice."),
         ),
     ),
     hints=(

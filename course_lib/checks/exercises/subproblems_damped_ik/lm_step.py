@@ -143,10 +143,3 @@ def wrong_length(q, target, alpha, eps, factor):
 def gradient_step(q, target, alpha, eps):
     """the step is one of gradient descent, alpha J^T e. Which matrix stands before J^T?"""
     return q - alpha * jacobian(q).T @ (tip(q) - target)
-
-
-@EXERCISE.mistake
-def share_of_the_diagonal(q, target, alpha, eps):
-    """the damping is eps times the diagonal of J^T J. How does eps stand in J^T J + eps I?"""
-    M = jacobian(q).T @ jacobian(q)
-    return q - alpha * np.linalg.pinv(M + eps * np.diag(np.diag(M))) @ jacobian(q).T @ (tip(q) - target)

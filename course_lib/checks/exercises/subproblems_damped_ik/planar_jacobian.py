@@ -15,9 +15,7 @@ _FINE = 1e-8  # how far an entry may be off: good finite differences pass
 # What would do the work, also by an arm of the notebook: refused in all exercises with this arm.
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
 
-_WITH_ANGLE = Mistake(
-    "the Jacobian of a whole pose is returned", "Only the tip's position is asked for: how many rows is that?"
-)
+_WITH_ANGLE = Mistake("the Jacobian of a whole pose is returned", "Asked for is that of the tip's position.")
 
 
 @remembered

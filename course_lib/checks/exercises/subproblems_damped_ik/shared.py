@@ -9,9 +9,7 @@ from course_lib.rotations import exp_so3
 
 FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two solutions coincide, digits are lost
 
-_NOT_ONE = Mistake(
-    "nan is returned where there is no solution", "Which number tells that there is none? Test it first."
-)
+_NOT_ONE = Mistake("nan is returned where there is no solution", "Which number tells that there is none?")
 NO_SOLUTION = Mistake(
     "a solution in the list is none",
     "Put it into the equation, term by term. Which length, point or angle is another one than you thought?",

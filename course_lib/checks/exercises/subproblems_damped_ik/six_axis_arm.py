@@ -81,10 +81,7 @@ def every_solution(equation, misses, tell, solutions):
             lambda found, *case: different(found) == len(solutions(*case)),
             lambda found, *case: f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}.",
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake(
-                "solutions are missing",
-                "Each subproblem has up to two answers. Does your function go on with each of them?",
-            ),
+            mistake=Mistake("solutions are missing", "Does your function go on with each answer of a subproblem?"),
         ),
         Property(
             "each solution is in the list once",
@@ -96,8 +93,6 @@ def every_solution(equation, misses, tell, solutions):
             "the list is empty if the target is out of reach",
             lambda found, *case: len(found) == 0,
             where=lambda *case: len(solutions(*case)) == 0,
-            mistake=Mistake(
-                "joint angles are returned for a target out of reach", "Which of the subproblems has no solution then?"
-            ),
+            mistake=Mistake("joint angles are returned for a target out of reach", "Which subproblem has no solution?"),
         ),
     )
