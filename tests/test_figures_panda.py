@@ -2,13 +2,11 @@
 
 import numpy as np
 from films import Film
-from helpers import places, stored
 
 from course_lib import rigid, rotations
 from course_lib.arms import panda
 from course_lib.figures import panda_dh_ik as figures
 from course_lib.figures import solids
-from course_lib.figures.solids.model import X_RED
 
 ARM = panda()
 BASE = np.array([-0.2, 0.13, 0.6])
@@ -38,24 +36,21 @@ def bodies_of(frames):
 
 def test_both_conventions_are_drawn_on_one_arm_with_arrows_along_their_axes_and_shared_origins_named_together():
     frames = T_W0 @ ARM.frames(READY)
-    drawn = figures.conventions(frames[:-1], frames[1:], BASE)
-    figure = stored(drawn)
-    arms = [trace for trace in figure["data"] if trace.get("opacity")]
-    assert [arm["scene"] for arm in arms] == ["scene", "scene2"]
-    true = solids.arm_model(ARM).placed(bodies_of(frames))
-    for arm in arms:
-        np.testing.assert_allclose(places(arm), true, atol=2e-4)
-    triads = [t for t in figure["data"] if t["type"] == "mesh3d" and not t.get("opacity") and t["cmax"] < 99]
-    for triad, shown_frames in zip(triads, (frames[:-1], frames[1:]), strict=True):
-        vertices, colours = places(triad), np.array(X_RED) + np.arange(3)
-        of = next(trace.intensity for trace in drawn.fig.data if trace.x.size == len(vertices))
+    film = Film(figures.conventions(frames[:-1], frames[1:], BASE))
+    true = np.concatenate([part.mesh.vertices for part in solids.arm_parts(ARM)])
+    of_body = np.repeat(
+        [part.body for part in solids.arm_parts(ARM)], [len(p.mesh.vertices) for p in solids.arm_parts(ARM)]
+    )
+    stands = (bodies_of(frames)[of_body] @ np.c_[true, np.ones(len(true))][:, :, None])[:, :3, 0] - BASE
+    offsets = film.poses[0, :, :3, 3]
+    np.testing.assert_allclose(film.pale(), np.concatenate([stands + offset for offset in offsets]), atol=2e-4)
+    for shown_frames, offset in zip((frames[:-1], frames[1:]), offsets, strict=True):
         for T in shown_frames:
             for k in range(3):
-                tip = T[:3, 3] + 0.13 * T[:3, k]
-                assert np.linalg.norm(vertices[of == colours[k]] - tip, axis=1).min() < 2e-3
-    assert [note["text"] for note in figure["layout"]["annotations"]] == ["modified", "standard"]
-    names = [trace["text"] for trace in figure["data"] if trace.get("mode") == "text"]
-    assert names == [["1, 2", "3", "4", "5, 6", "7"], ["1", "2", "3", "4, 5", "6", "7"]]
+                tip = T[:3, 3] + 0.13 * T[:3, k] - BASE + offset
+                assert np.linalg.norm(film.at(0) - tip, axis=1).min() < 2e-3
+    names = [word for word, *_ in film.course["words"]]
+    assert names == ["1, 2", "3", "4", "5, 6", "7", "modified", "1", "2", "3", "4, 5", "6", "7", "standard"]
 
 
 def test_the_mug_is_drawn_at_the_registered_pose_and_the_rejected_match_is_marked():
@@ -63,14 +58,14 @@ def test_the_mug_is_drawn_at_the_registered_pose_and_the_rejected_match_is_marke
     T = rigid.transform(rotations.rot_z(0.4), [0.4, 0.1, 0.6])
     seen = template @ T[:3, :3].T + T[:3, 3]
     seen[2] += 0.03
-    figure = stored(figures.matches(template, seen, T, [2]))
-    dots = [places(trace) for trace in figure["data"] if trace.get("mode") == "markers"]
-    for drawn, true in zip(dots, (template, seen, seen[[2]]), strict=True):
-        np.testing.assert_allclose(drawn, true, atol=6e-4)
-    one, other = [places(trace) for trace in figure["data"] if trace["type"] == "mesh3d"]
-    np.testing.assert_allclose(other, one @ T[:3, :3].T + T[:3, 3], atol=2e-4)
-    dashed = next(places(trace) for trace in figure["data"] if trace.get("line", {}).get("dash") == "dash")
-    np.testing.assert_allclose(dashed, [seen[2], (T @ [*template[2], 1])[:3]], atol=6e-4)
+    film = Film(figures.matches(template, seen, T, [2]))
+    left, right = film.poses[0, :, :3, 3]
+    assert all(film.has_dot(point + left) for point in template)
+    assert all(film.has_dot(point - T[:3, 3] + right) for point in seen)
+    one, other = np.split(film.pale(), 2)
+    np.testing.assert_allclose(other - right, (one - left) @ T[:3, :3].T, atol=2e-4)
+    (dashed,) = film.paths
+    np.testing.assert_allclose(dashed - right, [seen[2] - T[:3, 3], T[:3, :3] @ template[2]], atol=6e-4)
 
 
 def test_fingers_are_as_far_apart_as_the_gripper_is_open():
@@ -101,14 +96,12 @@ def test_the_palm_is_on_the_flange_and_the_mug_follows_the_poses_it_is_given():
 
 def test_the_four_parameters_are_drawn_with_their_angles_and_names():
     a, alpha, d, theta = 0.8, 0.7, 0.6, 0.9
-    figure = stored(figures.four_parameters(a, alpha, d, theta))
-    arcs = [places(t) for t in figure["data"] if t.get("mode") == "lines" and len(t["x"]) > 2]
-    for arc, angle in zip(arcs, (alpha, theta), strict=True):
+    film = Film(figures.four_parameters(a, alpha, d, theta))
+    for arc, angle in zip(film.paths[2:], (alpha, theta), strict=True):
         start, middle, end = arc[[0, len(arc) // 2, -1]]
         height = np.linalg.norm(middle - (start + end) / 2)  # of the arc over its chord
         assert abs(4 * np.arctan2(2 * height, np.linalg.norm(end - start)) - angle) < 0.02
-    names = {name for trace in figure["data"] if trace.get("mode") == "text" for name in trace["text"]}
-    assert {"a", "d", "\u03b1", "θ"} <= names
+    assert {"a", "d", "\u03b1", "θ", "x₁", "x₂", "z₁", "z₂"} == set(film.words)
 
 
 def test_the_camera_is_drawn_at_its_pose_and_points_at_the_table():

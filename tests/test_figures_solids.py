@@ -5,7 +5,6 @@ import json
 import numpy as np
 import pytest
 from films import Film
-from helpers import places
 from numpy.testing import assert_allclose
 
 from course_lib import rigid
@@ -117,23 +116,6 @@ def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
     for head, screw in zip(heads, lines[..., 0], strict=True):
         foot, tip = head.vertices[-2:]
         assert (tip - foot) @ screw[:3] > 0.02
-
-
-def test_labels_do_not_overlap_even_if_their_points_do():
-    points = {name: np.array([0, 0.001 * k, 0]) for k, name in enumerate("abcde")}
-    settings = scene.fitted_scene([[-1, -1, 0], [1, 1, 1]])
-    (trace,) = scene.labels(points, settings)
-    drawn = scene.projected(places(trace.to_plotly_json()), settings)
-    apart = np.linalg.norm(drawn[:, None] - drawn, axis=-1) + 9 * np.eye(5)
-    assert apart.min() > 0.03, "about the size of a letter"
-
-
-@pytest.mark.parametrize("aspect", [0.5, 1, 2])
-def test_the_camera_shows_every_point_as_large_as_it_can(aspect):
-    points = np.random.default_rng(3).normal(size=(50, 3)) * [3, 1, 0.2] + [10, 0, 5]
-    seen = scene.projected(points, scene.fitted_scene(points, (1, 2, 0.7), aspect=aspect, fill=0.9), aspect)
-    assert np.abs(seen).max() == pytest.approx(0.9, abs=0.02)
-    assert_allclose(seen.max(0), -seen.min(0), atol=0.02, err_msg="in the middle")
 
 
 # ---- films ----

@@ -4,19 +4,17 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 """
 
 import numpy as np
-import plotly.graph_objects as go
 from matplotlib.collections import PolyCollection
 
 from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines
-from course_lib.figures.solids import Model, Part, arm_model, arm_parts, body_poses, link_poses, meshes, scene, shells
-from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
-from course_lib.figures.space import line, points, scene_name
+from course_lib.figures.solids import Model, Part, arm_parts, body_poses, link_poses, meshes, scene, shells
+from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREEN, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
-from course_lib.figures.toys.film import draw, film
+from course_lib.figures.toys.film import beside, draw, film, still
 from course_lib.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
@@ -48,27 +46,24 @@ def four_parameters(a, alpha, d, theta):
     for o, z, high in ((o1, z1, 0.5), (o2, z2, d + 0.35)):
         parts += [Part(0, STEEL, meshes.capsule(o - 0.25 * z, o + high * z, 0.012))]
         parts += [Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11))]
-    model = Model.of(parts)
     tilt, swing = _arc(o2, z1, z2, 0.588), _arc(foot, x1, x2, 0.364)
-    helpers = [line([o2, o2 + 0.75 * z1], GREY, 4, dash="dash"), line([foot, foot + 0.5 * x1], GREY, 4, dash="dash")]
-    helpers += [line(tilt, ORANGE, 6), line(swing, ORANGE, 6)]
-    ends = {"z₁": 0.5 * z1, "z₂": o2 + (d + 0.35) * z2, "x₁": 0.35 * a * x1, "x₂": foot + 0.6 * x2}
-    middles = {"a": 0.7 * a * x1, "\u03b1": tilt[8] + 0.18 * (tilt[8] - o2), "d": o2 + 0.5 * d * z2, "θ": swing[8]}
-    reach = np.concatenate([model.placed([np.eye(4)]), tilt, swing, 1.08 * np.array(list(ends.values()))])
-    settings, aspect = scene.column(reach, (0.75, -1.25, 0.35), 0, 1, height=400, fill=0.9)
-    taken = np.concatenate([tilt, swing, np.outer(np.linspace(0, 1, 12), a * x1)])
-    words = scene.labels(ends, settings, taken, aspect=aspect, gap=0.06)
-    taken = [*taken, *ends.values()]
-    words += scene.labels(middles, settings, taken, colour=BLUE, size=19, aspect=aspect, gap=0.07)
-    drawn = [model.trace([np.eye(4)]), *helpers, *words]
-    return Picture(
-        go.Figure(drawn, layout=scene.layout([settings], height=400)),
+    paths = [(np.array([o, o + long * e]), GREY, (7, 5)) for o, long, e in ((o2, 0.75, z1), (foot, 0.5, x1))]
+    paths += [(tilt, ORANGE, ()), (swing, ORANGE, ())]
+    ends = {"z₁": 0.56 * z1, "z₂": o2 + (d + 0.41) * z2, "x₁": 0.35 * a * x1 - 0.06 * z1, "x₂": foot + 0.66 * x2}
+    middles = {"a": 0.7 * a * x1 - 0.06 * z1, "d": o2 + 0.5 * d * z2 + 0.07 * x1}
+    middles |= {"\u03b1": tilt[8] + 0.1 * (tilt[8] - o2), "θ": swing[8] + 0.15 * (swing[8] - foot)}
+    words = [(word, at, colour) for named, colour in ((ends, INK), (middles, BLUE)) for word, at in named.items()]
+    return still(
+        parts,
         f"Two joint axes, z1 and z2, that do not meet. The common perpendicular along x1 has the length a = {a:g} m; "
         f"about it, z2 is rotated against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, the next "
         f"perpendicular x2 is d = {d:g} m further on, and about z2 it is rotated by theta = "
         f"{np.rad2deg(theta):.0f} degrees.",
         "Two numbers belong to $x$, the length $a$ and the angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. "
         "Only $\\theta$ changes when the joint rotates.",
+        paths=paths,
+        words=words,
+        view=(0.75, -1.25, 0.35),
     )
 
 
@@ -85,26 +80,23 @@ def conventions(modified, standard, base):
     modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the modified ones, those of
     `arms.panda()`, are. base: (3,), where the arm stands.
     """
-    model, poses = arm_model(panda()), body_poses(panda(), modified, base)
-    vertices = model.placed(poses)
-    height, drawn, scenes, said = 390, [], [], []
-    for i, (title, frames) in enumerate({"modified": modified, "standard": standard}.items()):
-        name = scene_name(i)
-        words = _numbers(frames)
-        every = [T for k, T in enumerate(frames) if not any(np.allclose(T, other) for other in frames[:k])]
-        triads = Model.of([part for k in range(len(every)) for part in scene.triad(k, np.eye(4), 0.13)])
-        reach = np.concatenate([vertices, triads.placed(every)])
-        settings, aspect = scene.column(reach, (1.3, -1.5, 0.7), i, 2, height=height)
-        scenes.append(settings)
-        drawn += [triads.trace(every, name), model.trace(poses, name, opacity=0.3)]
-        taken = [T[:3, 3] + along * T[:3, j] for T in every for j in range(3) for along in (0.05, 0.09, 0.13)]
-        drawn += scene.labels(words, settings, taken, size=17, aspect=aspect, scene=name, gap=0.07)
-        shared = [f"{key.replace(', ', ' and ')} share an origin" for key in words if ", " in key]
+    stands = rigid.transform(np.eye(3), -np.asarray(base))
+    poses, groups, said = stands @ body_poses(panda(), modified, base), {}, []
+    arm = [Part(0, part.colour, part.mesh.moved(poses[part.body])) for part in arm_parts(panda())]
+    for title, frames in {"modified": stands @ modified, "standard": stands @ standard}.items():
+        numbers = _numbers(frames)
+        triads = [part for T in frames for part in scene.triad(0, T, 0.13)]
+        words = [(word, np.add(at, [0, 0, 0.06]), INK) for word, at in numbers.items()]
+        groups[title] = triads, arm, (), words
+        shared = [f"{key.replace(', ', ' and ')} share an origin" for key in numbers if ", " in key]
         said.append(f"{title}, {'; '.join(shared) or 'all origins apart'}")
-    return Picture(
-        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["modified", "standard"])),
+    return beside(
+        groups,
+        1.0,
         f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: {'; '.join(said)}.",
         "A modified frame lies on its own joint's axis, a standard one on the axis of the next joint.",
+        view=(1.3, -1.5, 0.7),
+        high=-0.12,
     )
 
 
@@ -262,31 +254,26 @@ def matches(template, scene_points, T, wrong):
     template, scene_points: (n, 3). T: (4, 4), the mug's pose by registration. wrong: which matches were dropped; they
     are drawn in red, with dashed lines to where they should be.
     """
-    mug, drawn, scenes, height = Model.of([Part(0, STEEL, meshes.mug())]), [], [], 420
-    laid = template @ T[:3, :3].T + T[:3, 3]
-    placed = mug.placed([np.eye(4)])  # one extent for both scenes, so that the mug is equally large in them
-    extent = np.concatenate([placed, placed @ T[:3, :3].T, template, scene_points - T[:3, 3]])
-    across = np.linspace(0.15, 1, 8)[:, None, None]
-    dashes = (scene_points[wrong] + across * (laid - scene_points)[wrong]).reshape(-1, 3)
-    sides = ((template, np.eye(4), BLUE, ()), (scene_points, T, GREEN, dashes))
-    for i, (seen, pose, colour, taken) in enumerate(sides):
-        name = scene_name(i)
-        look = {"height": height, "fill": 0.85}
-        settings, aspect = scene.column(extent + pose[:3, 3], (1.2, -1.3, 0.8), i, 2, **look)
-        scenes.append(settings)
-        drawn += [mug.trace([pose], name, opacity=0.22), points(seen, 6, colour, name)]
-        names = {str(k): point for k, point in enumerate(seen)}
-        drawn += scene.labels(names, settings, taken, aspect=aspect, scene=name, size=17, gap=0.085)
-    drawn.append(points(scene_points[wrong], 9, CRIMSON, name))
-    drawn += [line([scene_points[k], laid[k]], CRIMSON, 5, name, "dash") for k in wrong]
+    laid, origin, R = template @ T[:3, :3].T + T[:3, 3], T[:3, 3], rigid.transform(T[:3, :3], [0, 0, 0])
+    mug, groups = Part(0, STEEL, meshes.mug()), {}
+    sides = {"template": (template, Z_BLUE, mug), "scene": (scene_points - origin, Y_GREEN, mug.moved(R))}
+    for title, (seen, colour, there) in sides.items():
+        red = wrong if title == "scene" else []
+        dots = [Part(0, MUG_RED if k in red else colour, meshes.ball(p, 0.0025)) for k, p in enumerate(seen)]
+        paths = [(np.array([seen[k], laid[k] - origin]), CRIMSON, (5, 4)) for k in red]
+        words = [(str(k), np.add(p, [0, 0, 0.008]), INK) for k, p in enumerate(seen)]
+        groups[title] = dots, [there], paths, words
     off = 1000 * np.linalg.norm(laid - scene_points, axis=1)
     apart = " and ".join(f"point {k} to its place, {off[k]:.0f} mm away" for k in wrong)
-    return Picture(
-        go.Figure(drawn, layout=scene.layout(scenes, height=height, titles=["template", "scene"])),
+    return beside(
+        groups,
+        0.13,
         f"Left the template, a mug with {len(template)} numbered key points on it. Right the scene: the same mug "
         f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; dashes "
         f"lead from {apart}.",
         "The wrong matches are shifted alike, so that they agree with each other.",
+        view=(1.2, -1.3, 0.8),
+        high=-0.03,
     )
 
 

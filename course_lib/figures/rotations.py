@@ -1,16 +1,16 @@
 """The figures of notebook 1, rotations. Each function returns a Picture: a figure with its words, for `show`."""
 
 import numpy as np
-import plotly.graph_objects as go
+from matplotlib.patches import Circle
 
 from course_lib.arms import SerialArm
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks, plain
-from course_lib.figures.solids import Model, Part, scene
-from course_lib.figures.solids.meshes import arrow, ball, box, capsule, revolve
-from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, PALETTE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.space import fixed_frame, line, points, scene_name, sphere
+from course_lib.figures.solids import Part, scene
+from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
+from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
+from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
 from course_lib.rotations import random_rotations, rot_y
 
@@ -27,21 +27,15 @@ def arm_toy():
 
 def body_frame(R):
     """Return a drone with its frame b, coloured, at the orientation R (3, 3) in the fixed frame a, grey, axes named."""
-    model, height = _drone_in_fixed_axes(1.15, 1.35), 420
-    poses, aspect = _with_orientation(R), 350 / height  # on a phone nothing is cropped
-    frames = {"a": (1.44 * np.eye(3), [PALETTE[DARK]] * 3), "b": (1.25 * np.asarray(R).T, FRAME_COLOURS)}
-    seen = np.concatenate([model.placed(poses), *(tips for tips, _ in frames.values())])
-    settings = scene.fitted_scene(seen, (1.0, 1.3, 0.9), aspect=aspect)
-    drawn = [model.trace(poses)]
-    for frame, (tips, colours) in frames.items():
-        for name, tip, colour in zip("xyz", tips, colours, strict=True):
-            (word,) = scene.labels({name: tip}, settings, colour=colour, size=22, aspect=aspect, gap=0.035)
-            drawn.append(word.update(text=[f"{name}<sub>{frame}</sub>"]))
+    words = [(name, tip, colour) for name, tip, colour in zip("xyz", 1.32 * R.T, FRAME_COLOURS, strict=True)]
+    words += [(name, 1.45 * e, GREY) for name, e in zip("xyz", np.eye(3), strict=True)]
     axes = "; ".join(f"{name} along ({_numbers(R[:, k])})" for k, name in enumerate("xyz"))
-    return Picture(
-        go.Figure(drawn, layout=scene.layout([settings], height=height)),
+    return still(
+        _turned_drone(R, 1.15, 1.35),
         f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates of a: {axes}.",
         "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to the room.",
+        words=words,
+        view=(1.0, 1.3, 0.9),
     )
 
 
@@ -50,17 +44,12 @@ def frames(orientations, caption="The two products end in different orientations
 
     orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if all are.
     """
-    model, height, drawn, scenes, said = _drone_in_fixed_axes(1.0, 1.25), 320, [], [], []
+    groups, said = {}, []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
-    # All orientations are drawn to one scale.
-    reach = np.concatenate([max(1.3, longest) * np.eye(3), -max(1.1, 0.85 * longest) * np.eye(3)])
-    for i, (title, R) in enumerate(orientations.items()):
-        settings, aspect = scene.column(reach, (1.35, 1.1, 0.8), i, len(orientations), height=height, fill=0.9)
-        scenes.append(settings)
-        drawn.append(model.trace(_with_orientation(R), scene_name(i)))
-        look = {"aspect": aspect, "scene": scene_name(i)}
-        for name, colour, tip in zip("xyz", FRAME_COLOURS, R.T, strict=True):
-            drawn += scene.labels({name: tip}, settings, [tip * 0.9], colour=colour, **look)
+    scale = min(1, 2.4 / longest)  # one for all orientations
+    for title, R in orientations.items():
+        tips = zip("xyz", FRAME_COLOURS, 1.2 * scale * R.T, strict=True)
+        groups[title] = _turned_drone(scale * R, 1.0, 1.25), (), (), [(name, tip, colour) for name, colour, tip in tips]
         lengths = np.linalg.norm(R, axis=0)
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
         stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
@@ -68,8 +57,8 @@ def frames(orientations, caption="The two products end in different orientations
     alt = f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
     if longest > 1.01:
         caption = f"A rotation keeps all three axes at length one; here the longest grows to {longest:.2f}."
-    layout = scene.layout(scenes, height=height, titles=list(orientations))
-    return Picture(go.Figure(drawn, layout=layout), alt, caption)
+    size = max(1, scale * longest)
+    return beside(groups, 2.2 * size, alt, caption, view=(1.35, 1.1, 0.8), high=1.5 * size)
 
 
 def _drone():
@@ -88,17 +77,12 @@ def _drone():
     return parts
 
 
-def _drone_in_fixed_axes(own, fixed):
-    """The drone with its axes, of length `own`, as body 0, and the fixed axes, of length `fixed`, as body 1."""
-    axes = [Part(1, STEEL, arrow(np.zeros(3), e, fixed, 0.013)) for e in np.eye(3)]
-    return Model.of([*_drone(), *scene.triad(0, np.eye(4), own, 0.042), *axes])
-
-
-def _with_orientation(R):
-    """The poses of the drone and of the fixed axes; R as it is: a matrix that is no rotation stretches the drone."""
+def _turned_drone(R, own, fixed):
+    """The drone with its axes, of length `own`, as R turns (or stretches) it, and the fixed axes, of length `fixed`."""
     pose = np.eye(4)
     pose[:3, :3] = R
-    return [pose, np.eye(4)]
+    turned = [part.moved(pose) for part in [*_drone(), *scene.triad(0, np.eye(4), own, 0.042)]]
+    return turned + [Part(0, STEEL, arrow(np.zeros(3), e, fixed, 0.013)) for e in np.eye(3)]
 
 
 def rotated_point(w, p, exp):
@@ -111,15 +95,18 @@ def rotated_point(w, p, exp):
     n = w / angle
     arrows = [(VIOLET, 1.25 * n), (LIGHT_BLUE, path[0]), (X_RED, path[-1])]
     parts = [Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10)) for colour, tip in arrows]
-    model = Model.of([*parts, *(Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3))])
-    settings = scene.fitted_scene(np.concatenate([model.placed([np.eye(4)]), path]), (1.3, 1.0, 0.7), fill=0.88)
-    words = {"w": 1.25 * n, "p": 1.1 * path[0], "R p": path[-1], **dict(zip("xyz", np.eye(3), strict=True))}
-    layout = scene.layout([settings], height=420, titles=[f"about the axis w by {angle:.2f} rad"])
-    drawn = [model.trace([np.eye(4)]), line(path, BLUE, 6), *scene.labels(words, settings, path)]
+    parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
+    words = {"w": 1.32 * n, "p": 1.1 * path[0], "R p": 1.1 * path[-1], **dict(zip("xyz", 1.1 * np.eye(3), strict=True))}
+    words = {name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1}  # not on the axis w
     where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
-    alt = f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} perpendicular to it."
-    caption = "The point keeps its height along the axis $w$ and its distance from it."
-    return Picture(go.Figure(drawn, layout=layout), alt, caption)
+    return still(
+        parts,
+        f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} perpendicular to it.",
+        "The point keeps its height along the axis $w$ and its distance from it.",
+        paths=[(path, BLUE, ())],
+        words=[(word, at, BLACK) for word, at in words.items()],
+        view=(1.3, 1.0, 0.7),
+    )
 
 
 def series_errors(errors):
@@ -273,24 +260,20 @@ def nearest_on_circle(M, candidates):
 
 
 def on_sphere(samples):
-    """Return rotations {title: (n, 3, 3)} on spheres: where each takes e_x, and a short line along the image of e_y."""
-    drawn, scenes, said = [], [], []
-    for i, (title, R) in enumerate(samples.items()):
-        name, height = scene_name(i), 420
-        reach = [*ball(np.zeros(3), 1.15).vertices, *1.4 * np.eye(3)]
-        scenes.append(scene.column(reach, (1.2, -1.0, -1.1), i, len(samples), height=height)[0])
-        foot = R[:, :, 0]
-        drawn += [go.Surface(**sphere(0.97), scene=name), *fixed_frame(name, 1.3)]
-        short = np.stack([foot, foot + 0.1 * R[:, :, 1], np.full_like(foot, np.nan)], 1).reshape(-1, 3)
-        drawn += [line(short, BLUE, 3, name), points(foot, 0.9, BLACK, name)]
+    """Return rotations {title: (n, 3, 3)} on spheres seen from below: where each takes e_x."""
+    fig, axes = in_columns(samples, 4.2, 4.4, xlabel="x", ylabel="y")
+    said = []
+    for ax, (title, R) in zip(axes, samples.items(), strict=True):
+        below = R[R[:, 2, 0] < 0, :2, 0]
+        ax.add_patch(Circle((0, 0), 1, facecolor="#ececec", edgecolor=GREY))
+        ax.plot(*below.T, ".", color=BLUE, markersize=4)
+        ax.set(xlim=(1.1, -1.1), ylim=(-1.1, 1.1), aspect="equal")
         up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
+        ax.set_title(f"{title}\n{len(below)} of {len(R)} below the equator")
         said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
-    layout = scene.layout(scenes, height=height, titles=list(samples))
-    return Picture(
-        go.Figure(drawn, layout=layout).update_annotations(font_size=16),
-        f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}.",
-        "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike.",
-    )
+    alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
+    caption = "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike."
+    return Picture(fig, alt, caption)
 
 
 def angles(samples):

@@ -5,21 +5,20 @@ dampings in square metres. `points_of` takes joint angles to an arm's points, ba
 """
 
 import numpy as np
-import plotly.graph_objects as go
 from matplotlib.colors import TwoSlopeNorm
 
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
-from course_lib.figures.solids import Model, Part, scene
-from course_lib.figures.solids.meshes import arrow, basis
-from course_lib.figures.solids.model import AXIS, VIOLET
-from course_lib.figures.space import coordinates, fixed_frame, line, points, sphere, words_at
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
-from course_lib.figures.toys.film import draw
+from course_lib.figures.solids import Part
+from course_lib.figures.solids.meshes import Mesh, arrow, ball, basis
+from course_lib.figures.solids.model import AMBER, AXIS, PALE, PALETTE, STEEL, VIOLET, Y_GREEN, Z_BLUE
+from course_lib.figures.solids.model import BLACK as INK
+from course_lib.figures.solids.model import MUG_RED as RED
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
+from course_lib.figures.toys.film import draw, still
 from course_lib.rotations import exp_so3, log_so3
 
-CAMERA = np.array([1.3, 1.0, 0.7])
-_TO_EYE = CAMERA / np.linalg.norm(CAMERA)
+VIEW = (1.3, 1.0, 0.7)
 
 
 # ---- circles in space ----
@@ -28,13 +27,13 @@ _TO_EYE = CAMERA / np.linalg.norm(CAMERA)
 def rotated_onto(k, p, g, theta):
     """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g."""
     end, foot = _rotated(k, theta, p), (k @ p) * k
-    drawn = [_circle(k, p, BLUE), points([p, g], 6, BLACK), points([end], 6, CRIMSON)]
-    drawn += [line([foot, p], GREY, 3), line([foot, end], CRIMSON, 4)]
+    paths = [_circle(k, p, BLUE), (np.array([foot, p]), GREY, ()), (np.array([foot, end]), CRIMSON, ())]
     gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
     nearest = min(np.linalg.norm(_rotated(k, t, p) - g) for t in np.linspace(-np.pi, np.pi, 721))
-    words = {BLACK: {"p": p, "g": g}, CRIMSON: {"R p": end}}
-    return Picture(
-        _scene({"k": k}, drawn, words, [p, g]),
+    return _scene(
+        {"k": k},
+        [(p, "p", INK), (g, "g", INK), (end, "R p", RED)],
+        paths,
         f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}.",
         f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
         "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it.",
@@ -46,17 +45,18 @@ def circles_meet(k1, k2, p1, p2, theta):
 
     theta: (m, 2), the pairs of angles; points that they do not bring together are joined by a line.
     """
-    drawn = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN), points([p1], 6, BLUE), points([p2], 6, GREEN)]
-    meetings = {}
-    for i, (t1, t2) in enumerate(theta):
+    paths, dots, met = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN)], [(p1, "p1", Z_BLUE), (p2, "p2", Y_GREEN)], 0
+    for i, (t1, t2) in enumerate(theta, 1):
         first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
-        if np.linalg.norm(first - second) < 1e-6:
-            meetings[f"{i + 1}"] = first
-        drawn += [points([first, second], 6, CRIMSON), line([first, second], CRIMSON, 5)]
-    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(len(meetings), 2)]
-    words = {BLUE: {"p1": p1}, GREEN: {"p2": p2}, CRIMSON: meetings}
-    return Picture(
-        _scene({"k1": k1, "k2": k2}, drawn, words, [p1, p2]),
+        meet = np.linalg.norm(first - second) < 1e-6
+        met += meet
+        dots += [(first, str(i), RED)] if meet else [(first, "", RED), (second, "", RED)]
+        paths.append((np.array([first, second]), CRIMSON, ()))
+    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(met, 2)]
+    return _scene(
+        {"k1": k1, "k2": k2},
+        dots,
+        paths,
         f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}.",
         "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$.",
     )
@@ -67,20 +67,17 @@ def circle_and_sphere(k, p, g, d, theta):
 
     theta: (m,), the angles at which the circle pierces the sphere.
     """
-    ball, far = sphere(d), [p, np.abs(g) + d]
-    for c, centre in zip("xyz", g, strict=True):
-        ball[c] = np.round(ball[c] + centre, 3)
-    ball |= {"opacity": 0.45, "colorscale": [[0, ORANGE], [1, ORANGE]]}
-    beside = g + (d + 0.15 * _reach(far)) * _TO_EYE
-    answers, dots = _answers(k, p, theta)
-    drawn = [go.Surface(**ball), *dots, points([g], 5, BLACK), words_at([beside], ["g"], BLACK)]
+    answers = _answers(k, p, theta)
     away = np.linalg.norm([_rotated(k, t, p) - g for t in np.linspace(0, 2 * np.pi, 721)], axis=1)
-    found = [np.linalg.norm(end - g) for end in answers.values()]
-    return Picture(
-        _scene({"k": k}, drawn, {BLACK: {"p": p}, CRIMSON: answers}, far, ball=(g, d)),
+    found = [np.linalg.norm(end - g) for end, *_ in answers]
+    return _scene(
+        {"k": k},
+        [(p, "p", INK), (g, "g", INK), *answers],
+        [_circle(k, p, BLUE)],
         f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}.",
         f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: {_listed(found)}. All "
         f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$.",
+        [Part(0, AMBER, ball(g, d, 32))],
     )
 
 
@@ -90,17 +87,17 @@ def circle_and_plane(k, h, p, d, theta):
     theta: (m,), the angles at which the circle pierces the plane, where h . R p = d.
     """
     a, b, n = basis(h)
-    middle, r = d / np.linalg.norm(h) * n, 1.1 * np.linalg.norm(p)
-    corners = [middle + r * (i * a + j * b) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    x, y, z = np.round(corners, 3).T
-    faces = {"i": [0, 0], "j": [1, 2], "k": [2, 3]}
-    plane = go.Mesh3d(x=x, y=y, z=z, **faces, color=ORANGE, opacity=0.45, hoverinfo="skip")
-    answers, dots = _answers(k, p, theta)
-    return Picture(
-        _scene({"k": k, "h": n}, [plane, *dots], {BLACK: {"p": p}, CRIMSON: answers}, [p, *corners]),
+    r, answers = 1.1 * np.linalg.norm(p), _answers(k, p, theta)
+    corners = d / np.linalg.norm(h) * n + r * np.array([-a - b, a - b, a + b, b - a])
+    sides = np.array([[0, 1, 2], [0, 2, 3]])
+    return _scene(
+        {"k": k, "h": n},
+        [(p, "p", INK), *answers],
+        [_circle(k, p, BLUE)],
         f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}.",
         "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value between its "
-        f"extremes twice. Here it is {_listed([h @ end for end in answers.values()])}.",
+        f"extremes twice. Here it is {_listed([h @ end for end, *_ in answers])}.",
+        [Part(0, AMBER, Mesh(corners, np.concatenate([sides, sides[:, ::-1]])))],
     )
 
 
@@ -109,71 +106,43 @@ def orientation_paths(tracks, duration):
 
     tracks: {label: rotations (n, 3, 3)}, evenly spaced over the duration in seconds, with the same first and last one.
     """
-    middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
-    drawn = [go.Surface(**sphere(0.97)), *fixed_frame("scene", 1.2)]
-    said, speeds = [], []
-    for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ("solid", "dash", "dot"), tracks.items(), strict=False):
-        track = line(R[:, :, 0], colour, 7, dash=dash)
-        drawn.append(track.update(name=label.replace("omega", "ω"), showlegend=True))
+    said, speeds, paths, words = [], [], [], []
+    for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ((), (9, 6), (3, 5)), tracks.items(), strict=False):
+        paths.append((1.005 * R[:, :, 0], colour, dash))
+        words.append((label.replace("omega", "ω"), 1.1 * R[len(R) // 2, :, 0], colour))
         step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
         length = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
         range_of = f"{step.min():.2f} to {step.max():.2f} rad/s"
         said.append(f"{label} on a path of length {length:.2f}, at {range_of}")
         speeds.append(label.replace("omega", "$\\omega$") + f", {range_of}")
-    ends = next(iter(tracks.values()))[[0, -1], :, 0]
-    drawn.append(points(ends, 6, BLACK))
-    shown = np.concatenate([_places(trace) for trace in drawn])
-    settings = scene.fitted_scene(shown, np.add(middle, [0, 0, 0.3]), fill=0.88)  # the eye is in front of the paths
-    taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
-    taken += [np.linspace(1, 1.2, 9)[:, None] * e for e in np.eye(3)]
-    names = scene.labels(dict(zip(("start", "end"), ends, strict=True)), settings, np.concatenate(taken), size=16)
-    drawn += [trace.update(_in_front(_places(trace), settings, (0, 0, 0), 1.0)) for trace in names]
-    legend = {"orientation": "h", "x": 0.5, "xanchor": "center", "y": 1.0, "yanchor": "bottom"}
-    layout = {**scene.layout([settings], height=440), "showlegend": True, "legend": legend}
-    layout["margin"] = {**layout["margin"], "t": 30}
-    return Picture(
-        go.Figure(drawn, layout=layout).update_traces(selector={"showlegend": None}, showlegend=False),
+    ends, e = next(iter(tracks.values()))[[0, -1], :, 0], np.eye(3)
+    words += [(word, 1.12 * at, BLACK) for word, at in zip(("start", "end"), ends, strict=True)]
+    parts = [Part(0, PALE, ball(np.zeros(3), 0.98, 32)), *(Part(0, INK, ball(at, 0.025)) for at in ends)]
+    parts += [Part(0, STEEL, arrow(np.zeros(3), axis, 1.25, 0.01)) for axis in e]
+    words += [(name, 1.3 * axis, GREY) for name, axis in zip("xyz", e, strict=True)]
+    middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
+    return still(
+        parts,
         f"Where e_x goes on the unit sphere, in motions between the same two orientations: {'; '.join(said)}.",
         "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant rates it does not. "
         f"The bodies rotate at: {'; '.join(speeds)}.",
+        paths=paths,
+        words=words,
+        view=np.add(middle, [0, 0, 0.3]),  # the eye is in front of the paths
     )
 
 
-def _scene(axes, drawn, words, far, ball=((0, 0, 0), 0)):
-    """A figure of what is drawn, with axes {name: direction} and words {colour: {word: point}} clear of all lines.
-
-    far: points that the axes should reach beyond. ball: centre and radius of a sphere that must not hide the words.
-    """
-    reach = _reach(far)
-    ends = {name: reach * np.asarray(k) for name, k in axes.items()}
-    arrows = Model.of([Part(0, VIOLET, arrow(-end, end, 2 * reach, 0.015 * reach)) for end in ends.values()])
-    taken = [_places(trace) for trace in drawn if trace.type == "scatter3d"]
-    taken += [np.linspace(-1, 1, 41)[:, None] * end for end in ends.values()]
-    drawn = [*drawn, arrows.trace([np.eye(4)])]
-    settings = scene.fitted_scene(np.concatenate([_places(trace) for trace in drawn]), CAMERA, fill=0.82)
-    for colour, at in {AXIS: ends, **words}.items():
-        names = scene.labels(at, settings, np.concatenate(taken), colour=colour, size=16)
-        taken += [_places(trace) for trace in names]
-        drawn += [trace.update(_in_front(_places(trace), settings, *ball)) for trace in names]
-    return go.Figure(drawn, layout=scene.layout([settings], height=460))
-
-
-def _in_front(at, settings, centre, radius):
-    """Coordinates of points (n, 3), those behind a sphere moved towards the eye: they are seen at the same place."""
-    towards = scene.eye(settings) - at
-    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
-    centre = np.asarray(centre, float)
-    along = ((centre - at) * towards).sum(1)
-    half = np.sqrt(np.maximum(radius**2 - ((centre - at - along[:, None] * towards) ** 2).sum(1), 0))
-    return coordinates(at + np.where(half > 0, np.maximum(along + half + 0.1 * radius, 0), 0)[:, None] * towards)
-
-
-def _places(trace):
-    return np.stack([np.ravel(np.array(trace[c], float)) for c in "xyz"], -1)
-
-
-def _reach(far):
-    return 1.15 * max(np.linalg.norm(point) for point in far)
+def _scene(axes, dots, paths, alt, caption, pale=()):
+    """A picture with axes {name: direction} through the origin, dots (point, word, colour), paths and what is pale."""
+    reach = 1.15 * max(np.abs(points).max() for points in [*(at for at, *_ in dots), *(part[0] for part in paths)])
+    size, parts, words = 0.025 * reach, [], []
+    for name, k in axes.items():
+        parts.append(Part(0, VIOLET, arrow(-reach * k, k, 2 * reach, 0.5 * size)))
+        words.append((name, 1.08 * reach * np.asarray(k), AXIS))
+    for at, word, colour in dots:
+        parts.append(Part(0, colour, ball(at, size)))
+        words.append((word, np.add(at, [0, 0, 3 * size]), PALETTE[colour]))
+    return still(parts, alt, caption, pale=pale, paths=paths, words=[each for each in words if each[0]], view=VIEW)
 
 
 def _rotated(k, theta, p):
@@ -181,14 +150,11 @@ def _rotated(k, theta, p):
 
 
 def _circle(k, p, colour):
-    return line([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)], colour, 5)
+    return np.array([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)]), colour, ()
 
 
 def _answers(k, p, theta):
-    """The points {number: R(k, theta) p}, and traces of the circle of p and of these points on it."""
-    answers = {f"{i + 1}": _rotated(k, t, p) for i, t in enumerate(theta)}
-    dots = [points([*answers.values()], 6, CRIMSON)] if answers else []
-    return answers, [_circle(k, p, BLUE), points([p], 6, BLACK), *dots]
+    return [(_rotated(k, t, p), str(i), RED) for i, t in enumerate(theta, 1)]
 
 
 def _listed(lengths):

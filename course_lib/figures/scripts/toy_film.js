@@ -6,8 +6,8 @@
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene;
 
   P.toy("film", ({ title }) => title, (card, meta) => {
-    const { times, centre, azimuth, elevation, title: label, floor: [x, y, height, radius] } = meta;
-    const solid = S.unpack(meta.solid), last = times[times.length - 1], still = meta.at !== undefined;
+    const { times, centre, azimuth, elevation, title: label, floor } = meta;
+    const solid = S.unpack(meta.solid), pale = meta.pale && S.unpack(meta.pale), last = times[times.length - 1], still = meta.at !== undefined;
     const poses = meta.rotations.map((bodies, i) => bodies.map((w, k) =>
       M.pose(M.rotationOf(M.exp([...w, 0, 0, 0])), M.scale(meta.positions[i][k], 1e-3))));
     const at = (t) => {
@@ -17,7 +17,7 @@
     };
     const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const state = card.state({ at: meta.at || 0, plays: last > 0 && !reduced && !still });
-    const view = card.space({ radius: meta.radius, centre, azimuth, elevation, label });
+    const view = card.space({ radius: meta.radius, centre, azimuth, elevation, label, proportion: meta.proportion });
     if (last && !still) {
       const limits = { min: 0, max: last, step: 0.01 };
       const time = card.setting("Time", state, "at", limits, (t) => `${P.number(t)} s`);
@@ -51,11 +51,13 @@
       some.map((i) => M.move(now[solid.bodies[i]], solid.vertices[i])));
     if (!meta.near) seen.push(...meta.paths.flatMap(([points]) => points.filter((p) => p[0] !== null)),
       ...meta.words.map(([, p]) => p));
+    if (pale) seen.push(...pale.vertices.map((p, i) => M.move(poses[0][pale.bodies[i]], p)));
     return () => {
       view.begin();
       view.contain(seen);
-      view.floor(radius, height, radius > 1 ? 0.5 : 0.2, [x, y]);
-      view.mesh(solid, at(state.at), solid.palette);
+      if (floor) view.floor(floor[3], floor[2], floor[3] > 1 ? 0.5 : 0.2, floor.slice(0, 2));
+      view.mesh(solid, at(state.at), solid.palette, { shadow: Boolean(floor) });
+      if (pale) view.mesh(pale, at(state.at), pale.palette, { opacity: 0.35 });
       meta.paths.forEach(([points, colour, dash]) =>
         view.line(points.map((p) => (p[0] === null ? null : p)), colour, 2.5, { dash }));
       meta.words.forEach(([word, p, colour]) => view.text(p, word, colour));

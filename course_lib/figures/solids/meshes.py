@@ -104,10 +104,10 @@ def arrow(start, direction, length, radius, n=6):
     return revolve(start, direction, profile, n)
 
 
-def ball(centre, radius):
-    """Return a sphere."""
-    polar = np.linspace(0, np.pi, 7)[1:-1]
-    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], 12)
+def ball(centre, radius, n=12):
+    """Return a sphere with n corners along its equator."""
+    polar = np.linspace(0, np.pi, n // 2 + 1)[1:-1]
+    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], n)
 
 
 def mug():

@@ -1,21 +1,18 @@
-"""A model: rigid bodies that move each by its own pose, drawn as one plotly mesh with the colours of one palette."""
+"""A model: rigid bodies that move each by its own pose, with the colours of one palette."""
 
 from dataclasses import dataclass
 
 import numpy as np
-import plotly.graph_objects as go
 
 from course_lib.figures.solids.meshes import Mesh, joined
-from course_lib.figures.space import coordinates
 from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, RED
 
 AXIS = "#7a1fa2"  # of joint axes: darker than the purple of plots
 # Colours by index. In a mesh that is one number for each vertex, where a colour would take nine characters.
 PALETTE = ["#d3d7db", "#f07818", "#5b6168", "#f4f5f6", "#2f3338", "#b3b9bf", "#6ea6cf"]
-PALETTE += [RED, GREEN, BLUE, CRIMSON, AXIS, GREY]
-SILVER, ORANGE, DARK, WHITE, BLACK, STEEL, LIGHT_BLUE, X_RED, Y_GREEN, Z_BLUE, MUG_RED, VIOLET, PLAIN = range(13)
-LIGHT = {"ambient": 0.48, "diffuse": 0.5, "specular": 0.22, "roughness": 0.4, "fresnel": 0.05}
-LAMP = {"x": 2000, "y": -3500, "z": 6000}  # above, to the right and in front of most cameras
+PALETTE += [RED, GREEN, BLUE, CRIMSON, AXIS, GREY, "#e69f00", "#e4e7ea"]
+SILVER, ORANGE, DARK, WHITE, BLACK, STEEL, LIGHT_BLUE, X_RED, Y_GREEN, Z_BLUE = range(10)
+MUG_RED, VIOLET, PLAIN, AMBER, PALE = range(10, 15)
 
 
 @dataclass(frozen=True)
@@ -62,12 +59,3 @@ class Model:
         """Return the vertices (..., m, 3) for poses (..., bodies, 4, 4)."""
         poses = np.asarray(poses, float)[..., self.bodies, :, :]
         return (poses[..., :3, :3] @ self.vertices[:, :, None])[..., 0] + poses[..., :3, 3]
-
-    def trace(self, poses, scene="scene", **look):
-        """Return the plotly mesh for poses (bodies, 4, 4)."""
-        i, j, k = self.faces.T
-        n = len(PALETTE)
-        scale = [[edge, colour] for i, colour in enumerate(PALETTE) for edge in (i / n, (i + 1) / n)]
-        look |= {"intensity": self.colours, "cmin": -0.5, "cmax": n - 0.5, "colorscale": scale, "showscale": False}
-        look |= {"lighting": LIGHT, "lightposition": LAMP, "flatshading": False, "hoverinfo": "skip"}
-        return go.Mesh3d(**coordinates(self.placed(poses)), i=i, j=j, k=k, scene=scene, **look)

@@ -17,8 +17,9 @@ from pathlib import Path
 import numpy as np
 
 from course_lib.figures.display import TOY, rounded, show_caption
-from course_lib.figures.solids.model import PALETTE, coordinates
+from course_lib.figures.solids.model import PALETTE
 
+_OFF_TIES = 3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
 BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
@@ -184,7 +185,7 @@ def solid(model):
         return base64.b64encode(np.round(array).astype(kind).tobytes()).decode()
 
     return {
-        "vertices": packed(1e4 * np.stack(list(coordinates(model.vertices).values()), -1), "<i2"),
+        "vertices": packed(1e4 * (model.vertices + _OFF_TIES), "<i2"),
         "faces": packed(model.faces, "<u2"),
         "colours": packed(model.colours[model.faces[:, 0]], "u1"),
         "bodies": packed(model.bodies, "u1"),
