@@ -3,7 +3,7 @@
 (() => {
   "use strict";
   const M = globalThis.course.motion, P = globalThis.course.parts, S = globalThis.course.scene, { COLOURS, rad } = P;
-  const BALL = S.ball(36), ELLIPSOIDS = ["#009e73", "#9b4f7f"];
+  const BALL = S.ball(36);
 
   // The configurations of one pose of the end-effector within the joint limits: along the null space, to both sides.
   function selfMotion(arm, limits, start) {
@@ -71,7 +71,7 @@
     if (has("axes")) card.checkbox("screw axes", state, "axes");
     if (has("ellipsoids")) {
       card.checkbox("velocity ellipsoid (green)", state, "velocity");
-      card.checkbox("force ellipsoid (purple)", state, "force");
+      card.checkbox("force ellipsoid (orange)", state, "force");
     }
     card.button("Start again", () => { state.q = [...meta.q]; showJoints(); moved(); });
     const numbers = card.numbers(), words = card.words();
@@ -110,9 +110,9 @@
         view.text(M.add(at, axis, (i % 2 ? 1.12 : -1.12) * l), String(i + 1), COLOURS.purple);
       });
       const J = M.geometricJacobian(arm, state.q), Jv = J.slice(3), A = M.times(Jv, M.transpose(Jv));
-      if (has("ellipsoids") && state.velocity) ellipsoid(p, A, (x) => 0.17 * x, ELLIPSOIDS[0]);
+      if (has("ellipsoids") && state.velocity) ellipsoid(p, A, (x) => 0.17 * x, COLOURS.green);
       if (has("ellipsoids") && state.force) {
-        ellipsoid(p, A, (x) => Math.min(0.35 * size, (0.02 * size * size) / Math.max(x, 1e-9)), ELLIPSOIDS[1]);
+        ellipsoid(p, A, (x) => Math.min(0.35 * size, (0.02 * size * size) / Math.max(x, 1e-9)), COLOURS.orange);
       }
       F.slice(0, state.frames).forEach((frame, k) => {
         view.frame(frame, 0.075 * size, { thick: 0.005 * size });
