@@ -12,7 +12,7 @@ Q6, Q7 = [0.3, -1.2, 1.5, -1.8, -1.5, 0.2], [0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1
 READY = [0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4]
 AT = ARM.fk([0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 MODES = ("axis", "gimbals", "order", "velocity", "belt")
-PLAIN = ("iiwa_toy", "two_poses_toy", "circles_toy", "planar_arm_toy", "cells_toy", "bent_arm_toy")
+PLAIN = ("iiwa_toy", "two_poses_toy", "circles_toy", "planar_arm_toy", "cells_toy")
 T_WM = rigid.transform(rotations.rot_z(0.7), [0.3, -0.05, 0.6])  # a mug, and two cameras that see it
 T_WC = rigid.transform(rotations.rot_x(np.pi) @ rotations.rot_z(0.3) @ rotations.rot_y(-0.45), [0.6, -0.1, 1.2])
 T_MC = rigid.transform(rotations.rot_z(0.4) @ rotations.rot_x(-2.0), [0.2, -0.41, 0.256])
@@ -21,7 +21,6 @@ TOYS = {name: getattr(figures, name) for name in PLAIN}
 TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in MODES}
 TOYS |= {
     "panda_toy": lambda: figures.panda_toy(READY),
-    "dead_reckoning_toy": lambda: figures.dead_reckoning_toy(ROUND),
     "jog": lambda: figures.jog(iiwa14(), q=Q7),
     "product": lambda: figures.build_up_toy(iiwa14(), q=Q7),
     "reach": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=Q6)),

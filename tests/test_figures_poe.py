@@ -1,13 +1,12 @@
 """The pictures of notebook 4: the arm is where forward kinematics puts it, in every frame."""
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
 from films import Film
 
-from course_lib import rigid, trajectory
+from course_lib import rigid
 from course_lib.arms import iiwa14, ur5e
 from course_lib.figures import poe_kuka_iiwa as figures
 from course_lib.figures import solids, three_views
@@ -37,12 +36,6 @@ def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
         for axis in range(3):
             tip = poses[k, :3, 3] + 0.2 * np.ptp(poses[:, :3, 3], axis=0).max() * poses[k, :3, axis]
             assert np.linalg.norm(film.at(0) - tip, axis=1).min() < 1e-3
-
-
-def test_a_figure_of_eight_crosses_itself_once_and_an_ellipse_does_not():
-    motion = trajectory.load(Path(__file__).parents[1] / "notebooks/data/iiwa_trajectory.csv")
-    alt = figures.plane_projections(ARM.fk(motion.q)[:, :3, 3]).alt
-    assert "x-y 1, x-z 1, y-z 0" in alt
 
 
 # ---- the dimensioned drawings ----

@@ -12,7 +12,6 @@ from scipy.spatial.transform import Rotation
 
 from course_lib import ik, registration, rigid, rotations
 from course_lib.arms import SerialArm, panda, planar_arm
-from course_lib.checks import decomposition_ik as check
 from course_lib.figures.solids import meshes
 from course_lib.figures.toys.alive import SPOTS
 from course_lib.figures.toys.toy import SCRIPTS
@@ -248,27 +247,6 @@ def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(js, rng):
     assert_allclose(reached[:, :3, 3] + 0.1 * reached[:, :3, 2], targets[:, :3, 3], rtol=0, atol=1e-6)
     assert (found >= arm.limits[:, 0]).all()
     assert (found <= arm.limits[:, 1]).all()
-
-
-# ---- the bent arm ----
-
-
-def test_the_bend_and_its_square_are_fitted_in_a_cell_as_numpy_does(js, rng):
-    low = rng.uniform(0, 1.8, N)
-    high, degrees = low + rng.uniform(0.1, 1, N) * (2 - low), rng.integers(1, 4, N).tolist()
-    low[0], high[0], degrees[0] = 1.75, 2.0, 1
-    for a, b, degree, found in zip(low, high, degrees, js("bendFits", low, high, degrees, N * [41]), strict=True):
-        r, u = np.linspace(a, b, 41), np.linspace(-1, 1, 41)
-        inverse = check.ik_2r.library(np.stack([np.minimum(r, 2), 0 * r], -1))[:, 0]
-        direct = np.polyval(np.polyfit(u, inverse[:, 1], degree), u)
-        square = np.polyval(np.polyfit(u, inverse[:, 1] ** 2, degree), u)
-        rooted = np.sqrt(np.maximum(square, 0))
-        assert_allclose(found["direct"], direct, **CLOSE)
-        assert_allclose(found["square"], square, **CLOSE)
-        for name, bend in (("directError", direct), ("rootedError", rooted)):
-            assert_allclose(found[name]["angle"], np.abs(bend - inverse[:, 1]).max(), rtol=0, atol=1e-7)
-            tips = check.fk_2r.library(np.stack([-bend / 2, bend], -1))
-            assert_allclose(found[name]["tip"], np.linalg.norm(tips - np.stack([r, 0 * r], -1), axis=-1).max(), **CLOSE)
 
 
 def test_points_are_registered_as_the_library_does_also_three_and_after_half_a_revolution(js, rng):

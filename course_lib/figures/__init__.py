@@ -13,7 +13,7 @@ _TOYS = {  # by the module of course_lib.figures.toys in which they are
     "alive": ("alive", "click", "drive", "fly", "reach", "table"),
     "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
     "orientation": ("circles_toy", "orientation_toy"),
-    "plane": ("bent_arm_toy", "cells_toy", "dead_reckoning_toy", "planar_arm_toy", "two_poses_toy"),
+    "plane": ("cells_toy", "planar_arm_toy", "two_poses_toy"),
 }
 
 __all__ = ["lines", "show"]

@@ -4,12 +4,11 @@ Each function returns a Picture, for `show`. Positions are in metres, errors in 
 """
 
 import numpy as np
-import plotly.graph_objects as go
-from plotly.subplots import make_subplots
+from matplotlib.colors import LogNorm
 
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres, lines
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, PLOTLY_LAYOUT, RED, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, RED, plane_figure
 
 _EDGE = "#555555"
 
@@ -126,32 +125,29 @@ def percentiles(contents):
 
 
 def errors(contents, caption):
-    """Return errors at positions in the plane, by size and colour; the values are under the pointer.
+    """Return errors at positions in the plane, by size and colour.
 
     contents: {title: (xy (m, 2), error (m,) in cm, NaN where there is no answer)}, a panel for each.
     """
-    fig = make_subplots(1, len(contents), subplot_titles=[*contents], horizontal_spacing=0.09)
-    said, ticks = [], [1e-3, 1e-2, 1e-1, 1, 10]
-    bar = {"title": "cm", "tickvals": np.log10(ticks), "ticktext": [f"{tick:g}" for tick in ticks]}
-    for i, (title, (xy, error)) in enumerate(contents.items(), 1):
+    fig, axes = plane_figure(4.8 * len(contents), 3.8, len(contents))
+    said = []
+    for ax, (title, (xy, error)) in zip(axes, contents.items(), strict=True):
         xy, error = xy[~np.isnan(error)], error[~np.isnan(error)]
         shown = np.clip(error, 1e-3, 10)
-        look = {"cmin": -3, "cmax": 1, "colorscale": "Viridis", "reversescale": True, "colorbar": bar}
-        look |= {"size": 3 + 12 * np.sqrt(shown / 10), "color": np.log10(shown), "showscale": i == 1}
-        hover = "x %{x:.2f} m, y %{y:.2f} m<br>error %{customdata:.3g} cm<extra></extra>"
-        x, y = np.round(xy.T, 3)
-        dots = go.Scatter(x=x, y=y, mode="markers", marker=look, customdata=error, hovertemplate=hover)
-        fig.add_trace(dots, 1, i)
-        (left, low), (right, high) = xy.min(0).round(1) - 0.2, xy.max(0).round(1) + 0.2
-        fig.update_xaxes(title="x (m)", range=[left, right], constrain="domain", row=1, col=i)
-        anchor = f"x{i if i > 1 else ''}"
-        fig.update_yaxes(title="y (m)", range=[low, high], scaleanchor=anchor, constrain="domain", row=1, col=i)
+        look = {
+            "s": (2 + 9 * np.sqrt(shown / 10)) ** 2,
+            "cmap": "viridis_r",
+            "norm": LogNorm(1e-3, 10),
+            "linewidths": 0,
+        }
+        dots = ax.scatter(*xy.T, c=shown, **look)
+        in_metres(ax, title=title)
         k = int(np.argmax(error))
+        look = {"color": BLACK, "bbox": {"color": "white", "alpha": 0.7, "pad": 1}}
+        ax.annotate(f"{error[k]:.1f} cm", xy[k], (8, -14), textcoords="offset points", **look)
         worst = f"{error[k]:.1f} at ({xy[k, 0]:.1f}, {xy[k, 1]:.1f}) m"
         said.append(f"{title}: half below {np.median(error):.2g}, the largest {worst}")
-    fig.update_layout(**PLOTLY_LAYOUT | {"margin": {"l": 60, "r": 10, "t": 40, "b": 55}}, height=340, showlegend=False)
-    fig.update_xaxes(gridcolor="#dddddd", zeroline=False)
-    fig.update_yaxes(gridcolor="#dddddd", zeroline=False)
+    fig.colorbar(dots, ax=axes, label="error (cm)", format="{x:g}")
     alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(said)}."
     return Picture(fig, alt, caption)
 
@@ -183,6 +179,26 @@ def convergence(sizes, curves, slopes):
         f"The largest error of the position in a cell, in cm, over the width of the cell, both logarithmic: {said}.",
         "At the workspace's edge the degree of the polynomial does not change the slope.",
     )
+
+
+def root_and_square(width):
+    """Return q2 and its square over the tip's distance, and their fits in a cell of a width (m) at the edge."""
+    fig, axes = plane_figure(9.6, 3.6, 2)
+    r, said = 2 - 0.8 * np.linspace(0, 1, 300) ** 2, []
+    bend, own = 2 * np.arccos(r / 2), r >= 2 - width
+    drawn = ((bend, 3, "cubic", "$q_2$ (rad)"), (bend**2, 1, "line", "$q_2^2$ (rad²)"))
+    for ax, (values, degree, fitted, name) in zip(axes, drawn, strict=True):
+        fit = np.polynomial.Polynomial.fit(r[own], values[own], degree)(r[own])
+        ax.axvspan(2 - width, 2, color=GREY, alpha=0.15)
+        ax.plot(r, values, color=BLUE, linewidth=2, label=name)
+        ax.plot(r[own], fit, "--", color=CRIMSON, linewidth=2, label=f"{fitted} in the last cell")
+        ax.set(xlabel="distance of the tip (m)", ylabel=name)
+        ax.legend(frameon=False)
+        q2 = np.sqrt(np.maximum(fit, 0)) if degree == 1 else fit
+        said.append(f"the {fitted} misses q2 by up to {np.rad2deg(np.abs(q2 - bend[own]).max()):.1f} degrees")
+    alt = "The bend q2 over the distance of the tip falls to 0 at 2 m with a vertical tangent; its square is nearly "
+    alt += f"straight. In the last cell, {width:g} m wide, {', and for the square '.join(said)}."
+    return Picture(fig, alt, "At the edge $q_2$ falls like a root; its square is nearly a straight line.")
 
 
 def by_bend(edges, mean):

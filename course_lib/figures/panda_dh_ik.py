@@ -330,32 +330,14 @@ def descents(errors):
     )
 
 
-def share_by_damping(dampings, shares):
-    """Return the share of targets reached, from 0 to 1, against the damping."""
-    return Picture(
-        _shares(dampings, shares, "damping", xscale="log"),
-        f"The share of targets that is reached, against the damping on a logarithmic axis. It is highest, "
-        f"{max(shares):.0%}, at {dampings[np.argmax(shares)]:g}. "
-        f"At both ends it is {shares[0]:.0%} and {shares[-1]:.0%}.",
-        "With too little damping the steps overshoot, with too much they do not get there in 50 steps.",
-    )
-
-
-def share_by_starts(shares):
-    """Return the share of targets reached, from 0 to 1, after 1, 2, ... starts."""
-    return Picture(
-        _shares(np.arange(1, 1 + len(shares)), shares, "starts"),
-        f"The share of random targets that is reached, against the number of starts: {shares[0]:.0%} with one start, "
-        f"{shares[-1]:.0%} after {len(shares)} of them.",
-        "Each further start reaches some of the remaining targets; the hard ones remain unsolved.",
-    )
-
-
-def _shares(x, shares, xlabel, **options):
-    fig, (ax,) = plane_figure(5.4, 3.2)
-    ax.plot(x, shares, "o-", color=BLUE, linewidth=2)
-    ax.set(xlabel=xlabel, ylabel="share of targets reached", ylim=(0, 1), **options)
-    return fig
+def share_reached(x, shares, xlabel, caption):
+    """Return the share of targets reached, from 0 to 1, over x (n,): dampings, drawn by their logarithm, or starts."""
+    fig = lines(x, {"": shares}, xlabel=xlabel, ylabel="share of targets reached", log="x" if x[0] < 1 else "")
+    fig.axes[0].set(ylim=(0, 1))
+    fig.axes[0].lines[0].set_marker("o")
+    alt = f"The share of targets that is reached, over the {xlabel}: {shares[0]:.0%} at {x[0]:g}, {shares[-1]:.0%} at "
+    alt += f"{x[-1]:g}, and the most, {max(shares):.0%}, at {x[np.argmax(shares)]:g}."
+    return Picture(fig, alt, caption)
 
 
 def fastest_joint(times, speeds):

@@ -137,40 +137,15 @@ def arm_movie(arm, motion):
 def plane_projections(path):
     """Return a path in space, shape (n, 3), projected along z, along y and along x."""
     fig, axes = plane_figure(10.2, 3.4, 3)
-    crossings = []
     for ax, (i, j) in zip(axes, ((0, 1), (0, 2), (1, 2)), strict=True):
         ax.plot(path[:, i], path[:, j], color=BLUE, linewidth=2)
         ax.plot(*path[0, [i, j]], "o", color=CRIMSON, label="start")
         in_metres(ax, xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
         ax.margins(0.15)
-        crossings.append(f"{'xyz'[i]}-{'xyz'[j]} {_crossings(_first_round(path)[:, [i, j]])}")
     legend_above(fig, 1, axes[0])
-    said = f"How often it crosses itself in the first round: {', '.join(crossings)}."
-    alt = f"The path of the end-effector in the three coordinate planes. {said}"
-    return Picture(fig, alt, f"One path in space, three projections. {said}")
-
-
-def _first_round(path):
-    """The part of a path in space (n, 3) until it is back where it began; the whole path if it never is."""
-    away = np.linalg.norm(path - path[0], axis=1)
-    far = int(np.argmax(away > 0.9 * away.max()))
-    near = far + np.flatnonzero(away[far:] < 0.1 * away.max())
-    return path[: int(near[away[near[near < near[0] + 10]].argmin()]) + 1] if len(near) else path
-
-
-def _crossings(path):
-    """How often a closed plane path (n, 2) crosses itself."""
-    a = (path + np.roll(path, -1, axis=0)) / 2  # so that it may cross at a sample
-    b = np.roll(a, -1, axis=0)
-    i, j = np.triu_indices(len(a), 2)
-    across = _side(a[i], b[i], a[j]) * _side(a[i], b[i], b[j]) < 0
-    return int((across & (_side(a[j], b[j], a[i]) * _side(a[j], b[j], b[i]) < 0)).sum())
-
-
-def _side(a, b, c):
-    """On which side of the line through a and b the point c lies: 1 or -1."""
-    (dx, dy), (ex, ey) = (b - a).T, (c - a).T
-    return np.sign(dx * ey - dy * ex)
+    size = " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
+    alt = f"The path of the end-effector in the three coordinate planes; in space it takes {size} m."
+    return Picture(fig, alt, "One path in space, three projections. In which of them does it cross itself?")
 
 
 def _mark(samples):

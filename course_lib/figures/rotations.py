@@ -9,7 +9,7 @@ from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks, 
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.style import BLACK, BLUE, COLOURS, FRAME_COLOURS, GREY, RED, plane_figure
+from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED, plane_figure
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
 from course_lib.rotations import random_rotations, rot_y
@@ -273,26 +273,6 @@ def on_sphere(samples):
         said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
     caption = "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike."
-    return Picture(fig, alt, caption)
-
-
-def angles(samples):
-    """Return histograms of the rotation angle against the density (1 - cos a)/pi of uniform rotations.
-
-    samples: {title: R (n, 3, 3)}.
-    """
-    fig, axes = in_columns(samples, 4.2, 3.2, xlabel="rotation angle a (rad)", ylabel="density (1/rad)")
-    a, said = np.linspace(0, np.pi, 200), []
-    for ax, colour, (title, R) in zip(axes, COLOURS, samples.items(), strict=False):
-        cosine = np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1)
-        bars = {"color": colour, "alpha": 0.55, "label": f"{len(R)} draws"}
-        ax.hist(np.arccos(cosine), 30, range=(0, np.pi), density=True, **bars)
-        ax.plot(a, (1 - np.cos(a)) / np.pi, color=BLACK, label=r"$(1-\cos a)/\pi$")
-        pi_ticks(ax.xaxis, 4)
-        ax.legend(frameon=False, loc="upper left")
-        said.append(f"{title}: {np.mean(cosine > 0):.0%} are below a right angle")
-    alt = f"Histograms of the rotation angle, with the density (1 - cos a)/pi. {'; '.join(said)}."
-    caption = "Small angles are rare among uniform rotations; the naive sampler draws too many just above $\\pi/2$."
     return Picture(fig, alt, caption)
 
 

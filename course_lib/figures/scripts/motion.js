@@ -185,23 +185,6 @@ globalThis.course.motion = (() => {
   }
   // Coefficients c for which A c is nearest to y.
   const leastSquares = (A, y) => solve(times(transpose(A), A), apply(transpose(A), y));
-  // For an arm with two links of 1 m and n distances r of its tip in a cell: its bend q2 by a polynomial (direct), and
-  // by the root of one for the square of q2 (rooted); the largest errors of q2 and of the tip.
-  function bendFits(from, to, degree, n) {
-    const u = sampled(n - 1, (s) => 2 * s - 1);
-    const r = u.map((t) => ((1 - t) * from + (1 + t) * to) / 2), bend = r.map((x) => 2 * Math.acos(Math.min(1, x / 2)));
-    const fit = (y) => {
-      const c = leastSquares(u.map((t) => Array.from({ length: degree + 1 }, (_, k) => t ** k)), y);
-      return u.map((t) => c.reduceRight((sum, each) => sum * t + each, 0));
-    };
-    const direct = fit(bend), square = fit(bend.map((b) => b * b));
-    const rooted = square.map((s) => Math.sqrt(Math.max(0, s)));
-    const errors = (found) => ({
-      angle: Math.max(...found.map((b, i) => Math.abs(b - bend[i]))),
-      tip: Math.max(...found.map((b, i) => Math.abs(2 * Math.cos(b / 2) - r[i]))),
-    });
-    return { r, direct, square, rooted, directError: errors(direct), rootedError: errors(rooted) };
-  }
   // The pose that moves points `from` nearest to points `to`, their partners, by least squares (Horn's quaternion).
   function register(from, to) {
     const mean = (points) => scale(points.reduce((sum, p) => add(sum, p)), 1 / points.length);
@@ -261,7 +244,7 @@ globalThis.course.motion = (() => {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, sampled, wrap, pose, rotationOf, positionOf, move,
     inverse, exp, log, rotationVector, interpolate, rotation, poseError, quaternion, multiply, toEuler, planar,
     logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian, geometricJacobian,
-    planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, bendFits, eigen, register, firstHit,
+    planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, eigen, register, firstHit,
     singularValues, nullVector, reach,
   };
 })();

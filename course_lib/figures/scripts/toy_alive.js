@@ -248,8 +248,8 @@
     });
     card.button("Start again", () => { state.log = []; state.answer = null; asked(); });
     card.checkbox("Hide the robot", state, "hidden");
-    card.range("Step dt", { min: 0.1, max: 1, step: 0.1, value: state.dt }, (x) => `${x.toFixed(1)} s`,
-      (x) => { state.dt = x; asked(); });
+    card.range("Step dt", { min: -2, max: 0, step: 0.1, value: Math.log10(state.dt) },
+      (x) => `${Number((10 ** x).toPrecision(2))} s`, (x) => { state.dt = 10 ** x; asked(); });
     const words = card.words();
     asked();
     card.atEnd(() => { held.clear(); cancelAnimationFrame(frame); });

@@ -1,10 +1,7 @@
-"""The toys in the plane, of notebooks 2, 3 and 6: poses, dead reckoning, a planar arm, cells, a bent arm."""
-
-import numpy as np
+"""The toys in the plane, of notebooks 2, 3 and 6: poses, a planar arm, cells."""
 
 from course_lib.arguments import real_array
 from course_lib.figures.toys.toy import Toy
-from course_lib.planar import propagate_body, propagate_body_exact
 
 
 def two_poses_toy():
@@ -16,29 +13,6 @@ def two_poses_toy():
     caption = "The dot is the pole: the red arc is one rotation about it."
     model = {"start": [-3.0, -1.5, 0.2], "goal": [2.5, 1.5, 2.0], "half": 5.0}
     return Toy("two_poses", model, alt, caption=caption)
-
-
-def dead_reckoning_toy(plan):
-    """Return a toy: a vacuum cleaner drives a plan to its dock; Euler steps of a length to choose miss it.
-
-    Parameters
-    ----------
-    plan : sequence of ((vx, vy, omega), duration)
-        Velocities in the body's frame, in m/s and rad/s, and how long each lasts, in seconds.
-    """
-    start, dt = np.zeros(3), 0.5
-    exact, euler = propagate_body_exact(start, plan, 0.02), propagate_body(start, plan, dt)
-    low, high = exact[:, :2].min(0), exact[:, :2].max(0)
-    miss = np.linalg.norm(exact[-1, :2] - euler[-1, :2])
-    alt = (
-        "The path that a vacuum cleaner drives to its dock, and the path that Euler steps compute. With steps of "
-        f"{dt:g} s the computed end is {100 * miss:.0f} cm from the dock; a slider sets the step."
-    )
-    caption = "Where does the computed path leave the driven one, and where does it stay parallel to it?"
-    plan = [[list(map(float, v)), float(t)] for v, t in plan]
-    model = {"plan": plan, "dt": dt, "start": start.tolist(), "tolerance": 0.02}
-    model |= {"half": round(0.6 * float((high - low).max()) + 0.3, 3), "centre": ((low + high) / 2).round(3).tolist()}
-    return Toy("dead_reckoning", model, alt, caption=caption)
 
 
 def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping=0.05):
@@ -79,14 +53,3 @@ def cells_toy():
     caption = "Each cell has the colour of its error: where is it largest, and what do smaller cells change there?"
     model = {"lengths": [1.0, 1.0], "size": 0.5, "at": [0.9, 0.7]}
     return Toy("cells", model, alt, caption=caption)
-
-
-def bent_arm_toy():
-    """Return a toy: an arm with two links of 1 m to drag, and polynomials for its bend q2, and for q2 squared."""
-    alt = (
-        "An arm with two links of 1 m, its tip at (1.5, 0.9) m, with both elbows: bent by q2 = 58 or by -58 degrees. "
-        "The tip can be dragged. Beside it are q2 and the square of q2 over the tip's distance from the base, with the "
-        "polynomials that fit them in one cell."
-    )
-    caption = "At the edge q2 falls like a root, with a vertical tangent; its square is nearly a straight line."
-    return Toy("bent_arm", {"at": [1.5, 0.9], "width": 0.25}, alt, caption=caption)
