@@ -4,7 +4,7 @@ import shutil
 
 import numpy as np
 import pytest
-from helpers import FIGURE, stored
+from helpers import FIGURE
 from numpy.testing import assert_allclose
 from PIL import Image, ImageSequence
 from site_notebooks import HELIX, MOVING, cell, output, write
@@ -32,10 +32,11 @@ def swing():
     return {TOY: film(parts, solids.link_poses(arm, TURNED), TIMES, words, name="moving", view=view).stored()}
 
 
+@pytest.mark.tools("browser")
 @pytest.mark.parametrize(("movie", "true"), [
-    (lambda: {FIGURE: stored(rigid_motion.body_movie("moving", POSES, TIMES).fig)},
+    (lambda: {TOY: rigid_motion.body_movie("moving", POSES, TIMES).stored()},
      np.linspace(POSES[0], POSES[-1], 21)[:, :2]),
-    pytest.param(swing, CENTRES, marks=pytest.mark.tools("browser")),
+    (swing, CENTRES),
 ], ids=["in the plane", "in space"])  # fmt: skip
 def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, true, tmp_path, monkeypatch, capsys):
     write(tmp_path, "01.ipynb", cell(output(movie()), output({FIGURE: HELIX})))

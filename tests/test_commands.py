@@ -15,11 +15,11 @@ import nbformat
 import numpy as np
 import pytest
 from course_copy import ROOT, copied, fold_a_section, made, run
-from helpers import FIGURE, stored
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
 
 from course_lib.figures import rigid_motion
+from course_lib.figures.display import TOY
 
 
 @pytest.fixture(scope="module")
@@ -86,13 +86,14 @@ def test_make_data_gives_what_is_stored(course):
         assert figures == costs[name] | {"mean_error": pytest.approx(costs[name]["mean_error"], rel=0.1)}
 
 
+@pytest.mark.tools("browser")
 def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(course):
     path = "notebooks/01_small.ipynb"
     write(course / "notebooks", "01_small.ipynb", new_code_cell("print(6 * 7)"))
     made(course, "notebooks", f"NOTEBOOKS={path}")
     assert '"42\\n"' in (course / path).read_text()
-    movie = rigid_motion.body_movie("body", np.eye(2, 3), [0, 0.2]).fig
-    write(course / "notebooks", "01_small.ipynb", cell(output({FIGURE: stored(movie)})))
+    movie = rigid_motion.body_movie("body", np.eye(2, 3), [0, 0.2])
+    write(course / "notebooks", "01_small.ipynb", cell(output({TOY: movie.stored()})))
     assert "build/animations/body.gif" in made(course, "animations", f"NOTEBOOKS={path}")
     assert (course / "build/animations/body.gif").read_bytes().startswith(b"GIF89a")
     (course / path).unlink()

@@ -9,8 +9,6 @@ from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
-from bs4 import BeautifulSoup
-from PIL import Image
 from playwright.sync_api import expect
 from site_visits import OPEN, SHIFT, Visit, assert_readable, violations
 
@@ -54,27 +52,13 @@ HEIGHTS = "() => [...document.querySelectorAll('.plotly-figure')].map((box) => b
 TOYS_DRAWN = """() => [...document.querySelectorAll('.plotly-figure[data-without-plotly]:not(.drawn)')]
   .every((toy) => !toy.checkVisibility())"""
 TAKES_ITS_ROOM = "([box, height]) => box.matches('.drawn') && Math.abs(box.getBoundingClientRect().height - height) < 2"
-DRAWN = "live => JSON.stringify(live.data.map((trace) => [trace.x, trace.y, trace.z]))"
-
-# Stops it at once: each frame in 3D takes a third of a second to draw.
-HAS_MOVED = f"""([live, button, before]) => {{
-  if (({DRAWN})(live) === before) return false;
-  if (button.textContent === "Pause") button.click();
-  return true;
-}}"""
 
 
-def assert_figures_keep_their_size_and_play(visit):
-    """Draw each figure: it is as high as its placeholder, and Play, if there is one, moves it."""
+def assert_figures_keep_their_size(visit):
+    """Draw each figure: it is as high as its placeholder."""
 
     def examine(number, box):
         visit.page.wait_for_function(TAKES_ITS_ROOM, arg=[box.element_handle(), kept[number]])
-        live, button = box.locator(".plotly-live"), box.locator(".plotly-player button")
-        if not button.count():
-            return
-        arguments = [live.element_handle(), button.element_handle(), live.evaluate(DRAWN)]
-        button.click()
-        visit.page.wait_for_function(HAS_MOVED, arg=arguments)
 
     visit.page.evaluate(OPEN)
     visit.page.wait_for_function(TOYS_DRAWN)
@@ -113,7 +97,7 @@ def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(visi
 
 @of_a_notebook
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(visit):
-    assert_figures_keep_their_size_and_play(visit)
+    assert_figures_keep_their_size(visit)
 
 
 def test_works_offline_on_a_phone(visit):
@@ -138,7 +122,7 @@ def test_nothing_bars_a_reader_on_a_desktop_in_the_light(visit):
 
 
 def test_figures_have_the_size_of_their_placeholders_and_play_on_a_desktop(on_a_desktop):
-    assert_figures_keep_their_size_and_play(on_a_desktop)
+    assert_figures_keep_their_size(on_a_desktop)
     assert len(on_a_desktop.drawn) > 5
 
 
@@ -231,36 +215,6 @@ def test_pages_are_light(course, parsed):
         size, files = weight(course, f"{page}.html", parsed)
         assert size < 1.5e6, page
         assert not [file for file in files if "plotly" in file]
-
-
-def test_plotly_is_loaded_when_a_figure_comes_near_and_the_still_is_shown_until_then(course, browser):
-    with Visit(browser, None) as visit:
-        held = []
-        visit.page.route("**/plotly.packed.js*", lambda route: held.append(route))
-        visit.page.goto((course / "06_decomposition_ik.html").as_uri())  # a file's page takes no routes afterwards
-        expect(visit.page.get_by_text("When you are through, you can")).to_be_visible()
-        visit.page.wait_for_load_state()
-        box = visit.page.locator(".plotly-figure:not([data-without-plotly])").first
-        is_near = box.bounding_box()["y"] < 844 + 600
-        assert is_near or not [url for url in visit.requests if "plotly" in url]
-        box.scroll_into_view_if_needed()
-        while not held:
-            visit.page.wait_for_timeout(20)
-        expect(box.locator(".plotly-still")).to_be_visible()
-        assert visit.page.evaluate("typeof Plotly") == "undefined"
-        held[0].continue_()
-        expect(box.locator(".main-svg").first).to_be_visible()
-        assert visit.complaints == []
-
-
-def test_the_still_of_a_film_has_no_empty_margin_below(course):
-    page = BeautifulSoup((course / "02_rigid_motion.html").read_text("utf-8"), "html.parser")
-    films = page.select(".plotly-figure[data-moves]")
-    assert films
-    for film in films:
-        image = Image.open(course / film.select_one("img")["src"]).convert("L")
-        ink = image.point(lambda dot: 255 * (dot < 250)).getbbox()
-        assert image.height - ink[3] < 70, "no strip for buttons that are not there"
 
 
 # ---- without JavaScript ----

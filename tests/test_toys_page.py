@@ -420,6 +420,7 @@ def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
+    put(box, "Step dt", -0.3)  # half a second
     box.get_by_role("button", name="Start again").click()
     expect(status).to_contain_text("0.0 cm and 0° off")
     left, ahead = (box.get_by_role("button", name=name, exact=True) for name in ("Left", "Ahead"))

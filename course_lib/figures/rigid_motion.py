@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.patches import Circle
 
 from course_lib.figures.display import Picture
-from course_lib.figures.moving import movie, path, plane_layout
 from course_lib.figures.plots import STYLES, draw_arms, draw_lines, in_columns, in_metres, legend_above, lines, pi_ticks
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
+from course_lib.figures.toys.film import flat_film
 from course_lib.planar import cubic_time_scaling, pose_matrix
 from course_lib.rigid import inverse, log_se2
 
@@ -138,14 +138,14 @@ def body_movie(name, poses, times):
 
     name: that of its file if it is written as an animation. poses: (n, 3), at the times (n,).
     """
-    trail = path(np.round(poses[:, :2], 3), BLUE, dash="dash")
-    ends = path(np.round(poses[[0, -1], :2], 3), BLUE, mode="markers")
-    moving = [path(outline(pose), CRIMSON, width=3, fill="toself", fillcolor=_INSIDE[CRIMSON]) for pose in poses]
+    track = poses[:, :2]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. A body outlined in red moves along a dashed blue path from "
         f"{_point(poses[0])} to {_point(poses[-1])}, {_rotation(poses[:, 2])}."
     )
-    return Picture(movie(name, plane_layout(HALF), [trail, ends], moving, times), alt, _CAPTIONS.get(name, ""))
+    still = [(track, BLUE, (7, 5)), (track[:1], BLUE, ()), (track[-1:], BLUE, ())]
+    corners = [[outline(pose) for pose in poses]]
+    return flat_film(corners, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, half=HALF, closed=True)
 
 
 def longer_arc(wrapped, unwrapped):
@@ -285,26 +285,22 @@ def arm_movie(name, points, times, beside=None):
     name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base, joints and tip, at the
     times (n,); links of one metre. beside: the points of a second arm at these times, which is drawn to its right.
     """
-    links = points.shape[1] - 1
-    layout, still, shown = plane_layout(links + 0.4), [], np.round(points, 3)
-    arms = [shown] if beside is None else [shown, np.round(beside, 3) + np.array([2 * links + 0.4, 0])]
+    links, arms, still = points.shape[1] - 1, [points], []
+    room = {"half": links + 0.4}
+    if beside is not None:
+        apart = 2 * links + 0.4
+        arms.append(beside + np.array([apart, 0]))
+        room = {"half": apart + 0.2, "centre": (apart / 2, 0), "proportion": 0.5}
     for each in arms:
-        still.append(path(each[:, -1], BLUE, dash="dash"))
-        still.append(path(each[0, :1], BLACK, mode="markers", size=30).update(marker={"symbol": "square"}))
-    if beside is not None:  # a gap in the line separates the arms
-        layout["xaxis"]["range"] = [-links - 0.4, 3 * links + 0.8]
-        layout["height"] = 400
-        shown = np.concatenate([arms[0], np.full((len(shown), 1, 2), np.nan), arms[1]], axis=1)
-    moving = [path(arm, CRIMSON, width=12, mode="lines+markers", size=17) for arm in shown]
-    moving[0].update(marker={"line": {"color": "white", "width": 3}})
+        still += [(each[:, -1], BLUE, (7, 5)), (each[0, :1], BLACK, ())]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip draws a "
         f"dashed blue curve from {_point(points[0, -1])} to {_point(points[-1, -1] + 0.0)}."
     )
     if beside is not None:
-        apart = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
-        alt += f" A second arm moves to its right; their tips are up to {apart:.2f} m apart."
-    return Picture(movie(name, layout, still, moving, times), alt, _CAPTIONS.get(name, ""))
+        off = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
+        alt += f" A second arm moves to its right; their tips are up to {off:.2f} m apart."
+    return flat_film(arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, **room)
 
 
 def arm_paths(contents):

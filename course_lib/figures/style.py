@@ -10,14 +10,6 @@ COLOURS = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY = "#8a8a8a"
 CRIMSON = "#b2182b"  # of moving things: no shade of orange, and about as dark as the blue
 
-PLOTLY_LAYOUT = {
-    "template": None,
-    "paper_bgcolor": "white",
-    "plot_bgcolor": "white",
-    "font": {"color": BLACK, "size": 13},
-    "margin": {"l": 10, "r": 10, "t": 40, "b": 10},
-}
-
 
 def plane_figure(width, height, columns=1, rows=1, **options):
     """Return a matplotlib figure in the course's style, and its axes (rows * columns,), row by row.

@@ -36,9 +36,10 @@ def photograph(meta: dict) -> bytes:
 
 
 def film_pictures(figure: dict, times):
-    """Yield the pictures of a stored film in space, a toy, at times in seconds: sixteen are photographed at once."""
+    """Yield the pictures of a stored film, a toy, at times in seconds: sixteen are photographed at once."""
     course = figure["layout"]["meta"]["course"]
-    width, height, across = 560, 420, 4
+    width, across = 560, 4
+    height = round(width * course.get("proportion", 0.75))
     for first in range(0, len(times), across**2):
         some = [round(float(t), 4) for t in times[first : first + across**2]]
         data = json.dumps(course).replace("</", "<\\/")

@@ -1,4 +1,4 @@
-"""Stills and films of robots: solid bodies on a floor, drawn by the scene that draws the toys."""
+"""Stills and films: solid bodies in space, corners in the plane, drawn as the toys are."""
 
 import numpy as np
 
@@ -84,6 +84,26 @@ def draw(arm, q, alt, caption="", *, axes=False, extra=(), view=VIEW, ground=Non
     ground = min(0.0, vertices[:, 2].min()) if ground is None else ground
     look = {"paths": paths, "words": words, "view": view, "near": near, "ground": ground}
     return film(arm_parts(arm, parts), poses[None], [0.0], alt, caption, **look)
+
+
+def flat_film(shapes, times, alt, caption="", *, name, still, half, centre=(0, 0), proportion=1.0, closed=False):
+    """Return a film in the plane, around a centre, with `half` metres to both sides.
+
+    shapes: the corners (m, n, 2) of each thing that moves, at times (m,), in seconds: joined, and closed or not. name:
+    that of its file if it is written as an animation. still: (points (n, 2), colour, dashes in pixels); one is a dot.
+    """
+    meta = {
+        "title": alt.split(". ")[1],
+        "times": np.subtract(times, times[0]).round(4).tolist(),
+        "shapes": [(np.round(corners, 3) + 0.0).tolist() for corners in shapes],
+        "still": [[(np.round(points, 3) + 0.0).tolist(), colour, list(dash)] for points, colour, dash in still],
+        "half": half,
+        "centre": list(centre),
+        "proportion": proportion,
+        "closed": closed,
+        "movie": name,
+    }
+    return Toy("film", meta, alt, caption=caption)
 
 
 def still(parts, alt, caption="", *, at=None, proportion=0.75, **look):

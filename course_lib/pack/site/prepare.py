@@ -63,8 +63,7 @@ def _show(output, place: str, folder: Path) -> None:
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if figure := output.data.get(PLOTLY) or output.data.get(TOY):
         alt = alternative(output, place)
-        cut = _controls(figure) / figure["layout"].get("height", 450)
-        still = picture(output, image, "plotly-still", alt, folder, cut) if image else ""
+        still = picture(output, image, "plotly-still", alt, folder) if image else ""
         output.data = {"text/html": _captioned(_figure(figure, alt, still), output)}
     elif image and "text/html" not in output.data:
         shown = picture(output, image, "picture", alternative(output, place), folder)
@@ -114,12 +113,6 @@ def alternative(output, place: str) -> str:
     return " ".join(alt.split())
 
 
-def _controls(figure: dict) -> float:
-    """Return the height (pixels) that plotly's own controls take in a film; the page has its own below the figure."""
-    layout = figure.get("layout", {})
-    return (layout.get("meta") or {}).get("controls", 0) if figure.get("frames") else 0
-
-
 def _room(figure: dict) -> str:
     """Return the height of a figure by plotly, in CSS: `--room`, and `--stacked` if its scenes are on a phone.
 
@@ -127,13 +120,13 @@ def _room(figure: dict) -> str:
     made lower there, until every scene has its original shape, or is a square. A square in the plane stays a square.
     """
     layout = figure["layout"]
-    width, height = layout.get("width", 700), layout.get("height", 450) - _controls(figure)  # plotly's, if none is set
+    width, height = layout.get("width", 700), layout.get("height", 450)  # plotly's, if none is set
     spans = [layout[key].get("domain", {}) for key in layout if re.fullmatch(r"scene\d*", key)]
     sides = [(span.get("x", [0, 1]), span.get("y", [0, 1])) for span in spans]
     heights = [_least((x[1] - x[0]) / (y[1] - y[0]), width, height) for x, y in sides]
     if layout.get("yaxis", {}).get("scaleanchor") and "xaxis2" not in layout:
         margin = {"l": 80, "r": 80, "t": 100, "b": 80} | layout.get("margin", {})
-        beside = margin["t"] + margin["b"] - _controls(figure) - margin["l"] - margin["r"]
+        beside = margin["t"] + margin["b"] - margin["l"] - margin["r"]
         heights.append(f"calc(100cqw + {beside}px)")
     rooms = f"--room:min({', '.join([f'{height}px', *heights])})"
     n = len(sides)
@@ -156,32 +149,25 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     """
     course = figure.get("layout", {}).get("meta", {}).get("course") or {}
     kind = course.get("kind", "")
-    moves, room = bool(figure.get("frames")), _room(figure)
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
     scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
     own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
-    own += " data-without-plotly" if course.get("plotly") is False else f' style="{room}"'
-    own += " data-moves" if moves else ""
-    bar = '<div class="plotly-player"></div>' if moves else ""
+    own += " data-without-plotly" if course.get("plotly") is False else f' style="{_room(figure)}"'
     return (
         f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
-        f'<div class="plotly-live"></div>{bar}<script type="application/json">{data}</script></div>'
+        f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
     )
 
 
-def picture(output, kind: str, name: str, alt: str, folder: Path, cut: float = 0) -> str:
-    """Store an image beside the pages and return the element that shows it; panels are cut apart, for a phone.
-
-    `cut` is the share of its height to leave out at the bottom.
-    """
+def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
+    """Store an image beside the pages and return the element that shows it; panels are cut apart, for a phone."""
     text, stored = output.data[kind], output.metadata.get(kind, {})
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind != "image/png":
         return _stored(content, IMAGES[kind], name, alt, folder)
     image = Image.open(io.BytesIO(content))
-    image = image.crop((0, 0, image.width, round((1 - cut) * image.height)))
     # Known beforehand, so that the text below does not jump when the picture arrives.
     shown = stored.get("width", image.width)
     scale, ends, parts = image.width / shown, [0, *stored.get("cuts", []), shown], []

@@ -104,62 +104,11 @@
     delete window.course.plotly;
   }
 
-  // Plotly's own play button and slider take no keyboard focus; HTML ones replace them.
-  function takeControls(layout) {
-    const [[menu], [slider]] = [layout.updatemenus, layout.sliders];
-    if (layout.margin) layout.margin.b -= layout.meta.controls; // the room below the picture
-    layout.updatemenus = layout.sliders = [];
-    const { duration } = menu.buttons[0].args[1].frame;
-    return { duration, steps: slider.steps, before: slider.currentvalue.prefix };
-  }
-
-  function addPlayer(live, frames, { duration, steps, before }) {
-    const bar = window.course.bar(live), last = frames.length - 1;
-    const button = element("button", { type: "button" }, bar);
-    const range = element("input", { type: "range", min: 0, max: last, value: 0, "aria-label": "Frame" }, bar);
-    const label = element("span", { "aria-hidden": "true" }, bar);
-    let playing = null; // the current run: a pause ends it, and playing again begins another
-
-    function setPlaying(run) {
-      playing = run;
-      button.textContent = run ? "Pause" : "Play";
-    }
-    function show() {
-      const i = Number(range.value);
-      label.textContent = before + steps[i].label;
-      range.setAttribute("aria-valuetext", label.textContent);
-      const atOnce = { mode: "immediate", frame: { duration: 0, redraw: true }, transition: { duration: 0 } };
-      // Rejected if the next frame is requested before; that is intended.
-      return window.Plotly.animate(live, [frames[i].name], atOnce).catch(() => {});
-    }
-    async function play() {
-      if (Number(range.value) === last) range.value = 0;
-      const run = {};
-      setPlaying(run);
-      while (playing === run && Number(range.value) < last) {
-        const started = performance.now();
-        range.value = Number(range.value) + 1;
-        await show();
-        await new Promise((done) => setTimeout(done, duration - (performance.now() - started)));
-      }
-      if (playing === run) setPlaying(null);
-    }
-    button.addEventListener("click", () => (playing ? setPlaying(null) : play()));
-    range.addEventListener("input", () => {
-      setPlaying(null);
-      show();
-    });
-    setPlaying(null);
-    return { show, stop: () => setPlaying(null) };
-  }
-
   function setUp(box) {
     const live = box.querySelector(".plotly-live"), byPlotly = !("withoutPlotly" in box.dataset);
     const { data, layout = {}, frames = [] } = JSON.parse(box.querySelector("script").textContent);
     const meta = layout.meta && layout.meta.course;
     const start = meta && window.course.kinds[meta.kind];
-    const own = "moves" in box.dataset && takeControls(layout);
-    const player = own && frames.length && !start ? addPlayer(live, frames, own) : null;
     if (box.clientWidth < NARROW) stack(layout);
     const modebar = { orientation: "v", bgcolor: "rgba(0,0,0,0)" };
     Object.assign(layout, { modebar, autosize: true, width: undefined, height: undefined }); // those of its <div>
@@ -176,7 +125,6 @@
           await loadPlotly();
           if (recolours) [data, layout, frames].forEach((part) => recolour(part, inDark ? TO_DARK : TO_LIGHT));
           await window.Plotly.newPlot(live, { data, layout, frames, config: CONFIG });
-          if (player) await player.show();
         }
         if (start) stop = start(live, meta);
         box.classList.add("drawn");
@@ -190,7 +138,6 @@
       if (!isDrawn) return;
       isDrawn = false;
       box.classList.remove("drawn");
-      if (player) player.stop();
       if (stop) stop();
       stop = null;
       if (byPlotly && window.Plotly) window.Plotly.purge(live);
