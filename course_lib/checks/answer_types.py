@@ -29,11 +29,6 @@ def boolean(value, *case):
     ------
     Unreadable
         For anything else.
-
-    Examples
-    --------
-    >>> boolean(np.array([1]))
-    True
     """
     array = _array(value, "True or False")
     if array.size != 1 or array.item() not in (0, 1):
@@ -68,10 +63,6 @@ def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
     >>> read_vector = numbers(lambda p: (3,))
     >>> read_vector([[1], [2], [3]], None)
     array([1., 2., 3.])
-    >>> read_vector([1, 2], None)
-    Traceback (most recent call last):
-        ...
-    course_lib.checks.exercise.Unreadable: the answer is an array of shape (3,). Yours has shape (2,).
     """
 
     def reader(value, *case):

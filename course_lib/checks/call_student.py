@@ -177,13 +177,6 @@ def functions_used(function):
     -------
     list of str
         A hundred at most.
-
-    Examples
-    --------
-    >>> space = {}
-    >>> exec("def square(x): return x * x" + chr(10) + "def cube(x): return x * square(x)", space)
-    >>> functions_used(space["cube"])
-    ['square']
     """
     own, found, waiting = getattr(function, "__globals__", None), [], [getattr(function, "__code__", None)]
     while waiting:

@@ -19,39 +19,19 @@ _WRITTEN_AS_THEY_ARE = frozenset({"<f8", "<i8", "|b1", "<c16"})  # the types of 
 
 
 class NotPlain(ValueError):
-    """The value is not plain data; the message names its type.
-
-    Examples
-    --------
-    >>> write(print)
-    Traceback (most recent call last):
-        ...
-    course_lib.checks.wire.NotPlain: a builtin_function_or_method
-    """
+    """The value is not plain data; the message names its type."""
 
 
 @dataclass(frozen=True)
 class Seed:
-    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator.
-
-    Examples
-    --------
-    >>> write(Seed(3))
-    '{"seed": 3}'
-    """
+    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator."""
 
     number: int
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Stands for a function that a student's test is given: its answers come from the process that judges.
-
-    Examples
-    --------
-    >>> read('{"candidate": 2}')
-    Candidate(number=2)
-    """
+    """Stands for a function that a student's test is given: its answers come from the process that judges."""
 
     number: int
 
@@ -99,11 +79,6 @@ def to_json(value, depth=0):
     ------
     NotPlain
         If the value is, or holds, anything else.
-
-    Examples
-    --------
-    >>> to_json((1, "a"))
-    {'tuple': [1, 'a']}
     """
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
@@ -158,11 +133,6 @@ def from_json(node, depth=0):
     ------
     ValueError, TypeError or LookupError
         For anything else.
-
-    Examples
-    --------
-    >>> from_json({"tuple": [1, "a"]})
-    (1, 'a')
     """
     if depth > _DEPTH:
         raise NotPlain("lists nested too deeply")
