@@ -32,6 +32,11 @@ def test_a_mistake_that_shows_in_the_shape_is_named(known):
     assert refusal(listed, np.ones((4, 2)), 2).mistake is OTHER_FORM
 
 
+def test_a_row_is_read_as_a_vector_unless_the_shape_is_to_be_exact():
+    assert numbers(lambda: (3,))(np.ones((1, 3))).shape == (3,)
+    assert refusal(numbers(lambda: (3,), exact=True), np.ones((1, 3))).mistake is OTHER_FORM
+
+
 def test_an_array_of_the_right_shape_shows_no_mistake_in_its_shape():
     reader = numbers(lambda n: (n, 3), by_value)  # for n = 3 the transpose has this shape too
     assert refusal(reader, np.where(np.eye(3), 1, np.nan), 3).mistake is NOT_A_NUMBER

@@ -32,6 +32,10 @@ def words(bundle):
     return bundle["text/plain"]
 
 
+def _refuses(M):
+    raise ValueError("out of reach")
+
+
 def _not_begun(M):
     raise NotImplementedError
 
@@ -224,6 +228,8 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
             lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)),
             "decimals are added in place, by += or -=, to an array of whole numbers",
         ),
+        (_refuses, "your own line raises this error"),
+        (lambda M: 1 / 0, "something is divided by zero, or the result, nan or infinity, is used further"),
         (lambda M: np.atleast_2d(M[0])[1], "an array has another shape than this line takes it to have"),
     ],
 )

@@ -23,6 +23,7 @@ from course_lib.checks.exercise import (
     review,
     with_blame,
 )
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.notebook import describe
 
 
@@ -195,6 +196,8 @@ SHIFTED = replace(
         (lambda x: shifted(x) ** 2, "the answer is the square of what it should be"),
         (lambda x: np.nan_to_num(shifted(x)), "0 stands where nan is asked for"),
         (lambda x: SHIFT, "the answer is the same for every input"),
+        (lambda x: np.round(shifted(x), 3), "the answer is rounded to 3 digits"),
+        (lambda x: np.arcsin(np.sin(shifted(x))), "an angle comes from arcsin, which knows half of the circle only"),
         (lambda x: x - SHIFT, "the change of x has the opposite sign"),
         (lambda x: shifted(x) + x**3, None),
     ],
@@ -202,6 +205,33 @@ SHIFTED = replace(
 def test_a_changed_answer_is_called_by_its_name(answer, name):
     mistake = judge(SHIFTED, Here(answer)).mistake
     assert (mistake and mistake.name) == name
+
+
+def _mixed(x):
+    return np.array([x[0] - x[1], x[0] * x[1] / 8, x[2]])
+
+
+NOT_MIXED = Mistake("y[0] is not x[0] - x[1]", "Look.")
+MIXED = replace(
+    SHIFTED,
+    cases=lambda rng: [([1, 2, 4],), *((rng.uniform(1, 2, 3),) for _ in range(3))],
+    properties=(Property("x is mixed", lambda y, x: np.allclose(y, _mixed(x)), mistake=lambda y, x: NOT_MIXED),),
+    library=_mixed,
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        (lambda x: _mixed(x * np.array([1, -1, 1])), "entry [1] of x has the wrong sign"),
+        (lambda x: _mixed(x * np.array([0, 1, 1])), "entry [0] of x is not used"),
+        (lambda x: _mixed([x[1], x[2], x[0]]), "the entries of x are in another order"),
+        (lambda x: np.trunc(_mixed(x)) if isinstance(x, list) else _mixed(x), "digits after the point are cut off"),
+        (lambda x: _mixed(x) ** 3, "y[0] is not x[0] - x[1]"),
+    ],
+)
+def test_a_changed_argument_is_named_and_else_what_the_property_says(answer, name):
+    assert judge(MIXED, Here(answer)).mistake.name == name
 
 
 def test_a_change_returned_without_what_it_changes_is_called_so():

@@ -42,14 +42,3 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
         q_dot = np.linalg.pinv(J) @ v if eps == 0 else np.linalg.solve(J.T @ J + eps * np.eye(7), J.T @ v)
         path.append([a + dt * b for a, b in zip(path[-1], q_dot, strict=True)])
     return path
-
-
-def wrong_null_space_of_J_T_J(q, v, dt, n, near, most):
-    """a step is not dt q_dot of the configuration before it"""
-    path = [q]
-    for _ in range(n):
-        J = jacobian(path[-1])
-        null = np.linalg.svd(J)[2][-1]
-        extra = 0.3 * null if damping(J, near, most) == 0 else 0
-        path.append(right_in_a_loop(path[-1], v, dt, 1, near, most)[1] + extra)
-    return np.array(path)
