@@ -120,18 +120,20 @@ def pairs(everyone):
     everyone: Works, of this class and of earlier years.
     """
     library, given = _ours() if everyone else ({}, [])
-    ours, having = _all(itertools.chain(given, *library.values())), defaultdict(list)
-    for work in everyone:
-        for passage in _all(work.cells) - ours:
-            having[work.notebook, passage].append(work)
+    ours = _all(itertools.chain(given, *library.values()))
     rare, counts, shared = Counter(), Counter(), defaultdict(set)
-    for (_, passage), those in having.items():
-        if max(Counter(work.year for work in those).values()) <= MANY:
-            rare.update(those)
-            for one, other in itertools.combinations(those, 2):
-                if not (one.year and other.year) and words(one.student) != words(other.student):
-                    counts[one, other] += 1 / (len(those) - 1)
-                    shared[one, other].add(passage)
+    for notebook in {work.notebook for work in everyone}:  # one after the other, for memory
+        having = defaultdict(list)
+        for work in everyone:
+            for passage in _all(work.cells) - ours if work.notebook == notebook else ():
+                having[passage].append(work)
+        for passage, those in having.items():
+            if max(Counter(work.year for work in those).values()) <= MANY:
+                rare.update(those)
+                for one, other in itertools.combinations(those, 2):
+                    if not (one.year and other.year) and words(one.student) != words(other.student):
+                        counts[one, other] += 1 / (len(those) - 1)
+                        shared[one, other].add(passage)
     scores = {pair: count**2 / min(rare[work] for work in pair) for pair, count in counts.items()}
     found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= LEAST]
     return sorted(found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook))
