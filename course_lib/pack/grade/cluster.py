@@ -164,6 +164,8 @@ class Cluster:
         except Exception as error:  # for example, the worker ended before it could pass on what it had found
             why = " ".join(f"{type(error).__name__}: {error}".split())
             found = None if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
+        if not found and not task.path:
+            found = {"unfit": "the process in which it grades ended."}
         if not found:
             yield from self._ended(task)
         elif "unfit" in found:

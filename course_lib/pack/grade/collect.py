@@ -52,11 +52,6 @@ class Submission:
     user_id: str = ""
     in_folder: bool = False
 
-    @property
-    def top(self):
-        """The file or folder, among those in the folder of submissions, that holds it."""
-        return self.place.partition("/")[0] + ("/" if self.in_folder else "")
-
 
 # ---- finding ----
 

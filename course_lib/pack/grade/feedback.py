@@ -105,7 +105,7 @@ def _uploads(counting):
     """
     contents = {}
     for each in counting:
-        if not MOODLE.fullmatch(each.submission.top):
+        if not MOODLE.fullmatch(each.submission.place.partition("/")[0]):
             continue
         folder = f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
         with zipfile.ZipFile(contents.setdefault(each.notebook, io.BytesIO()), "a", zipfile.ZIP_DEFLATED) as archive:
