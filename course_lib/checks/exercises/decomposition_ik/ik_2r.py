@@ -147,8 +147,7 @@ def _with_q1(xy, q1):
 @EXERCISE.mistake(factor=(1, 0.5, -0.5))
 def another_half(xy, factor):
     """the angle between the first link and the direction to the tip has another size or sign. Which angles of the
-    triangle of both links are equal, and what is their sum?
-    """
+    triangle of both links are equal, and what is their sum?"""
     return np.column_stack([ik_2r(xy)[:, 0] + factor * ik_2r(xy)[:, 1], ik_2r(xy)[:, 1]])
 
 

@@ -99,8 +99,7 @@ def unbounded(J, v, bound, eps):
 @EXERCISE.mistake(cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max()))
 def cut_afterwards(J, v, bound, eps, cut):
     """the best step without bounds is clipped, or scaled down, afterwards. If one joint is at its bound, could the
-    others do part of its work?
-    """
+    others do part of its work?"""
     q_dot = _free(J, v, bound, eps)
     return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
 

@@ -81,8 +81,7 @@ def half_corrected(q, J, T, T_target, step, signs):
 @EXERCISE.mistake(error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3)))
 def rotation_in_the_translation(q, J, T, T_target, step, error):
     """the translation still holds a part of the rotation. Which error belongs to the geometric Jacobian in the table of
-    the three Jacobians?
-    """
+    the three Jacobians?"""
     return q + step * J.T @ error(T, T_target)
 
 

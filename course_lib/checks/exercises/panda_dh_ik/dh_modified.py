@@ -82,8 +82,7 @@ def other_convention(*row, columns):
 @EXERCISE.mistake(order=_orders())
 def other_order(a, alpha, d, theta, order):
     """the steps are multiplied in another order. Each factor acts along the axes that the factors left of it made:
-    which of a and d is along an old axis, and which along a new one?
-    """
+    which of a and d is along an old axis, and which along a new one?"""
     return _product(order, a, alpha, d, theta)
 
 

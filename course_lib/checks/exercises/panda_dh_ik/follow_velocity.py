@@ -128,8 +128,7 @@ EXERCISE = Exercise(
 )
 def other_damping(*case, eps_of):
     """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is it largest, where is
-    it 0, and does it jump?
-    """
+    it 0, and does it jump?"""
     return _walked(*case, eps_of=eps_of)
 
 

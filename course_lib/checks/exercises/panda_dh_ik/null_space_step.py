@@ -92,8 +92,7 @@ def transpose_for_pseudoinverse(q, J, q_middle, gain):
 @EXERCISE.seen
 def full_rank(answer, q, J, *rest):
     """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there, and the null space
-    has more dimensions: does your formula still hold?
-    """
+    has more dimensions: does your formula still hold?"""
     return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
 
 

@@ -206,16 +206,14 @@ EXERCISE = Exercise(
 @EXERCISE.seen
 def stopped_too_early(q, T, q0):
     """the iteration stops too early, or the angles are rounded. How close does the task ask you to come, and does your
-    damping still slow you down there?
-    """
+    damping still slow you down there?"""
     return _REACHED < _gaps(flange(q), T).max() < 0.02 and _inside(q, T, q0)
 
 
 @EXERCISE.seen
 def base_forgotten(q, T, q0):
     """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and from where is your
-    flange?
-    """
+    flange?"""
     back = inverse(T_W0)
     return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
 

@@ -92,8 +92,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: moved(inverse(T), p), lambda T, p: p @ T[:3, :3] + T[:3, 3]))
 def other_pose(pixels, depths, K, T_wc, of):
     """the points are right in the camera's frame, but not in the world's. T_wc is the camera's pose in the world: which
-    coordinates does it take to which?
-    """
+    coordinates does it take to which?"""
     return of(T_wc, right(pixels, depths, K, np.eye(4)))
 
 

@@ -184,8 +184,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(seen=lambda x, *case: _ends(x, *case) and not _arrives(x, *case, _CLEAR))
 def straight_to_the_grasp(q0, T_grasp):
     """the way to the grasp leads through something. From where must the fingers come, if they are to end on both sides
-    of the mug? And how far apart are your rows?
-    """
+    of the mug? And how far apart are your rows?"""
     return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
 
 
@@ -198,7 +197,6 @@ def flange_at_the_grasp(q0, T_grasp):
 @EXERCISE.mistake(seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND)
 def from_full_speed(q0, T_grasp):
     """the speeds are within their bounds, but the motion starts or ends at full speed. What does that ask of the motors
-    in the first row?
-    """
+    in the first row?"""
     first, second = legs(q0, T_grasp, _EVEN)
     return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))

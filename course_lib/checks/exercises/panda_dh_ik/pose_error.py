@@ -171,8 +171,7 @@ def from_the_end_effector(T, T_target, halves):
 )
 def rotation_in_the_translation(T, T_target, error):
     """the translation holds a part of the rotation: it is that of a product of poses, or of its logarithm. Which
-    point's velocity do the upper rows of the Jacobian give?
-    """
+    point's velocity do the upper rows of the Jacobian give?"""
     return error(T, T_target)
 
 
@@ -183,8 +182,7 @@ def _quaternion(R):
 @EXERCISE.mistake(measure=(roll_pitch_yaw, log_so3, _quaternion), order=(1, -1), alike=_alike_up_to_two_pi)
 def coordinates_subtracted(T, T_target, measure, order):
     """angles, rotation vectors or quaternions of the two rotations are subtracted. Do rotations about different axes
-    add up, and is it -358 degrees from 179 to -179?
-    """
+    add up, and is it -358 degrees from 179 to -179?"""
     return np.append(_between(T, T_target)[0], (measure(T_target[:3, :3]) - measure(T[:3, :3]))[::order])
 
 

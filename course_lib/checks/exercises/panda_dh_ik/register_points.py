@@ -163,8 +163,7 @@ def _fit(src, dst, weights, centre=_share, pull=_share, rotation=nearest_so):
 @EXERCISE.mistake(pair=((_alike, _alike), (_alike, _share), (_share, _alike)))
 def weights_missing(*case, pair):
     """the weights are missing, in the centroids, in the sum of the b_i a_i^T, or in both. A point of weight 3 counts as
-    three points: where?
-    """
+    three points: where?"""
     return _fit(*case, *pair)
 
 
@@ -181,16 +180,14 @@ def _has_block(T, block, src, dst, weights):
 @EXERCISE.seen
 def sign_missing(T, *case):
     """U V^T has the same sign for all points: it is returned as it is, or always changed. How do you see whether it is
-    a reflection, and at which singular value does a change of sign cost least?
-    """
+    a reflection, and at which singular value does a change of sign cost least?"""
     return _has_block(T, _reflection(*case), *case)
 
 
 @EXERCISE.seen
 def sign_elsewhere(T, *case):
     """the sign is changed in the finished R (all, a row or a column), or at another singular value than the smallest.
-    That is a rotation: is it the best one?
-    """
+    That is a rotation: is it the best one?"""
     M, signs = _reflection(*case), 1 - 2 * np.eye(3)
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]

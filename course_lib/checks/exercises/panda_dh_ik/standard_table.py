@@ -55,8 +55,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)), around=(True, False))
 def other_columns_move(table, shifts, around):
     """the wrong columns move, or in the wrong direction. A row holds a, alpha, d: which of them belong to a step along
-    x, which to one along z, and which of its neighbours does the step X_1 join, Z_1 or Z_2?
-    """
+    x, which to one along z, and which of its neighbours does the step X_1 join, Z_1 or Z_2?"""
     padded = np.vstack([table, np.zeros(3)]) if not around else table  # with zeros in place of what comes around
     return np.column_stack([np.roll(padded[:, k], shift)[: len(table)] for k, shift in enumerate(shifts)])
 

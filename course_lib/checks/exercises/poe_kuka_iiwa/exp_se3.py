@@ -192,7 +192,6 @@ def second_term(twist, factor):
 @EXERCISE.seen
 def digits_lost(T, twist):
     """the part of p along omega x v is lost, or loses its digits, for tiny angles. What is 1 - cos(a) for a computer if
-    a is 1e-8?
-    """
+    a is 1e-8?"""
     yours, right = _across(T, twist)
     return _is_small(twist) and not _keeps_digits(T, twist) and -0.4 < yours / right < 1.9
