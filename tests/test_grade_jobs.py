@@ -93,15 +93,6 @@ def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_
     assert calls(place) == 7
 
 
-def test_the_same_tables_on_one_processor_and_on_several(place):
-    fill(place)
-    assert run(place, "--jobs", "1", "--seed", "1") == 0
-    assert run(place, "--jobs", "3", "--seed", "1", output="more") == 0
-    assert calls(place) == 12
-    assert tables(place) == tables(place, "more")
-    assert b"s5,01_rotations,core,exercise_1,2,2,right" in tables(place)[0]
-
-
 def test_parts_of_a_class_graded_apart_with_one_seed_are_copied_together(place):
     fill(place)
     for part, students in {"one": "012", "two": "345"}.items():

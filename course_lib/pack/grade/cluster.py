@@ -26,7 +26,6 @@ from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.bounded import Bounded
 from course_lib.pack.grade.confine import die_with_parent
 from course_lib.pack.grade.jobs import course_hash, outcome
-from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 
 MOST_ENDED = 3  # workers that ended while they graded a submission, which then is given up
@@ -217,7 +216,6 @@ def main(pipe):
     """Carry out the orders that come through a pipe, until the worker ends."""
     die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    remove_old_folders()
     with suppress(EOFError):
         while True:
             pipe.send_bytes(json.dumps(carried_out(pipe.recv_bytes())).encode())
