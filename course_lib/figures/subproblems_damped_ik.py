@@ -141,7 +141,7 @@ def _scene(axes, dots, paths, alt, caption, pale=()):
         words.append((name, 1.08 * reach * np.asarray(k), AXIS))
     for at, word, colour in dots:
         parts.append(Part(0, colour, ball(at, size)))
-        words.append((word, np.add(at, [0, 0, 3 * size]), PALETTE[colour]))
+        words.append((word, np.add(at, [0, 0, 3 * size]), BLACK if colour == INK else PALETTE[colour]))
     return still(parts, alt, caption, pale=pale, paths=paths, words=[each for each in words if each[0]], view=VIEW)
 
 
