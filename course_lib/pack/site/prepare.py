@@ -114,7 +114,7 @@ def alternative(output, place: str) -> str:
 
 
 def _room(figure: dict) -> str:
-    """Return the height of a figure by plotly, in CSS: `--room`, and `--stacked` if its scenes are on a phone.
+    """Return the height of a figure by plotly, in CSS.
 
     A scene in 3D is drawn to the scale of its height: on a narrow page its sides would be cut off. So the figure is
     made lower there, until every scene has its original shape, or is a square. A square in the plane stays a square.
@@ -128,13 +128,7 @@ def _room(figure: dict) -> str:
         margin = {"l": 80, "r": 80, "t": 100, "b": 80} | layout.get("margin", {})
         beside = margin["t"] + margin["b"] - margin["l"] - margin["r"]
         heights.append(f"calc(100cqw + {beside}px)")
-    rooms = f"--room:min({', '.join([f'{height}px', *heights])})"
-    n = len(sides)
-    if n > 1 and len({x[0] for x, _ in sides}) == n:  # an eighth is for titles; see stack in figures.js
-        rooms += f";--stacked:min({n * height}px, {_least(n / 0.88, width / n, n * height)})"
-    if layout.get("xaxis2", {}).get("domain", [0])[0] > 0:
-        rooms += f";--stacked:{1.6 * height:.0f}px"
-    return rooms
+    return f"--room:min({', '.join([f'{height}px', *heights])})"
 
 
 def _least(shape: float, width: float, height: float) -> str:

@@ -51,28 +51,6 @@
     });
   }
 
-  // On a phone, scenes or plots that are side by side are stacked, each with its title.
-  function stack(layout) {
-    const scenes = Object.keys(layout).filter((key) => /^(scene|xaxis)\d*$/.test(key));
-    const spans = scenes.map((key) => (layout[key].domain && (layout[key].domain.x || layout[key].domain)) || [0, 1]);
-    if (scenes.length < 2 || new Set(spans.map(([from]) => from)).size < scenes.length) return;
-    const order = scenes.map((_, i) => i).sort((a, b) => spans[a][0] - spans[b][0]);
-    const n = scenes.length, title = (layout.scene ? 0.12 : 0.3) / n; // and the names of the axis above it
-    const top = (i) => 1 - order.indexOf(i) / n - title;
-    (layout.annotations || []).forEach((words) => {
-      const i = spans.findIndex(([from, to]) => words.x >= from && words.x <= to);
-      if (words.xref !== "paper" || words.yref !== "paper" || i < 0) return;
-      const [from, to] = spans[i];
-      words.x = (words.x - from) / (to - from);
-      words.y = words.y >= 0.9 ? top(i) : top(i) - (1 - words.y) * (1 / n - title);
-    });
-    scenes.forEach((key, i) => {
-      const x = [0, 1], y = [top(i) - 1 / n + title, top(i)];
-      layout[key].domain = layout.scene ? { x, y } : x;
-      if (!layout.scene) layout[key.replace("x", "y")].domain = y;
-    });
-  }
-
   function element(name, attributes, parent) {
     const made = document.createElement(name);
     Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
@@ -109,7 +87,6 @@
     const { data, layout = {}, frames = [] } = JSON.parse(box.querySelector("script").textContent);
     const meta = layout.meta && layout.meta.course;
     const start = meta && window.course.kinds[meta.kind];
-    if (box.clientWidth < NARROW) stack(layout);
     const modebar = { orientation: "v", bgcolor: "rgba(0,0,0,0)" };
     Object.assign(layout, { modebar, autosize: true, width: undefined, height: undefined }); // those of its <div>
     let stop = null, isDrawn = false, inDark = false;
