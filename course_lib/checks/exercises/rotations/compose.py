@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import any_rotation
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -23,6 +23,8 @@ def _agrees(new, R, step, frame):
     return np.allclose(new, _right(R, step, frame), atol=1e-9)
 
 
+_FACTORS = Mistake("a factor is inverted, or is not needed here", "How many rotations act on a point, and which way?")
+
 EXERCISE = Exercise(
     name="compose",
     points=1,
@@ -35,11 +37,13 @@ EXERCISE = Exercise(
             'about the world\'s axes (frame = "world"), every point of the rotated body is rotated by step',
             _agrees,
             where=lambda R, step, frame: frame == "world",
+            mistake=_FACTORS,
         ),
         Property(
             'about the body\'s own axes (frame = "body"), step is made before R carries everything along',
             _agrees,
             where=lambda R, step, frame: frame == "body",
+            mistake=_FACTORS,
         ),
     ),
     hints=(

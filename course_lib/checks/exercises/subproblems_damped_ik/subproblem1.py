@@ -87,6 +87,7 @@ EXERCISE = Exercise(
                 f"With your theta R(k, theta) p is {format_array(rotated(k, theta, p))}, g is {format_array(g)}."
             ),
             where=_reached,
+            mistake=Mistake("theta is not the angle about k from p to g", "Is it for any axis k, and opposite points?"),
         ),
         Property(
             "the answer is a number, also if no angle brings p to g",
