@@ -34,6 +34,10 @@ from course_lib.pack.site import build as builder
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
 CAPTION = "Both helices wind the same way."
+LINE = {
+    "data": [{"type": "scatter", "x": [0, 4], "y": [0, 1], "mode": "lines", "line": {"color": "#b2182b"}}],
+    "layout": {"font": {"color": "#222222"}, "plot_bgcolor": "white", "paper_bgcolor": "white"},
+}
 
 
 @pytest.fixture(scope="module")
@@ -61,6 +65,8 @@ def notebooks(tmp_path_factory):
     links = "see [the first](01_rotations.ipynb), [notation](notation.md)"
     plain = new_markdown_cell(f"# Rigid motion\n\nNo figure; {links}. The adjoint.")
     write(folder, "02_rigid_motion.ipynb", plain)
+    line, again = (cell(output({PLOTLY: LINE, "text/plain": "What it shows"})) for _ in range(2))
+    write(folder, "03_plots.ipynb", new_markdown_cell("# Plots"), line, new_markdown_cell("Words. " * 2400), again)
     (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     return folder
 
@@ -208,7 +214,7 @@ PLAN = "A semester with the course"  # for instructors
 def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
     with Visit(browser, site / "index.html") as visit:
         links = visit.page.locator(".card h2 a:not(.headerlink), #reference li a")
-        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Notation", PLAN]
+        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Plots", "Notation", PLAN]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
@@ -219,6 +225,40 @@ def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
         expect(visit.page.locator("article .highlighted", has_text="symbol")).to_be_in_viewport()
         visit.page.goto((site / "search.html").as_uri() + "?q=nosuchword")
         expect(visit.page.locator("#search-results")).to_contain_text("did not match any documents")
+        assert visit.complaints == []
+
+
+# ---- what plotly draws ----
+
+
+def drawn(visit, number):
+    """Scroll to a figure and return what plotly has drawn of it."""
+    box = visit.page.locator(".plotly-figure").nth(number)
+    box.scroll_into_view_if_needed()
+    expect(box.locator(".main-svg").first).to_be_visible()
+    return box.locator(".plotly-live")
+
+
+def test_a_live_figure_offers_no_upload_follows_the_theme_and_keeps_what_was_zoomed(site, browser):
+    look = "live => [live.data[0].line.color, live._fullLayout.font.color, live._fullLayout.plot_bgcolor].join()"
+
+    def turn(visit, live, theme, colours):
+        visit.page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
+        as_wanted = f"([live, colours]) => ({look})(live) === colours"
+        visit.page.wait_for_function(as_wanted, arg=[live.element_handle(), colours])
+
+    with Visit(browser, site / "03_plots.html") as visit:
+        live, light = drawn(visit, 0), "#b2182b,#222222,white"
+        assert live.evaluate(look) == light
+        buttons = [each.get_attribute("data-title") for each in live.locator(".modebar-btn").all()]
+        assert buttons
+        assert "Share" not in " ".join(buttons)
+        live.evaluate("live => window.Plotly.relayout(live, {'xaxis.range': [0, 2]})")
+        turn(visit, live, "dark", "#f2667a,#e7eaee,#1b1f24")
+        drawn(visit, 1)  # so far away that the first is let go
+        expect(live.locator(".main-svg")).to_have_count(0)
+        assert drawn(visit, 0).evaluate("live => live.layout.xaxis.range") == [0, 2]
+        turn(visit, live, "light", light)
         assert visit.complaints == []
 
 

@@ -250,12 +250,6 @@ def test_without_webgl_the_words_or_the_still_stay_and_toys_in_the_plane_live(pa
         assert visit.complaints == []
 
 
-def test_plotly_offers_no_upload(page, browser):
-    with Visit(browser, page.with_name("03.html")) as visit:
-        visit.page.locator(".modebar-btn").first.wait_for(state="attached")
-        assert "Share" not in " ".join(e.get_attribute("data-title") for e in visit.page.locator(".modebar-btn").all())
-
-
 # ---- colours ----
 
 # From now on every canvas notes the colours of its words, and of its lines that are no grid and part no cells.
