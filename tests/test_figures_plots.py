@@ -43,15 +43,13 @@ def over(x, *series):
 
 
 B2 = np.linspace(0.02, np.pi - 0.02, 301)
-DRIVEN, BELIEVED = POSES, POSES + np.array([[0.1, 0.2, 0]])
 MISS = np.hypot(*(ARM[:, -1] - TARGET).T)
 DESCENT = nb3.descents({"run": ARM, "back": ARM[::-1]}, TARGET, "")
 # (picture, which of its panels, the points of the lines that it draws first)
 LINES = {
     "outlines": (nb2.past_a_gate({"a": POSES}), 0, [POSES[:, :2], *(nb2.outline(POSES[i]) for i in (0, 16, 30))]),
     "Euler": (nb2.euler_paths({"a": POSES[:, :2], "b": ARM[:, -1]}), 0, [POSES[:, :2], ARM[:, -1]]),
-    "dock": (nb2.missed_dock(DRIVEN, BELIEVED), 0, [DRIVEN[:, :2], BELIEVED[:, :2]]),
-    "car": (nb2.parking(DRIVEN, [1, 2, 1.6], [0.6, 1, 0.4], 0.5), 0, [DRIVEN[:, :2]]),
+    "car": (nb2.parking(POSES, [1, 2, 1.6], [0.6, 1, 0.4], 0.5), 0, [POSES[:, :2]]),
     "joints": (nb2.joint_tracks({"a": ANGLES}), 0, [ANGLES]),
     "arm": (nb2.arm_paths({"a": ARM}), 0, [*ARM[::10], ARM[:, -1]]),
     "descent": (DESCENT, 0, [ARM[:, -1], ARM[-1], ARM[::-1, -1], ARM[0], [TARGET]]),
@@ -90,18 +88,14 @@ def test_later_bodies_are_darker_and_the_last_arm_is_red():
     assert [same_color(line.get_color(), CRIMSON) for line in arms] == 3 * [False] + [True]
 
 
-@pytest.mark.parametrize(("name", "stands"), [("dock", POSES[-1]), ("car", [1, 2, 1.6])])
-def test_the_dock_is_before_the_robot_that_stands_in_it(name, stands):
-    (ax,) = LINES[name][0].fig.axes
+def test_the_dock_is_before_the_robot_that_stands_in_it():
+    (ax,), stands = LINES["car"][0].fig.axes, [1, 2, 1.6]
     robots = [patch for patch in ax.patches if hasattr(patch, "center") and patch.radius < 0.3]
-    assert_allclose([robots[0].center, robots[4].center], DRIVEN[[0, -1], :2])
+    assert_allclose([robots[0].center, robots[4].center], POSES[[0, -1], :2])
     (dock,) = [patch.get_xy()[:4] for patch in ax.patches if not hasattr(patch, "center")]
     ahead = np.array([np.cos(stands[2]), np.sin(stands[2])])
     assert ((dock - stands[:2]) @ ahead > robots[0].radius).all()
     assert abs((dock.mean(0) - stands[:2]) @ [-ahead[1], ahead[0]]) < 1e-9
-    if name == "dock":
-        assert_allclose(robots[-1].center, BELIEVED[-1, :2])
-        assert same_color(robots[-1].get_edgecolor(), CRIMSON)
 
 
 def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():

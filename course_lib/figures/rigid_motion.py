@@ -17,7 +17,6 @@ HALF = 10  # metres from the middle of the scene to its edge
 RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
-_INSIDE = {BLUE: "#cfe0ec", CRIMSON: "#f0b7bd"}  # the colour of a body inside its outline
 _SIDE, _UP = np.deg2rad([-35, 30])  # from where arms in space are seen
 _VIEW = np.array([
     [-np.sin(_SIDE), -np.sin(_UP) * np.cos(_SIDE)],
@@ -54,23 +53,6 @@ def _rotation(theta):
 # ---- robots on wheels ----
 
 
-def missed_dock(driven, believed):
-    """Return the paths (n, 3) that a vacuum robot drives to its dock and that it computes, with the robot on them.
-
-    It stands in its dock in the last of the poses driven.
-    """
-    fig, (ax,) = plane_figure(5.4, 3.7)
-    ax.plot(*driven[:, :2].T, color=BLUE, linewidth=3, label="where it drives")
-    ax.plot(*believed[:, :2].T, "o--", color=CRIMSON, markersize=4, linewidth=2, label="where it believes it is")
-    _robots(ax, driven, BLUE)
-    _robots(ax, believed[-1:], CRIMSON)
-    _dock(fig, ax, driven[-1], 3)
-    off = np.linalg.norm(driven[-1, :2] - believed[-1, :2])
-    alt = f"A vacuum robot drives from {_point(driven[0])} to its dock, where it stops at {_point(driven[-1])}. "
-    alt += f"By its own computation it is at {_point(believed[-1])}, {off:.2f} m from there."
-    return Picture(fig, alt, "The path that the robot drives, and the one that it computes.")
-
-
 def parking(poses, dock, table, keep_away):
     """Return the path of a car that is to stop in its dock, and the round table on its way.
 
@@ -83,32 +65,21 @@ def parking(poses, dock, table, keep_away):
     ax.add_patch(Circle(middle, table[2], facecolor="#e4e0d8", edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
     ax.plot(*poses[:, :2].T, color=BLUE, linewidth=2, label="path")
-    _robots(ax, poses, BLUE)
-    _dock(fig, ax, dock, 2)
+    for x, y, theta in poses[np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))]:  # a line to its front
+        look = {"facecolor": "#cfe0ec", "edgecolor": BLUE, "linewidth": 2, "zorder": 3}
+        ax.add_patch(Circle((x, y), RADIUS, **look))
+        ax.plot([x, x + RADIUS * np.cos(theta)], [y, y + RADIUS * np.sin(theta)], color=BLUE, linewidth=2, zorder=4)
+    T = pose_matrix(dock)
+    corners = RADIUS * np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])
+    ax.fill(*(T[:2, :2] @ corners.T + T[:2, 2:]), color=BLACK, label="dock")
+    in_metres(ax)
+    ax.margins(0.04)
+    legend_above(fig, 2)
     nearest = np.linalg.norm(poses[:, :2] - middle, axis=1).min()
     alt = f"A car drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at {_point(dock)}. On its way its "
     alt += f"centre comes as near as {nearest:.2f} m to the middle of a round table; {keep_away:g} m are allowed."
     caption = "The centre of the robot has to stay outside the dashed circle, and to end before the dock, facing it."
     return Picture(fig, alt, caption)
-
-
-def _robots(ax, poses, colour):
-    """Draw a round robot at five of its poses, the first and the last among them, with a line to its front."""
-    for x, y, theta in poses[np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))]:
-        look = {"facecolor": _INSIDE[colour], "edgecolor": colour, "linewidth": 2, "zorder": 3}
-        ax.add_patch(Circle((x, y), RADIUS, **look))
-        ahead = [x, x + RADIUS * np.cos(theta)], [y, y + RADIUS * np.sin(theta)]
-        ax.plot(*ahead, color=colour, linewidth=2, zorder=4)
-
-
-def _dock(fig, ax, pose, columns):
-    """Draw the dock before a robot that stands in it at a pose (3,); finish the figure."""
-    T = pose_matrix(pose)
-    corners = RADIUS * np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])
-    ax.fill(*(T[:2, :2] @ corners.T + T[:2, 2:]), color=BLACK, label="dock")
-    in_metres(ax)
-    ax.margins(0.04)
-    legend_above(fig, columns)
 
 
 def wheels(left, right, track):
@@ -177,7 +148,7 @@ def _body_paths(contents, every, caption, pole=None):
         last = len(poses) - 1
         for i in [*range(0, last, every), last]:
             ax.plot(*outline(poses[i]).T, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * i / last)
-            ax.fill(*outline(poses[i]).T, color=_INSIDE[CRIMSON], alpha=0.15 + 0.75 * i / last)
+            ax.fill(*outline(poses[i]).T, color="#f0b7bd", alpha=0.15 + 0.75 * i / last)
         if pole is not None:
             ax.plot(*pole, "o", color=BLACK)
             ax.annotate("pole", pole, xytext=(8, 6), textcoords="offset points")
