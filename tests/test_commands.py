@@ -123,8 +123,8 @@ def test_the_benchmark_compares_what_is_installed(course):
 
 def test_the_lock_is_what_make_lock_writes(course):
     done = run(course, "make", "lock")
-    if "could not be downloaded" in done.stderr and "CI" not in os.environ:
-        pytest.skip("there is no network")
+    if re.search("could not be downloaded|certificate was not accepted", done.stderr) and "CI" not in os.environ:
+        pytest.skip("there is no network, or none that is trusted")
     assert (course / "environment.txt").read_text() == (ROOT / "environment.txt").read_text(), "run make lock"
     assert "environment.txt stays as it is." in done.stdout
 
