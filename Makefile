@@ -74,8 +74,8 @@ notebooks: environment ## run the notebooks and write their outputs into them; N
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
 	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
 
-data: environment ## make the data that the notebooks come with; TIMES=yes measures the times of notebook 6 again
-	@$(PY) -m course_lib.pack.data $(if $(TIMES),--times "$(TIMES)")
+data: environment ## compute the iiwa's trajectory that notebook 4 comes with
+	@$(PY) -m course_lib.pack.data
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock

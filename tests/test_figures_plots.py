@@ -28,8 +28,7 @@ RUNS = [(0.2, 2.0), (2.8, 2.0)]
 ELBOWS = np.array([[0.0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
 STEPS = np.arange(N)
 S = np.linspace(0.01, 4.2, 300)
-COSTS = {"table": {"bytes": 240000, "mean_error": 2e-3, "seconds": 1.6e-7}}
-COSTS["formula"] = {"bytes": 16, "mean_error": 2e-16, "seconds": 1e-7}
+COSTS = {"table": 240000, "formula": 16}, {"table": 0.2, "formula": 2e-14}
 
 
 def wrist_rates(b):
@@ -60,7 +59,7 @@ LINES = {
     "map": (nb3.step_map(ALPHAS, EPSILONS, ERRORS, 2.5, RUNS), 0,
             [np.stack([2 * (1 + EPSILONS / 2.5**2), EPSILONS], -1), RUNS]),
     "elbows": (nb6.two_elbows(ELBOWS, np.ones(2)), 0, [[[0, 0], [1, 0], [1, 1]], [[0, 0], [0, 1], [1, 1]], [[1, 1]]]),
-    "costs": (nb6.costs(COSTS), 0, [[[240000, 2e-3]], [[16, 2e-16]]]),
+    "costs": (nb6.costs(*COSTS), 0, [[[240000, 0.2]], [[16, 2e-14]]]),
     "from above": (nb4.plane_projections(SPACE), 0, [SPACE[:, :2]]),
     "from the side": (nb4.plane_projections(SPACE), 1, [SPACE[:, [0, 2]]]),
     "velocities": (nb4.velocities_against_each_other({"a": SPACE, "b": 2 * SPACE}), 5, [2 * SPACE[:, [1, 2]]]),

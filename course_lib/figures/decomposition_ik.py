@@ -216,26 +216,26 @@ def by_bend(edges, mean):
     )
 
 
-def costs(measured):
+def costs(memory, error):
     """Return the mean error of methods over the memory that they need, both logarithmic, a named dot for each method.
 
-    measured: {name: {"bytes": memory, "mean_error": in metres, "seconds": for a query}}.
+    memory: {name: bytes}. error: {name: cm}.
     """
     fig, (ax,) = plane_figure(5.4, 4.6)
     named, said = {}, []
-    for (name, cost), marker, colour in zip(measured.items(), "osD^vP*Xp", (*COLOURS, GREY, CRIMSON), strict=False):
-        at = cost["bytes"], cost["mean_error"]
+    for (name, size), marker, colour in zip(memory.items(), "osD^vP*", (*COLOURS, GREY), strict=False):
+        at = size, error[name]
         ax.plot(*at, marker, color=colour, markersize=9)
         near = [each for each in named if np.allclose(each, at, rtol=0.3, atol=0)]  # too near for a name of its own
         named.setdefault(near[0] if near else at, []).append(name)
-        said.append(f"{name}: {at[0]:,} bytes, {at[1]:.1e} m, {1e6 * cost['seconds']:.2g} µs a query")
+        said.append(f"{name}: {size:,} bytes, {error[name]:.2g} cm")
     for at, names in named.items():
         left = at[0] > 1e4
         beside = [e for m, e in named if (m, e) != at and 0.1 < m / at[0] < 10 and 0.5 < e / at[1] < 2]
         up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours are moved apart
         look = {"xytext": (-10 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
         ax.annotate(" and ".join(names), at, textcoords="offset points", **look)
-    ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (m)")
+    ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)")
     ax.margins(0.15, 0.12)
     return Picture(
         fig,

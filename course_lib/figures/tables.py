@@ -58,12 +58,12 @@ def reached(results, rough=()):
     table(["reached (%)", "iterations (median)"], rows)
 
 
-def compared(errors, exists, measured=None, rough=()):
+def compared(errors, exists, rough=()):
     """Print a table that compares methods; return the mean errors, {name: cm}.
 
     errors: {name: (m, 2), in cm, of the answers for both branches, nan for none}. exists: (m, 2), whether there is such
-    a solution, or a dict of one for each name. measured: {name: {"bytes": memory, "seconds": for a query}}, to be shown
-    beside the errors. rough: names whose largest error is left out, because it differs between machines.
+    a solution, or a dict of one for each name. rough: names whose largest error is left out, because it differs between
+    machines.
     """
     rows, mean = {}, {}
     for name, error in errors.items():
@@ -71,10 +71,7 @@ def compared(errors, exists, measured=None, rough=()):
         mean[name] = found["mean"]
         worst = "" if name in rough else found["worst"]
         rows[name] = [found["mean"], worst, f"{found['answered']:.1%}", found["invented"]]
-        if measured:
-            rows[name] += [f"{measured[name]['bytes'] / 1000:.0f}", f"{1e6 * measured[name]['seconds']:.2g}"]
-    columns = ["mean (cm)", "worst (cm)", "answered", "invented", "memory (kB)", "time (µs)"]
-    table(columns[: 6 if measured else 4], rows)
+    table(["mean (cm)", "worst (cm)", "answered", "invented"], rows)
     return mean
 
 

@@ -1,19 +1,16 @@
-"""Make the data that the notebooks come with: `make data`. costs.py measures the costs that notebook 6 plots.
+"""Make the data that the notebooks come with, `make data`: a joint trajectory of the iiwa.
 
-The joint trajectory of the iiwa: the end-effector follows a given curve twice. The curve determines three of the seven
+The end-effector follows a given curve twice. The curve determines three of the seven
 degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
 differential equation for q, and its right side is the velocity that is stored with each sample.
 """
 
-import argparse
-import sys
 from pathlib import Path
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from course_lib.arms import iiwa14
-from course_lib.pack import costs
 from course_lib.trajectory import Trajectory, save
 
 FILE = Path("notebooks/data/iiwa_trajectory.csv")
@@ -62,18 +59,11 @@ def iiwa_trajectory():
     return Trajectory(TIMES, *(np.round(values, 10) + 0.0 for values in (q, qd)))
 
 
-def main(arguments=None):
-    """Write the data that the notebooks use; return an exit code."""
-    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.data")
-    parser.add_argument("--times", choices=("yes", "no"), default="no", help="measure the times on this machine, too")
-    with_times = parser.parse_args(arguments).times == "yes"
+def main():
+    """Write the trajectory that notebook 4 uses."""
     save(FILE, iiwa_trajectory())
-    costs.write(with_times)
-    print(f"{FILE}: {len(TIMES)} samples")
-    print(f"{costs.FILE}: the times are {'measured again' if with_times else 'as they were (TIMES=yes measures them)'}")
-    print("If git shows a change, run: make notebooks, and then: make test")
-    return 0
+    print(f"{FILE}: {len(TIMES)} samples. If git shows a change, run: make notebooks, and then: make test")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
