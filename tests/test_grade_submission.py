@@ -91,7 +91,16 @@ WRITTEN = {
         "metadata": {"colab": {"provenance": []}, "accelerator": "GPU"},
         "cells": [each | {"metadata": {"id": "aB3", "outputId": "x", "cellView": "form"}} for each in cells],
     },
-}
+    # extensions/ipynb/src/serializers.ts of microsoft/vscode
+    "VS Code": lambda cells: {
+        "nbformat_minor": 2,
+        "cells": [each | {"source": each["source"].splitlines(True), "execution_count": None} for each in cells],
+    },
+    "JupyterLab, a picture pasted into a text": lambda cells: {
+        "cells": [{"cell_type": "markdown", "source": "![](attachment:a.png)", "metadata": {},
+                   "attachments": {"a.png": {"image/png": "iVBORw0KGgo="}}}, *cells],
+    },
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("written", WRITTEN)
