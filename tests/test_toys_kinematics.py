@@ -1,13 +1,11 @@
 """The toys' scripts agree with the library to 1e-9, on 100 random inputs each."""
 
 import json
-import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from playwright._impl._driver import compute_driver_executable
+from py_mini_racer import MiniRacer
 from scipy.spatial.transform import Rotation
 
 from course_lib import ik, registration, rigid, rotations
@@ -19,21 +17,19 @@ from course_lib.planar import interpolate_body_screw, pose_matrix, propagate_bod
 from course_lib.subproblems import subproblem2
 
 N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
-NODE = Path(compute_driver_executable()[0])  # the one that playwright brings
 
 
 @pytest.fixture(scope="module")
 def js():
     """A function: what one of the scripts answers to cases, its arguments one after the other, each as a column."""
-    command = [NODE, Path(__file__).parent / "toys.mjs", SCRIPTS / "motion.js"]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+    engine = MiniRacer()
+    engine.eval((SCRIPTS / "motion.js").read_text("utf-8"))
 
-        def ask(name, *columns):
-            question = [name, list(zip(*columns, strict=True))]
-            print(json.dumps(question, default=lambda array: array.tolist()), file=process.stdin, flush=True)
-            return json.loads(process.stdout.readline())
+    def ask(name, *columns):
+        cases = json.dumps(list(zip(*columns, strict=True)), default=lambda array: array.tolist())
+        return json.loads(engine.eval(f"JSON.stringify({cases}.map((case_) => course.motion.{name}(...case_)))"))
 
-        yield ask
+    return ask
 
 
 @pytest.fixture
