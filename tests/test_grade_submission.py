@@ -201,6 +201,14 @@ def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few
     assert "not graded" in messages(result)["nearest_se"]
 
 
+def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
+    loops = "import os\ndef loop():\n    if not os.fork():\n        while True: pass\nlooping = loop()"
+    uses = answer(few, "nearest_so").replace("return ", "looping\n    return ")
+    waits = answer(few, "is_valid").replace("    ", "    waited\n    ", 1)
+    result = grade(book(few[0], loops, uses, "import time\nwaited = time.sleep(4)", waits), NAME, SEED, SHORT)
+    assert states(result)["is_valid"] == "right"
+
+
 # ---- files that are none ----
 
 

@@ -1,7 +1,8 @@
 """Grade one submission. Every verdict is formed here, from answers that the submission's process gives as plain data.
 
 The cheapest run comes first: only the statements that the functions need, without any function that some exercise
-forbids. An exercise whose run called a function that only others forbid is asked again in a process of its own.
+forbids. An exercise whose run called a function that only others forbid, or left out a cell that it may need, is asked
+again in a process of its own: a process that an earlier cell left behind may have spoiled the first.
 Whatever is not right then is asked once more after the whole notebook ran as in Jupyter, and the better outcome counts.
 At last a function that calls other exercises' functions that are not right is asked with right ones in their place.
 """
@@ -205,7 +206,7 @@ def attempt(run, exercises, forbidden, whole=False, instead=()):
         if guilty is None:
             break
         run.left_out[guilty[0]] = left_out[guilty] = ended
-        if isinstance(end, TooSlow):  # it would take as long again, whatever else is asked
+        if isinstance(end, TooSlow) and (whole or len(exercises) == 1):  # else what ran beside it may have been slow
             run.too_slow.append(guilty)
     reason = f"The notebook could not be run: {ended}."
     return {e.name: Outcome(Verdict(e, ERROR, reason), hindered=True, answered=False) for e in exercises}
@@ -252,7 +253,7 @@ def ask(run, student, left_out, at=0, seed=None):
     for (cell, _), how in left_out.items():
         if verdict.state == ERROR or (verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]):
             reason = f"{verdict.reason}\nA cell that it may need was left out: {how}.".strip()
-            verdict = replace(verdict, state=ERROR, reason=reason)
+            verdict, student.hindered = replace(verdict, state=ERROR, reason=reason), True
             break
     return Outcome(verdict, student.hindered and verdict.state != RIGHT, apart=student.candidates, at=at)
 
