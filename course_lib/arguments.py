@@ -91,6 +91,23 @@ def refuse_first(bad, name, reason, *values):
         raise ValueError(f"{entry(name, index)} {reason.format(*(value[index] for value in values))}")
 
 
+def read_only(array):
+    """Return an array that cannot be changed in place, for values that functions read and that must stay as they are.
+
+    Examples
+    --------
+    >>> base = read_only([0.5, 0, 1])
+    >>> base += 1
+    Traceback (most recent call last):
+    ValueError: output array is read-only
+    >>> base + 1
+    array([1.5, 1. , 2. ])
+    """
+    array = np.array(array)
+    array.flags.writeable = False
+    return array
+
+
 def entry(name, index):
     """Return how the entry of an array is written in a message, such as R[2, 0]; with no index, the array's name."""
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name

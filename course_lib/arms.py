@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from course_lib.arguments import positive, real_array, refuse_first
+from course_lib.arguments import positive, read_only, real_array, refuse_first
 from course_lib.batched_arm import CHUNK, BatchedArm
 from course_lib.batching import in_chunks
 from course_lib.rigid import checked_pose, hat_se3, transform
@@ -71,9 +71,7 @@ class SerialArm:
 
     def __post_init__(self):
         for name in ("screw_axes", "home", "limits"):
-            array = getattr(self, name).copy()
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+            object.__setattr__(self, name, read_only(getattr(self, name)))
 
     @classmethod
     def from_screws(cls, omega, points, home, limits=None):

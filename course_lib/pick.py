@@ -8,16 +8,16 @@ Source of the bounds: Franka Emika, Franka Control Interface documentation, limi
 
 import numpy as np
 
-from course_lib.arguments import real_array
+from course_lib.arguments import read_only, real_array
 from course_lib.arms import panda
 from course_lib.rigid import checked_pose, transform
 from course_lib.rotations import rot_x, rot_z
 
 FASTEST = np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])  # rad/s
 HARDEST = np.array([15, 7.5, 10, 12.5, 15, 20, 20.0])  # rad/s^2
-BASE = transform(np.eye(3), [-0.2, 0.13, 0.6])  # of the arm, in the world
-IN_FLANGE = transform(rot_z(-np.pi / 4), [0, 0, 0.1034])  # the gripper's frame, between its fingertips
-IN_MUG = transform(rot_x(np.pi), [0, 0, 0.06])  # the gripper when it grasps: from above, 6 cm above the mug's foot
+BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))  # of the arm, in the world
+IN_FLANGE = read_only(transform(rot_z(-np.pi / 4), [0, 0, 0.1034]))  # the gripper's frame, between its fingertips
+IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))  # the gripper when it grasps, from above
 _TABLE, _MUG_RADIUS, _MUG_HEIGHT, _HANDLE = 0.6, 0.035, 0.09, (0.05, 0, 0.05, 0.02)
 _STEP, _MOST_STEPS = 0.02, 50  # radians
 _ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre, radius, how many

@@ -26,6 +26,10 @@ _WHOLE_NUMBERS = Mistake(
     "decimals are added in place, by += or -=, to an array of whole numbers",
     "x = x + ... makes a new array, which holds decimals, and leaves the caller's array as it was.",
 )
+_READ_ONLY = Mistake(
+    "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
+    "Others still need it, so it is read-only. x = x + ... and T = T @ ... make a new array.",
+)
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
 _OTHER_SHAPE = Mistake(
     "an array has another shape than this line takes it to have",
@@ -48,6 +52,7 @@ _KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exerc
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
     ("ZeroDivisionError", "", _NOT_FINITE),
+    ("ValueError", "read-only", _READ_ONLY),
     ("ValueError", "matmul|could not be broadcast|must match exactly|same number of dim|at least one array", _SHAPES),
 )
 

@@ -3,10 +3,11 @@
 import numpy as np
 
 from course_lib import arms, rigid
+from course_lib.arguments import read_only
 from course_lib.checks.exercises.panda_dh_ik.shared import TABLE
 from course_lib.rotations import rot_x, rot_z
 
-KEPT = rigid.transform(np.eye(3), [-0.2, 0.13, 0.6])
+KEPT = read_only(rigid.transform(np.eye(3), [-0.2, 0.13, 0.6]))  # as in the notebook
 FLANGE = rigid.transform(np.eye(3), [0, 0, 0.107])
 
 
@@ -50,6 +51,15 @@ def wrong_base_changed_in_place(q, T=KEPT.copy()):
     frames = []
     for row, theta in zip(TABLE, q):
         T[:] = T @ step(*row, theta)
+        frames.append(T.copy())
+    return np.array([*frames, T @ FLANGE])
+
+
+def wrong_base_multiplied_in_place(q):
+    """read-only"""
+    T, frames = KEPT, []
+    for row, theta in zip(TABLE, q):
+        T @= step(*row, theta)
         frames.append(T.copy())
     return np.array([*frames, T @ FLANGE])
 
