@@ -34,6 +34,15 @@ def test_it_and_the_changes_say_how_long_a_sitting_takes():
         assert f"two sittings of {least} to {most} hours" in " ".join(text.split())
 
 
+def test_the_plan_of_a_semester_has_the_hours_of_the_notebooks():
+    plan = (ROOT / "course_lib/pack/semester.md").read_text(encoding="utf-8")
+    planned = re.findall(r"^\| \d+ \| (\d), \w+ \| ([\d.]+) \|", plan, re.MULTILINE)
+    paths = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+    said = [(path.name[1], each) for path in paths for each in sittings(nbformat.read(path, 4).cells[0].source)]
+    assert [(number, float(hours)) for number, hours in planned] == said
+    assert f"{sum(hours for _, hours in said):g} in all" in plan
+
+
 def test_every_command_and_file_it_names_is_there():
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     for target in re.findall(r"(?:`|^    )make ([a-z]+)", README, re.MULTILINE):

@@ -11,12 +11,12 @@ EXERCISES = (
     "gyroscope",
     "test_log_so3",
     "log_so3",
-    "slerp",
     "nearest_so",
 )
 
 MORE = (
     "euler_angles",
+    "slerp",
     "quaternion_to_matrix",
     "matrix_to_quaternion",
     "is_valid",

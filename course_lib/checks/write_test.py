@@ -72,6 +72,8 @@ class WriteTest(Exercise):
         At least three right and six wrong ones.
     shapes : tuple of tuple of int
         The shape of each argument that a candidate takes, which is an array of real numbers.
+    refuses : Mistake
+        What a test overlooks that refuses everything.
     """
 
     cases: None = None
@@ -80,6 +82,7 @@ class WriteTest(Exercise):
     hints: tuple[str, ...] = ()
     versions: tuple[Version, ...] = ()
     shapes: tuple[tuple[int, ...], ...] = ()
+    refuses: Mistake = ALWAYS_FALSE
 
     def questions(self, rng):
         """Return a case for each version, in random order, and the function that answers calls of candidates."""
@@ -119,7 +122,7 @@ class WriteTest(Exercise):
         said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"
         said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
-        always = ALWAYS_FALSE if len(refused) == n_right and not missed else always
+        always = self.refuses if len(refused) == n_right and not missed else always
         failed_example = any(version.example for version in (*refused, *missed))
         credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, said, always, credit=credit)

@@ -159,7 +159,7 @@ def double_cover(angle, w, entry):
 
 
 def projections(M, rotations):
-    """Return what each rotation makes of tr(R^T M) = s1 z11 + s2 z22, for a matrix M (2, 2); {title: R (2, 2)}.
+    """Return what each rotation makes of s1 z11 + s2 z22 = tr(R^T M), for a matrix M (2, 2); {title: R (2, 2)}.
 
     A rotation takes v1 and v2 to two arrows of length one; z11 and z22 are their projections on the axes u1 and u2 of
     the ellipse that M makes of the unit circle.
@@ -185,13 +185,15 @@ def projections(M, rotations):
             words = {"ha": "center", "va": "center", "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8}}
             ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **words)
             ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, **words)
-        each = " + ".join(rf"{size:.2f} ({z:.2f})" for size, z in zip(s, sizes, strict=True))
+        each = " + ".join(rf"{size:.3g} ({z:.2g})" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-        ax.set_title(f"{title}\n$\\mathrm{{tr}}(R^T M) = {each} = {s @ sizes:.2f}$")
-        said.append(f"{plain(title)}: {_numbers(sizes)}, and a trace of {s @ sizes:.2f}")
+        ax.set_title(f"{title}\n$s_1 z_{{11}} + s_2 z_{{22}} = {each} = {s @ sizes:.3g}$")
+        said.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {s @ sizes:.2f}")
     alt = "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 under a rotation, "
     alt += f"with their projections on these axes. {'; '.join(said)}."
     caption = "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is longer than one."
+    if np.linalg.det(M) < 0:
+        caption = "One arrow lies on its axis, the other points against it: there $z_{ii} = -1$."
     return Picture(fig, alt, caption)
 
 

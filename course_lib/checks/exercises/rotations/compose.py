@@ -34,13 +34,13 @@ EXERCISE = Exercise(
     library=_right,
     properties=(
         Property(
-            'about the world\'s axes (frame = "world"), every point of the rotated body is rotated by step',
+            'with frame = "world", step rotates every point of the body about the world\'s axes',
             _agrees,
             where=lambda R, step, frame: frame == "world",
             mistake=_FACTORS,
         ),
         Property(
-            'about the body\'s own axes (frame = "body"), step is made before R carries everything along',
+            'with frame = "body", step rotates the body about its own axes, where R has taken them',
             _agrees,
             where=lambda R, step, frame: frame == "body",
             mistake=_FACTORS,
@@ -65,6 +65,12 @@ def frame_not_used(R, step, frame, order):
     """the frame makes no difference. Compare both orders for rotations by 90 degrees about z and about x."""
     first, second = (R, step)[::order]
     return first @ second
+
+
+@EXERCISE.mistake(seen_by=(lambda R: R, np.transpose))
+def step_alone(R, step, frame, seen_by):
+    """the step is returned, in the other frame's coordinates. Which orientation did the body have before this step?"""
+    return step @ R if frame == "world" else seen_by(R) @ step @ seen_by(R).T
 
 
 @EXERCISE.mistake

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.exercises.rotations.shared import CONJUGATE, hamilton_product
 from course_lib.checks.vocabulary import same_up_to_sign, unit
 from course_lib.rotations import nearest_quaternion, random_quaternions
@@ -44,7 +44,7 @@ def _cases(rng):
     pairs = [(_about(z, 0), _about(z, np.pi / 2), 0.5), (_about(x, 0.2), _about(x, 1.4), 0.25)]
     pairs += [(*_apart(rng, angle), t) for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.05, 0.3))]
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
-    pairs += [(*_apart(rng, 1e-5), 0.4), (*_apart(rng, 1e-6), 0.4), (*_apart(rng, 1e-9), 0.5)]
+    pairs += [(*_apart(rng, angle), t) for angle, t in ((1.2e-3, 0.4), (1e-5, 0.4), (1e-6, 0.4), (1e-9, 0.5))]
     pairs += [(np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 1e-8, 0]), 0.5)]  # of which the cosine is 1
     q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
@@ -100,7 +100,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3)
 def nearly_equal_taken_for_equal(q0, q1, t):
     """nearly equal rotations are taken for equal. The arc is short, but t still divides it."""
-    return q0 if _angle_of(q0, q1) < 1e-3 else slerp(q0, q1, t)
+    return q0 if _angle_of(q0, q1) < 1e-3 else None
 
 
 @EXERCISE.mistake
@@ -116,12 +116,16 @@ def straight_chord(q0, q1, t, end, size):
     return size((1 - t) * q0 + t * end(q0, q1))
 
 
-@EXERCISE.mistake(size=(nearest_quaternion, lambda q: q))
-def chord_too_early(q0, q1, t, size):
+def _exactly(q, predicted, *case):
+    return any(same(q, sign * predicted, tolerance=1e-11) for sign in (1, -1))
+
+
+@EXERCISE.mistake(of=((nearest_quaternion, 0.03), (lambda q: q, 0.03), (lambda q: q, 1e-3)), alike=_exactly)
+def chord_too_early(q0, q1, t, of):
     """the straight line is taken at angles where it differs from the arc. From which angle on does your function take
     it, and how many digits are right there?"""
-    end = _shorter(q0, q1)
-    return size((1 - t) * q0 + t * end) if q0 @ end > 0.9995 else slerp(q0, q1, t)
+    size, below = of
+    return size((1 - t) * q0 + t * _shorter(q0, q1)) if _angle_of(q0, q1) < 2 * below else slerp(q0, q1, t)
 
 
 @EXERCISE.mistake(factor=(2, 0.5))

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.write_test import Version, WriteTest
+from course_lib.checks.exercise import Mistake
+from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 from course_lib.rotations import log_so3, matrix_to_quaternion
 
 
@@ -54,6 +55,11 @@ EXERCISE = WriteTest(
     points=3,
     arguments=("log_so3",),
     shapes=((3, 3),),
+    refuses=Mistake(
+        ALWAYS_FALSE.name,
+        "A right version passes too. Do you compare its answer with a w of your own, R being exp_so3(w)? The answer is "
+        "the shortest such vector: is your |w| at most pi? And compare with a tolerance (np.allclose).",
+    ),
     versions=(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
