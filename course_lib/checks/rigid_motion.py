@@ -53,8 +53,8 @@ PREDICTIONS = (
         {
             "a": "Straight in joint space is not straight in the plane: the tip's position depends on the angles by "
             "sines and cosines.",
-            "b": "Joint 1 alone makes half a revolution. How far does it carry a tip that is nearly 2 m away?",
-            "c": "Half a revolution at a distance of nearly 2 m is about 6 m, and joint 2 adds its own motion.",
+            "b": "Joint 1 alone rotates by 2.8 rad. How far does it carry a tip that is nearly 2 m away?",
+            "c": "2.8 rad at a distance of nearly 2 m is more than 5 m, and joint 2 adds its own motion.",
         },
     ),
 )

@@ -54,10 +54,10 @@ def _rotation(theta):
 
 
 def parking(poses, dock, table, keep_away):
-    """Return the path of a car that is to stop in its dock, and the round table on its way.
+    """Return the path of a robot that is to stop in its dock, and the round table on its way.
 
-    poses: (n, 3), of the car. dock: (3,), the pose in which it is to stop. table: its middle and its radius, (x, y, r).
-    keep_away: how far from there the car's centre has to stay.
+    poses: (n, 3), of the robot. dock: (3,), the pose in which it is to stop. table: (x, y, r), its middle and
+    its radius. keep_away: how far from there the robot's centre has to stay.
     """
     middle = np.asarray(table[:2], float)
     fig, (ax,) = plane_figure(4.6, 4.8)
@@ -76,8 +76,8 @@ def parking(poses, dock, table, keep_away):
     ax.margins(0.04)
     legend_above(fig, 2)
     nearest = np.linalg.norm(poses[:, :2] - middle, axis=1).min()
-    alt = f"A car drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at {_point(dock)}. On its way its "
-    alt += f"centre comes as near as {nearest:.2f} m to the middle of a round table; {keep_away:g} m are allowed."
+    alt = f"A robot drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at {_point(dock)}. On its way "
+    alt += f"its centre comes as near as {nearest:.2f} m to the middle of a round table; {keep_away:g} m are allowed."
     caption = "The centre of the robot has to stay outside the dashed circle, and to end before the dock, facing it."
     return Picture(fig, alt, caption)
 

@@ -101,3 +101,12 @@ def not_wrapped(start, goal, n, difference):
 def lengths_wrapped(start, goal, n):
     """x and y are wrapped as if they were angles. Which of the three numbers repeats after 2 pi?"""
     return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))
+
+
+@EXERCISE.mistake
+def whole_numbers(start, goal, n):
+    """the wrapped difference is cut off to a whole number. np.array([2, -1, 3]) holds whole numbers only, and so does a
+    difference of two such arrays: what does np.array(start, float) hold?"""
+    if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
+        return None
+    return _path(start, goal, n, change=np.trunc(right_change(start, goal)))

@@ -62,11 +62,11 @@ def _rows(T, *case):
     return rows if shared.one_arc_is_shorter(*case) else None
 
 
-def _by_matrices(start, goal, n, product):
-    """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s."""
+def _by_matrices(start, goal, n, product, s):
+    """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s of s(u)."""
 
     def move(T):
-        return exp_se2(np.multiply.outer(shared.scaling(n), log_se2(T)))
+        return exp_se2(np.multiply.outer(s(np.linspace(0, 1, n)), log_se2(T)))
 
     return _rows(product(pose_matrix(start), pose_matrix(goal), move), start, goal, n)
 
@@ -135,9 +135,10 @@ shared.add_path_mistakes(EXERCISE, _screw)
         lambda T0, T1, move: move(inverse(T0) @ T1) @ T0,
         lambda T0, T1, move: T0 @ move(inverse(T1) @ T0),
         lambda T0, T1, move: move(inverse(T0) @ T1),
-    )
+    ),
+    s=(shared.cubic, lambda u: u),
 )
-def wrong_side(start, goal, n, product):
+def wrong_side(start, goal, n, product, s):
     """the displacement is seen from another frame than that in which it is applied. T_start^-1 T_goal leads from start
     to goal, seen from start: where does T_start stand in the product?"""
-    return _by_matrices(start, goal, n, product)
+    return _by_matrices(start, goal, n, product, s)

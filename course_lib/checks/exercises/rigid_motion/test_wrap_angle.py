@@ -7,12 +7,12 @@ from course_lib.checks.write_test import Version, WriteTest
 from course_lib.planar import wrap_angle
 
 
-def _right(kind, function):
-    return Version(kind, lambda angle: float(function(float(angle))), True)
+def _right(kind, function, example=False):
+    return Version(kind, lambda angle: float(function(float(angle))), True, example)
 
 
-def _wrong(kind, function):
-    return Version(kind, lambda angle: float(function(float(angle))), False)
+def _wrong(kind, function, example=False):
+    return Version(kind, lambda angle: float(function(float(angle))), False, example)
 
 
 def _one_revolution(angle):
@@ -33,9 +33,9 @@ EXERCISE = WriteTest(
     versions=(
         _right("that subtracts rounded numbers of revolutions", lambda a: a - REVOLUTION * np.round(a / REVOLUTION)),
         _right("that uses the remainder", lambda a: np.mod(a + np.pi, REVOLUTION) - np.pi),
-        _right("that uses arctan2", lambda a: np.arctan2(np.sin(a), np.cos(a))),
-        _right("of the library", wrap_angle),
-        _wrong("that changes nothing", lambda a: a),
+        _right("that uses arctan2, so that its last digits differ", lambda a: np.arctan2(np.sin(a), np.cos(a))),
+        _right("of the library", wrap_angle, example=True),
+        _wrong("that changes nothing", lambda a: a, example=True),
         _wrong("that subtracts one revolution at most", _one_revolution),
         _wrong(
             "that subtracts one revolution at most",
