@@ -32,8 +32,6 @@ AS_RIGHT = {
     "good_matches": ["if good.sum() >= best.sum():"],
     # Rounding decides whether circles that touch have a common point.
     "subproblem4": ["if r == 0 or abs(d - constant) >= r:"],
-    # A test may use any two points out of reach of each other.
-    "test_subproblem2": ["if len(subproblem2(k1, k2, p1, 2 / p2)) > 0:"],
 }
 
 

@@ -290,7 +290,7 @@ def descents(runs, target, caption):
         tips = arms[:, -1]
         jumps = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > 1
         if jumps:  # lines between jumps would hide everything
-            plane.plot(*tips.T, ".", color=colour, markersize=5, alpha=0.6)
+            plane.plot(*tips.T, "o", color=colour, markersize=6, alpha=0.6)
         else:
             plane.plot(*tips.T, color=colour, linestyle=style, linewidth=2)
             plane.plot(*arms[-1].T, "-o", color=colour, linewidth=5, markersize=7, markeredgecolor="white", alpha=0.5)
@@ -350,7 +350,8 @@ def race(racers, points_of, target):
         largest = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
         steps = f"{np.argmax(miss < near)} steps to {100 * near:g} cm" if (miss < near).any() else "never there"
         runs[f"{label}: {steps}, at most {largest:.3g} rad"] = arms
-    return descents(runs, target, "Gauss-Newton jumps; the damped tip takes a smooth path.")
+    caption = "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end alike, as drawn."
+    return descents(runs, target, caption)
 
 
 def gains(epsilons, values):

@@ -3,11 +3,12 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     SHOULDER,
     arm_solutions,
+    bent,
     center_of,
     every_solution,
 )
@@ -26,6 +27,26 @@ def _misses(q, center):
     return np.linalg.norm(center_of(q) - center)
 
 
+def _off(q, center):
+    """How far q3 is from bringing the wrist center to its distance from the shoulder."""
+    return abs(np.linalg.norm(bent(q[2])) - np.linalg.norm(center - SHOULDER))
+
+
+def _tell_distance(found, center):
+    q = max(found, key=lambda q: _off(q, center))
+    reached, wanted = np.linalg.norm(bent(q[2])), np.linalg.norm(center - SHOULDER)
+    return f"With q3 = {q[2]:.4g} it is {reached:.4g} m from it; `center` is {wanted:.4g} m from it."
+
+
+_TRIANGLE = "Shoulder, elbow and wrist center form a triangle. Which of its sides does to_distance get, and are both "
+_TRIANGLE += "points measured from the elbow?"
+_AROUND = Mistake(
+    "q3 is right, and q1 or q2 is not",
+    "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for subproblem 2, and "
+    "what becomes of its angle? Which of the two points does each axis rotate?",
+)
+
+
 def _tell(q, center):
     return f"({', '.join(f'{a:.4g}' for a in q)}) brings the wrist center to {format_array(center_of(q), 4)}."
 
@@ -38,7 +59,23 @@ EXERCISE = Exercise(
     returns=unless_empty(rows(3, "a list of triples (q1, q2, q3), empty if there is none"), arm_solutions),
     library=arm_solutions,
     alike=same_list,
-    properties=every_solution("each triple brings the wrist center to `center`", _misses, _tell, arm_solutions),
+    properties=(
+        Property(
+            "q3 brings the wrist center to its distance from the shoulder",
+            lambda found, center: all(_off(q, center) < 1e-8 for q in found),
+            _tell_distance,
+            where=lambda center: len(arm_solutions(center)) > 0,
+            mistake=Mistake("q3 is wrong", _TRIANGLE),
+        ),
+        *every_solution(
+            "each triple brings the wrist center to `center`",
+            _misses,
+            _tell,
+            arm_solutions,
+            wrong=_AROUND,
+            empty=Mistake("to_distance, or subproblem2, finds nothing", f"Print what each returns. {_TRIANGLE}"),
+        ),
+    ),
     hints=(
         "First q3 alone: joints 1 and 2 do not change how far the wrist center is from the shoulder. Joint 3 has to "
         "make that distance right: to_distance, with all points measured from the elbow, which lies on axis 3.",

@@ -11,7 +11,7 @@ FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two
 
 _NOT_ONE = Mistake("nan is returned where there is no solution", "Which number tells that there is none?")
 NO_SOLUTION = Mistake(
-    "a solution in the list is none",
+    "the list holds something that is no solution",
     "Put it into the equation, term by term. Which length, point or angle is another one than you thought?",
 )
 _ROUNDED_OUT = Mistake(
@@ -69,12 +69,12 @@ def two(solutions, *case):
     return np.array([first, second])
 
 
-def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
+def all_of_them(equation, one, misses, tell, solutions, none):
     """Return the properties of a list of all solutions.
 
     equation: "each theta ...", what one solution does. one: what one is called. misses(solution, *arguments): its
     error; tell(solution, *arguments): the same in words. solutions(*arguments): two, one if the two coincide, or none.
-    none: the properties if there is none; touch: further ones if there is one.
+    none: the properties if there is none.
     """
 
     def solved(within):
@@ -102,7 +102,6 @@ def all_of_them(equation, one, misses, tell, solutions, none, touch=()):
         ),
         *none,
         Property(f"{equation}, also here, where the two solutions coincide", solved(TOUCHING), worst, where=has(1)),
-        *touch,
     )
 
 

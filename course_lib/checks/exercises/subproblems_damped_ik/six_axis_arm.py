@@ -53,11 +53,17 @@ def all_solutions(T):
     return found
 
 
-def every_solution(equation, misses, tell, solutions):
+_EMPTY = Mistake(
+    "a point, or an argument of a subproblem, is wrong",
+    "Try the home pose, where all angles are 0: what should each line give there?",
+)
+
+
+def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION, empty=_EMPTY):
     """Return the properties of a list of all joint angles, several or none.
 
     equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in words.
-    solutions(*arguments): the right list.
+    solutions(*arguments): the right list. wrong, empty: the Mistake if one is no solution, and if there is none.
     """
     return (
         Property(
@@ -65,16 +71,13 @@ def every_solution(equation, misses, tell, solutions):
             lambda found, *case: all(misses(q, *case) < 1e-8 for q in found),
             lambda found, *case: tell(max(found, key=lambda q: misses(q, *case)), *case),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=NO_SOLUTION,
+            mistake=wrong,
         ),
         Property(
             "the list is not empty, for the target is within reach",
             lambda found, *case: len(found) > 0,
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake(
-                "a point, or an argument of a subproblem, is wrong",
-                "Try the home pose, where all angles are 0: what should each line give there?",
-            ),
+            mistake=empty,
         ),
         Property(
             "the list holds every solution",
