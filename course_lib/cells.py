@@ -1,4 +1,4 @@
-"""Tables of inverse kinematics and their measurement: an arm that sags, cells and their samples, queries and scores."""
+"""Tables of inverse kinematics and their measurement: an arm that sags, cells, their samples and their errors."""
 
 import numpy as np
 
@@ -85,15 +85,6 @@ def in_ranges(solutions, lowest, highest):
     return np.where(inside, q, np.nan)
 
 
-def drawn(m, low, high, keep, rng):
-    """Return m positions (m, 2) uniform in the part of a box for which keep(xy (k, 2)) is True."""
-    found = np.empty((0, 2))
-    while len(found) < m:
-        xy = rng.uniform(low, high, (m, 2))
-        found = np.concatenate([found, xy[keep(xy)]])
-    return found[:m]
-
-
 def kinds(q, number, count, split):
     """Return the kind of each cell (count,), and the clearest example of each: {kind: (angles (m, 2), labels (m,))}.
 
@@ -122,11 +113,6 @@ def _cells(number):
     for own in np.split(order, first[1:]):
         if number[own[0]] >= 0:
             yield number[own[0]], own
-
-
-def linear_terms(xy):
-    """Return the terms (m, 3) of positions (m, 2): 1, x, y."""
-    return np.column_stack([np.ones(len(xy)), xy])
 
 
 def quadratic_terms(xy):
@@ -159,7 +145,7 @@ class BranchTable:
     --------
     With a model that is the same everywhere, q1 = 0.5 + q2 and q2 squared = 4:
 
-    >>> table = BranchTable(linear_terms, lambda terms, q: np.array([[0.5, 0, 0, 1], [4, 0, 0, 0]]),
+    >>> table = BranchTable(lambda xy: np.ones((len(xy), 1)), lambda terms, q: np.array([[0.5, 1], [4, 0]]),
     ...                     branch=lambda q: np.array([0, 0, 1]), least=2)
     >>> xy, q = np.zeros((3, 2)), np.array([[2.5, 2.0], [2.5, 2.0], [-1.5, -2.0]])
     >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
@@ -247,69 +233,18 @@ class JointCells:
         return numbered(index, self.n), terms, slopes / self.width[:, None, None]
 
 
-def after_step(step, angles, xy):
-    """Return the angles (m, 2, 2) after step(q (2,), position (2,)) for each.
+def largest_errors(corner, size, degree, solve):
+    """Return the largest errors of q2 (rad) and of the position (m) of one polynomial in a cell.
 
-    NaN stays NaN, and a stretched arm, whose Jacobian has no inverse, stays as it is.
-    """
-    found = [
-        [q if np.isnan(q).any() or q[1] == 0 else step(q, p) for q in both] for both, p in zip(angles, xy, strict=True)
-    ]
-    return np.reshape(found, np.shape(angles))
-
-
-def scores(error, given, exists):
-    """Return the mean and largest error (m, 2), the share of solutions that are answered, and of answers to none.
-
-    given, exists: (m, 2), whether there is an answer, and whether there is a solution.
-
-    Examples
-    --------
-    >>> answers = scores([[0.1, 9.0]], given=np.array([[True, True]]), exists=np.array([[True, False]]))
-    >>> print(answers)
-    {'mean': 0.1, 'worst': 0.1, 'answered': 1.0, 'invented': 1}
-    """
-    off = np.where(exists & given, error, np.nan)
-    answered, invented = (given & exists).sum() / exists.sum(), (given & ~exists).sum()
-    return {
-        "mean": float(np.nanmean(off)),
-        "worst": float(np.nanmax(off)),
-        "answered": float(answered),
-        "invented": int(invented),
-    }
-
-
-def largest_errors(corner, sizes, degree, solve, forward):
-    """Return the largest errors of q2 (rad) and of the position (m), (2, n), of one polynomial in cells of n sizes.
-
-    Each cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
-    branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions; forward(angles) are the positions
-    reached.
+    The cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
+    branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions.
     """
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
-    largest = []
-    for size in sizes:
-        xy = corner + size / 2 * (grid - [1, 0])
-        within = np.hypot(*xy.T) <= 2
-        (u, v), xy = grid[within].T, xy[within]
-        basis = np.stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1)
-        angles = solve(xy)[:, 0]
-        fitted = basis @ np.linalg.lstsq(basis, angles)[0]
-        off = np.linalg.norm(forward(fitted) - xy, axis=1)
-        largest.append((np.abs(fitted - angles)[:, 1].max(), off.max()))
-    return np.transpose(largest)
-
-
-def score_noisy_table(make, lowest, highest):
-    """Return the percentage of 1,000 positions that a table from few noisy samples of the sagging arm reaches.
-
-    make(positions (2000, 2), angles (2000, 2)) is a function from positions (m, 2) to angles (m, 2, 2), NaN for none;
-    the positions have 1 mm of noise. lowest, highest: the joint ranges (2,) in radians. Counted is a better answer
-    within 0.5 mm. The samples are the same each time.
-    """
-    chance = np.random.default_rng(7)
-    angles = chance.uniform(lowest, highest, (2000, 2))
-    noisy = measured(angles, chance)
-    wanted, _ = planar_forward(sagged(chance.uniform(lowest, highest, (1000, 2))))
-    off = np.linalg.norm(planar_forward(sagged(make(noisy, angles)(wanted)))[0] - wanted[:, None], axis=-1)
-    return float(100 * (np.nanmin(off, axis=1, initial=np.inf) < 5e-4).mean())
+    xy = corner + size / 2 * (grid - [1, 0])
+    within = np.hypot(*xy.T) <= 2
+    (u, v), xy = grid[within].T, xy[within]
+    basis = np.stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1)
+    angles = solve(xy)[:, 0]
+    fitted = basis @ np.linalg.lstsq(basis, angles)[0]
+    off = np.linalg.norm(planar_forward(fitted)[0] - xy, axis=1)
+    return np.abs(fitted - angles)[:, 1].max(), off.max()

@@ -2,11 +2,10 @@
 
 import numpy as np
 import pytest
-from scipy.spatial import cKDTree
 
 from course_lib import cells
 from course_lib.checks import decomposition_ik as check
-from course_lib.grid_ik import GridIK, planar_forward
+from course_lib.grid_ik import planar_forward
 
 BOTH = np.array([[1.0, 1.0], [2.0, -1.0], [1.1, 1.1], [2.1, -1.1], [1.2, 1.0], [2.2, -1.2]])
 
@@ -63,15 +62,3 @@ def test_a_table_of_branches_answers_only_in_cells_that_have_models():
     branch = (q[:200, 1] < 0).astype(int)
     assert np.nanmedian(np.abs(found[np.arange(200), branch] - q[:200])) < 0.02
     assert np.isnan(table.predict(xy[:3], np.array([-1, 99, -1]))).all()
-
-
-def test_a_table_of_noisy_samples_scores_by_what_it_reaches_and_not_by_what_it_leaves_out():
-    ranges = np.deg2rad([[0, -90], [170, 90]])
-
-    def make(positions, angles):
-        tree = cKDTree(positions)
-        return lambda wanted: np.stack([angles[tree.query(wanted)[1]], np.full((len(wanted), 2), np.nan)], axis=1)
-
-    nearest = cells.score_noisy_table(make, *ranges)
-    assert 0 <= nearest < 5, "the nearest of 2,000 samples is a centimetre off"
-    assert cells.score_noisy_table(lambda *samples: GridIK(cells=(10, 10)).fit(*samples).predict, *ranges) > 40

@@ -63,14 +63,22 @@ def compared(errors, exists, rough=()):
 
     errors: {name: (m, 2), in cm, of the answers for both branches, nan for none}. exists: (m, 2), whether there is such
     a solution, or a dict of one for each name. rough: names whose largest error is left out, because it differs between
-    machines.
+    machines. Answers where there is no solution are counted as invented, and their errors are not.
+
+    Examples
+    --------
+    >>> means = compared({"a table": np.array([[0.1, 9.0], [0.3, np.nan]])}, np.array([[True, False], [True, True]]))
+             mean (cm)  worst (cm)  answered  invented
+    a table        0.2         0.3     66.7%         1
     """
     rows, mean = {}, {}
     for name, error in errors.items():
-        found = cells.scores(error, ~np.isnan(error), exists[name] if isinstance(exists, dict) else exists)
-        mean[name] = found["mean"]
-        worst = "" if name in rough else found["worst"]
-        rows[name] = [found["mean"], worst, f"{found['answered']:.1%}", found["invented"]]
+        there, given = exists[name] if isinstance(exists, dict) else exists, ~np.isnan(error)
+        right = error[there & given]
+        mean[name] = float(right.mean())
+        worst = "" if name in rough else float(right.max())
+        invented = int((given & ~there).sum())
+        rows[name] = [mean[name], worst, f"{len(right) / there.sum():.1%}", invented]
     table(["mean (cm)", "worst (cm)", "answered", "invented"], rows)
     return mean
 
