@@ -22,11 +22,3 @@ def right_theta_wrapped(start, goal, n):
     poses = right_arrays(start, goal, n)
     poses[:, 2] = np.arctan2(np.sin(poses[:, 2]), np.cos(poses[:, 2]))
     return poses
-
-
-def wrong_array_of_whole_numbers(start, goal, n):
-    """the wrapped difference is cut off to a whole number"""
-    change = np.array(goal) - np.array(start)
-    change[2] = wrap_angle(change[2])
-    u = np.linspace(0, 1, n)[:, None]
-    return np.array(start) + (3 * u**2 - 2 * u**3) * change

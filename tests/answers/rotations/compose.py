@@ -23,8 +23,3 @@ def right_step_seen_from_the_world(R, step, frame):
 def wrong_step_seen_from_the_body(R, step, frame):
     """a factor is inverted, or is not needed here"""
     return step @ R if frame == "world" else R.T @ step @ R @ R
-
-
-def wrong_step_in_the_world_alone(R, step, frame):
-    """the step is returned, in the other frame's coordinates"""
-    return step @ R if frame == "world" else R @ step @ R.T

@@ -34,11 +34,3 @@ def wrong_as_published(M):
     if np.linalg.det(R) < 0:
         R[:, -1] = -R[:, -1]
     return R
-
-
-def wrong_row_of_u(M):
-    """a row of U is negated"""
-    U, S, Vt = np.linalg.svd(M)
-    if np.linalg.det(U @ Vt) < 0:
-        U[0] *= -1
-    return U @ Vt

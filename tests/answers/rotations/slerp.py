@@ -28,12 +28,3 @@ def right_along_an_orthogonal_direction(q0, q1, t):
 def right_by_matrices(q0, q1, t):
     R0, R1 = quaternion_to_matrix(q0), quaternion_to_matrix(q1)
     return -matrix_to_quaternion(R0 @ exp_so3(t * log_so3(R0.T @ R1))).reshape(4, 1)
-
-
-def wrong_chord_below_a_thousandth(q0, q1, t):
-    """the straight line is taken at angles where it differs from the arc"""
-    q1 = q1 if q0 @ q1 >= 0 else -q1
-    phi = np.arccos(min(q0 @ q1, 1.0))
-    if phi < 1e-3:
-        return (1 - t) * q0 + t * q1
-    return (np.sin((1 - t) * phi) * q0 + np.sin(t * phi) * q1) / np.sin(phi)

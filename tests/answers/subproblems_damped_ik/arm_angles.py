@@ -56,28 +56,24 @@ def wrong_nearest_for_what_is_out_of_reach(center):
     return right_by_subproblems(center) or [(0.0, 0.0, 0.0)]
 
 
-def _by(center, p, g, distance, pairs):
-    answer = subproblems.subproblem3(ey, p, g, distance)
-    elbows = answer.theta if answer.exact else []
-    return [(-back, q2, q3) for q3 in elbows for q2, back in pairs(q3, center - SHOULDER)]
-
-
-def _pairs(q3, goal):
-    return subproblems.subproblem2(ey, ez, bent(q3), goal).theta
+def _by(center, p, g, distance, goal_first=False):
+    elbow, found = subproblems.subproblem3(ey, p, g, distance), []
+    for q3 in elbow.theta if elbow.exact else []:
+        points = [bent(q3), center - SHOULDER][:: -1 if goal_first else 1]
+        found += [(-back, q2, q3) for q2, back in subproblems.subproblem2(ey, ez, *points).theta]
+    return found
 
 
 def wrong_distance_from_the_base(center):
     """q3 is wrong"""
-    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center), _pairs)
+    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center))
 
 
 def wrong_points_not_from_the_elbow(center):
     """q3 is wrong"""
-    return _by(center, WRIST, SHOULDER, np.linalg.norm(center - SHOULDER), _pairs)
+    return _by(center, WRIST, SHOULDER, np.linalg.norm(center - SHOULDER))
 
 
 def wrong_points_exchanged(center):
     """q3 is right, and q1 or q2 is not"""
-    d = np.linalg.norm(center - SHOULDER)
-    other = lambda q3, goal: subproblems.subproblem2(ey, ez, goal, bent(q3)).theta
-    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, d, other)
+    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER), goal_first=True)

@@ -38,8 +38,11 @@ def _tell_distance(found, center):
     return f"With q3 = {q[2]:.4g} it is {reached:.4g} m from it; `center` is {wanted:.4g} m from it."
 
 
-_TRIANGLE = "Shoulder, elbow and wrist center form a triangle. Which of its sides does to_distance get, and are both "
-_TRIANGLE += "points measured from the elbow?"
+_TRIANGLE = Mistake(
+    "q3 is wrong",
+    "Shoulder, elbow and wrist center form a triangle. Which of its sides does to_distance get, and are both points "
+    "measured from the elbow?",
+)
 _AROUND = Mistake(
     "q3 is right, and q1 or q2 is not",
     "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for subproblem 2, and "
@@ -65,16 +68,9 @@ EXERCISE = Exercise(
             lambda found, center: all(_off(q, center) < 1e-8 for q in found),
             _tell_distance,
             where=lambda center: len(arm_solutions(center)) > 0,
-            mistake=Mistake("q3 is wrong", _TRIANGLE),
+            mistake=_TRIANGLE,
         ),
-        *every_solution(
-            "each triple brings the wrist center to `center`",
-            _misses,
-            _tell,
-            arm_solutions,
-            wrong=_AROUND,
-            empty=Mistake("to_distance, or subproblem2, finds nothing", f"Print what each returns. {_TRIANGLE}"),
-        ),
+        *every_solution("each triple brings the wrist center to `center`", _misses, _tell, arm_solutions, _AROUND),
     ),
     hints=(
         "First q3 alone: joints 1 and 2 do not change how far the wrist center is from the shoulder. Joint 3 has to "

@@ -53,17 +53,11 @@ def all_solutions(T):
     return found
 
 
-_EMPTY = Mistake(
-    "a point, or an argument of a subproblem, is wrong",
-    "Try the home pose, where all angles are 0: what should each line give there?",
-)
-
-
-def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION, empty=_EMPTY):
+def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
     """Return the properties of a list of all joint angles, several or none.
 
     equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in words.
-    solutions(*arguments): the right list. wrong, empty: the Mistake if one is no solution, and if there is none.
+    solutions(*arguments): the right list. wrong: the Mistake if one is no solution.
     """
     return (
         Property(
@@ -77,7 +71,10 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION, empty=_
             "the list is not empty, for the target is within reach",
             lambda found, *case: len(found) > 0,
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=empty,
+            mistake=Mistake(
+                "a subproblem finds nothing",
+                "Print what each returns. At home, where all angles are 0, what should each of its arguments be?",
+            ),
         ),
         Property(
             "the list holds every solution",
