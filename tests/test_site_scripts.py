@@ -3,7 +3,7 @@
 import pytest
 from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
-from site_notebooks import HELIX, PLOTLY, cell, output, write
+from site_notebooks import MOVING, PLOTLY, cell, output, write
 from site_visits import Visit
 from sphinx_builds import build
 
@@ -23,7 +23,8 @@ COUNTER = """window.course.kinds["toy:counter"] = (live, meta) => {
 
 
 def toy(**meta):
-    return {**HELIX, "layout": {**HELIX["layout"], "meta": {"course": {"kind": "toy:counter", "count": 3, **meta}}}}
+    course = {"kind": "toy:counter", "count": 3, **meta}
+    return {"data": MOVING["data"], "layout": {"height": 450, "meta": {"course": course}}}
 
 
 @pytest.fixture(scope="module")
