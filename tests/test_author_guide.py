@@ -67,6 +67,9 @@ def test_a_new_exercise_passes_the_commands_of_the_guide(course):
     package.write_text(added)
     path = course / "notebooks/04_poe_kuka_iiwa.ipynb"
     notebook = nbformat.read(path, 4)
+    first = next(cell for cell in notebook.cells if cell.cell_type == "code")  # figures would take time
+    first.source = f"# ruff: noqa: F401\n{first.source}"
+    notebook.cells = [c for c in notebook.cells if c is first or c.cell_type != "code" or "nbgrader" in c.metadata]
     tasks = [cell.metadata.get("nbgrader", {}).get("grade_id", "").startswith("task_") for cell in notebook.cells]
     notebook.cells[tasks.index(True) : tasks.index(True)] = cells()
     nbformat.write(notebook, path)
