@@ -1,5 +1,7 @@
 """Tests that students write, graded from outside: what they judge are stand-ins, whose answers come from the grader."""
 
+from dataclasses import replace
+
 import pytest
 from hostile.build import SEED, SHORT, book, left_over, processes, traces
 from toy_exercises import DOUBLE, TEST_LOG
@@ -21,8 +23,11 @@ RIGHT_DOUBLE = "def double(x):\n    return [2 * entry for entry in x]"
 
 
 @pytest.fixture(autouse=True)
-def course(monkeypatch):
-    known = {"09_toys": Course("09_toys", "toys", (DOUBLE, TEST_LOG), ())}
+def course(monkeypatch, request):
+    """A course of two exercises. Where candidates are compared, few serve, for each has a sandbox of its own."""
+    three_right_and_two_wrong = replace(TEST_LOG, versions=TEST_LOG.versions[:5])
+    test = three_right_and_two_wrong if "way" in request.fixturenames else TEST_LOG
+    known = {"09_toys": Course("09_toys", "toys", (DOUBLE, test), ())}
     monkeypatch.setattr(notebook_file, "courses", lambda: known)
     monkeypatch.setattr(submission, "courses", lambda: known)
 
