@@ -21,7 +21,9 @@ FEWER = {
     "cases-run": {'["max_iterations"]': '["max_iterations"] // 50'},
     "thousand-code": {"(1000, 7))": "(1000, 7))[:50]"},
     "wrong-pairing": {"(1000, rng)": "(50, rng)"},
+    "benchmark": {"reached(thousand,": "reached(thousand[:50],"},
     "width-code": {", 36, 50, 70": ""},
+    "compete-code": {"[:5000]": "[:500]"},
 }
 BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return "forty-two"', "raise SystemExit"]
 
