@@ -78,9 +78,11 @@ def test_arguments_and_answer_stand_side_by_side_and_are_folded_if_they_need_man
     assert "4.14159" in folded
 
 
-def test_a_pair_is_shown_as_it_was_returned():
+def test_a_pair_is_shown_as_it_was_returned_and_without_the_part_that_is_right():
     verdict = Verdict(DOUBLE, WRONG, "it is a pair.", case=(np.zeros(1),), answer=(np.eye(2), np.ones(2)))
     assert "your answer is [[1 0]    and [1 1]" in describe(verdict)
+    half_right = replace(verdict, exercise=replace(DOUBLE, library=lambda x: (np.eye(2), np.zeros(2))))
+    assert "your answer is [1 1]" in describe(half_right)
 
 
 def test_markup_in_a_message_is_shown_as_it_is(shown):

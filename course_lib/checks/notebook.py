@@ -287,17 +287,22 @@ def _shown(verdict):
     named = zip(verdict.exercise.arguments, verdict.case, strict=True)
     blocks = [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
     if verdict.state == WRONG:
-        for i, part in enumerate(_parts(verdict.answer)):
+        for i, part in enumerate(_wrong_parts(verdict)):
             blocks.append(_labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict)))
     return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
 
 
-def _parts(answer):
-    """Return the arrays of which a tuple or list is made: one if they have the same shape; else the answer alone."""
+def _wrong_parts(verdict):
+    """Return the arrays of a pair that are wrong, or one if they have the same shape; of another answer it alone."""
+    answer, library = verdict.answer, verdict.exercise.library
     if not isinstance(answer, tuple | list) or not any(isinstance(part, np.ndarray) for part in answer):
         return [answer]
     joined = attempt(np.array, answer)
-    return answer if joined is None or joined.dtype == object else [joined]
+    if joined is not None and joined.dtype != object:
+        return [joined]
+    right = predict(library, verdict.case) if library else None
+    parts = zip(answer, right, strict=False) if isinstance(right, tuple) else ()
+    return [part for part, wanted in parts if not same(part, wanted)] or answer
 
 
 def _side_by_side(blocks):

@@ -38,7 +38,14 @@ def _direction_off(read):
 def _velocity_off(read):
     off = np.abs(read[1] - _V).max(1)
     i = int(np.argmax(off > _TOLERANCE))
-    return f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is {1000 * off[i]:.3g} mm/s off at 1 rad/s."
+    beside = _axes(np.cross(read[0][i], read[1][i] - _V[i]))
+    shown = f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is {1000 * off[i]:.3g} mm/s off at 1 rad/s"
+    return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
+
+
+def _axes(vector):
+    """Return the names of the coordinates in which a vector (3,) is off, such as "x and z"."""
+    return " and ".join(np.array(list("xyz"))[np.abs(vector) > _TOLERANCE])
 
 
 EXERCISE = Exercise(
@@ -86,7 +93,7 @@ EXERCISE = Exercise(
         Property(
             "p is the flange's position in the base frame, in metres",
             lambda read: np.abs(read[2][COLUMN] - _P).max() <= _TOLERANCE,
-            says=lambda read: f"Yours is {format_tuple(read[2][COLUMN])}.",
+            says=lambda read: f"Yours is {format_tuple(read[2][COLUMN])}: look at {_axes(read[2][COLUMN] - _P)} again.",
             mistake=Mistake(
                 "the flange is read elsewhere than it is drawn",
                 "Go from axis 6 to the flange in each view: which lengths lead there, along which direction?",
