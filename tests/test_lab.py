@@ -229,6 +229,7 @@ def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
     words = out.locator("p[role=status]")
     expect(words).to_contain_text("Moved by your function. The pale blue arm is the library's")
     before = out.locator(".matrix").inner_text()
+    assert before != output(lab, 2).locator(".matrix").inner_text(), "the pose is the student's, not the library's"
     out.get_by_text("Joint angles").click()
     out.get_by_label("Joint 2", exact=True).focus()
     for _ in range(5):

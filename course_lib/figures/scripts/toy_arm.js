@@ -119,7 +119,7 @@
         view.text(M.add(M.positionOf(frame), [0, 0, 0.045 * size]), names[k]);
       });
       view.end();
-      say(T, M.singularValues(Jv), J, differs);
+      say(theirs ? theirs.end : T, M.singularValues(Jv), J, differs);
     }
     function say(T, s, J, differs) {
       const lines = [["<span>T<sub>sb</sub> =</span>", P.matrix(T)]], { answer } = state;
