@@ -3,7 +3,7 @@
 import base64
 import io
 import math
-from itertools import pairwise
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -90,10 +90,12 @@ def show_caption(caption):
 
 
 def _cuts(fig, width):
-    """Where pages may cut a drawn figure of panels side by side, in pixels from the left; {} if it is not wide."""
+    """Where pages may cut a drawn figure between columns of panels, in pixels from the left; {} if it is not wide."""
     boxes = [ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>" and width > 700]
-    cuts = [(left.x1 + right.x0) / 2 for left, right in pairwise(boxes) if left.x1 < right.x0]
-    return {"cuts": [round(x / fig.bbox.width * width) for x in cuts]} if 1 < len(boxes) == len(cuts) + 1 else {}
+    boxes.sort(key=lambda box: box.x0)
+    ends = accumulate((box.x1 for box in boxes), max)  # of each panel and those that begin left of it
+    cuts = [(end + box.x0) / 2 for end, box in zip(ends, boxes[1:], strict=False) if end < box.x0]
+    return {"cuts": [round(x / fig.bbox.width * width) for x in cuts]} if cuts else {}
 
 
 def _png(fig):

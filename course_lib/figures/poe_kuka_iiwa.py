@@ -68,12 +68,12 @@ def arc_of_a_twist(a):
     ax.plot(0, 1, "+", color=GREY, markersize=12)
     ax.text(0.04, 1.04, "the axis, radius $|v|/a = 1$", color=GREY)
     for start, end, words, colour in (
-        ((0, 0), (x, 0), f"forward: $\\sin a = {x:.3g}$", BLUE),
-        ((x, 0), (x, y), f"sideways: $1 - \\cos a = {y:.3g}$", CRIMSON),
+        ((0, 0), (x, 0), f"forward: $\\frac{{|v|}}{{a}} \\sin a = {x:.3g}$", BLUE),
+        ((x, 0), (x, y), f"sideways: $\\frac{{|v|}}{{a}} (1 - \\cos a) = {y:.3g}$", CRIMSON),
     ):
         ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
         ax.text((start[0] + end[0]) / 2 + 0.05, (start[1] + end[1]) / 2 - 0.1, words, color=colour)
-    in_metres(ax, xlim=(-0.2, 1.9), ylim=(-0.2, 1.2))
+    in_metres(ax, xlim=(-0.2, 2.05), ylim=(-0.2, 1.2))
     alt = f"A quarter of a circle of radius 1 m about (0, 1), from (0, 0) to ({x:.3g}, {y:.3g}) m."
     return Picture(fig, alt, "The origin runs along an arc: forward along $v$, and sideways along $n \\times v$.")
 

@@ -8,14 +8,16 @@ from matplotlib.figure import Figure
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY
 
-# Each arm's corners at joint angles zero, from the base to the flange, and the distance from each length between two of
-# them to its dimension line, all in metres; its views, and how many inches are drawn for a metre.
+# Each arm's corners at joint angles zero, from the base to the flange, the distance from each length between two of
+# them to its dimension line, and the margins below and above the arm along x, y and z, all in metres; its views, and
+# how many inches are drawn for a metre.
 _TOP, _SIDE, _END = "top", "side", "end"
 _ARMS = {
     "iiwa": {
         "title": "KUKA LBR iiwa 14",
         "corners": [(0, 0, z) for z in (0, 0.36, 0.78, 1.18, 1.301)],
         "beside": [0.22] * 4,
+        "margins": [(0.22, 0.22)] * 3,
         "layout": [[_SIDE, _END, _TOP]],
         "scale": 3.6,
     },
@@ -31,46 +33,46 @@ _ARMS = {
             (-0.8172, -0.2329, 0.0628),
         ],
         "beside": [-0.12, 0.14, 0.14, -0.1, -0.12, -0.1],
-        "layout": [[_SIDE], [_TOP], [_END]],
-        "scale": 5.0,
+        "margins": [(0.22, 0.14), (0.25, 0.14), (0.12, 0.19)],
+        "layout": [[_SIDE, _END], [_TOP, "."]],
+        "scale": 4.8,
     },
 }
 _VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the front")}
-_MARGIN = 0.22  # metres around the arm in each view
 _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direction that points at the viewer
 
 
-def three_views(name, arm):
+def three_views(name, arm, frames=("s", "b")):
     """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, above and the front.
 
-    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn.
+    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn. frames: how base and flange are called.
     """
     data = _ARMS[name]
     corners, layout, scale = np.array(data["corners"]), data["layout"], data["scale"]
-    size = np.ptp(corners, axis=0) + 2 * _MARGIN
+    limits = np.stack([corners.min(0), corners.max(0)], 1) + np.array(data["margins"]) * [-1, 1]
+    size = np.ptp(limits, axis=1)
     widths = [size[_VIEWS[view][0]] for view in layout[0]]
     heights = [size[_VIEWS[row[0]][1]] for row in layout]
     size = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
     fig = Figure(figsize=size, layout="constrained", facecolor="white")
     for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
-        _View(ax, view, corners, 0.14 / scale).draw(arm, data["beside"])
+        _View(ax, view, corners, limits, 0.14 / scale).draw(arm, data["beside"], *frames)
     caption = "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that points at you."
-    return Picture(fig, _in_words(arm, data), caption)
+    return Picture(fig, _in_words(arm, data, *frames), caption)
 
 
 class _View:
     """One view of an arm: its lines first, then words where no line is; `letter` is the height of a word in metres."""
 
-    def __init__(self, ax, view, corners, letter):
+    def __init__(self, ax, view, corners, limits, letter):
         self.ax, self.view, self.corners, self.letter = ax, view, corners, letter
         self.i, self.j, self.k, title = _VIEWS[view]
         self.flat = corners[:, [self.i, self.j]]
         self.taken, self.words = [], []  # points (2,) on lines; (text, tip of its arrow, direction, look)
-        low, high = self.flat.min(0) - _MARGIN, self.flat.max(0) + _MARGIN
-        ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=limits[self.i], ylim=limits[self.j])
         ax.spines[:].set_visible(False)
 
-    def draw(self, arm, besides):
+    def draw(self, arm, besides, base, tool):
         for look in ({"color": "#c9d3dc", "linewidth": 11}, {"color": GREY, "linewidth": 1}):
             self.ax.plot(*self.flat.T, solid_capstyle="round", **look)
         for start, end in itertools.pairwise(self.flat):
@@ -81,12 +83,13 @@ class _View:
                 self.dimension(*np.sort(ends, axis=0)[:, [self.i, self.j]], beside)
         self.joints(arm)
         straight = np.ptp(self.flat) == 0  # seen along the arm: its base frame is drawn beside it
-        self.frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), "s", 0.085)
+        self.frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), base, 0.085)
         flange = arm.home[-1, :3, :3].round(9)
         if (flange != np.eye(3)).any():
-            self.frame(self.flat[-1], flange, "b", 0.17)
+            self.frame(self.flat[-1], flange, tool, 0.2)
         elif not straight:
-            self.words.append(("b, parallel to s", self.flat[-1] + [0, 0.16], np.array([0, 1]), {"style": "italic"}))
+            text = f"{tool}, parallel to {base}"
+            self.words.append((text, self.flat[-1] + [0, 0.16], np.array([0, 1]), {"style": "italic"}))
         for word in self.words:
             self.write(*word)
 
@@ -129,7 +132,7 @@ class _View:
             along = R[[self.i, self.j], axis]
             if along.any():
                 self.arrow(origin, origin + size * along, colour, arrowstyle="->", linewidth=1.2)
-                self.words.append(("xyz"[axis], origin + size * along, along, {"color": colour}))
+                self.words.append((f"${'xyz'[axis]}_{name}$", origin + size * along, along, {"color": colour}))
         self.words.append((name, origin, np.array([-0.7, -0.7]), {"style": "italic", "size": 11}))
 
     def dimension(self, start, end, beside):
@@ -145,7 +148,7 @@ class _View:
 
     def write(self, text, tip, along, look):
         """Write a word beyond the tip of its arrow if nothing is drawn there, otherwise where there is most room."""
-        h, wide = self.letter, 0.3 * self.letter * len(text)
+        h, wide = self.letter, 0.3 * self.letter * len(text.strip("$"))
         angle = np.arctan2(along[1], along[0]) if along.any() else np.pi / 4
         angles = angle + np.pi / 8 * np.array([0, 1, -1, 2, -2, 3, -3, 4, -4, 6, -6, 8])
         spots = [
@@ -160,7 +163,7 @@ class _View:
         self.ax.text(*best, text, ha="center", va="center", **{"size": 9, "color": BLACK} | look)
 
 
-def _in_words(arm, data):
+def _in_words(arm, data, base, end):
     """The drawing in words: the arm's path from the base to the flange, its dimensions and arrows."""
     steps = np.diff(np.array(data["corners"]), axis=0)
     path = ", then ".join(f"{1000 * np.abs(step).max():g} along {direction(step)}" for step in steps)
@@ -169,7 +172,7 @@ def _in_words(arm, data):
     return (
         f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in millimetres. From the "
         f"base the arm goes {path}. The arrows of the joint axes point along: {arrows}. The "
-        f"flange's frame b has {axes} of the base frame s."
+        f"flange's frame {end} has {axes} of the base frame {base}."
     )
 
 

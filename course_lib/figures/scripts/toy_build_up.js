@@ -10,7 +10,7 @@
     const factors = card.range("Factors", { min: 0, max: n, step: 1, value: state.k }, name, (k) => go(k));
     const joint = () => Math.max(0, state.k - 1); // that of the last factor
     const options = { min: -180, max: 180, step: 1, value: Math.round(state.q[joint()] / rad) };
-    const write = (x) => `${P.sub("θ", joint() + 1)} = ${P.inDegrees(x)}`;
+    const write = (x) => `${P.sub("q", joint() + 1)} = ${P.inDegrees(x)}`;
     const last = card.range("Angle of its joint", options, write, (x) => {
       const [low, high] = limits[joint()];
       state.q[joint()] = Math.min(high, Math.max(low, x * rad));
@@ -61,7 +61,7 @@
       view.frame(T, 0.1 * size, { thick: 0.006 * size });
       view.end();
       const product = arm.screws.map((_, i) => {
-        const factor = `e<sup>[S<sub>${i + 1}</sub>]θ<sub>${i + 1}</sub></sup>`;
+        const factor = `e<sup>[S<sub>${i + 1}</sub>]q<sub>${i + 1}</sub></sup>`;
         return i < k - 1 ? factor : i === k - 1 ? `<mark>${factor}</mark>` : `<span class="dim">${factor}</span>`;
       });
       numbers([`<span>T = ${product.join(" ")} M =</span>`, P.matrix(T)],

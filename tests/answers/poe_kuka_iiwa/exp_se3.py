@@ -40,7 +40,7 @@ def right_matrix_exponential(twist):
 
 
 def wrong_textbook_without_a_series(twist):
-    """the part of p along omega x v is lost"""
+    """unnamed"""
     a, W = np.linalg.norm(twist[:3]), hat(twist[:3])
     if a == 0:
         return _matrix(np.eye(3), twist[3:])
@@ -48,17 +48,7 @@ def wrong_textbook_without_a_series(twist):
     return _matrix(exp_so3(twist[:3]), G @ twist[3:])
 
 
-def wrong_omega_asked_and_its_length_divided_by(twist):
-    """|omega| is 1e-170 here"""
-    return _along_and_across(np.linalg.norm(twist[:3]), twist) if twist[:3].any() else _matrix(np.eye(3), twist[3:])
-
-
-def wrong_zero_not_asked(twist):
-    """for omega = 0 there is no axis"""
-    return _along_and_across(np.float64(math.hypot(*twist[:3])), twist)
-
-
 def wrong_origin_for_omega_zero(twist):
-    """the branch for omega = 0 is wrong"""
+    """unnamed"""
     T = right_matrix_exponential(twist)
     return T if twist[:3].any() else _matrix(np.eye(3), twist[3:] / (np.linalg.norm(twist[3:]) or 1))

@@ -10,12 +10,7 @@ from course_lib.checks.vocabulary import FINE, LAST_ROW, X, Y, Z, first_off, uni
 from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, hat, length
 
-_NO_LENGTH = Mistake("something is divided by zero: for omega = 0 there is no axis", "What is the motion then?")
-_UNDERFLOW = Mistake(
-    "something is divided by the length of omega, or a power of it, which comes out as 0: |omega| is 1e-170 here",
-    "The square of 1e-170 is 0 for a computer. Do you compare omega with 0, or what you divide by?",
-)
-_NO_ANGLE, _SMALL = 1e-100, 1e-3
+_NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the series
 
 
 def _cases(rng):
@@ -37,10 +32,6 @@ def _angle(twist):
 
 def _is_small(twist):
     return _NO_ANGLE < _angle(twist) < _SMALL
-
-
-def _divides_by_nothing(twist):
-    return None if _angle(twist) > _NO_ANGLE else _UNDERFLOW if twist[:3].any() else _NO_LENGTH
 
 
 def _p_is_right(T, twist):
@@ -66,18 +57,12 @@ def _keeps_digits(T, twist):
     return abs(yours - right) <= 0.02 * abs(right) + 2e-15 * np.abs(twist[3:]).max()
 
 
-_TOO_EARLY = Mistake(
-    "a formula for small angles is used too early, or has too few terms",
-    "Below which angle does it hold to nine digits, and is R - I then [omega]?",
-)
-_OTHER_ROTATION = Mistake("the block is another rotation than that by |omega| about omega", "How long is omega?")
-
 EXERCISE = Exercise(
     name="exp_se3",
     points=3,
     arguments=("twist",),
     cases=_cases,
-    returns=numbers(lambda twist: (4, 4), nan=_divides_by_nothing),
+    returns=numbers(lambda twist: (4, 4)),
     library=exp_se3,
     properties=(
         LAST_ROW,
@@ -85,7 +70,6 @@ EXERCISE = Exercise(
             "the upper left 3x3 block is the rotation by |omega| about omega",
             lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
             says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
-            mistake=lambda T, twist: _TOO_EARLY if _angle(twist) < 0.1 else _OTHER_ROTATION,
             points=1,
         ),
         Property(
@@ -94,7 +78,7 @@ EXERCISE = Exercise(
             where=lambda twist: not twist[3:].any(),
         ),
         Property(
-            "p is where the origin arrives after unit time, with v fixed in the rotating body",
+            "p is where the origin arrives after unit time with the constant twist, T' = [V] T",
             _p_is_right,
             says=_p_off,
             where=lambda twist: _angle(twist) > _NO_ANGLE,
@@ -107,7 +91,6 @@ EXERCISE = Exercise(
             "without a rotation, omega = 0, the motion is a translation by v: R = I and p = v",
             _p_is_right,
             says=_p_off,
-            mistake=Mistake("the branch for omega = 0 is wrong", "What is the motion if nothing rotates?"),
         ),
         Property(
             "a tiny rotation is none the less there: R - I is [omega], to two digits",
@@ -125,39 +108,22 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "omega and v are the halves of the twist; a is the length of omega, n = omega / a, N = hat(n).",
-        "For a = 0 there is no axis to divide by: treat it first. For a small a, say below 1e-5, use the first "
-        "terms of the series: R = I + [omega] + ... and p = v + (omega x v) / 2 + ...",
-        "For all other a: R by Rodrigues' formula, and p is (I a + (1 - cos a) N + (a - sin a) N N) times v / a.",
+        "a is the length of omega, and n = omega / a. The part of v along n is a vector; the part across is the rest.",
+        "Which of the two parts does the rotation bend into an arc? How far does that lead along it, how far sideways?",
+        "along = (n @ v) * n, across = v - along, p = along + sin(a)/a * across + (1 - cos(a))/a * np.cross(n, v).",
     ),
     forbidden=("course_lib.rigid.exp_se3",),
 )
 
 
-def _versine(a):
-    return 1 - np.cos(a)
-
-
-def _lag(a):
-    return a - np.sin(a)
-
-
-def _axis(twist):
-    """Return a and [n]; raises for twists without a rotation, of which the formulas say nothing."""
-    a = _angle(twist)
-    if a < _NO_ANGLE:
-        raise ZeroDivisionError
-    return a, hat(twist[:3] / a)
-
-
-def _p(a, N, v, straight=lambda a: a, first=_versine, second=_lag, power=1):
-    return (straight(a) * np.eye(3) + first(a) * N + second(a) * N @ N) @ v / a**power
-
-
-@EXERCISE.mistake(part=BLOCK, below=(_SMALL, 2e-5, 1e-7))
-def tiny_rotations_cut_off(twist, below):
-    """tiny rotations are cut off. An angle of 1e-9 is small, not 0: which is the first term of the series after I?"""
-    return np.eye(3) if _NO_ANGLE < _angle(twist) < below else None
+def _p(twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), across=True, number=False):
+    """Return p with other factors; raises for twists that the given lines answer."""
+    a, v = _angle(twist), twist[3:]
+    if a < _GIVEN:
+        raise ValueError("so small an angle is not the student's")
+    n = twist[:3] / a
+    part = n @ v if number else (n @ v) * n
+    return along * part + (forward(a) * (v - across * part) + sideways(a) * np.cross(n, v)) / a
 
 
 @EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
@@ -166,32 +132,31 @@ def p_is_v(twist, rotated):
     return exp_so3(rotated * twist[:3]) @ twist[3:]
 
 
+@EXERCISE.mistake(part=COLUMN)
+def number_for_the_part_along_the_axis(twist):
+    """the number n @ v stands for the part of v along n. Which vector along n is as long?"""
+    return _p(twist, number=True)
+
+
+@EXERCISE.mistake(part=COLUMN)
+def all_of_v_on_the_arc(twist):
+    """the part of v along n is bent into the arc as well. What is left of v without it?"""
+    return _p(twist, across=False)
+
+
 @EXERCISE.mistake(
     part=COLUMN,
     factors=(
-        {"power": 0},
-        {"straight": lambda a: 1},
-        {"first": lambda a: np.cos(a) - 1},
-        {"first": np.sin, "second": _versine},
-        {"second": lambda a: 0},
-        {"second": lambda a: np.sin(a) - a},
-        {"first": lambda a: a * _versine(a), "second": lambda a: a * a * _lag(a)},  # with [omega] in place of [n]
+        {"forward": lambda a: a * np.sin(a)},
+        {"sideways": lambda a: a * (1 - np.cos(a))},  # also omega for n
+        {"forward": lambda a: a * np.sin(a), "sideways": lambda a: a * (1 - np.cos(a))},
+        {"along": 0},
+        {"forward": lambda a: 0},
+        {"sideways": lambda a: 0},
+        {"sideways": lambda a: np.cos(a) - 1},
+        {"forward": lambda a: 1 - np.cos(a), "sideways": np.sin},
     ),
 )
 def factor_of_p(twist, factors):
     """a factor in the formula of p is wrong, or a term is missing. As a goes to 0, p goes to v: is that so in yours?"""
-    return _p(*_axis(twist), twist[3:], **factors)
-
-
-@EXERCISE.mistake(part=COLUMN, factor=(1, -0.5, -1))
-def second_term(twist, factor):
-    """for tiny angles the term omega x v / 2 has the wrong sign or factor. Which of the two vectors comes first?"""
-    return twist[3:] + factor * np.cross(twist[:3], twist[3:]) if _NO_ANGLE < _angle(twist) < 5e-6 else None
-
-
-@EXERCISE.seen
-def digits_lost(T, twist):
-    """the part of p along omega x v is lost, or loses its digits, for tiny angles. What is 1 - cos(a) for a computer if
-    a is 1e-8?"""
-    yours, right = _across(T, twist)
-    return _is_small(twist) and not _keeps_digits(T, twist) and -0.4 < yours / right < 1.9
+    return _p(twist, **factors)
