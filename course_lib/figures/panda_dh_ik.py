@@ -127,22 +127,23 @@ def pose_errors(T, T_target):
     }
     fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
     for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
-        for pose, colour in ((T, BLUE), (T_target, GREEN)):
+        for pose, colour, name in ((T, BLUE, "now"), (T_target, GREEN, "    target"), (np.eye(4), INK, "base")):
             for k, width in ((0, 3), (1, 1.5)):
-                ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.22 * pose[:2, k]]), color=colour, linewidth=width)
-        ax.plot(0, 0, "o", color=INK, markersize=7)
+                ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.16 * pose[:2, k]]), color=colour, linewidth=width)
+            ax.text(*pose[:2, 3] - [0.03, 0.09], name, color=colour, ha="left" if pose is T_target else "right")
         for part in along.T:
-            ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=GREY, linewidth=2)
-        ax.annotate("", start + arrow, start, arrowprops={"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5})
-        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.75, 1.35), ylim=(-0.6, 1.1), aspect="equal")
+            ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=CRIMSON, linewidth=2, zorder=3)
+        drawn = {"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", start + arrow, start, arrowprops=drawn)
+        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95), aspect="equal")
         ax.text(0.98, 0.04, f"{np.linalg.norm(arrow):.2f} m", transform=ax.transAxes, ha="right", color=CRIMSON)
     lengths = ", ".join(f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items())
     return Picture(
         fig,
-        f"A current pose, blue, and a target, green, rotated by {angle:.0f} degrees against it. Three panels show the "
-        f"linear part of one error each as a red arrow: {lengths}.",
-        "The same motion by three arrows. Only the last one ends where the target is; the first belongs to a point of "
-        "the body that is, at this moment, at the base.",
+        f"A base, a current pose, blue, and a target, green, rotated by {angle:.0f} degrees against it. Three panels "
+        f"show the linear part of one error each as a red arrow: {lengths}.",
+        "The same motion by three arrows, dotted their components. Only the last one ends at the target; the first "
+        "belongs to a point of the body that is, at this moment, at the base.",
     )
 
 

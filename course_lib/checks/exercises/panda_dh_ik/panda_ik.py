@@ -130,6 +130,8 @@ _STUCK = Mistake(
     "no start leads to this target: there are no restarts, or too few of them converge",
     "A descent gets stuck in a local minimum or at a limit. If you restart already, how many of your starts converge?",
 )
+_START = Mistake("q0 is returned as it came", "It may lie outside the limits: what does the task do with it first?")
+_IGNORED = Mistake("the limits are ignored", "Where can a step lead?")
 _LAST = Mistake("the last angles are returned, although they do not reach T_target", "What do you test before return?")
 
 EXERCISE = Exercise(
@@ -153,7 +155,7 @@ EXERCISE = Exercise(
             _inside,
             _outside,
             where=_reachable,
-            mistake=Mistake("the limits are ignored", "Where can a step lead, and where may q0 lie?"),
+            mistake=lambda q, T, q0: _START if np.abs(q - q0).max() < 1e-6 else _IGNORED,
         ),
         Property(
             "the flange is within 1e-6 m and 1e-6 rad of T_target, in the world",
