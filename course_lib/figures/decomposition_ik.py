@@ -99,7 +99,7 @@ def two_cells(q, xy, in_joints, in_plane):
     fig, axes = plane_figure(9.6, 4.2, 2)
     for ax, points in zip(axes, (np.rad2deg(q), xy), strict=True):
         ax.plot(*points[::10].T, ".", color="#d5d8dc", markersize=2, rasterized=True)
-        for inside, colour in ((in_joints, BLUE), (in_plane, RED)):
+        for inside, colour in ((in_joints, BLUE), (in_plane, CRIMSON)):
             ax.plot(*points[inside].T, ".", color=colour, markersize=4)
     axes[0].set(title="joint angles", xlabel="$q_1$ (degrees)", ylabel="$q_2$ (degrees)")
     in_metres(axes[1], title="positions")
@@ -109,7 +109,9 @@ def two_cells(q, xy, in_joints, in_plane):
         "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one patch of positions; "
     )
     alt += f"a red rectangle of positions is reached from two patches of joint angles, with q2 from {ranges} degrees."
-    return Picture(fig, alt, "How many patches has the blue cell on the other side, and how many has the red one?")
+    return Picture(
+        fig, alt, "In how many patches does the blue cell appear on the other side, and in how many the red one?"
+    )
 
 
 def percentiles(contents):
