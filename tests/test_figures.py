@@ -211,6 +211,15 @@ def test_pages_may_cut_panels_apart_that_are_side_by_side():
     assert "cuts" not in shown(Picture(plane_figure(6, 6, 2, rows=2)[0], ALT)).metadata["image/png"]
 
 
+def test_pages_may_cut_between_columns_of_panels():
+    drawing = three_views("ur5e", arms.ur5e(), frames=("0", "f"))
+    side, front, above = (ax.get_tightbbox() for ax in drawing.fig.axes)
+    said = shown(drawing).metadata["image/png"]
+    (cut,) = said["cuts"]
+    assert max(side.x1, above.x1) < cut * drawing.fig.dpi / 96 < front.x0
+    assert "The flange's frame f has x along +x" in said["alt"]
+
+
 @pytest.mark.parametrize("alt", ["", "short", None, 3])
 def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
