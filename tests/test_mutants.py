@@ -19,7 +19,7 @@ from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge, review
 from course_lib.checks.write_test import WriteTest
 
 MOST = 40  # of the mutants of an exercise
-SLOW = {"random_rotations": 16, "panda_ik": 16, "newton_ik": 16}
+SLOW = dict.fromkeys(("random_rotations", "panda_ik", "newton_ik", "test_wrap_angle", "test_log_so3"), 16)
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 ENOUGH = 1000  # passes through loops that a call may make, besides five times those of the solution
 
