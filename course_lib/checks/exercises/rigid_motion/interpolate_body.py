@@ -76,10 +76,6 @@ def _path(start, goal, n, s=None, change=None):
     )
 
 
-def _angle_changes(start, goal, n, angle):
-    return _path(start, goal, n, change=[*right_change(start, goal)[:2], angle])
-
-
 shared.add_path_mistakes(EXERCISE, _path)
 
 
@@ -94,7 +90,7 @@ shared.add_path_mistakes(EXERCISE, _path)
 def not_wrapped(start, goal, n, difference):
     """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap the difference of
     the two angles, and only that, before it is scaled."""
-    return _angle_changes(start, goal, n, difference(start[2], goal[2]))
+    return _path(start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])])
 
 
 @EXERCISE.mistake

@@ -110,20 +110,16 @@ EXERCISE = Exercise(
 
 def _screw(start, goal, n, s):
     """The path by one rotation, as far as its direction is known."""
-    return (
-        by_screw(start, goal, s, shared.change(start, goal)[2]) if shared.one_arc_is_shorter(start, goal, n) else None
-    )
+    angle = shared.change(start, goal)[2]
+    return by_screw(start, goal, s, angle) if shared.one_arc_is_shorter(start, goal, n) else None
 
 
-@EXERCISE.mistake(difference=(shared.change, np.subtract))
+@EXERCISE.mistake(difference=(shared.change, lambda start, goal: np.subtract(goal, start)))
 def straight_line(start, goal, n, difference):
     """x, y and theta are interpolated each by itself: a straight line. Here the velocity is constant in the body's
     frame. Which function has an arc for that?"""
-    if not shared.one_arc_is_shorter(start, goal, n):
-        return None
-    return shared.straight(
-        start, difference(start, goal) if difference is shared.change else np.subtract(goal, start), shared.scaling(n)
-    )
+    path = shared.straight(start, difference(start, goal), shared.scaling(n))
+    return path if shared.one_arc_is_shorter(start, goal, n) else None
 
 
 shared.add_path_mistakes(EXERCISE, _screw)

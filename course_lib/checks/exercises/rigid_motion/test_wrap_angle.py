@@ -7,12 +7,12 @@ from course_lib.checks.write_test import Version, WriteTest
 from course_lib.planar import wrap_angle
 
 
+def _wrong(kind, function, right=False, example=False):
+    return Version(kind, lambda angle: float(function(float(angle))), right, example)
+
+
 def _right(kind, function, example=False):
-    return Version(kind, lambda angle: float(function(float(angle))), True, example)
-
-
-def _wrong(kind, function, example=False):
-    return Version(kind, lambda angle: float(function(float(angle))), False, example)
+    return _wrong(kind, function, True, example)
 
 
 def _one_revolution(angle):

@@ -126,18 +126,3 @@ def chord_too_early(q0, q1, t, of):
     it, and how many digits are right there?"""
     size, below = of
     return size((1 - t) * q0 + t * _shorter(q0, q1)) if _angle_of(q0, q1) < 2 * below else slerp(q0, q1, t)
-
-
-@EXERCISE.mistake(factor=(2, 0.5))
-def twice_the_arc(q0, q1, t, factor):
-    """the arc between the quaternions is doubled or halved. Is the cosine of phi q0 . q1, or half of something?"""
-    phi, q1 = factor * _angle_of(q0, q1) / 2, _shorter(q0, q1)
-    return (np.sin((1 - t) * phi) * q0 + np.sin(t * phi) * q1) / np.sin(phi)
-
-
-@EXERCISE.mistake(sign=(1, -1))
-def cosine_alone_made_positive(q0, q1, t, sign):
-    """the angle belongs to -q1, the weights to q1, or the reverse. If q0 . q1 is negative, q1 itself changes its sign,
-    and the cosine with it."""
-    a, q1 = np.arccos(min(sign * abs(q0 @ q1), 1)), sign * q1
-    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a) if sign * (q0 @ q1) < 0 else None
