@@ -60,7 +60,6 @@ def pose_samples(n):
 # ---- figures ----
 
 ALT = "Words that say what the picture shows."
-FIGURE = "application/vnd.plotly.v1+json"
 
 
 def shown(fig):
@@ -70,13 +69,3 @@ def shown(fig):
     (data,), options = display.call_args_list[0]
     assert options["raw"]
     return SimpleNamespace(data=data, metadata=options["metadata"])
-
-
-def stored(fig):
-    """The JSON of a plotly figure as a notebook stores it."""
-    return shown(fig).data[FIGURE]
-
-
-def places(trace):
-    """The points (n, 2) or (n, 3) of a stored trace; NaN where its line has a gap."""
-    return np.array([trace[c] for c in "xyz" if c in trace], float).T

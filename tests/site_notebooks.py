@@ -7,7 +7,7 @@ import matplotlib.figure
 import nbformat
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
-PLOTLY = "application/vnd.plotly.v1+json"
+from course_lib.figures import circles_toy, two_poses_toy
 
 TEXT = r"""# Rotations
 
@@ -44,21 +44,7 @@ CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.
 TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
 MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"
 
-HELIX = {
-    "data": [{"type": "scatter3d", "mode": "lines", "x": [0, 1, 0], "y": [0, k, 1], "z": [0, 1, 2]} for k in (1, 2)],
-    "layout": {"title": {"text": "A </script> in a title"}, "width": 700, "height": 450, "scene": {}},
-}
-PLAY = {"label": "Play", "method": "animate", "args": [None, {"frame": {"duration": 20}}]}
-STEPS = [{"label": f"{k / 10} s", "method": "animate", "args": [[str(k)]]} for k in range(40)]
-MOVING = {
-    "data": [{"type": "scatter", "mode": "markers", "x": [0], "y": [0]}],
-    "layout": {
-        "xaxis": {"range": [-1, 41]},
-        "updatemenus": [{"type": "buttons", "buttons": [PLAY]}],
-        "sliders": [{"currentvalue": {"prefix": "time "}, "steps": STEPS}],
-    },
-    "frames": [{"name": str(k), "data": [{"x": [k], "y": [0]}]} for k in range(40)],
-}
+TURNING, SLIDING = (toy().stored() for toy in (circles_toy, two_poses_toy))
 
 
 def png() -> str:

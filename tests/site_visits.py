@@ -8,7 +8,6 @@ import nbformat
 from axe_playwright_python.base import AXE_SCRIPT
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect, sync_playwright
-from site_notebooks import PLOTLY
 
 from course_lib.figures.display import TOY
 
@@ -48,7 +47,7 @@ class Visit:
     """A page that was opened offline, and what happened meanwhile."""
 
     def __init__(self, browser, file, *, theme="light", width=1280, query="", without=None, **context):
-        self.requests, self.complaints, self.drawn = [], [], None
+        self.requests, self.complaints = [], []
         look = {"color_scheme": theme, "reduced_motion": "reduce"}  # else the theme glides to what is scrolled to
         size = {"width": width, "height": 844}
         self.free = FREE_WINDOWS.setdefault(browser, [])
@@ -102,23 +101,14 @@ class Visit:
         finally:
             self.page.set_viewport_size(before)
 
-    def draw_figures(self, examine=None):
-        """Scroll to each figure, once; return how many traces each shows. examine(number, box) sees each when drawn."""
-        if self.drawn is not None and examine is None:
-            return self.drawn
-        self.drawn = traces = []
+    def draw_figures(self):
+        """Scroll to each toy; return how many there are."""
+        boxes = self.page.locator(".toy-figure").all()
         self.page.evaluate(OPEN.replace('"details"', '"section.more > details"'))  # what is folded is not near
-        for number, box in enumerate(self.page.locator(".plotly-figure").all()):
+        for box in boxes:
             box.scroll_into_view_if_needed()
-            if box.get_attribute("data-without-plotly") is not None:  # a toy draws itself
-                box.locator(".course-toy").first.wait_for()
-                traces.append(box.evaluate("box => JSON.parse(box.querySelector('script').textContent).data.length"))
-            else:
-                box.locator(".main-svg").first.wait_for()
-                traces.append(box.locator(".plotly-live").evaluate("live => live.data.length"))
-            if examine:
-                examine(number, box)
-        return traces
+            box.locator(".course-toy").first.wait_for()
+        return len(boxes)
 
 
 # Waits so many milliseconds of the page's own time, after what is begun is drawn; then what follows is drawn, too. A
@@ -151,14 +141,14 @@ FACTS = r"""() => {
   const wide = (f) => f.querySelector("svg").getBoundingClientRect().width > 1;
   const isSet = (f) => wide(f) && letters(f) && f.querySelector("math");
   const text = (document.querySelector("article") ?? document.querySelector("main")).cloneNode(true);
-  text.querySelectorAll("pre, code, script, .math, .plotly-live").forEach((e) => e.remove());
+  text.querySelectorAll("pre, code, script, .math, .toy-live").forEach((e) => e.remove());
   return {
     tex: text.textContent.match(/\$[^$]*\$|\\\(|\\\[|\\begin|\\frac/g) || [],
     unset: formulas.filter((f) => f.checkVisibility() && !isSet(f)).map((f) => f.outerHTML.slice(0, 200)),
     images: [...document.querySelectorAll("img")].map((i) => [
       i.complete && i.naturalWidth > 0, (i.closest("[role=img]")?.getAttribute("aria-label") ?? i.alt).trim()]),
-    groups: [...document.querySelectorAll(".plotly-figure")].map((f) => f.getAttribute("aria-label")),
-    wide: [...document.querySelectorAll(".plotly-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
+    groups: [...document.querySelectorAll(".toy-figure")].map((f) => f.getAttribute("aria-label")),
+    wide: [...document.querySelectorAll(".toy-figure, img")].filter((e) => e.scrollWidth > e.clientWidth).length,
     width: Math.max(document.documentElement.scrollWidth, document.body.scrollWidth),
     theme: document.documentElement.dataset.theme,
   };
@@ -183,9 +173,9 @@ def assert_readable(visit, notebook, width, draws=True, rules=None):
     assert all(facts["groups"])
     cells = nbformat.read(notebook, as_version=4).cells if notebook else []
     outputs = [o for c in cells for o in c.get("outputs", [])]
-    figures = [o.data[kind] for o in outputs for kind in (PLOTLY, TOY) if kind in o.get("data", {})]
+    figures = [o for o in outputs if TOY in o.get("data", {})]
     if draws:
-        assert visit.draw_figures() == [len(figure["data"]) for figure in figures]
+        assert visit.draw_figures() == len(figures)
     assert len(facts["groups"]) == len(figures)
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
     assert violations(visit, rules=rules) == []

@@ -4,10 +4,9 @@ import shutil
 
 import numpy as np
 import pytest
-from helpers import FIGURE
 from numpy.testing import assert_allclose
 from PIL import Image, ImageSequence
-from site_notebooks import HELIX, MOVING, cell, output, write
+from site_notebooks import TURNING, cell, output, write
 
 from course_lib.arms import planar_arm
 from course_lib.figures import rigid_motion, solids
@@ -39,7 +38,7 @@ def swing():
     (swing, CENTRES),
 ], ids=["in the plane", "in space"])  # fmt: skip
 def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, true, tmp_path, monkeypatch, capsys):
-    write(tmp_path, "01.ipynb", cell(output(movie()), output({FIGURE: HELIX})))
+    write(tmp_path, "01.ipynb", cell(output(movie()), output({TOY: TURNING})))
     monkeypatch.setattr(animations, "FOLDER", tmp_path / "made")
     assert animations.main([tmp_path / "01.ipynb"]) == 0
     made = [str(tmp_path / "made/moving.gif")]
@@ -59,7 +58,7 @@ def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, t
 
 @pytest.mark.parametrize(("content", "message"), [("<<<<<<< half a merge", "cannot be read"), (None, "No animation")])
 def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
-    write(tmp_path, "01.ipynb", cell(output({FIGURE: MOVING})))
+    write(tmp_path, "01.ipynb", cell(output({TOY: TURNING})))
     if content:
         (tmp_path / "01.ipynb").write_text(content)
     assert animations.main([tmp_path / "01.ipynb"]) == 1

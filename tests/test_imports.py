@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-HEAVY = ["scipy", "sympy", "matplotlib", "plotly", "sklearn", "IPython", "mpmath", "jupyterlab"]
+HEAVY = ["scipy", "sympy", "matplotlib", "sklearn", "IPython", "mpmath", "jupyterlab"]
 
 
 def run(code):

@@ -212,7 +212,7 @@ def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
     choose(lab, "Run", "Run All Cells")
     expect(lab.locator(".course-toy")).to_have_count(len(SOURCES) - 1)
-    assert lab.locator(".jp-RenderedPlotly, .js-plotly-plot").count() == 0, "the widget alone, not the still figure too"
+    assert lab.locator(".jp-RenderedImage").count() == 0, "the widget alone, not the still figure too"
 
 
 def test_arrow_keys_move_the_target_and_not_to_another_cell(lab):

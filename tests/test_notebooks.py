@@ -137,7 +137,7 @@ def test_stored_outputs_are_clean(path):
         assert output.output_type != "error", cell
         assert output.get("name") != "stderr", cell
         data, metadata = output.get("data", {}), output.get("metadata", {})
-        if "image/png" in data or "application/vnd.plotly.v1+json" in data:
+        if "image/png" in data or TOY in data:
             assert len(metadata["image/png"]["alt"]) >= 40, cell
             assert "image/png" in data, f"{cell} has no still"
 

@@ -11,15 +11,14 @@ from playwright.sync_api import expect
 from site_notebooks import (
     CHECK,
     EXPLAINED,
-    HELIX,
     MATRIX,
     MODEL_ANSWER,
-    MOVING,
     NBGRADER,
-    PLOTLY,
+    SLIDING,
     SOLUTION,
     TABLE,
     TEXT,
+    TURNING,
     caption_output,
     cell,
     output,
@@ -29,15 +28,12 @@ from site_notebooks import (
 from site_visits import CONTRAST, OPEN, Visit, assert_readable
 from sphinx_builds import build
 
+from course_lib.figures.display import TOY
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
-CAPTION = "Both helices wind the same way."
-LINE = {
-    "data": [{"type": "scatter", "x": [0, 4], "y": [0, 1], "mode": "lines", "line": {"color": "#b2182b"}}],
-    "layout": {"font": {"color": "#222222"}, "plot_bgcolor": "white", "paper_bgcolor": "white"},
-}
+CAPTION = "Both circles turn the same way."
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +45,7 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(TEXT),
         cell(source=SOLUTION, nbgrader=NBGRADER),
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
-        cell(output({PLOTLY: HELIX, "image/png": png()}, 'Two "helices" side by side'), caption_output(CAPTION)),
+        cell(output({TOY: TURNING, "image/png": png()}, 'Two "circles" on a sphere'), caption_output(CAPTION)),
         cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
         cell(
             output({"text/html": CHECK}),
@@ -58,15 +54,14 @@ def notebooks(tmp_path_factory):
         ),
         cell(output({"text/html": TABLE}), output({"text/latex": MATRIX})),
         *[new_markdown_cell("Words. " * 400) for _ in range(3)],
-        cell(output({PLOTLY: MOVING, "text/plain": "A point that moves to the right"})),
+        cell(output({TOY: SLIDING, "text/plain": "Two poses on a floor </script>"})),
         cell(source="hidden_input = 1", tags=["hide-input"]),
         cell(source="removed_cell = 1", tags=["remove-cell"]),
     )
     links = "see [the first](01_rotations.ipynb), [notation](notation.md)"
     plain = new_markdown_cell(f"# Rigid motion\n\nNo figure; {links}. The adjoint.")
     write(folder, "02_rigid_motion.ipynb", plain)
-    line, again = (cell(output({PLOTLY: LINE, "text/plain": "What it shows"})) for _ in range(2))
-    write(folder, "03_plots.ipynb", new_markdown_cell("# Plots"), line, new_markdown_cell("Words. " * 2400), again)
+    write(folder, "03_plots.ipynb", new_markdown_cell("# Plots"), cell(output({})))
     (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     return folder
 
@@ -86,32 +81,6 @@ def reader(site, browser):
         visit.draw_figures()
         yield visit
         assert visit.complaints == []
-
-
-def test_a_figure_can_be_rotated_and_keeps_its_view(reader):
-    eye = "document.querySelector('.plotly-live')._fullLayout.scene._scene.getCamera().eye"
-    page = reader.page
-    box = page.locator(".plotly-figure").first
-    live = box.locator(".plotly-live")
-    box.scroll_into_view_if_needed()
-    box.locator("canvas").first.wait_for()
-    before = page.evaluate(eye)
-    live.evaluate("live => live.on('plotly_relayout', () => (window.rotated = true))")
-    live.hover()  # waits until the page has stopped moving
-    place = live.bounding_box()
-    x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
-    page.mouse.down()
-    page.mouse.move(x + 80, y + 30, steps=5)
-    page.mouse.up()
-    page.wait_for_function("window.rotated")
-    rotated = live.evaluate("live => live.layout.scene.camera.eye")
-    assert abs(rotated["x"] - before["x"]) > 0.01
-    # Far away a figure is let go, its still picture stands in; back again it is as it was left.
-    page.locator(".plotly-figure").nth(1).scroll_into_view_if_needed()
-    box.locator(".plotly-still").wait_for()
-    box.scroll_into_view_if_needed()
-    box.locator("canvas").first.wait_for()
-    assert page.evaluate(eye) == pytest.approx(rotated, abs=1e-6)
 
 
 def test_a_block_of_code_is_copied_by_its_button(reader):
@@ -134,14 +103,14 @@ def test_a_block_of_code_is_copied_by_its_button(reader):
 
 def test_still_pictures_are_printed_in_place_of_figures(reader):
     page = reader.page
-    figure = page.locator(".plotly-figure:has(.plotly-still)")
+    figure = page.locator(".toy-figure:has(.toy-still)")
     figure.scroll_into_view_if_needed()
-    page.locator(".plotly-figure.drawn:has(.plotly-still) .main-svg").first.wait_for()
-    assert figure.locator(".plotly-live").is_visible()
+    page.locator(".toy-figure.drawn:has(.toy-still) .course-toy").first.wait_for()
+    assert figure.locator(".toy-live").is_visible()
     page.emulate_media(media="print")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    assert figure.locator(".plotly-still").is_visible()
-    assert not figure.locator(".plotly-live").is_visible()
+    assert figure.locator(".toy-still").is_visible()
+    assert not figure.locator(".toy-live").is_visible()
     assert page.locator("html").get_attribute("data-theme") == "light"
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="null")
@@ -156,7 +125,7 @@ def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader
     page.evaluate(OPEN)
     read = """() => {
       const text = document.querySelector("article").cloneNode(true);
-      text.querySelectorAll(".math, .plotly-figure, .headerlink, button, .tag_not-on-paper details, .expanded")
+      text.querySelectorAll(".math, .toy-figure, .headerlink, button, .tag_not-on-paper details, .expanded")
         .forEach((part) => part.remove());
       return document.body.appendChild(text).innerText;
     }"""
@@ -181,13 +150,8 @@ def test_page_works_offline_on_a_phone_in_the_dark(site, notebooks, browser):
         facts = assert_readable(visit, notebooks / "01_rotations.ipynb", 390)
         assert facts["theme"] == "dark"
         assert visit.page.locator("figure figcaption").all_inner_texts() == [CAPTION]
-        assert facts["groups"] == ['Two "helices" side by side', "A point that moves to the right"]
-        assert {alt for _, alt in facts["images"]} == {'Two "helices" side by side', "A rising line"}
-        live = visit.page.locator(".plotly-live").first
-        visit.page.locator(".plotly-figure").first.scroll_into_view_if_needed()
-        live.locator(".main-svg").first.wait_for()
-        size = live.bounding_box()
-        assert size["height"] == pytest.approx(min(450, size["width"]), abs=1), "a scene cut off at its sides"
+        assert facts["groups"] == ['Two "circles" on a sphere', "Two poses on a floor </script>"]
+        assert {alt for _, alt in facts["images"]} == {'Two "circles" on a sphere', "A rising line"}
         for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
             assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
         style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
@@ -201,11 +165,11 @@ def test_still_pictures_are_shown_without_scripts(site, browser):
         formulas = visit.page.locator("article .math > svg").all()
         assert len(formulas) > 5
         assert all(formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible())
-        assert visit.page.locator(".plotly-still").is_visible()
-        assert visit.page.locator(".plotly-words", has_text="A point that moves to the right").is_visible()
-    with Visit(browser, page, without="plotly.packed.js") as visit:
+        assert visit.page.locator(".toy-still").is_visible()
+        assert visit.page.locator(".toy-words", has_text="Two poses on a floor").is_visible()
+    with Visit(browser, page, without="figures.js") as visit:
         assert visit.page.get_by_text("A rotation keeps lengths").is_visible()
-        assert visit.page.locator(".plotly-still").is_visible()
+        assert visit.page.locator(".toy-still").is_visible()
 
 
 PLAN = "A semester with the course"  # for instructors
@@ -217,7 +181,7 @@ def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
         assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Plots", "Notation", PLAN]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
-        assert not [url for url in visit.requests if "plotly" in url], "a page without a figure"
+        assert not [url for url in visit.requests if "figures.js" in url], "a page without a toy"
         visit.page.keyboard.press("Control+k")
         visit.page.keyboard.type("symbol")
         visit.page.keyboard.press("Enter")
@@ -228,45 +192,10 @@ def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
         assert visit.complaints == []
 
 
-# ---- what plotly draws ----
-
-
-def drawn(visit, number):
-    """Scroll to a figure and return what plotly has drawn of it."""
-    box = visit.page.locator(".plotly-figure").nth(number)
-    box.scroll_into_view_if_needed()
-    expect(box.locator(".main-svg").first).to_be_visible()
-    return box.locator(".plotly-live")
-
-
-def test_a_live_figure_offers_no_upload_follows_the_theme_and_keeps_what_was_zoomed(site, browser):
-    look = "live => [live.data[0].line.color, live._fullLayout.font.color, live._fullLayout.plot_bgcolor].join()"
-
-    def turn(visit, live, theme, colours):
-        visit.page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
-        as_wanted = f"([live, colours]) => ({look})(live) === colours"
-        visit.page.wait_for_function(as_wanted, arg=[live.element_handle(), colours])
-
-    with Visit(browser, site / "03_plots.html") as visit:
-        live, light = drawn(visit, 0), "#b2182b,#222222,white"
-        assert live.evaluate(look) == light
-        buttons = [each.get_attribute("data-title") for each in live.locator(".modebar-btn").all()]
-        assert buttons
-        assert "Share" not in " ".join(buttons)
-        live.evaluate("live => window.Plotly.relayout(live, {'xaxis.range': [0, 2]})")
-        turn(visit, live, "dark", "#f2667a,#e7eaee,#1b1f24")
-        drawn(visit, 1)  # so far away that the first is let go
-        expect(live.locator(".main-svg")).to_have_count(0)
-        assert drawn(visit, 0).evaluate("live => live.layout.xaxis.range") == [0, 2]
-        turn(visit, live, "light", light)
-        assert visit.complaints == []
-
-
-def test_cells_follow_their_tags_and_no_library_is_shipped_twice(site):
+def test_cells_follow_their_tags_and_the_site_is_small(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
-    assert [file.name for file in site.rglob("plotly*.js")] == ["plotly.packed.js"]
     assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 5e6
 
 
@@ -298,7 +227,7 @@ ERROR = new_output("error", ename="ValueError", evalue="R is not square", traceb
     [
         (ERROR, "01_bad.ipynb, cell 2 stopped with ValueError: R is not square"),
         (output({"image/png": "", "text/plain": "<Figure size 640x480>"}), "cell 2 shows a figure without alt"),
-        (output({PLOTLY: HELIX, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
+        (output({TOY: TURNING, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
         (output({"text/html": "x"}), "01_bad.ipynb, cell 3 was changed, and not run since"),
     ],
 )

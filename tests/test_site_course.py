@@ -15,12 +15,13 @@ from site_visits import OPEN, SETTLED, SHIFT, Visit, assert_readable, violations
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 PAGES = {notebook.stem: notebook for notebook in NOTEBOOKS}
 PAGES |= dict.fromkeys(("index", "errata", "sources", "notation", "search", "reports", "places", "changes"))
+PLAIN = ("index", "errata", "sources", "notation")
 PHONE, DESKTOP = 390, 1280
 
 # Whatever can be pressed, chosen or typed into, and can be seen.
 CONTROLS = """() => [...document.querySelectorAll("a[href], button, input, summary, [tabindex='0']")]
-  .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".plotly-figure"))"""
-WIDE = """() => [...document.querySelectorAll("article :is(.math, pre, table, .output, .plotly-figure, .panels, img)")]
+  .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest(".toy-figure"))"""
+WIDE = """() => [...document.querySelectorAll("article :is(.math, pre, table, .output, .toy-figure, .panels, img)")]
   .filter((e) => e.scrollWidth > e.clientWidth || e.getBoundingClientRect().right > innerWidth)
   .map((e) => `${e.scrollWidth} in ${e.clientWidth}: ${e.textContent.trim().slice(0, 80)}`)"""
 WIDTH = "Math.max(document.documentElement.scrollWidth, document.body.scrollWidth)"
@@ -46,23 +47,8 @@ def on_a_desktop(course, browser):
         yield visit
 
 
-HEIGHTS = "() => [...document.querySelectorAll('.plotly-figure')].map((box) => box.getBoundingClientRect().height)"
-TOYS_DRAWN = """() => [...document.querySelectorAll('.plotly-figure[data-without-plotly]:not(.drawn)')]
+TOYS_DRAWN = """() => [...document.querySelectorAll('.toy-figure:not(.drawn)')]
   .every((toy) => !toy.checkVisibility())"""
-TAKES_ITS_ROOM = "([box, height]) => box.matches('.drawn') && Math.abs(box.getBoundingClientRect().height - height) < 2"
-
-
-def assert_figures_keep_their_size(visit):
-    """Draw each figure: it is as high as its placeholder."""
-
-    def examine(number, box):
-        visit.page.wait_for_function(TAKES_ITS_ROOM, arg=[box.element_handle(), kept[number]])
-
-    visit.page.evaluate(OPEN)
-    visit.page.wait_for_function(TOYS_DRAWN)
-    kept = visit.page.evaluate(HEIGHTS)
-    visit.draw_figures(examine)
-    assert visit.complaints == []
 
 
 def test_nothing_jumps_while_a_page_is_loaded(visit):
@@ -93,11 +79,6 @@ def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(visi
     assert all(right <= PHONE and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
 
 
-@of_a_notebook
-def test_figures_have_the_size_of_their_placeholders_and_play_on_a_phone(visit):
-    assert_figures_keep_their_size(visit)
-
-
 def test_works_offline_on_a_phone(visit):
     # What differs on a phone in the dark: on a desktop all rules are applied.
     assert_readable(visit, visit.notebook, PHONE, rules=["color-contrast", "scrollable-region-focusable"])
@@ -119,11 +100,6 @@ def test_nothing_bars_a_reader_on_a_desktop_in_the_light(visit):
     assert visit.complaints == []
 
 
-def test_figures_have_the_size_of_their_placeholders_and_play_on_a_desktop(on_a_desktop):
-    assert_figures_keep_their_size(on_a_desktop)
-    assert len(on_a_desktop.drawn) > 5
-
-
 def test_the_keyboard_alone_reaches_everything(on_a_desktop):
     page = on_a_desktop.page
     page.evaluate(OPEN)
@@ -142,7 +118,6 @@ def test_the_keyboard_alone_reaches_everything(on_a_desktop):
 def test_the_site_is_small_and_contains_each_library_once(course):
     files = [file for file in course.rglob("*") if file.is_file()]
     assert sum(file.stat().st_size for file in files) < 14e6
-    assert len(list(course.rglob("plotly*.js"))) == 1
     assert not list(course.rglob("mathjax*.js")) + list(course.rglob("*.woff2"))
     assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]
 
@@ -156,7 +131,6 @@ PARSED = """(text) => {
     ids: all("[id]", (e) => e.id),
     links: all("[href], [src]", link),
     loaded: all("script[src], link[rel=stylesheet], img[src]", link),
-    plotly: page.querySelector(".plotly-figure:not([data-without-plotly])") !== null,
   };
 }"""
 
@@ -196,23 +170,11 @@ def test_search_finds(course, browser, word, page):
         assert visit.complaints == []
 
 
-def weight(course, page, parsed):
-    """The bytes of a page and of all that it loads, at once or as the reader comes near; and the files' names."""
-    files = [page, *(link.split("?")[0] for link in parsed[page]["loaded"])]
-    if parsed[page]["plotly"]:
-        files.append("_static/plotly.packed.js")
-    return sum((course / file).stat().st_size for file in files), files
-
-
 def test_pages_are_light(course, parsed):
-    for notebook in NOTEBOOKS:
-        size, files = weight(course, f"{notebook.stem}.html", parsed)
-        assert size < 4.5e6, notebook.stem
-        assert len([file for file in files if "plotly" in file]) <= 1, "none of those loaded at once"
-    for page in ("index", "errata", "sources", "notation"):
-        size, files = weight(course, f"{page}.html", parsed)
-        assert size < 1.5e6, page
-        assert not [file for file in files if "plotly" in file]
+    for pages, most in ([notebook.stem for notebook in NOTEBOOKS], 4.5e6), (PLAIN, 1.5e6):
+        for page in pages:
+            files = [f"{page}.html", *(link.split("?")[0] for link in parsed[f"{page}.html"]["loaded"])]
+            assert sum((course / file).stat().st_size for file in files) < most, page
 
 
 # ---- without JavaScript ----

@@ -131,7 +131,7 @@ def test_no_check_reports_right_and_every_other_output_stays(sites):
     for page in sites["no"].glob("*.html"):
         bare, full = page.read_text("utf-8"), (sites["yes"] / page.name).read_text("utf-8")
         assert not VERDICT.search(bare), page.name
-        for output in ('class="plotly-figure"', 'class="picture'):
+        for output in ('class="toy-figure"', 'class="picture'):
             assert bare.count(output) == full.count(output), page.name
         notebook = ROOT / "notebooks" / f"{page.stem}.ipynb"
         left_out = own_lines(notebook) if notebook.exists() else 0

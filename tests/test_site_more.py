@@ -4,12 +4,13 @@ import pytest
 from bs4 import BeautifulSoup
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
-from site_notebooks import MOVING, NBGRADER, PLOTLY, SOLUTION, cell, output, png, write
+from site_notebooks import NBGRADER, SLIDING, SOLUTION, cell, output, png, write
 from site_visits import Visit, assert_readable
 from sphinx_builds import build
 
+from course_lib.figures.display import TOY
+
 TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
-HIGH = {**MOVING, "layout": {**MOVING["layout"], "height": 480}}  # as the still picture
 
 
 def more(text):
@@ -29,7 +30,7 @@ def notebooks(tmp_path_factory):
         more(f"## {TITLE}\n\n{PROMISE}"),
         new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
         cell(source=SOLUTION, nbgrader=NBGRADER),
-        cell(output({PLOTLY: HIGH, "image/png": png()}, "A point that moves to the right")),
+        cell(output({TOY: SLIDING, "image/png": png()}, "Two poses on a floor")),
         more("## Appendix: the report\n\nWhat it did."),
         new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
         new_markdown_cell("### Errors in it\n\n#### 1 · A factor\n\n**Printed:** two. See [there](#Three-angles)."),
@@ -89,12 +90,11 @@ def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, brows
 
 
 def test_a_figure_in_a_section_has_its_place_once_it_is_open(visit):
-    box = visit.page.locator(".plotly-figure")
+    box = visit.page.locator(".toy-figure")
     visit.page.locator("summary.more").first.click()
-    height = box.bounding_box()["height"]
     box.scroll_into_view_if_needed()
-    expect(box.locator(".main-svg").first).to_be_visible()
-    assert box.bounding_box()["height"] == height > 400
+    expect(box.locator(".course-toy")).to_be_visible()
+    assert box.bounding_box()["height"] > 300
 
 
 def test_paper_shows_what_is_folded_but_imports(visit):

@@ -1,16 +1,10 @@
 """Put a figure into the notebook, always with words that say what it shows."""
 
-import base64
 import io
-import math
 from itertools import accumulate
 from typing import NamedTuple
 
-import numpy as np
-
-PLOTLY = "application/vnd.plotly.v1+json"  # MIME type of plotly's figures
-CONFIG = {"showSendToCloud": False}  # plotly offers to upload a figure otherwise
-TOY = "application/vnd.course.toy+json"  # and of figures that a script of the course draws (see toys/toy.py)
+TOY = "application/vnd.course.toy+json"  # MIME type of figures that a script of the course draws (see toys/toy.py)
 
 
 class Picture(NamedTuple):
@@ -18,7 +12,7 @@ class Picture(NamedTuple):
 
     Parameters
     ----------
-    fig : matplotlib.figure.Figure or plotly.graph_objects.Figure
+    fig : matplotlib.figure.Figure
     alt : str
         What it shows, in a sentence or two, for those who do not see it.
     caption : str, optional
@@ -33,12 +27,9 @@ class Picture(NamedTuple):
 def show(fig, *, alt="", caption=""):
     """Display a figure with alternative text and, below it, a caption.
 
-    A plotly figure is published as its MIME type alone: it needs no kernel afterwards. Its numbers are rounded to
-    six digits of the largest in each array, so that machines whose last bits differ write the same file.
-
     Parameters
     ----------
-    fig : Picture, matplotlib.figure.Figure or plotly.graph_objects.Figure
+    fig : Picture or matplotlib.figure.Figure
         What to display. A Picture has words of its own, which may be replaced.
     alt : str
         What the figure shows, in a sentence or two, for those who do not see it.
@@ -68,16 +59,11 @@ def show(fig, *, alt="", caption=""):
         raise ValueError(f"alt must say in words what the figure shows; it is {alt!r}")
     if not isinstance(caption, str):
         raise ValueError(f"caption must be a sentence that says what to notice; it is {caption!r}")
-    if hasattr(fig, "to_plotly_json"):
-        data = {PLOTLY: rounded(fig.to_plotly_json()) | {"config": CONFIG}, "text/plain": alt}
-        metadata = {"image/png": {"alt": alt}}  # for the still that is put beside it
-    elif hasattr(fig, "savefig"):
-        width, height = (round(96 * inches) for inches in fig.get_size_inches())
-        data = {"image/png": _png(fig), "text/plain": alt}
-        metadata = {"image/png": {"alt": alt, "width": width, "height": height} | _cuts(fig, width)}
-    else:
-        raise ValueError(f"fig must be a matplotlib or plotly figure; it is of type {type(fig).__name__}")
-    display(data, raw=True, metadata=metadata)
+    if not hasattr(fig, "savefig"):
+        raise ValueError(f"fig must be a matplotlib figure; it is of type {type(fig).__name__}")
+    width, height = (round(96 * inches) for inches in fig.get_size_inches())
+    metadata = {"alt": alt, "width": width, "height": height} | _cuts(fig, width)
+    display({"image/png": _png(fig), "text/plain": alt}, raw=True, metadata={"image/png": metadata})
     show_caption(caption)
 
 
@@ -114,32 +100,3 @@ def smaller_png(content):
     picture = picture.quantize(256, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
     picture.save(smaller := io.BytesIO(), "PNG", optimize=True)
     return min(content, smaller.getvalue(), key=len)
-
-
-def rounded(node, decimals=None):
-    """Return the JSON of a figure with its numbers rounded, packed lists unpacked, and -0 turned into 0.
-
-    decimals: how many stay; None for six digits of the largest number of each list. Plotly packs arrays into base64;
-    packed integers stay so: they have no last bits, and take half the room.
-    """
-    if isinstance(node, dict) and "bdata" in node and node["dtype"][0] == "f":
-        shape = [int(n) for n in str(node.get("shape", -1)).split(",")]  # "3, 4" for two axes, absent for one
-        node = np.frombuffer(base64.b64decode(node["bdata"]), node["dtype"]).reshape(shape).tolist()
-    if isinstance(node, dict):
-        return {key: rounded(value, decimals) for key, value in node.items()}
-    if isinstance(node, float):
-        return round(node, 6 if decimals is None else decimals) + 0.0 if math.isfinite(node) else None
-    if not isinstance(node, list | tuple):
-        return node
-    if decimals is None:
-        largest = max((abs(x) for x in _flat(node) if isinstance(x, float) and math.isfinite(x)), default=0)
-        decimals = 5 - math.floor(math.log10(largest)) if largest else None
-    return [rounded(item, decimals) for item in node]
-
-
-def _flat(node):
-    for item in node:
-        if isinstance(item, list | tuple):
-            yield from _flat(item)
-        else:
-            yield item

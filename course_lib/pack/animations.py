@@ -13,7 +13,8 @@ import numpy as np
 from PIL import Image
 from tqdm import tqdm
 
-from course_lib.pack.notebooks import figure_in
+from course_lib.figures.display import TOY
+from course_lib.pack.notebooks import figure_outputs
 from course_lib.pack.photograph import film_pictures
 
 FOLDER = Path("build/animations")
@@ -33,7 +34,7 @@ def main(notebooks):
     FOLDER.mkdir(parents=True, exist_ok=True)
     for movie in movies:
         try:
-            print(*write(movie, FOLDER / _about(movie)["movie"]), sep="\n")
+            print(*write(movie, FOLDER / movie["movie"]), sep="\n")
         except TimeoutError as error:
             print(f"A film needs a browser: {error}", file=sys.stderr)
             return 1
@@ -43,19 +44,14 @@ def main(notebooks):
 
 
 def stored_movies(notebook):
-    """Return the animations among a notebook's stored figures, as JSON."""
-    outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
-    figures = [figure for output in outputs if (figure := figure_in(output.get("data", {})))]
-    return [figure for figure in figures if "movie" in _about(figure)]
-
-
-def _about(figure):
-    return (figure["layout"].get("meta") or {}).get("course", {})
+    """Return the animations among a notebook's stored toys, as JSON."""
+    toys = [output.data[TOY]["layout"]["meta"]["course"] for output in figure_outputs(notebook)]
+    return [toy for toy in toys if "movie" in toy]
 
 
 def write(movie, path):
-    """Write one animation, a stored figure, as GIF and (with ffmpeg) as MP4; return the paths of these files."""
-    times = np.arange(0, _about(movie)["times"][-1] + 1e-9, 1 / RATE)
+    """Write one animation, a stored toy, as GIF and (with ffmpeg) as MP4; return the paths of these files."""
+    times = np.arange(0, movie["times"][-1] + 1e-9, 1 / RATE)
     every = tqdm(
         film_pictures(movie, times), total=len(times), desc=path.name, unit="picture", leave=False, disable=None
     )

@@ -2,14 +2,13 @@
 
     python -m course_lib.pack.notebooks notebooks/*.ipynb
 
-A second run changes nothing unless a source or an output did. Beside every plotly figure and every toy a
-still picture is stored, for places that run no script (a repository's web view, print).
+A second run changes nothing unless a source or an output did. Beside every toy a still picture is
+stored, for places that run no script (a repository's web view, print).
 """
 
 from __future__ import annotations
 
 import argparse
-import asyncio
 import base64
 import json
 import os
@@ -26,7 +25,7 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import PLOTLY, TOY, smaller_png
+from course_lib.figures.display import TOY, smaller_png
 from course_lib.pack.files import write_atomically
 from course_lib.pack.more import TAG
 
@@ -99,7 +98,7 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
-    known = {as_key(figure_in(data)): data[STILL] for data in outputs if STILL in data}
+    known = {as_key(data[TOY]): data[STILL] for data in outputs if STILL in data}
     run(notebook, path)
     without = add_stills(notebook, known, make_stills or draw_stills)
     tidy(notebook)
@@ -183,21 +182,16 @@ def reason(error: Exception) -> str:
 
 
 def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
-    """Yield every output that holds a plotly figure or a toy."""
+    """Yield every output that holds a toy."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
-            if figure_in(output.get("data", {})):
+            if TOY in output.get("data", {}):
                 yield output
-
-
-def figure_in(data: dict) -> Figure | None:
-    """Return the plotly figure or the toy among an output's data, or None."""
-    return data.get(PLOTLY) or data.get(TOY)
 
 
 def as_key(figure: Figure) -> str:
     """Return a text that is the same for figures that look the same only."""
-    return json.dumps({key: value for key, value in figure.items() if key != "config"}, sort_keys=True)
+    return json.dumps(figure, sort_keys=True)
 
 
 def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:
@@ -205,8 +199,8 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
     """
-    outputs = [(as_key(figure_in(output.data)), output) for output in figure_outputs(notebook)]
-    missing = {key: figure_in(output.data) for key, output in outputs if key not in known}
+    outputs = [(as_key(output.data[TOY]), output) for output in figure_outputs(notebook)]
+    missing = {key: output.data[TOY] for key, output in outputs if key not in known}
     remark = ""
     if missing:
         try:
@@ -219,53 +213,17 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
     for key, output in outputs:
         if key in known:
             output.data[STILL] = known[key]
-            if PLOTLY in output.data:  # a toy's picture says its size itself
-                width, height = size(output.data[PLOTLY])
-                shown = output.metadata.setdefault(STILL, {})
-                shown.setdefault("width", width)
-                shown.setdefault("height", height)
     return remark
 
 
-def size(figure: Figure) -> tuple[int, int]:
-    """Return the width and the height of a plotly figure, in pixels."""
-    layout = figure.get("layout", {})
-    return layout.get("width") or 700, layout.get("height") or 500  # plotly's own defaults
-
-
 def draw_stills(figures: list[Figure]) -> list[bytes]:
-    """Draw figures with one headless browser for all of them."""
-    from choreographer.channels import ChannelClosedError
-    from kaleido.errors import BrowserClosedError, BrowserFailedError, ChromeNotFoundError
+    """Return what each toy shows at its start, from a headless browser."""
+    from course_lib.pack.photograph import photograph
 
     try:
-        return asyncio.run(_draw_stills(figures))
-    except ChromeNotFoundError:
-        raise NoBrowser("no Chrome or Chromium found; BROWSER_PATH may name one") from None
-    except (BrowserFailedError, BrowserClosedError, ChannelClosedError, TimeoutError) as error:
-        raise NoBrowser(f"the browser failed: {type(error).__name__}") from error
-
-
-async def _draw_stills(figures: list[Figure]) -> list[bytes]:
-    from kaleido import Kaleido
-
-    # MathJax would come from a CDN: without it stills need no network, and a figure's text is plain anyway.
-    async with Kaleido(n=1, timeout=60, mathjax=False) as browser:
-        return [await _draw_still(browser, figure) for figure in figures]
-
-
-async def _draw_still(browser, figure: Figure) -> bytes:
-    course = figure.get("layout", {}).get("meta", {}).get("course", {})
-    if course.get("plotly") is False:
-        from course_lib.pack.photograph import photograph  # which loads plotly
-
-        return smaller_png(photograph(course))
-    # Buttons and sliders that nobody can press do not belong in a picture; frames are not drawn at all.
-    layout = {k: v for k, v in figure.get("layout", {}).items() if k not in ("updatemenus", "sliders")}
-    width, height = size(figure)
-    # No finer than it is shown: JupyterLab shows it at its own size until it trusts the notebook.
-    opts = {"format": "png", "width": width, "height": height, "scale": 1}
-    return smaller_png(await browser.calc_fig({"data": figure["data"], "layout": layout}, opts=opts))
+        return [smaller_png(photograph(figure["layout"]["meta"]["course"])) for figure in figures]
+    except TimeoutError as error:
+        raise NoBrowser(str(error)) from None
 
 
 # ---- write ----

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -35,9 +36,8 @@ def photograph(meta: dict) -> bytes:
     return file.getvalue()
 
 
-def film_pictures(figure: dict, times):
-    """Yield the pictures of a stored film, a toy, at times in seconds: sixteen are photographed at once."""
-    course = figure["layout"]["meta"]["course"]
+def film_pictures(course: dict, times):
+    """Yield the pictures of a film, a toy's data, at times in seconds: sixteen are photographed at once."""
     width, across = 560, 4
     height = round(width * course.get("proportion", 0.75))
     for first in range(0, len(times), across**2):
@@ -94,7 +94,8 @@ def find_browser() -> str:
     """Return the path of the browser; raises TimeoutError if there is none."""
     from choreographer.browsers.chromium import Chromium
 
-    browser = os.environ.get("BROWSER_PATH") or Chromium.find_browser(skip_local=False)
+    named = os.environ.get("BROWSER_PATH")
+    browser = shutil.which(named) if named else Chromium.find_browser(skip_local=False)
     if not browser:
-        raise TimeoutError("no Chrome or Chromium was found")
+        raise TimeoutError("no Chrome or Chromium was found; BROWSER_PATH may name one")
     return str(browser)

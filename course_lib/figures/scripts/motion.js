@@ -123,7 +123,7 @@ globalThis.course.motion = (() => {
     const a = (h1 - h2 * c) / s2, b = (h2 - h1 * c) / s2, rest = 1 - a * a - b * b - 2 * a * b * c;
     if (rest < -1e-12) return [];
     const foot = add(scale(k1, a), k2, b), g = Math.sqrt(Math.max(0, rest) / s2);
-    return g < 1e-9 ? [foot] : [add(foot, n, g), add(foot, n, -g)];
+    return g < 1e-6 ? [foot] : [add(foot, n, g), add(foot, n, -g)];
   }
   // The angle about the unit axis k that takes p to q, both on one circle about it.
   const angleAbout = (k, p, q) => Math.atan2(dot(k, cross(p, q)), dot(p, q) - dot(k, p) * dot(k, q));

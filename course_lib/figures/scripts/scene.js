@@ -1,5 +1,5 @@
 // Bodies in space, drawn by WebGL2. One context draws for every figure of a page, one after the other, and each figure
-// keeps a copy on its own canvas: a browser has some 16 contexts, plotly's among them. A mesh is {vertices, faces,
+// keeps a copy on its own canvas: a browser has some 16 contexts. A mesh is {vertices, faces,
 // colours (an index of the palette for each face), bodies (of each vertex)}; its bodies move by their poses.
 globalThis.course.scene = (() => {
   "use strict";

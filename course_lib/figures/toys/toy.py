@@ -10,13 +10,14 @@ import base64
 import contextlib
 import html
 import json
+import math
 import os
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 
-from course_lib.figures.display import TOY, rounded, show_caption
+from course_lib.figures.display import TOY, show_caption
 from course_lib.figures.solids.model import PALETTE
 
 _OFF_TIES = 3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
@@ -87,8 +88,8 @@ class Toy:
     """
 
     def __init__(self, name, model, alt, answer=None, caption=""):
-        model = rounded(model, 12)  # the last digits differ between processors
-        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], "plotly": False, **model}
+        model = _rounded(model)
+        self.meta = {"kind": f"toy:{name}", "scripts": [*CORE, f"toy_{name}"], **model}
         self.alt = alt
         self.answer = answer
         self.caption = caption
@@ -145,6 +146,15 @@ class Answers:
             said = " ".join(str(error).split())
             answer["problem"] = f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
         return answer
+
+
+def _rounded(node):
+    """Return JSON with numbers of twelve decimals, whose last ones differ between processors, and 0 in place of -0."""
+    if isinstance(node, dict):
+        return {key: _rounded(value) for key, value in node.items()}
+    if isinstance(node, list | tuple):
+        return [_rounded(item) for item in node]
+    return (round(node, 12) + 0.0 if math.isfinite(node) else None) if isinstance(node, float) else node
 
 
 def _key(figure):

@@ -61,9 +61,7 @@ def fold_what_serves(cell, is_opening: bool = False) -> None:
 
 def _is_figure(output) -> bool:
     data = output.get("data", {})
-    return any(kind.startswith("image/") or "plotly" in kind for kind in data) or "caption" in output.get(
-        "metadata", {}
-    )
+    return any(kind.startswith("image/") for kind in data) or "caption" in output.get("metadata", {})
 
 
 def _only_draws(statement) -> bool:

@@ -1,13 +1,10 @@
 """Build the site: prepare copies of the notebooks, let Sphinx turn them into pages, and move these into place."""
 
-import base64
-import gzip
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
-from importlib.resources import files
 from pathlib import Path
 
 import nbformat
@@ -22,7 +19,7 @@ from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.prepare import prepare
 
 HERE = Path(__file__).parent
-SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of figures that do more than plotly can
+SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of toys
 
 
 def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = False) -> None:
@@ -48,7 +45,7 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
         pages, site = Path(work, "pages"), Path(work, "html")
         release = students_zip(notebooks.parent, Path(work, ZIP))
         _gather(sources, pages, solutions, model, release)
-        _copy_libraries(pages / "_static")
+        _copy_own_files(pages / "_static")
         print(f"Making pages of {len(sources)} notebooks with Sphinx")
         _run_sphinx(pages, site, Path(work, "doctrees"))
         finish(site)
@@ -105,24 +102,13 @@ def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
     return found
 
 
-def _copy_libraries(static: Path) -> None:
-    """Put our style and scripts and plotly.js into `static`."""
+def _copy_own_files(static: Path) -> None:
+    """Put our style and scripts into `static`."""
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
     (static / "icons.css").write_text(icons.style(), encoding="utf-8")
     (static / "figures").mkdir()
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
-    plotly = (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
-    (static / "plotly.packed.js").write_text(_packed(plotly), encoding="utf-8")
-
-
-def _packed(script: bytes) -> str:
-    """Return a script that holds another one, compressed; figures.js unpacks it.
-
-    Pages opened from a folder have no server that compresses, and they may load scripts but no other files.
-    """
-    content = base64.b64encode(gzip.compress(script, mtime=0)).decode()
-    return f'(window.course = window.course || {{ kinds: {{}} }}).plotly = "{content}";\n'
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:

@@ -91,8 +91,8 @@ def fold_more(app, document, docname):
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
-    """Add the scripts of the figures, after the text, to the pages that hold a figure."""
-    figures = re.findall(r'<div class="plotly-figure"([^>]*)>', context.get("body", ""))
+    """Add the scripts of the toys, after the text, to the pages that hold one."""
+    figures = re.findall(r'<div class="toy-figure"([^>]*)>', context.get("body", ""))
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")

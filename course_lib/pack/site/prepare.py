@@ -1,4 +1,4 @@
-"""Turn an executed notebook into a copy that MyST-NB can show: live figures, and pictures with alternative text."""
+"""Turn an executed notebook into a copy that MyST-NB can show: toys, and pictures with alternative text."""
 
 import base64
 import hashlib
@@ -12,7 +12,7 @@ from pathlib import Path
 import nbformat
 from PIL import Image
 
-from course_lib.figures.display import PLOTLY, TOY
+from course_lib.figures.display import TOY
 from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
@@ -61,9 +61,9 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
 def _show(output, place: str, folder: Path) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
-    if figure := output.data.get(PLOTLY) or output.data.get(TOY):
+    if figure := output.data.get(TOY):
         alt = alternative(output, place)
-        still = picture(output, image, "plotly-still", alt, folder) if image else ""
+        still = picture(output, image, "toy-still", alt, folder) if image else ""
         output.data = {"text/html": _captioned(_figure(figure, alt, still), output)}
     elif image and "text/html" not in output.data:
         shown = picture(output, image, "picture", alternative(output, place), folder)
@@ -113,45 +113,19 @@ def alternative(output, place: str) -> str:
     return " ".join(alt.split())
 
 
-def _room(figure: dict) -> str:
-    """Return the height of a figure by plotly, in CSS.
-
-    A scene in 3D is drawn to the scale of its height: on a narrow page its sides would be cut off. So the figure is
-    made lower there, until every scene has its original shape, or is a square. A square in the plane stays a square.
-    """
-    layout = figure["layout"]
-    width, height = layout.get("width", 700), layout.get("height", 450)  # plotly's, if none is set
-    spans = [layout[key].get("domain", {}) for key in layout if re.fullmatch(r"scene\d*", key)]
-    sides = [(span.get("x", [0, 1]), span.get("y", [0, 1])) for span in spans]
-    heights = [_least((x[1] - x[0]) / (y[1] - y[0]), width, height) for x, y in sides]
-    if layout.get("yaxis", {}).get("scaleanchor") and "xaxis2" not in layout:
-        margin = {"l": 80, "r": 80, "t": 100, "b": 80} | layout.get("margin", {})
-        beside = margin["t"] + margin["b"] - margin["l"] - margin["r"]
-        heights.append(f"calc(100cqw + {beside}px)")
-    return f"--room:min({', '.join([f'{height}px', *heights])})"
-
-
-def _least(shape: float, width: float, height: float) -> str:
-    """Return the height at which a scene, `shape` times as wide as high in the figure, is as on paper, or a square."""
-    return f"{100 * shape / min(1, width * shape / height):.2f}cqw"
-
-
 def _figure(figure: dict, alt: str, still: str) -> str:
-    """Return a figure as data that figures.js draws; until then, and in print, its still picture shows.
+    """Return a toy as data that figures.js draws; until then, and in print, its still picture shows.
 
     Without a still picture the alternative text takes its place, except in print.
     """
-    course = figure.get("layout", {}).get("meta", {}).get("course") or {}
-    kind = course.get("kind", "")
+    meta = figure["layout"]["meta"]["course"]
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
-    fallback = still or f'<p class="plotly-words">{html.escape(alt)}</p>'
-    scripts = course.get("scripts", [kind.split(":")[0]] if kind else [])
-    own = f' data-kind="{html.escape(kind)}" data-scripts="{html.escape(" ".join(scripts))}"' if kind else ""
-    own += " data-without-plotly" if course.get("plotly") is False else f' style="{_room(figure)}"'
+    fallback = still or f'<p class="toy-words">{html.escape(alt)}</p>'
+    own = f'data-kind="{html.escape(meta["kind"])}" data-scripts="{html.escape(" ".join(meta["scripts"]))}"'
     return (
-        f'<div class="plotly-figure"{own} role="group" aria-label="{html.escape(alt)}">{fallback}'
-        f'<div class="plotly-live"></div><script type="application/json">{data}</script></div>'
+        f'<div class="toy-figure" {own} role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="toy-live"></div><script type="application/json">{data}</script></div>'
     )
 
 
