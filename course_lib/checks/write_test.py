@@ -17,6 +17,7 @@ from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import (
     ERROR,
     FORGOTTEN_RETURN,
+    NOT_ATTEMPTED,
     RIGHT,
     WRONG,
     Exercise,
@@ -25,6 +26,7 @@ from course_lib.checks.exercise import (
     Verdict,
     no_answer,
 )
+from course_lib.checks.naming import attempt
 from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MOST_LETTERS = 20_000  # in the arguments of one call, as JSON
@@ -74,6 +76,8 @@ class WriteTest(Exercise):
         The shape of each argument that a candidate takes, which is an array of real numbers.
     refuses : Mistake
         What a test overlooks that refuses everything.
+    given : callable, optional
+        The weak test that the student's cell begins with: as long as theirs judges alike, it is not attempted.
     """
 
     cases: None = None
@@ -83,6 +87,7 @@ class WriteTest(Exercise):
     versions: tuple[Version, ...] = ()
     shapes: tuple[tuple[int, ...], ...] = ()
     refuses: Mistake = ALWAYS_FALSE
+    given: Callable | None = None
 
     def questions(self, rng):
         """Return a case for each version, in random order, and the function that answers calls of candidates."""
@@ -106,7 +111,11 @@ class WriteTest(Exercise):
                 judged.append((case.version, False if error else boolean(answer["value"])))
             except Unreadable as wrong_kind:
                 return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake)
-        return self._scored(judged)
+        scored = self._scored(judged)
+        as_given = [accepted == bool(attempt(self.given, version.function)) for version, accepted in judged]
+        if self.given and scored.state == WRONG and all(as_given):
+            return Verdict(self, NOT_ATTEMPTED, f"{NOT_ATTEMPTED}: it judges as the given test does")
+        return scored
 
     def _scored(self, judged):
         refused = [version for version, accepted in judged if version.right and not accepted]

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.exercises.panda_dh_ik.shared import pose_error, roll_pitch_yaw
 from course_lib.checks.write_test import Version, WriteTest
-from course_lib.rigid import inverse, is_se
+from course_lib.rigid import inverse, is_se, transform
 from course_lib.rotations import length, log_so3, matrix_to_quaternion
 
 
@@ -46,6 +46,7 @@ def _scaled(upper, lower):
     return lambda *pair: pose_error(*pair) * np.repeat([upper, lower], 3)
 
 
+_MOVED = transform(np.eye(3), [0.1, 0.2, 0.3])
 _SIGN = "with a wrong sign"
 _FRAME = "that is seen from another frame"
 _SUBTRACTED = "that subtracts what cannot be subtracted"
@@ -63,6 +64,7 @@ EXERCISE = WriteTest(
         "and the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose with atol=1e-8.",
     ),
     shapes=((4, 4), (4, 4)),
+    given=lambda pose_error: np.allclose(pose_error(np.eye(4), _MOVED), [0.1, 0.2, 0.3, 0, 0, 0]),
     versions=(
         _version("that is as in the text", pose_error, right=True),
         _version("that goes by the quaternion", _with_phi(_by_quaternion), right=True),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, in_blocks
+from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, at, in_blocks
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 
@@ -63,4 +63,5 @@ EXERCISE = WriteTest(
         Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
     ),
     shapes=((4, 4),),
+    given=lambda adjoint: np.allclose(adjoint(at(1, 2, 3))[:, 3], np.eye(6)[3]),
 )
