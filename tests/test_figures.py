@@ -72,7 +72,6 @@ PICTURES = [
     (nb2.euler_paths, ({"Euler": DRIVE[:, :2], "exact": DRIVE[:, :2] + [[0, 0.1]]},),
      "ends at (2, 0), 0.10 m from the end of"),
     (nb2.euler_errors, (np.array([0.5, 0.1]), np.array([0.7, 0.14])), "0.14 m for steps of 0.1 s, 0.7 m for 0.5"),
-    (nb2.travel_directions, ({"ahead": DRIVE * [1, 1, 0]},), "Ahead: from 0 to 0 degrees."),
     (nb2.time_scalings, ([0, 1], {"linear": [[0, 1], [1, 1], [0, 0]]}), "velocity 1.00 at the start, up to 1.00"),
     (nb2.end_velocities, ([0, 2], {"rest": [0, 1]}), 'from 0 to 1 in 2 s. "rest": between 0.00 and 1.00.'),
     (nb2.arm_movie, ("x", ARM, [0, 1]), "An arm of 2 links moves; its tip draws a dashed blue curve from (2, 0)"),

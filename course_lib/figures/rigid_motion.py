@@ -10,8 +10,7 @@ from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, draw_arms, draw_lines, in_columns, in_metres, legend_above, lines, pi_ticks
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.figures.toys.film import flat_film
-from course_lib.planar import cubic_time_scaling, pose_matrix
-from course_lib.rigid import inverse, log_se2
+from course_lib.planar import pose_matrix
 
 HALF = 10  # metres from the middle of the scene to its edge
 RADIUS = 0.17  # of the vacuum robot and of the car, metres
@@ -189,25 +188,6 @@ def euler_errors(steps, errors):
         "The error at the end against the step, on logarithmic axes, beside a line of slope one: "
         f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} s.",
         "For short steps the slope is 1: the error is proportional to the step.",
-    )
-
-
-def travel_directions(motions):
-    """Return the direction in which a body moves, as seen from its nose, along each motion.
-
-    motions: {label: poses (n, 3)}, at evenly spaced times with the cubic time scaling.
-    """
-    curves = {}
-    for label, poses in motions.items():
-        T = pose_matrix(poses)
-        step = log_se2(inverse(T[:-1]) @ T[1:])
-        curves[label] = np.rad2deg(np.arctan2(step[:, 2], step[:, 1]))
-        s = cubic_time_scaling(np.linspace(0, 1, len(poses)), 1)
-    said = (f"{label.capitalize()}: from {d[0]:.0f} to {d[-1]:.0f} degrees." for label, d in curves.items())
-    return Picture(
-        lines((s[1:] + s[:-1]) / 2, curves, xlabel="s", ylabel="direction of travel\nfrom the nose (deg)"),
-        f"Direction of travel, as an angle from the nose, over s. {' '.join(said)}",
-        "Along the screw the body's velocity, in its own frame, keeps one direction.",
     )
 
 
