@@ -16,7 +16,14 @@ _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step o
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake("the times are missing", "In each row the time stands before the seven angles.")
-_TWICE = Mistake("a row stands twice, or the time goes back", "Is the last row of one leg also the first of the next?")
+_TWICE = Mistake(
+    "a row stands twice, or the time goes back",
+    "Is the last row of one leg also the first of the next? At which time does the second leg start?",
+)
+_JERKS = Mistake(
+    "a leg is not at rest at its ends, or its rows are not evenly spaced in time",
+    "Which of u and s is the time, and which the share of the path?",
+)
 _SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
 
 
@@ -87,6 +94,10 @@ def _gripper(x):
     return T_W0 @ PANDA.fk(x[-1, 1:]) @ IN_FLANGE
 
 
+def _begins(x, q0, T):
+    return np.abs(x[0, 1:] - q0).max() < 1e-6
+
+
 def _ends(x, q0, T):
     end = _gripper(x)
     return length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
@@ -106,8 +117,9 @@ def _touches(x, q0, T):
 
 
 def _arrives(x, q0, T, clear):
-    """Return whether a path reaches the grasp, inside the limits, and stays so far from everything."""
-    return _ends(x, q0, T) and _inside(x) and min(gap.min() for gap in _gaps(x, T)[1].values()) >= clear
+    """Return whether a path leads from q0 to the grasp, inside the limits, and stays so far from everything."""
+    leads = _begins(x, q0, T) and _ends(x, q0, T) and _inside(x)
+    return leads and min(gap.min() for gap in _gaps(x, T)[1].values()) >= clear
 
 
 def _too_much(which, unit):
@@ -128,7 +140,7 @@ EXERCISE = Exercise(
         Property("the times increase from row to row", lambda x, *case: _ordered(x), mistake=_TWICE),
         Property(
             "the first row is the time 0 and q0",
-            lambda x, q0, T: abs(x[0, 0]) < 1e-9 and np.abs(x[0, 1:] - q0).max() < 1e-6,
+            lambda x, *case: abs(x[0, 0]) < 1e-9 and _begins(x, *case),
             mistake=Mistake("the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"),
         ),
         Property(
@@ -154,6 +166,7 @@ EXERCISE = Exercise(
             "no joint accelerates harder than it may, at the start and at the end included: it rests before and after",
             lambda x, *case: shares(x)[1].max() < _BOUND,
             _too_much(1, "acceleration"),
+            mistake=_JERKS,
         ),
         Property(
             f"it takes at most {_LONGEST:.0f} s",
@@ -181,7 +194,7 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda x, *case: _ends(x, *case) and not _arrives(x, *case, _CLEAR))
+@EXERCISE.mistake(seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR))
 def straight_to_the_grasp(q0, T_grasp):
     """the way to the grasp leads through something. From where must the fingers come, if they are to end on both sides
     of the mug? And how far apart are your rows?"""
