@@ -56,8 +56,8 @@ def wrong_nearest_for_what_is_out_of_reach(center):
     return right_by_subproblems(center) or [(0.0, 0.0, 0.0)]
 
 
-def _by(center, p, g, distance, goal_first=False):
-    elbow, found = subproblems.subproblem3(ey, p, g, distance), []
+def _by(center, distance, goal_first=False):
+    elbow, found = subproblems.subproblem3(ey, WRIST - ELBOW, SHOULDER - ELBOW, distance), []
     for q3 in elbow.theta if elbow.exact else []:
         points = [bent(q3), center - SHOULDER][:: -1 if goal_first else 1]
         found += [(-back, q2, q3) for q2, back in subproblems.subproblem2(ey, ez, *points).theta]
@@ -66,14 +66,9 @@ def _by(center, p, g, distance, goal_first=False):
 
 def wrong_distance_from_the_base(center):
     """q3 is wrong"""
-    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center))
-
-
-def wrong_points_not_from_the_elbow(center):
-    """q3 is wrong"""
-    return _by(center, WRIST, SHOULDER, np.linalg.norm(center - SHOULDER))
+    return _by(center, np.linalg.norm(center))
 
 
 def wrong_points_exchanged(center):
     """q3 is right, and q1 or q2 is not"""
-    return _by(center, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER), goal_first=True)
+    return _by(center, np.linalg.norm(center - SHOULDER), goal_first=True)

@@ -30,11 +30,6 @@ def _acute(k1, k2, p1, p2):
     return solutions(k1, k2 if k1 @ k2 > 0 else -k2, p1, p2)
 
 
-def _above(k1, k2, p1, p2):
-    """Wrong if p1 and p2 lie below the origin, as seen along their axes."""
-    return solutions(k1, k2, p1, p2) if max(k1 @ p1, k2 @ p2) > -1e-9 else solutions(k1, k2, p1, p2)[::-1][:1]
-
-
 def _unit_points(k1, k2, p1, p2):
     """Wrong unless |p1| = 1."""
     return solutions(k1, k2, p1, p2) if abs(p1 @ p1 - 1) < 1e-6 else solutions(k1, k2, p1, p1)
@@ -83,6 +78,5 @@ EXERCISE = WriteTest(
         Version("that is right only for some angles between the axes", _perpendicular),
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),
-        Version("that is right only for some points", _above),
     ),
 )
