@@ -94,6 +94,15 @@ def test_a_test_that_distinguishes_all_versions_is_right_for_every_seed():
         assert judge(TEST_LOG, Here(_thorough), seed).state == RIGHT
 
 
+def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
+    def weak(log):
+        return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])
+
+    begun = replace(TEST_LOG, given=weak)
+    assert [judge(begun, Here(test)).state for test in (weak, _thorough)] == [NOT_ATTEMPTED, RIGHT]
+    assert judge(begun, Here(lambda log: True)).state == WRONG
+
+
 def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
     verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
     assert (verdict.state, verdict.points) == (WRONG, 3)
