@@ -180,14 +180,12 @@ def negative_errors_pass(X, kind, tol, about, low):
     return _only(about, X, kind, tests[about])
 
 
-@EXERCISE.mistake(about=_SHAPES)
-def relative_tolerance(X, kind, tol, about):
+@EXERCISE.mistake(about=_SHAPES, upright=(lambda d, tol: np.isclose(d, 1, atol=tol), lambda d, tol: d > 0))
+def relative_tolerance(X, kind, tol, about, upright):
     """a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own. Which keyword of theirs
     sets it to zero?"""
     tests = {
-        "rotation": lambda R: (
-            np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and np.isclose(np.linalg.det(R), 1, atol=tol)
-        ),
+        "rotation": lambda R: np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and upright(np.linalg.det(R), tol),
         "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and np.allclose(T[-1], np.eye(len(T))[-1], atol=tol),
         "quaternion": lambda q: np.isclose(np.linalg.norm(q), 1, atol=tol),
     }

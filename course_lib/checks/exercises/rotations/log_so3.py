@@ -164,6 +164,6 @@ def half_turn_wrong(R, column):
 
 @EXERCISE.mistake(seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R))
 def inaccurate_near_half_turns(R):
-    """near 180 degrees the answer is too inaccurate. There sin(a) is small and a rounded angle has a rounded sine;
-    and the formula for 180 degrees itself is exact at pi only."""
+    """near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too inaccurate. There sin(a) is
+    small and a rounded angle has a rounded sine; and the formula for 180 degrees itself is exact at pi only."""
     return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
