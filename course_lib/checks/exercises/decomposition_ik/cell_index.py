@@ -148,15 +148,3 @@ def floats(index, *case):
 def not_marked(*case, some, edge, to_whole):
     """some or all positions outside are not marked. A position can be left, right, below or above: is one enough?"""
     return cell_index(*case, edge=edge, to_whole=to_whole, outside=lambda *box: some(_parts(*box, case[-1]), case[-1]))
-
-
-@EXERCISE.mistake(edge=_EDGES)
-def each_number_by_itself(*case, edge):
-    """only one of the two numbers is -1 where only x, or only y, is outside. What is asked for the other one?"""
-    return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
-
-
-@EXERCISE.mistake(edge=_EDGES)
-def rounded(*case, edge):
-    """the number is rounded to the nearest. In which cell is a position that is 0.7 widths from low?"""
-    return cell_index(*case, to_whole=np.round, edge=edge)

@@ -98,21 +98,3 @@ EXERCISE = Exercise(
 def modified(a, alpha, d, theta):
     """the modified convention is taken. With which of the four motions does the standard convention begin?"""
     return transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d])
-
-
-@EXERCISE.mistake(order=((2, 0, 1, 3), (3, 0, 1, 2), (0, 2, 3, 1), (1, 3, 0, 2), (1, 2, 3, 0), (2, 0, 3, 1)))
-def another_order(*case, order):
-    """the four matrices are multiplied in another order. Which stands leftmost in the task, and which rightmost?"""
-    return np.linalg.multi_dot([_factors(*case)[k] for k in order])
-
-
-@EXERCISE.mistake(signs=((1, -1), (-1, 1), (-1, -1)))
-def wrong_sense(a, alpha, d, theta, signs):
-    """a rotation has the wrong sense: theta, alpha, or both. In which row of Rot_z does the minus stand?"""
-    return _right(a, signs[0] * alpha, d, signs[1] * theta)
-
-
-@EXERCISE.mistake
-def entry_by_entry(*case):
-    """matrices are multiplied entry by entry. Which operator is the product of SymPy's matrices, and of numpy's?"""
-    return np.prod(_factors(*case), axis=0)

@@ -140,12 +140,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def no_intercept(*case):
-    """the models have no intercept. Which angles would such a model give at x = y = 0?"""
-    return fit_cells(*case, fit=lambda xy, q: np.column_stack([np.linalg.lstsq(xy, q, rcond=None)[0].T, [0, 0]]))
-
-
 @EXERCISE.mistake(
     fit=(
         lambda xy, q: np.column_stack([_least_squares(xy, q)[:, :2].T, _least_squares(xy, q)[:, 2]]),

@@ -82,23 +82,3 @@ EXERCISE = Exercise(
 def angles_from_positions(q, xy, cell, count):
     """angles are fitted to positions, as in fit_cells. Which of the two is to be predicted here?"""
     return fit_joint_cells(xy, q, cell, count)
-
-
-@EXERCISE.mistake
-def no_constant(*case):
-    """the models have no constant. Which position would such a model give for q = (0, 0)?"""
-    return fit_joint_cells(*case, fit=lambda q, xy: np.c_[np.linalg.lstsq(q, xy, rcond=None)[0].T, [0, 0]])
-
-
-@EXERCISE.mistake(
-    fit=(lambda q, xy: _affine(q, xy)[:, [2, 0, 1]], lambda q, xy: np.c_[_affine(q, xy)[:, :2].T, _affine(q, xy)[:, 2]])
-)
-def another_order(*case, fit):
-    """the coefficients stand in another order. Which row belongs to x, which entry to q1, which is the constant?"""
-    return fit_joint_cells(*case, fit=fit)
-
-
-@EXERCISE.mistake(least=(1, 2, 4))
-def another_limit(*case, least):
-    """the number of samples that a model needs is not 3. Has a cell of exactly 2 a model, and one of exactly 3?"""
-    return fit_joint_cells(*case, least=least)

@@ -91,23 +91,6 @@ def not_wrapped(q, xy):
     return fit_sag(q, xy, wrap=lambda gap: gap)
 
 
-@EXERCISE.mistake(
-    gap=(
-        lambda q, xy: q[:, 0] - np.arctan2(xy[:, 1], xy[:, 0]),
-        lambda q, xy: q[:, 0] + q[:, 1] - np.arctan2(xy[:, 1], xy[:, 0]),
-    )
-)
-def another_direction(q, xy, gap):
-    """the rigid arm's tip is expected in another direction. Which angle halves that between the two links?"""
-    return fit_sag(q, xy, gap)
-
-
-@EXERCISE.mistake(columns=(np.cos, lambda q: np.sin(np.cumsum(q, axis=1))))
-def another_column(q, xy, columns):
-    """a column is not the one asked for. To which cosine does each coefficient belong, the first and the second?"""
-    return fit_sag(q, xy, columns=columns)
-
-
 @EXERCISE.mistake
 def with_a_constant(q, xy):
     """there is a constant beside the two. What is delta if both links stand upright?"""

@@ -133,17 +133,6 @@ def edge_out_of_reach(q, xy):
     return _at_edge(xy) and np.isnan(q).any()
 
 
-@EXERCISE.mistake(answer=(two_link_angles, lambda xy: np.zeros((2, 2))))
-def answered_out_of_reach(xy, answer):
-    """a position out of reach is answered nevertheless. What is asked for there, and what does clipping hide?"""
-    return answer(xy) if _outside(xy) else None
-
-
-def _with_q1(xy, q1):
-    q2 = ik_2r(xy)[:, 1]
-    return np.column_stack([q1(q2) + 0 * q2, q2])
-
-
 @EXERCISE.mistake(factor=(1, 0.5, -0.5))
 def another_half(xy, factor):
     """the angle between the first link and the direction to the tip has another size or sign. Which angles of the

@@ -74,11 +74,3 @@ def no_inverse(q, xy, solve):
 def another_jacobian(q, xy, jacobian):
     """a column of J is not the derivative by its angle. Which links move with q1, which with q2, and which way?"""
     return newton_step(q, xy, jacobian)
-
-
-@EXERCISE.mistake(steps=(2, 3, 5, 50))
-def more_steps(q, xy, steps):
-    """more than one step is made, or the exact solution is returned. How many steps does the task ask for?"""
-    for _ in range(steps):
-        q = newton_step(q, xy)
-    return q

@@ -103,30 +103,6 @@ def another_cell(models, cell, xy, at):
 
 
 @EXERCISE.mistake
-def zero_without_a_cell(models, cell, xy):
-    """the prediction for a query without a cell is 0 instead of nan. Is 0 no angle?"""
-    angles = predict(models, cell, xy)
-    return np.where(cell[:, None, None] < 0, 0, angles)
-
-
-@EXERCISE.mistake
 def intercept_forgotten(*case):
     """the intercept is forgotten. How many numbers has a row of a model, and what does each multiply?"""
     return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))
-
-
-@EXERCISE.mistake(
-    affine=(
-        lambda models, xy: _affine(np.concatenate([models[..., :2].swapaxes(-1, -2), models[..., 2:]], -1), xy),
-        lambda models, xy: _affine(models[..., [1, 2, 0]], xy),
-    )
-)
-def another_factor(*case, affine):
-    """the factors in a model are taken in another order. Which row belongs to q1, which column to x, which to y?"""
-    return predict(*case, affine=affine)
-
-
-@EXERCISE.mistake(change=(lambda angles: angles.mT, lambda angles: angles[:, ::-1]))
-def axes(*case, change):
-    """the axes of cluster and angle, or the clusters, have changed places. In [i, k, j], which index is what?"""
-    return change(predict(*case))

@@ -108,9 +108,3 @@ def cut_afterwards(J, v, bound, eps, cut):
 def eps_not_a_root(J, v, bound, eps):
     """eps stands for its square root. A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?"""
     return right(J, v, bound, eps**2)
-
-
-@EXERCISE.mistake
-def without_damping(J, v, bound, eps):
-    """the damping is left out. Which term makes fast joints expensive?"""
-    return lsq_linear(J, v, bounds=(-bound, bound)).x

@@ -72,12 +72,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(signs=((1, -1), (-1, 1)))
-def half_corrected(q, J, T, T_target, step, signs):
-    """one half of the error has the wrong sign. Do both halves lead from T to T_target?"""
-    return q + step * J.T @ (np.repeat(signs, 3) * pose_error(T, T_target))
-
-
 @EXERCISE.mistake(error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3)))
 def rotation_in_the_translation(q, J, T, T_target, step, error):
     """the translation still holds a part of the rotation. Which error belongs to the geometric Jacobian in the table of

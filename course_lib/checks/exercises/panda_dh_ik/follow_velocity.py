@@ -130,15 +130,3 @@ def other_damping(*case, eps_of):
     """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is it largest, where is
     it 0, and does it jump?"""
     return _walked(*case, eps_of=eps_of)
-
-
-@EXERCISE.mistake
-def clipped(*case):
-    """the angles are kept inside the joint limits. Does the task ask for that here?"""
-    return _walked(*case, limits=(LOW, HIGH))
-
-
-@EXERCISE.mistake
-def jacobian_of_the_start(*case):
-    """the Jacobian is that of the start in all steps. Where does each step begin?"""
-    return _walked(*case, step=0)

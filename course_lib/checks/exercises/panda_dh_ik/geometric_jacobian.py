@@ -101,28 +101,9 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(swapped=(False, True))
-def cross_product_reversed(frames, swapped):
-    """the cross product has the wrong sign. Which of the two factors comes first, and which way does p - o point?"""
-    z, o, p = _parts(frames)
-    return np.roll(np.vstack([np.cross(p - o, z).T, z.T]), 3 * swapped, axis=0)
-
-
-@EXERCISE.mistake(axis=(np.s_[:3, 0], np.s_[:3, 1], np.s_[2, :3]))
-def other_column(frames, axis):
-    """the x or y axis is taken, or a row of R, not z. Which column of the rotation is the axis of the joint?"""
-    return _jacobian(frames[:-1][(slice(None), *axis)], *_parts(frames)[1:])
-
-
 @EXERCISE.mistake(z=(0, 1), step=(1, -1), base=(np.eye(4), shared.T_W0))
 def another_frame(frames, z, step, base):
     """the origin, or the axis too, is that of the next frame, or of the one before. On which joint's axis does frame i
     lie here?"""
     others = frames[1:] if step > 0 else np.concatenate([[base], frames[:-2]])
     return _jacobian((frames[:-1], others)[z][:, :3, 2], others[:, :3, 3], frames[-1, :3, 3])
-
-
-@EXERCISE.mistake
-def along_the_flange_s_axes(frames):
-    """v and omega are along the flange's own axes. Along which axes does the task ask for them?"""
-    return np.kron(np.eye(2), frames[-1, :3, :3].T) @ right(frames)

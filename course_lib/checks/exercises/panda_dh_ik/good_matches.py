@@ -122,12 +122,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def residuals_of_all(src, dst, tol):
-    """the residuals of the fit of all points decide. Which matches does a wrong one make look bad?"""
-    return _residuals(np.arange(len(src)), src, dst) < tol
-
-
 @EXERCISE.mistake(most=(1, 9))
 def worst_dropped(src, dst, tol, most):
     """the worst match is dropped, once or again and again. Can a good match look worst beside two wrong ones?"""

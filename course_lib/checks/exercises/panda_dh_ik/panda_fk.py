@@ -91,15 +91,3 @@ EXERCISE = Exercise(
 def base_left_out(q):
     """the base is left out: these are poses seen from the base. Where is the base in the world?"""
     return _chain(*steps(q), base=np.eye(4))
-
-
-@EXERCISE.mistake(moved=(np.eye(4), shared.about_z(0, -0.107), shared.about_x(0, 0.107)))
-def flange_misplaced(q, moved):
-    """the flange is in the wrong place relative to frame 7. How far is it, and along which axis of which frame?"""
-    return np.concatenate([shared.frames(q)[:7], [shared.frames(q)[6] @ moved]])
-
-
-@EXERCISE.mistake
-def base_for_flange(q):
-    """the first pose is the base, and the flange is missing. Which frame is the first of the eight?"""
-    return np.concatenate([[shared.T_W0], shared.frames(q)[:7]])

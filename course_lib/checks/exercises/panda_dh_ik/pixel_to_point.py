@@ -101,15 +101,3 @@ def along_the_ray(pixels, depths, K, T_wc):
     """the depth is taken as the distance along the ray. Along which axis is it measured?"""
     rays = _rays(pixels, K)
     return moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))
-
-
-@EXERCISE.mistake
-def principal_point_forgotten(pixels, depths, K, T_wc):
-    """the principal point is not subtracted. Which pixel sees along the optical axis?"""
-    return right(pixels + K[:2, 2], depths, K, T_wc)
-
-
-@EXERCISE.mistake(k=(0, 1))
-def one_focal_length(pixels, depths, K, T_wc, k):
-    """one focal length serves for both directions. Which entries of K are f_x and f_y?"""
-    return right(pixels, depths, np.diag([K[k, k], K[k, k], 1]) + np.triu(K, 1), T_wc)

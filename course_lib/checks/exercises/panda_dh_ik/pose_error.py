@@ -184,10 +184,3 @@ def coordinates_subtracted(T, T_target, measure, order):
     """angles, rotation vectors or quaternions of the two rotations are subtracted. Do rotations about different axes
     add up, and is it -358 degrees from 179 to -179?"""
     return np.append(_between(T, T_target)[0], (measure(T_target[:3, :3]) - measure(T[:3, :3]))[::order])
-
-
-@EXERCISE.mistake(size=(np.sin, lambda a: 2 * np.sin(a / 2), lambda a: 1, np.rad2deg))
-def other_length(T, T_target, size):
-    """phi has the right axis, but its length is not the angle. How long is a rotation vector?"""
-    e, angle = pose_error(T, T_target), _angle(T, T_target)
-    return np.append(e[:3], size(angle) / angle * e[3:]) if angle > 0 else e

@@ -130,27 +130,3 @@ EXERCISE = Exercise(
 def limits_ignored(*case, clip):
     """the limits are ignored, or applied at the end only. From which configuration does each step start?"""
     return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None
-
-
-@EXERCISE.mistake(
-    size=(
-        lambda e: _sizes(e)[:, 0],
-        lambda e: _sizes(e)[:, 1],
-        lambda e: np.linalg.norm(e, axis=-1),
-    )
-)
-def other_test(*case, size):
-    """something other than the lengths of both halves of the error is tested. Which two numbers have to be small?"""
-    return size(_descended(*case)[-1]) < _REACHED
-
-
-@EXERCISE.mistake(first=(0, 1))
-def at_any_time(*case, first):
-    """a target counts as reached if it is at any step. When does the task ask for the error?"""
-    return (_sizes(_descended(*case)[first:]) < _REACHED).all(-1).any(0)
-
-
-@EXERCISE.mistake(other=(lambda steps: steps - 1, lambda steps: steps + 1, lambda steps: 20, lambda steps: 50))
-def other_number_of_steps(targets, q0, eps, steps, other):
-    """the number of steps is not `steps`. How often does the loop run, and is the error computed after the last one?"""
-    return right(targets, q0, eps, other(steps))

@@ -79,18 +79,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(coupling=(lambda R, P: P @ R, lambda R, P: P, lambda R, P: R @ P, lambda R, P: -P @ R))
-def twists_with_v_first(T, coupling):
-    """the block of the coupling stands in the upper right. Which half of a twist comes first in this course?"""
-    return in_blocks(T, lambda R, P, zero: [[R, coupling(R, P)], [zero, R]])
-
-
-@EXERCISE.mistake(coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: -P @ R.T))
-def both_transposed(T, coupling):
-    """both blocks R are transposed. Which matrix takes vectors known in frame b to frame a?"""
-    return in_blocks(T, lambda R, P, zero: [[R.T, zero], [coupling(R, P), R.T]])
-
-
 @EXERCISE.mistake(part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T))
 def order_of_the_coupling(T, coupling):
     """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In which frame is p,

@@ -57,18 +57,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(ones=(np.eye(4), np.diag([0, 0, 0, 1])))
-def ones_of_a_pose(twist, ones):
-    """the diagonal holds ones, as that of a pose does. What should the matrix make of the 1 at the end of a point?"""
-    return hat_se3(twist) + ones
-
-
-@EXERCISE.mistake(part=BLOCK)
-def block_transposed(twist):
-    """the block [omega] is transposed. [omega] p must be omega x p: try p = (1, 0, 0)."""
-    return -hat(twist[:3])
-
-
 @EXERCISE.mistake(part=BLOCK)
 def block_of_v(twist):
     """the block is made of v, not of omega. A twist is (omega, v): which three entries come first?"""

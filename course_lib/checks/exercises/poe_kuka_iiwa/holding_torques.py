@@ -6,7 +6,6 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.poe_kuka_iiwa import shared
 from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
-from course_lib.rigid import adjoint, inverse
 
 G = 9.81  # m/s^2
 _WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each joint.")
@@ -89,27 +88,7 @@ def center_not_rotated(screws, M, q, mass, center, origin):
     return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f))
 
 
-@EXERCISE.mistake
-def weight_along_the_tool(screws, M, q, mass, center):
-    """the weight points along the end-effector's z axis. Where is down if the arm moves?"""
-    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f))
-
-
-@EXERCISE.mistake(body_jacobian=(True, False))
-def two_frames(screws, M, q, mass, center, body_jacobian):
-    """the Jacobian and the wrench belong to two frames. From which frame is each of yours seen?"""
-    back, F = adjoint(inverse(shared.tool_pose(screws, M, q))), _weight(screws, M, q, mass, center)
-    J = shared.jacobian(screws, q)
-    return -(back @ J).T @ F if body_jacobian else -J.T @ np.linalg.solve(back.T, F)
-
-
 @EXERCISE.mistake(factor=(0, -1))
 def moment(*case, factor):
     """the moment of the weight is missing, or is f x p. A force at p has the moment p x f about the origin."""
     return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))
-
-
-@EXERCISE.mistake
-def order_of_the_wrench(*case):
-    """the wrench is in the order (f, m). The twist has omega first: which half of the wrench does work with it?"""
-    return _by(*case, lambda p, T, f: (f, np.cross(p, f)))

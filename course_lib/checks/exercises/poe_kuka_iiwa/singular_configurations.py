@@ -1,7 +1,5 @@
 """singular_configurations: one configuration of each family in which the iiwa loses a direction."""
 
-import itertools
-
 import numpy as np
 
 from course_lib.arms import iiwa14
@@ -116,15 +114,6 @@ def _nearly_singular(value, predicted):
 def pi_rounded(place):
     """pi / 2 is rounded. What is the last singular value of a configuration that is only near a singular one?"""
     return _with(place, 1.57)
-
-
-_ORDERS = [list(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
-
-
-@EXERCISE.mistake(order=_ORDERS, alike=lambda value, predicted: [_cause(row) for row in value] in _ORDERS)
-def another_order(order):
-    """the rows are in another order. Which family does each row belong to: elbow, shoulder, wrist?"""
-    return _right()[order]
 
 
 def _half_way(value, predicted):

@@ -71,15 +71,6 @@ def _with_position(twist, position):
     return None if _position_holds(T, twist) else T
 
 
-def _arc(twist, along, across):
-    a, b = along(twist[0]), across(twist[0])
-    return _with_position(twist, np.array([[a, -b], [b, a]]) @ twist[1:])
-
-
-def _side(omega):
-    return (1 - np.cos(omega)) / omega
-
-
 def _nearly(T, twist):
     return 0 < abs(twist[0]) < 0.1 and np.abs(_apart(T, twist)).max() < 1e-2
 
@@ -96,15 +87,3 @@ def straight_line(twist, R):
     """the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves. What is its path if it
     rotates meanwhile?"""
     return _with_position(twist, R(twist) @ twist[1:])
-
-
-@EXERCISE.mistake
-def order_of_the_twist(twist):
-    """the twist is read as (vx, vy, omega). A twist is (omega, vx, vy): the angular velocity comes first."""
-    return exp_se2(twist[[2, 0, 1]])
-
-
-@EXERCISE.mistake
-def other_side(twist):
-    """the arc bends to the wrong side. If a body drives ahead and rotates counter-clockwise, does y grow or shrink?"""
-    return _arc(twist, lambda omega: np.sinc(omega / np.pi), lambda omega: -omega / 2 * np.sinc(omega / 2 / np.pi) ** 2)

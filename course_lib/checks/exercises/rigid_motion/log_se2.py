@@ -108,9 +108,3 @@ def as_if_not_rotating(T, R):
     """v is the position, rotated or not, as if the body rotated before or after it moves. Which v leads to this
     position while the body rotates?"""
     return _unless_right(np.append(_angle(T), R(T) @ T[:2, 2]), T)
-
-
-@EXERCISE.mistake
-def other_side(T):
-    """v is on the wrong side: two signs in a matrix are exchanged. Is its product with that of exp_se2 the identity?"""
-    return _unless_right(np.append(_angle(T), np.linalg.solve(_V(-_angle(T)), T[:2, 2])), T)

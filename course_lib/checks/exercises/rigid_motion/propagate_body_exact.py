@@ -105,11 +105,4 @@ def order_of_the_twist(*case, angle_of):
     return _by(lambda T, velocity, h: T @ exp_se2(velocity * h), angle_of)(*case)
 
 
-@EXERCISE.mistake
-def not_times_h(*case):
-    """the velocities are not multiplied by the time. rigid.exp_se2 follows a twist for one second: how long is a
-    step?"""
-    return _by(lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]]))(*case)
-
-
 shared.add_step_mistakes(EXERCISE, exact)

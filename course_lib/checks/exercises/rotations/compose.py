@@ -67,12 +67,6 @@ def frame_not_used(R, step, frame, order):
     return first @ second
 
 
-@EXERCISE.mistake(seen_by=(lambda R: R, np.transpose))
-def step_alone(R, step, frame, seen_by):
-    """the step is returned, in the other frame's coordinates. Which orientation did the body have before this step?"""
-    return step @ R if frame == "world" else seen_by(R) @ step @ seen_by(R).T
-
-
 @EXERCISE.mistake
 def entry_by_entry(R, step, frame):
     """* works entry by entry. In numpy the product of matrices is @."""

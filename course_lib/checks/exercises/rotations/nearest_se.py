@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.rotations.shared import NOT_NEAREST, damaged_rotations, distances, ones, polar
+from course_lib.checks.exercises.rotations.shared import NOT_NEAREST, damaged_rotations, distances
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.rigid import nearest_se
 from course_lib.rotations import random_rotations
@@ -58,15 +58,3 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
 )
-
-
-@EXERCISE.mistake(repair=(polar, lambda T: polar(T, *ones(T), np.linalg.det(polar(T)))))
-def whole_matrix(T, repair):
-    """the whole of T is made a rotation. Only its upper left block is one."""
-    return repair(T)
-
-
-@EXERCISE.mistake
-def reflection_stays(T):
-    """the block stays a reflection where det < 0. Your nearest_so returns rotations only."""
-    return pose(polar(T[:-1, :-1]), T[:-1, -1])

@@ -75,11 +75,3 @@ def v_transposed_twice(M, negated):
     """numpy's third result is taken for V. numpy.linalg.svd returns V already transposed."""
     U, _, Vt = np.linalg.svd(M)
     return (U * np.array([*ones(M), np.linalg.det(U @ Vt) if negated else 1])) @ Vt.T
-
-
-@EXERCISE.mistake(row=(0, -1))
-def row_of_u(M, row):
-    """a row of U is negated. The axes u_i of the ellipse are the columns of U: what stands in a row?"""
-    U, _, Vt = np.linalg.svd(M)
-    U[row] *= np.linalg.det(U @ Vt)
-    return U @ Vt

@@ -9,11 +9,6 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
 
-def _shoemake(q):
-    """(s, theta1, theta2) of Shoemake's quaternions."""
-    return q[:, 0] ** 2 + q[:, 3] ** 2, np.arctan2(q[:, 1], q[:, 2]), np.arctan2(q[:, 3], q[:, 0])
-
-
 def _extremes(q):
     return np.quantile(np.linalg.norm(q, axis=1), [0, 1])
 
@@ -52,15 +47,6 @@ EXERCISE = Exercise(
     ),
     forbidden=sampling.LIBRARY_SAMPLERS,
 )
-
-
-@EXERCISE.mistake(
-    seen=sampling.of_many(lambda q: sampling.tied(_shoemake(q), sampling.ARVO_RANGES)), which=("angles", "s")
-)
-def one_draw_for_two(n, rng, which):
-    """the same draw serves for several of the three numbers. Each is independent: it needs its own numbers."""
-    s, x = rng.random((2, n))
-    return sampling.shoemake(s, 2 * np.pi * (x if which == "angles" else s), 2 * np.pi * x)
 
 
 @EXERCISE.mistake(low=(-1, 0), seen=sampling.of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003))  # uniform: 1/8

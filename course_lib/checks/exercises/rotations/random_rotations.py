@@ -48,11 +48,3 @@ def axis_and_angle(n, rng):
     """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
     v = rng.normal(size=(n, 3))
     return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))
-
-
-@EXERCISE.mistake(seen=sampling.of_many(lambda R: (R[:, 0, 0] <= 0).all() or (R[:, 0, 0] >= 0).all()))
-def signs_of_qr(n, rng):
-    """one entry of the matrices never changes its sign: these are numpy's QR factors as they are. LAPACK chooses the
-    signs of the columns of Q; those of the diagonal of R, the other factor, undo that."""
-    Q, _ = np.linalg.qr(rng.normal(size=(n, 3, 3)))
-    return Q * np.sign(np.linalg.det(Q))[:, None, None]

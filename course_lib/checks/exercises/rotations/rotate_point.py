@@ -53,12 +53,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(signs=([[1, 1], [1, 1]], [[1, 1], [1, -1]], [[1, -1], [1, -1]], [[-1, 1], [1, 1]]))
-def sign_wrong(p, a, signs):
-    """a sign is wrong: the matrix is no rotation. Where do (1, 0) and (0, 1) go? Those are its columns."""
-    return signs * np.array([[np.cos(a), np.sin(a)], [np.sin(a), np.cos(a)]]) @ p
-
-
 @EXERCISE.mistake
 def new_x_used(p, a):
     """the new x is used to compute the new y. Both new coordinates come from the old ones."""

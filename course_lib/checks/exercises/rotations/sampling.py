@@ -1,7 +1,5 @@
 """What the checks of random rotations share: they judge by what is drawn, not by how."""
 
-import itertools
-
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
@@ -82,16 +80,6 @@ def cells_p_value(columns, ranges, bins):
     from scipy.stats import chisquare
 
     return chisquare(_counts(columns, ranges, bins).ravel()).pvalue
-
-
-def tied(columns, ranges):
-    """Return whether two coordinates depend on each other: few pairs occur of those that each alone allows."""
-
-    def occupied(i, j):
-        drawn = _counts([columns[i], columns[j]], [ranges[i], ranges[j]], 24) > 0
-        return drawn.sum() / (drawn.any(0).sum() * drawn.any(1).sum())
-
-    return any(occupied(i, j) < 0.4 for i, j in itertools.combinations(range(len(columns)), 2))
 
 
 def angles_of(R):
@@ -188,9 +176,3 @@ LIBRARY_SAMPLERS = (
     "scipy.spatial.transform.Rotation",
     "scipy.stats.special_ortho_group",
 )
-
-
-def shoemake(s, one, two):
-    """Return the quaternions (n, 4) of Shoemake's method."""
-    near, far = np.sqrt(1 - s), np.sqrt(s)
-    return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)

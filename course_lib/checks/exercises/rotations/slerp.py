@@ -97,12 +97,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda q, q0, q1, t: np.array_equal(q, q0) and 0 < _angle_of(q0, q1) < 1e-3)
-def nearly_equal_taken_for_equal(q0, q1, t):
-    """nearly equal rotations are taken for equal. The arc is short, but t still divides it."""
-    return q0 if _angle_of(q0, q1) < 1e-3 else None
-
-
 @EXERCISE.mistake
 def longer_arc(q0, q1, t):
     """the longer arc is taken. q1 and -q1 are the same rotation: which of them is nearer to q0?"""

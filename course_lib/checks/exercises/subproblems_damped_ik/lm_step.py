@@ -132,13 +132,6 @@ def other_damping(q, target, alpha, eps, changed):
     return step(q, target, alpha, changed(eps))
 
 
-@EXERCISE.mistake(factor=(np.ones_like, np.square, np.reciprocal))
-def wrong_length(q, target, alpha, eps, factor):
-    """the step has the right direction and a wrong length. Print your step for this input, and alpha: which factor is
-    missing, or does not belong?"""
-    return step(q, target, factor(alpha), eps)
-
-
 @EXERCISE.mistake
 def gradient_step(q, target, alpha, eps):
     """the step is one of gradient descent, alpha J^T e. Which matrix stands before J^T?"""

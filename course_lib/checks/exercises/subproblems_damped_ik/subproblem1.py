@@ -136,9 +136,3 @@ def not_projected(k, p, g, sine):
     """p and g are not projected onto the plane perpendicular to the axis. Which part of a point does the rotation
     move?"""
     return np.arctan2(sine(k, np.cross(p, g)), p @ g)
-
-
-@EXERCISE.mistake
-def sine_and_cosine_swapped(k, p, g):
-    """the arguments of arctan2 are swapped. Which comes first, the sine or the cosine?"""
-    return np.pi / 2 - angle_about(k, p, g)

@@ -143,23 +143,6 @@ def _rest(a, b, m, square):
     return square - a * a - b * b - 2 * a * b * m
 
 
-@EXERCISE.mistake(
-    squared=(
-        lambda a, b, m, square: _rest(a, b, m, square),
-        lambda a, b, m, square: _rest(a, b, m, square) / np.sqrt(1 - m * m),
-        lambda a, b, m, square: (square - a * a - b * b) / (1 - m * m),
-        lambda a, b, m, square: square - a * a - b * b,
-    )
-)
-def pythagoras_wrong(*case, squared):
-    """Pythagoras is used with a wrong length. How long is a k1 + b k2 if the axes are not perpendicular, and how long
-    is k1 x k2?"""
-    k1, k2, p1, p2 = case
-    m, h1, h2 = k1 @ k2, k1 @ p1, k2 @ p2
-    a, b = (h1 - m * h2) / (1 - m * m), (h2 - m * h1) / (1 - m * m)
-    return _through(case, a, b, squared(a, b, m, p1 @ p1))
-
-
 @EXERCISE.mistake
 def heights_for_parts(*case):
     """a and b are taken for the two heights. How high is a k1 + b k2 along k1 if the axes are not perpendicular?"""
