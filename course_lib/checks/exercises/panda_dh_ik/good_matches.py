@@ -68,6 +68,11 @@ def _worst_dropped(*case):
     return worst_dropped(*case, most=9)
 
 
+def _closest_fit(*case):
+    triples, masks = _masks(*case)
+    return masks[np.argmin([_residuals(triple, *case[:2])[triple].max() for triple in triples])]
+
+
 def _cases(rng):
     drawn = [
         _case(rng, 6, 1),
@@ -75,7 +80,8 @@ def _cases(rng):
         _case(rng, 7, 2, deceives=[_worst_dropped]),
         _case(rng, 8, 3),
     ]
-    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same"), _case(rng, 9, [2, 5, 8], "own")]
+    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", [_closest_fit])]
+    drawn += [_case(rng, 9, [2, 5, 8], "own")]
     few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
     return [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
 

@@ -46,6 +46,7 @@ def _cases(rng):
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
     pairs += [(*_apart(rng, angle), t) for angle, t in ((1.2e-3, 0.4), (1e-5, 0.4), (1e-6, 0.4), (1e-9, 0.5))]
     pairs += [(np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 1e-8, 0]), 0.5)]  # of which the cosine is 1
+    pairs += [(_about(x, 3.0), _about(x, 3.6), 0.5)]  # the shorter arc is between scalars of opposite sign
     q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
