@@ -100,8 +100,6 @@ def read_only(array):
     >>> base += 1
     Traceback (most recent call last):
     ValueError: output array is read-only
-    >>> base + 1
-    array([1.5, 1. , 2. ])
     """
     array = np.array(array)
     array.flags.writeable = False

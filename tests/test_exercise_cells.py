@@ -30,23 +30,13 @@ def test_task_answer_and_check_fit_the_exercise(path):
     assert not missing, f"{exercise.name}: " + "; ".join(missing)
 
 
-IN_PLACE = """
-def panda_fk(q):
-    T, frames = T_w0, []
-    for (a, alpha, d), theta in zip(modified_table, q):
-        T @= dh_modified(a, alpha, d, theta)
-        frames.append(T.copy())
-    return np.array([*frames, T @ flange])
-"""
-
-
 def test_an_answer_that_multiplies_a_given_pose_in_place_spoils_no_later_answer(monkeypatch):
     monkeypatch.chdir(ROOT / "notebooks")
     book, exercise, space = nbformat.read("05_panda_dh_ik.ipynb", 4), panda_dh_ik.panda_fk.exercise, {}
     sources = {cell.id: cell.source for cell in book.cells}
     for name in ("setup", "failure-code", "dh-modified-answer"):
         exec(sources[name], space)
-    exec(IN_PLACE, space)
+    exec(sources["panda-fk-answer"].replace("T = T @ dh_modified(", "T @= dh_modified("), space)
     with pytest.raises(ValueError, match="read-only"):  # also when the student tries it, before the check does
         space["panda_fk"](space["ready"])
     verdict = judge(exercise, Here(space["panda_fk"]))

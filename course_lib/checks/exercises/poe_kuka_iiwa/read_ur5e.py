@@ -131,18 +131,6 @@ def other_order_of_the_product():
     return np.hstack([_OMEGA, np.cross(_OMEGA, _POINTS)]), _M
 
 
-@EXERCISE.mistake(alike=_screws)
-def v_first():
-    """v stands before omega. In which order are the halves of a twist?"""
-    return np.hstack([_V, _OMEGA]), _M
-
-
-@EXERCISE.mistake(alike=_screws)
-def millimetres():
-    """lengths are in millimetres. The drawing is in millimetres: in which unit does the task want them?"""
-    return _answered(points=1000 * _POINTS, p=1000 * _P)
-
-
 @EXERCISE.mistake(alike=_screws, joint=range(6))
 def reversed_direction(joint):
     """the direction of a joint is reversed. Go through the arrows of the drawing, joint by joint."""
