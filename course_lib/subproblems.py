@@ -1,4 +1,4 @@
-"""The Paden-Kahan subproblems 0 to 4: the angles of rotation about given axes that bring points where they should be.
+"""The Paden-Kahan subproblems 1 to 4: the angles of rotation about given axes that bring points where they should be.
 
 All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the rotation by t about
 k. Batches are broadcast, angles lie in (-pi, pi]. If no angle solves the problem, the answers are those that come
@@ -41,31 +41,6 @@ class RotationAngles:
     count: np.ndarray
     exact: np.ndarray
     free: np.ndarray
-
-
-def subproblem0(k, p, q):
-    """Return the angle about k that brings p to q, both perpendicular to k: R(k, theta) p = q.
-
-    Parameters
-    ----------
-    k, p, q : array_like (..., 3)
-        Axis, and points in metres, perpendicular to it.
-
-    Returns
-    -------
-    RotationAngles
-        With theta (...).
-
-    Examples
-    --------
-    >>> print(subproblem0([0, 0, 1], [1, 0, 0], [0, 1, 0]).theta / np.pi)
-    0.5
-    """
-    k, p, q = _arguments(k=k, p=p, q=q)
-    for name, v in (("p", p), ("q", q)):
-        along = np.abs(_dot(k, _unit(v)))
-        refuse_first(along > EXACT, name, "must be perpendicular to k: {:.3g} of it is along k", along)
-    return subproblem1(k, p, q)
 
 
 def subproblem1(k, p, q):

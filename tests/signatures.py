@@ -124,9 +124,6 @@ _TIME = _between(0, 1, lambda t: t - 1.001, lambda t: t + 2)
 _JOINTS = {k: Numbers((k,), _plain(k).sample, also=tuple((n,) for n in range(1, 8))) for k in (3, 4)}
 _SPEEDS = {n: Numbers((n,), _plain(n).sample, also=((),)) for n in (3, 4)}  # one zero stands for them all
 _AXIS = Numbers((3,), _plain(3).sample, (np.zeros_like,))
-_ALONG_Z = Numbers((3,), lambda rng, batch: rng.normal(size=(*batch, 1)) * [0, 0, 1], (np.zeros_like,))
-_NOT_ACROSS = (lambda p: p + 1e-8, lambda p: p * [1e-9, 1e-9, 1] + [0, 0, 1e100])
-_ACROSS_Z = Numbers((3,), lambda rng, batch: rng.normal(size=(*batch, 3)) * [1, 1, 0], _NOT_ACROSS)
 _ENDS = {name: _plain() for name in ("s0", "s1", "v0", "v1")}
 _REST = {"n": _MANY, "T": _SECONDS}
 
@@ -180,7 +177,6 @@ ARGUMENTS = {
     "propagate_arm": [{"start": _JOINTS[3], "plan": _PLAN, "dt": _SECONDS}],
     "plan_times": [{"plan": _ANY_PLAN, "dt": _SECONDS}],
     "pose_matrix": [{"pose": _plain(3)}],
-    "subproblem0": [{"k": _ALONG_Z, "p": _ACROSS_Z, "q": _ACROSS_Z}],
     "subproblem1": [{"k": _AXIS, "p": _plain(3), "q": _plain(3)}],
     "subproblem2": [{"k1": _AXIS, "k2": _AXIS, "p1": _plain(3), "p2": _plain(3)}],
     "subproblem3": [{"k": _AXIS, "p": _plain(3), "q": _plain(3), "d": _plain()}],

@@ -9,7 +9,7 @@ from helpers import rotation_samples
 from numpy.testing import assert_allclose
 
 from course_lib.rotations import rot_x, rot_y
-from course_lib.subproblems import euler_yxy, subproblem0, subproblem1, subproblem2, subproblem3, subproblem4
+from course_lib.subproblems import euler_yxy, subproblem1, subproblem2, subproblem3, subproblem4
 
 PI = np.pi
 EX, EY, EZ = np.eye(3)
@@ -85,16 +85,6 @@ def test_subproblem1():
     flags(got, True, 1, False)
     radius = norm(np.cross(unit(k), unit(p)))
     assert (apart(got.theta, theta) * radius).max() < 1e-14
-
-
-def test_subproblem0():
-    (k, p), theta = random_vectors(2, 2), random_angles(3)
-    p = np.cross(k, p)
-    got = subproblem0(k, p, rotate(k, theta, p))
-    flags(got, True, 1, False)
-    assert apart(got.theta, theta).max() < 1e-14
-    slightly = p[:9] + 1e-10 * np.linalg.norm(p[:9], axis=-1, keepdims=True) * unit(k[:9])
-    assert_allclose(subproblem0(k[:9], slightly, p[:9]).theta, 0, rtol=0, atol=1e-14)
 
 
 def test_subproblem2():
@@ -188,7 +178,6 @@ def test_zero_vectors():
     zero = np.zeros(3)
     for p, q in [(zero, zero), (zero, EX), (EX, zero)]:
         exact = p is q
-        flags(subproblem0(EZ, p, q), exact, 1, True)
         flags(subproblem1(EZ, p, q), exact, 1, True)
         flags(subproblem2(EZ, EX, p, q), exact, 1, True)
         flags(subproblem3(EZ, p, q, 0 if exact else 1), True, 1, True)

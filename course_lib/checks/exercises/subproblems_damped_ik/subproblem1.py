@@ -120,7 +120,7 @@ EXERCISE = Exercise(
         "theta = np.arctan2(k @ np.cross(p', g'), p' @ g'): no division, all four quadrants. Where g cannot be "
         "reached it is the nearest, without a further line.",
     ),
-    forbidden=("course_lib.subproblems.subproblem1", "course_lib.subproblems.subproblem0"),
+    forbidden=("course_lib.subproblems.subproblem1",),
 )
 
 
