@@ -83,12 +83,6 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
-def transpose_for_pseudoinverse(q, J, q_middle, gain):
-    """J^T J stands for J^+ J. Is J^T J a projector, that is, equal to its square?"""
-    return q + gain * (np.eye(len(q)) - J.T @ J) @ (q_middle - q)
-
-
 @EXERCISE.seen
 def full_rank(answer, q, J, *rest):
     """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there, and the null space

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.exercises.rotations import sampling
-from course_lib.rotations import exp_so3, random_rotations, rot_x, rot_z
+from course_lib.rotations import random_rotations, rot_x, rot_z
 
 EXERCISE = Exercise(
     name="random_rotations",
@@ -41,10 +41,3 @@ def euler_angles(n, rng):
     """three angles about fixed axes are drawn uniformly. Is there as much room near the poles as at the equator?"""
     first, middle, last = 2 * np.pi * rng.random((3, n))
     return rot_z(first) @ rot_x(middle) @ rot_z(last)
-
-
-@EXERCISE.mistake(seen=sampling.of_many(sampling.uniform_angle))
-def axis_and_angle(n, rng):
-    """axis and angle are drawn uniformly. That gives too many small angles: their density must be (1 - cos a)/pi."""
-    v = rng.normal(size=(n, 3))
-    return exp_so3(np.pi * rng.random((n, 1)) * v / np.linalg.norm(v, axis=1, keepdims=True))

@@ -165,11 +165,6 @@ def uniform_rotations(matrices):
     )
 
 
-def uniform_angle(R):
-    """Return whether the rotation angle is uniform; for uniform R its density is (1 - cos a)/pi."""
-    return uniform(angles_of(R), 0, np.pi)
-
-
 LIBRARY_SAMPLERS = (
     "course_lib.rotations.random_rotations",
     "course_lib.rotations.random_quaternions",
