@@ -21,7 +21,7 @@ def _cases(rng):
     both = np.array([[0.1, 1.0], [1.1, -1.0], [0.2, 1.1], [1.2, -1.1]])
     positive = np.array([[0.5, 0.7], [0.6, 0.9], [0.7, 0.4], [0.4, 1.2]])
     negative = positive * [1, -1] + [1.0, 0]
-    stretched = np.array([[0.8, 0.05], [0.9, -0.05], [0.85, 0.0], [1.4, 0.3], [0.3, -0.4], [0.2, 0.02]])
+    stretched = np.array([[0.8, 0.05], [0.9, -0.05], [0.85, 0.0], [1.4, 0.3], [0.3, -0.4], [0.2, -1e-6]])
     drawn = rng.permutation(np.concatenate(two_link_angles(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2)))))
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
     single = np.array([[0.4, -0.2]])

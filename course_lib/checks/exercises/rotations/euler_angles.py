@@ -35,11 +35,11 @@ def _cases(rng):
     exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4), np.eye(3)]
     # What products of rotations have instead of the zeros, and of the -1, at gimbal lock
     noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
-    short = _locked(1, alpha, gamma) + noise
-    short[2, 0] = np.nextafter(-1, 0)
+    short, beyond = (_locked(1, alpha, gamma) + noise for _ in range(2))
+    short[2, 0], beyond[2, 0] = np.nextafter(-1, [0, -2])
     A = any_rotation(rng)
     computed = [A @ (A.T @ _locked(sign, alpha, gamma)) for sign in (1, -1)]
-    locked = [*exact, _locked(1, alpha, gamma) + noise, short, *computed]
+    locked = [*exact, _locked(1, alpha, gamma) + noise, short, beyond, *computed]
     return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *locked]]
 
 

@@ -20,7 +20,7 @@ from course_lib.rotations import rot_y, rot_z
 
 
 def _cases(rng):
-    named = [[0.3, 0.4, -0.5, 0.6, 0.7, -0.8], [0.5, -0.4, 0.9, 0.8, -0.9, 0.6]]  # a slightly and a well bent arm
+    named = [[0.3, 0.4, -0.5, 0.6, 0.7, -0.8], [0.5, -0.4, 0.9, 0.8, -2.2, 0.6]]  # a slightly and a well bent arm
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
     reached = [(ARM.fk(q),) for q in named + drawn]
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
