@@ -8,7 +8,7 @@ import nbformat
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
-from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade import notebook_file, submission
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
 from course_lib.pack.grade.submission import grade
 from course_lib.pack.release import PROMPT
@@ -29,7 +29,9 @@ def messages(result):
 
 
 @pytest.mark.parametrize("name", courses())
-def test_all_solutions_of_a_notebook_earn_all_points(name):
+def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
+    if name != NAME:  # a sandbox for each candidate of a test takes time: one notebook has them
+        monkeypatch.setattr(submission, "apart", lambda run, outcome, *rest: outcome)
     result = grade((NOTEBOOKS / f"{name}.ipynb").read_bytes(), name, SEED)
     assert set(states(result).values()) == {"right"}, result
     assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)
