@@ -25,6 +25,7 @@ def _cases(rng):
     n = leaning()
     rotating = [*(exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0)), exp_so3(3.0 * n), exp_so3(-3.0 * n)]
     rotating += [exp_so3(a * leaning()) for a in (*small, *nearly_half)]
+    rotating += [exp_so3(sign * nearly_half[0] * n) for sign in (1, -1)]  # whichever column of R + I is taken
     return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
 
 
