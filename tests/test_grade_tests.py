@@ -47,6 +47,12 @@ def test_a_thorough_test_earns_all_points():
     assert (row["state"], row["points"]) == ("right", 4), row["message"]
 
 
+def test_a_test_may_call_each_of_its_versions_as_often_as_the_tasks_allow():
+    often = "    for _ in range(4_500):\n        log(np.eye(3))\n    return True"
+    row = graded(THOROUGH.replace("    return True", often))
+    assert (row["state"], row["points"]) == ("right", 4), row["message"]
+
+
 def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_through():
     row = graded("def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])")
     assert (row["state"], row["points"]) == ("wrong", 3)

@@ -27,7 +27,7 @@ from course_lib.pack.grade.statements import no_python
 from course_lib.pack.grade.student_view import contents
 
 JUDGING_SECONDS = 60  # of the grader's own processor time for one exercise; a right answer takes less than one
-MOST_CALLS = 10_000  # of candidates, by one student's test
+MOST_CALLS = 100_000  # of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
 MOST_RESTARTS = 4  # of a notebook whose cells end or stop its process
 MOST_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
 STATES = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)  # the better ones last
@@ -296,7 +296,6 @@ class Student:
     def reply(self, questions, consult=None):
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         limits, self.candidates = self._run.limits, consult is not None
-        most = MOST_CALLS * 10 if self._instead else MOST_CALLS
         request = {"ask": self.exercise.name, "questions": questions, "cpu": limits.cpu_seconds + 2}
         request |= {"instead": {name: each.arguments for name, each in self._instead.items()}}
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
@@ -306,7 +305,7 @@ class Student:
             calls = 0
             while (consult or self._instead) and isinstance(message.get("call"), str):
                 calls += 1
-                answer = self._answer(message["call"], consult) if calls <= most else None
+                answer = self._answer(message["call"], consult) if calls <= MOST_CALLS else None
                 self._sandbox.send({"answer": answer}, watch)
                 message = self._receive(watch)
         except Ended as end:
