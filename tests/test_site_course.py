@@ -92,7 +92,6 @@ def test_nothing_scrolls_sideways_at_1400_pixels(visit):
 def test_nothing_bars_a_reader_on_a_desktop_in_the_light(visit):
     width = DESKTOP if visit.notebook else 1000
     visit.page.evaluate("document.documentElement.dataset.theme = 'light'")
-    visit.page.mouse.move(0, 0)  # on no link
     with visit.at_width(width):
         assert visit.page.evaluate(WIDTH) <= width
         visit.page.evaluate(SETTLED, 1000)  # for the theme lets keys reach what scrolls, a moment after a resize
