@@ -1,5 +1,6 @@
 """The points of one submission: only the student's function counts, whatever program wrote the file."""
 
+import ast
 import random
 import re
 from dataclasses import replace
@@ -10,7 +11,7 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
 from course_lib.pack.grade import notebook_file, submission
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.submission import _files, grade
 from course_lib.pack.release import PROMPT
 from course_lib.pack.release.stubs import students_copy
 
@@ -37,6 +38,13 @@ def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
     assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)
     assert all(question["text"] and question["of"] for question in result["questions"])
     assert result["notebook"] == name
+
+
+@pytest.mark.parametrize("name", courses())
+def test_whatever_a_notebook_imports_from_the_course_is_there_when_it_is_graded(name, solutions):
+    modules = {path.removesuffix("/__init__.py").removesuffix(".py").replace("/", ".") for path in _files(frozenset())}
+    imported = [node for node in ast.walk(ast.parse(solutions(name)[0])) if isinstance(node, ast.ImportFrom)]
+    assert {node.module for node in imported if node.module.startswith("course_lib")} <= modules
 
 
 def test_the_students_copy_as_released_is_not_attempted_yet():

@@ -96,7 +96,9 @@ def contents(checks, forbidden):
     for path in PACKAGE.glob("*.py"):
         dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))
         files[f"course_lib/{path.name}"] = without(path, dotted)
-    for path in (PACKAGE / "figures").rglob("*.py"):
+    asked = {exercise.name for exercises in checks.values() for exercise in exercises}
+    beside = [path for path in (PACKAGE / "checks/exercises").rglob("*.py") if path.stem not in asked]
+    for path in [*(PACKAGE / "figures").rglob("*.py"), *beside]:
         files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = QUIET.format(library={}).encode()
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
