@@ -156,6 +156,8 @@ def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp
         assert set(pages) == {"feedback_01_rotations.html"}
         assert b"2 of 2 points" in archive.read(archive.namelist()[0])
     assert (tmp_path / "moodle/02_rigid_motion.zip").exists()
+    write_feedback(tmp_path, graded_files([(replace(submission, notebook=""), result([], notebook=""))], {}))
+    assert {path.name for path in (tmp_path / "moodle").iterdir()} == {"other files.zip"}
     write_feedback(tmp_path, graded_files(outcomes[:2], {}))
     assert {path.name for path in (tmp_path / "moodle").iterdir()} == {"01_rotations.zip"}
     assert (tmp_path / "moodle/01_rotations.zip").read_bytes() == first

@@ -108,7 +108,8 @@ def _uploads(counting):
         if not MOODLE.fullmatch(each.submission.place.partition("/")[0]):
             continue
         folder = f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
-        with zipfile.ZipFile(contents.setdefault(each.notebook, io.BytesIO()), "a", zipfile.ZIP_DEFLATED) as archive:
-            about = zipfile.ZipInfo(f"{folder}/feedback_{each.notebook}.html")  # dated 1980: equal pages, equal bytes
+        name = each.notebook or "other files"
+        with zipfile.ZipFile(contents.setdefault(name, io.BytesIO()), "a", zipfile.ZIP_DEFLATED) as archive:
+            about = zipfile.ZipInfo(f"{folder}/feedback_{name}.html")  # dated 1980: equal pages, equal bytes
             archive.writestr(about, feedback_page(each), zipfile.ZIP_DEFLATED)
     return {name: contents[notebook].getvalue() for notebook, name in file_names(set(contents)).items()}
