@@ -166,7 +166,7 @@ UNFINISHED = {
 @pytest.mark.parametrize("unfinished", UNFINISHED)
 def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it_calls(few, unfinished):
     said = "Judged with a right nearest_so in place of yours, which it calls."
-    result = grade(book(few[0], UNFINISHED[unfinished], CALLS), NAME, SEED)
+    result = grade(book(few[0], UNFINISHED[unfinished], CALLS, "%reset -f"), NAME, SEED)
     rows = {row["exercise"]: row for row in result["exercises"]}
     assert (rows["nearest_so"]["points"], rows["nearest_se"]["points"]) == (0, 2)
     assert rows["nearest_se"]["message"] == said
@@ -232,6 +232,7 @@ def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
         (b"[" * 100_000, "not JSON"),
         (b"[]", "no list of cells"),
         (b'{"cells": 3}', "no list of cells"),
+        (b'{"nbformat": 3, "worksheets": [{"cells": []}]}', "a format of before 2014"),
         (b'{"cells": [' + b"{}," * 6000 + b"{}]}", "more than"),
         (book("x" * 3_000_000), "million characters"),
     ],

@@ -84,6 +84,8 @@ def read(content):
         ) from None
     listed = _within(book, "cells")
     if not isinstance(listed, list):
+        if isinstance(_within(book, "worksheets"), list):
+            raise Unreadable("It is in a format of before 2014. Save it in JupyterLab and hand it in again.")
         raise Unreadable("It is not a notebook: it has no list of cells.")
     if len(listed) > MOST_CELLS:
         raise Unreadable(f"It has more than {MOST_CELLS} cells.")

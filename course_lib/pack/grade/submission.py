@@ -53,7 +53,8 @@ class Outcome:
 
     def better(self, other):
         """Return the better one of this and a later outcome; of equal ones the later, if its reason is another."""
-        mine, its = ((o.verdict.points, o.answered, STATES.index(o.verdict.state)) for o in (self, other))
+        said = [(each, each.verdict) for each in (self, other)]
+        mine, its = ((v.points, each.answered, STATES.index(v.state), bool(v.calls)) for each, v in said)
         return other if its > mine or (its == mine and other.verdict.reason != self.verdict.reason) else self
 
 
