@@ -15,7 +15,7 @@ NOTEBOOK = Path(__file__).parents[1] / "notebooks" / "04_poe_kuka_iiwa.ipynb"
 LINES = "TRAJECTORY = SHIPPED\nVELOCITIES = STEP = None"
 # What has nothing to do with the trajectory; without their checks the library's functions take the student's place.
 SKIPPED = "drawing arm-with toy digits picture newton lost singular challenge drift rodrigues robot reproduce wrong"
-USED = ("planes-picture", "lissajous-picture", "manipulability-picture")
+USED = ("build-up-toy", "planes-picture", "lissajous-picture", "manipulability-picture")
 ARM = iiwa14()
 
 

@@ -101,7 +101,8 @@ ABOUT = "Six notebooks from rotations to inverse kinematics: move robots, write 
 
 # What a student may write, for the home page, and the notebook whose check judges it.
 ANSWER = """def rotate_point(p, a):
-    R = np.array([[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]])
+    c, s = np.cos(a), np.sin(a)
+    R = np.array([[c, s], [-s, c]])
     return R @ p
 
 check.rotate_point(rotate_point)"""
