@@ -56,12 +56,15 @@ class Version:
     right : bool
     example : bool
         Whether the task shows it as an example: a test that misjudges it earns nothing.
+    mistake : Mistake, optional
+        What a test overlooks that refuses it, a right version, and accepts another right one of the same kind.
     """
 
     kind: str
     function: Callable
     right: bool = False
     example: bool = False
+    mistake: Mistake | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +135,8 @@ class WriteTest(Exercise):
         said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = self.refuses if len(refused) == n_right and not missed else always
+        accepted = [version.kind for version, accepted in judged if version.right and accepted]
+        always = next((each.mistake for each in refused if each.mistake and each.kind in accepted), always)
         failed_example = any(version.example for version in (*refused, *missed))
         credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, said, always, credit=credit)

@@ -41,6 +41,12 @@ def wrong_length_not_asked(log_so3):
     return True
 
 
+def wrong_strict_length(log_so3):
+    """longer than pi by rounding only"""
+    half = log_so3(exp_so3(np.pi * np.array([-0.48, 0.6, 0.64])))
+    return right_exponential_of_the_answer(log_so3) and np.linalg.norm(half) <= np.pi
+
+
 def wrong_exact_comparison(log_so3):
     """your test refuses everything"""
     R = rot_x(0.5)

@@ -134,6 +134,14 @@ EXERCISE = Exercise(
 )
 
 
+@EXERCISE.mistake(column=range(3))
+def zero_column(R, column):
+    """at 180 degrees the axis is always taken from the same column of R + I, which is zero for some axes. It is a
+    multiple of n, and may be 0 n: which of the three columns is not zero?"""
+    taken = (R + np.eye(3))[:, column]
+    return np.pi * taken / np.linalg.norm(taken) if _half_turn(R) else log_so3(R)
+
+
 @EXERCISE.mistake(seen=lambda w, R: not np.isfinite(w).all())
 def outside_the_domain(R):
     """something is divided by zero, or arccos is asked outside [-1, 1]. Rounding may take the trace just above 3 or

@@ -50,6 +50,11 @@ def _longer(w):
     return w * (angle - 2 * np.pi) / angle if angle > 0 else w
 
 
+_STRICT = Mistake(
+    "your test refuses an answer that is longer than pi by rounding only",
+    "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be off?",
+)
+
 EXERCISE = WriteTest(
     name="test_log_so3",
     points=3,
@@ -64,7 +69,8 @@ EXERCISE = WriteTest(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
         Version("that takes the other axis at 180 degrees", _if(_half_turn, lambda w, R: -w), right=True),
-        Version("that differs by rounding", lambda R: log_so3(R) * (1 + 1e-12), right=True),
+        Version("that differs by rounding", lambda R: log_so3(R) * (1 - 1e-12), right=True),
+        Version("that differs by rounding", lambda R: log_so3(R) * (1 + 1e-12), right=True, mistake=_STRICT),
         Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
         Version("whose sign is wrong", lambda R: -log_so3(R)),
         Version("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
