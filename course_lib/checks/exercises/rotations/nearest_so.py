@@ -32,7 +32,7 @@ EXERCISE = Exercise(
             "R is not a reflection: det R = +1",
             lambda R, M: np.linalg.det(R) > 0,
             says=lambda R, M: f"det R is {np.linalg.det(R):.0f}; det M is {np.linalg.det(M):.3g}.",
-            mistake=Mistake("the answer is a reflection", "If det(U V^T) = -1, one sign has to change. Which one?"),
+            mistake=Mistake("the answer is a reflection", "Is it U V^T? Where det(U V^T) = -1, which sign changes?"),
         ),
         Property("a rotation comes back unchanged", lambda R, M: np.abs(R - M).max() < 1e-9, where=is_rotation),
         Property(
@@ -52,15 +52,11 @@ EXERCISE = Exercise(
 )
 
 
-def _sign(M):
-    return np.linalg.det(polar(M))
-
-
 @EXERCISE.mistake
 def largest_singular_value(M):
     """the sign is put at the largest singular value. Reversing costs least where M is weakest. numpy sorts singular
     values in descending order."""
-    return polar(M, _sign(M), *ones(M))
+    return polar(M, np.linalg.det(polar(M)), *ones(M))
 
 
 @EXERCISE.mistake(sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: d))
