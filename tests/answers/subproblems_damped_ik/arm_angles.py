@@ -72,3 +72,11 @@ def wrong_distance_from_the_base(center):
 def wrong_points_exchanged(center):
     """q3 is right, and q1 or q2 is not"""
     return _by(center, np.linalg.norm(center - SHOULDER), goal_first=True)
+
+
+def wrong_wrist_not_moved(center):
+    """p is WRIST - SHOULDER"""
+    p, (x, y, z) = WRIST - SHOULDER, center - SHOULDER
+    scale = np.sqrt(p @ p - z**2) / np.hypot(x, y)
+    found = subproblems.subproblem2(ey, ez, p, np.array([scale * x, scale * y, z])).theta
+    return [(-back, q2, q3) for q3 in _bends(center) for q2, back in found]

@@ -22,9 +22,9 @@ def right_by_the_motion_from_home(T):
     return np.reshape(found, (-1, 6))
 
 
-def right_by_the_flange(T):
+def right_by_the_flange(T, axis=2):
     found = []
-    for q1, q2, q3 in arm_solutions(T[:3, 3] - 0.072 * T[:3, 2]):
+    for q1, q2, q3 in arm_solutions(T[:3, 3] - 0.072 * T[:3, axis]):
         R = rot_y(-q3) @ rot_y(-q2) @ rot_z(-q1) @ T[:3, :3] @ rot_y(-np.pi / 2)
         for b1, b2, b3 in subproblems.euler_yxy(SWAP @ R @ SWAP).theta:
             found.append([q1, q2, q3, b1, b2, b3])
@@ -46,3 +46,8 @@ def right_without_the_exchange(T):
 def wrong_four_only(T):
     """solutions are missing"""
     return right_by_the_flange(T)[::2]
+
+
+def wrong_along_x(T):
+    """the wrist center is at another point"""
+    return right_by_the_flange(T, axis=0)

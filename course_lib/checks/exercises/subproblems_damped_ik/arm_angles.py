@@ -7,6 +7,7 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.shared import unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     SHOULDER,
+    WRIST,
     arm_solutions,
     bent,
     center_of,
@@ -14,6 +15,7 @@ from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
 )
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.vocabulary import same_list
+from course_lib.rotations import rot_y
 
 
 def _cases(rng):
@@ -43,6 +45,7 @@ _TRIANGLE = Mistake(
     "Shoulder, elbow and wrist center form a triangle. Which of its sides does to_distance get, and are both points "
     "measured from the elbow?",
 )
+_EMPTY = Mistake("an entry is taken from an empty list", "to_distance finds nothing out of reach: use a loop.")
 _AROUND = Mistake(
     "q3 is right, and q1 or q2 is not",
     "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for subproblem 2, and "
@@ -81,4 +84,13 @@ EXERCISE = Exercise(
         "for q3 in to_distance(ey, WRIST - ELBOW, SHOULDER - ELBOW, distance), and inside it "
         "for q2, back in subproblem2(ey, ez, p, center - SHOULDER), with q1 = -back.",
     ),
+    errors=tuple(("IndexError", words, _EMPTY) for words in ("list index out of range", "out of bounds for axis 0")),
 )
+
+
+@EXERCISE.seen
+def wrist_not_moved(found, center):
+    """p is WRIST - SHOULDER, as if joint 3 did not move. Where has it brought the wrist center when joints 1 and 2
+    come?"""
+    heights = [(rot_y(q[1]) @ (WRIST - SHOULDER))[2] for q in found]
+    return len(found) > 0 and np.allclose(heights, (center - SHOULDER)[2], rtol=0, atol=1e-8)

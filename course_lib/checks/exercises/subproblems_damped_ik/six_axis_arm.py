@@ -73,7 +73,7 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "a subproblem finds nothing",
-                "Print what each returns. At home, where all angles are 0, what should each of its arguments be?",
+                "Print what each returns. Are both points of subproblem 2 equally far from the shoulder, for each q3?",
             ),
         ),
         Property(

@@ -3,8 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise
-from course_lib.checks.exercises.subproblems_damped_ik.shared import unless_empty
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercises.subproblems_damped_ik.shared import NO_SOLUTION, unless_empty
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
     ARM,
     HOME,
@@ -38,6 +38,16 @@ def _tell(q, T):
     return f"One of yours ends {position:.3g} m and {angle:.3g} rad away from T."
 
 
+_CENTER = Mistake(
+    "each orientation is right, but the wrist center is at another point",
+    "Which point does T HOME^-1 move to the center, and by which of its parts?",
+)
+
+
+def _wrong(found, T):
+    return _CENTER if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < 1e-8 for q in found) else NO_SOLUTION
+
+
 EXERCISE = Exercise(
     name="six_axis_ik",
     points=3,
@@ -46,7 +56,7 @@ EXERCISE = Exercise(
     returns=unless_empty(rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"), all_solutions),
     library=all_solutions,
     alike=same_list,
-    properties=every_solution("each row brings the flange to T", _misses, _tell, all_solutions),
+    properties=every_solution("each row brings the flange to T", _misses, _tell, all_solutions, _wrong),
     hints=(
         "Where is the wrist center? The motion T HOME^-1 has taken it from WRIST to where it is.",
         "For each triple of arm_angles: which rotation do joints 4, 5 and 6 have to add? T HOME^-1 has the rotation "
