@@ -131,7 +131,7 @@ EXERCISE = Exercise(
             "a q0 that has converged is returned unchanged",
             lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 1e-12,
             where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-9,
-            mistake=Mistake("a step is made before the first test", "What does your loop do first?"),
+            mistake=Mistake("a step is made without a test before it", "Does your loop test the error, and when?"),
         ),
         Property(
             "for a target out of reach (3 m away) nan is returned",
