@@ -198,8 +198,8 @@ SHIFTED = replace(
     [
         (lambda x: shifted(x)[::-1], "the rows of the answer are in another order"),
         (lambda x: shifted(x)[:, [1, 0, 2]], "the columns of the answer are in another order"),
-        (lambda x: shifted(x) * [1, 1, -1], "column 2 of the answer has the wrong sign"),
-        (lambda x: shifted(x) * [[1], [-1]], "row 1 of the answer has the wrong sign"),
+        (lambda x: shifted(x) * [1, 1, -1], "the third column of the answer has the wrong sign"),
+        (lambda x: shifted(x) * [[1], [-1]], "the second row of the answer has the wrong sign"),
         (lambda x: shifted(x) * [[1, -1, 1], [1, 1, 1]], "entry [0, 1] of the answer has the wrong sign"),
         (lambda x: shifted(x)[[1, 1]], "each item is the last one"),
         (lambda x: shifted(x) ** 2, "the answer is the square of what it should be"),

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+ORDINALS = "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"
+
 
 def format_tuple(numbers):
     """Return numbers in the form of a tuple; rounding errors are written as 0.

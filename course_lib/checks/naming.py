@@ -6,6 +6,7 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.wire import Seed
 
@@ -240,7 +241,8 @@ def _of_other_sign(right):
     if 1 < np.size(right) <= _MOST_ENTRIES:
         parts = [(f"entry {list(index)}", index) for index in np.ndindex(shape)]
     if len(shape) == 2 and max(shape) <= _MOST_LINES:
-        parts += [(f"row {i}", i) for i in range(shape[0])] + [(f"column {j}", np.s_[:, j]) for j in range(shape[1])]
+        parts += [(f"the {ORDINALS[i]} row", i) for i in range(shape[0])]
+        parts += [(f"the {ORDINALS[j]} column", np.s_[:, j]) for j in range(shape[1])]
     for what, index in parts:
 
         def negated(x, index=index):

@@ -6,7 +6,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property, same
-from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
@@ -188,18 +188,19 @@ def part_is(text, right, part, mistake=None):
     def wanted(*case):
         return np.asarray(right(*case), float)[part]
 
-    return Property(
-        text,
-        lambda answer, *case: near(answer[part], wanted(*case)),
-        says=lambda answer, *case: f"That is {compared(wanted(*case), answer[part])}.",
-        mistake=mistake,
-    )
+    def says(answer, *case):
+        right, found = wanted(*case), answer[part]
+        return (
+            f"That is {compared(right, found)}." if right.ndim < 2 else first_off(found, right, "There the {} column")
+        )
+
+    return Property(text, lambda answer, *case: near(answer[part], wanted(*case)), says, mistake=mistake)
 
 
-def first_off(found, wanted, what="Column"):
+def first_off(found, wanted, what="The {} column"):
     """Return in words which column is the first that is off; for rows, give both transposed."""
     i = int(np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)]))
-    return f"{what} {i} should be {compared(wanted[:, i], found[:, i])}."
+    return f"{what.format(ORDINALS[i])} should be {compared(wanted[:, i], found[:, i])}."
 
 
 def compared(wanted, found):

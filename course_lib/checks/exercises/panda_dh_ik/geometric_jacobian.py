@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.panda_dh_ik import shared
-from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, first_off, near
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, part_is
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
@@ -59,15 +59,6 @@ def _cases(rng):
     return [(np.array(frames),) for frames in (*simple, *drawn, *map(shared.frames, configurations), drawn[1])]
 
 
-def _half(text, rows, name, hint):
-    return Property(
-        text,
-        lambda J, frames: near(J[rows], right(frames)[rows]),
-        lambda J, frames: first_off(J[rows], right(frames)[rows], "That half of column"),
-        mistake=Mistake(name, hint),
-    )
-
-
 EXERCISE = Exercise(
     name="geometric_jacobian",
     points=2,
@@ -76,17 +67,20 @@ EXERCISE = Exercise(
     returns=numbers(lambda frames: (6, len(frames) - 1), _known_form),
     properties=(
         SAME_TWICE,
-        _half(
+        part_is(
             "the lower half of each column is the angular velocity if its joint rotates at 1 rad/s",
+            right,
             _BELOW,
-            "an axis is not that of its joint",
-            "Which column of which frame is the axis of joint i, along the world's axes?",
+            Mistake("an axis is not that of its joint", "Which column of which frame is it, along the world's axes?"),
         ),
-        _half(
+        part_is(
             "the upper half of each column is the velocity of the flange's origin if its joint rotates at 1 rad/s",
+            right,
             _ABOVE,
-            "the velocity is not z x (p - o) of its joint",
-            "From which point to which does p - o lead, for each joint, and how long is the product?",
+            Mistake(
+                "the velocity is not z x (p - o) of its joint",
+                "From which point to which does p - o lead, for each joint, and how long is the product?",
+            ),
         ),
     ),
     hints=(

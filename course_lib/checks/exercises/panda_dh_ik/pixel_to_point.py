@@ -47,7 +47,7 @@ def _projected(points, pixels, depths, K, T_wc):
 
 
 def _off(points, *case):
-    return first_off(points.T, right(*case).T, "Point")
+    return first_off(points.T, right(*case).T, "The {} point")
 
 
 EXERCISE = Exercise(

@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import BLOCK, COLUMN, in_blocks
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import any_pose, first_off, near, pose
+from course_lib.checks.vocabulary import any_pose, near, part_is, pose
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat, random_rotations, rot_x, rot_y, rot_z
 
@@ -46,21 +46,21 @@ EXERCISE = Exercise(
     returns=numbers(lambda T: (6, 6), {(4, 4): _ON_POSES, (2, 2, 3, 3): _NESTED}),
     library=adjoint,
     properties=(
-        Property(
+        part_is(
             "the upper left 3x3 block is R: an angular velocity is rotated from frame b to frame a",
-            lambda A, T: near(A[_UPPER_LEFT], T[BLOCK]),
-            says=lambda A, T: first_off(A[_UPPER_LEFT], T[BLOCK]),
-            mistake=Mistake("the upper left block is not R", "How does frame a see the omega of frame b?"),
+            adjoint,
+            _UPPER_LEFT,
+            Mistake("the upper left block is not R", "How does frame a see the omega of frame b?"),
         ),
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
             lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= 1e-9,
             mistake=Mistake("the upper right block is not zero", "Does omega depend on v, or v on omega?"),
         ),
-        Property(
+        part_is(
             "the lower right 3x3 block is R: without a rotation, v is rotated from frame b to frame a",
-            lambda A, T: near(A[_LOWER_RIGHT], T[BLOCK]),
-            says=lambda A, T: first_off(A[_LOWER_RIGHT], T[BLOCK]),
+            adjoint,
+            _LOWER_RIGHT,
         ),
         Property(
             "Ad V is the same motion seen from frame a: [Ad V] = T [V] T^-1",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import arms, columns, exponentials, jacobian, read_jacobian
-from course_lib.checks.vocabulary import SAME_TWICE, first_off, near, part_is, products
+from course_lib.checks.vocabulary import SAME_TWICE, part_is, products
 from course_lib.rigid import adjoint
 
 _FIRST_MOVED = Mistake("the first axis is moved, or changed", "Which joints stand before the first? Column 1 is S1.")
@@ -21,26 +21,20 @@ EXERCISE = Exercise(
         part_is(
             "the first column is the first screw axis: no joint stands before it", jacobian, np.s_[:, 0], _FIRST_MOVED
         ),
-        Property(
-            "with all angles 0 the columns are the screw axes as they are",
-            lambda J, screws, q: near(J, screws.T),
-            says=lambda J, screws, q: first_off(J, screws.T),
-            where=lambda screws, q: not q.any(),
-        ),
-        Property(
+        part_is(
             "above, each column has the direction of its axis, rotated by all joints before it",
-            lambda J, screws, q: near(J[:3], jacobian(screws, q)[:3]),
-            says=lambda J, screws, q: first_off(J[:3], jacobian(screws, q)[:3], "The upper half of column"),
-            mistake=Mistake(
+            jacobian,
+            np.s_[:3],
+            Mistake(
                 "an axis is not rotated by all joints before it, each by its own angle",
                 "Which exponentials, in which order, move the axis of joint 3?",
             ),
         ),
-        Property(
+        part_is(
             "below, each column has v = -omega x p, with a point p of its axis where the joints before have moved it",
-            lambda J, screws, q: near(J[3:], jacobian(screws, q)[3:]),
-            says=lambda J, screws, q: first_off(J[3:], jacobian(screws, q)[3:], "The lower half of column"),
-            mistake=Mistake("an axis is rotated, but not moved", "Which 6 x 6 matrix of a pose takes along both?"),
+            jacobian,
+            np.s_[3:],
+            Mistake("an axis is rotated, but not moved", "Which 6 x 6 matrix of a pose takes along both?"),
         ),
     ),
     hints=(

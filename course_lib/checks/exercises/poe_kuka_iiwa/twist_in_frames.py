@@ -35,9 +35,9 @@ def _right(V_s, T):
     return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
-_BODY = Mistake("row 1 is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?")
+_BODY = Mistake("the second row is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?")
 _HYBRID = Mistake(
-    "row 2 is not (omega, velocity of the end-effector's origin) along the base's axes",
+    "the third row is not (omega, velocity of the end-effector's origin) along the base's axes",
     "Which half comes first, and how fast does omega move the point p of T?",
 )
 
@@ -49,14 +49,14 @@ EXERCISE = Exercise(
     returns=numbers(lambda V_s, T: (3, 6)),
     library=_right,
     properties=(
-        part_is("row 0 is the twist as the space frame sees it: V_s itself", _right, 0),
-        part_is("row 2, omega: the axes are the base's, so omega is that of V_s", _right, (HYBRID, _OMEGA), _HYBRID),
-        part_is("row 2, v: the velocity of the end-effector's origin p", _right, (HYBRID, _V), _HYBRID),
-        part_is("row 1, omega: seen along the end-effector's axes", _right, (BODY, _OMEGA), _BODY),
-        part_is("row 1, v: the velocity of the end-effector's origin, seen along its axes", _right, (BODY, _V), _BODY),
+        part_is("the first row is the twist as the space frame sees it: V_s itself", _right, 0),
+        part_is("the third row, omega: along the base's axes it is that of V_s", _right, (HYBRID, _OMEGA), _HYBRID),
+        part_is("the third row, v: the velocity of the end-effector's origin p", _right, (HYBRID, _V), _HYBRID),
+        part_is("the second row, omega: seen along the end-effector's axes", _right, (BODY, _OMEGA), _BODY),
+        part_is("the second row, v: that of the end-effector's origin, along its axes", _right, (BODY, _V), _BODY),
     ),
     hints=(
-        "Row 0 is V_s. For row 1: which adjoint takes what the base sees to what the end-effector sees?",
+        "The first row is V_s. For the second: which adjoint takes what the base sees to what the end-effector sees?",
         "The hybrid frame has the base's axes, so omega stays. Its origin is the end-effector's, p = T[:3, 3].",
         "Its v is the velocity of the point p of the moving body: v of V_s, plus omega x p.",
     ),
@@ -73,12 +73,6 @@ def another_order(V_s, T, order):
     return _right(V_s, T)[order]
 
 
-def _rotated(V_s, T, powers, moved):
-    """Return the twist whose halves are rotated by powers of R, with v at the end-effector if moved."""
-    of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
-    return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))
-
-
 @EXERCISE.mistake(part=HYBRID, sign=(-1, 0))
 def cross_product_reversed(V_s, T, sign):
     """the cross product in the hybrid row is missing, or in the wrong order. How fast does a rotation omega move p?"""
@@ -88,4 +82,5 @@ def cross_product_reversed(V_s, T, sign):
 @EXERCISE.mistake(part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False))
 def hybrid_rotated(V_s, T, powers, moved):
     """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
-    return _rotated(V_s, T, powers, moved)
+    of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
+    return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))

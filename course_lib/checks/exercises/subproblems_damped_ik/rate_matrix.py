@@ -7,6 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import some_angle
+from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.vocabulary import X, Y, first_off
 from course_lib.rotations import rot_x, rot_y
 
@@ -43,7 +44,7 @@ def _cases(rng):
 def _no_axis(A, b):
     j = int(np.argmax(np.abs(A - rates(b)).max(0) > _FINE))
     return Mistake(
-        f"column {j} is not the axis about which b{j + 1} rotates",
+        f"the {ORDINALS[j]} column is not the axis about which b{j + 1} rotates",
         "About which axis does this factor rotate, and which rotations, to its left, carry that axis along?",
     )
 
