@@ -205,10 +205,11 @@ def _question(text: str) -> str:
 
 def sittings(text: str) -> list[float]:
     """Return the hours in "It takes two sittings of about two and a half and two hours", here [2.5, 2.0], or []."""
-    number = rf"({'|'.join(NUMBERS)})( and a half)?"
+    number = rf"({'|'.join(NUMBERS)})( and a half| and three quarters)?"
     found = re.search(rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text)
     parts = found.groups() if found else ()
-    return [NUMBERS.index(whole) + bool(half) / 2 for whole, half in zip(parts[::2], parts[1::2], strict=True) if whole]
+    more = {None: 0, " and a half": 0.5, " and three quarters": 0.75}
+    return [NUMBERS.index(whole) + more[part] for whole, part in zip(parts[::2], parts[1::2], strict=True) if whole]
 
 
 def _cover(book, name: str, pages: Path) -> str:
