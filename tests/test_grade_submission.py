@@ -236,7 +236,7 @@ def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
         (b'{"cells": [' + b"{}," * 6000 + b"{}]}", "more than"),
         (book("x" * 3_000_000), "million characters"),
     ],
-    ids=["empty", "blank", "half", "no text", "deep", "a list", "no cells", "many cells", "much code"],
+    ids=["empty", "blank", "half", "no text", "deep", "a list", "no cells", "old", "many cells", "much code"],
 )
 def test_a_file_that_is_not_a_notebook_gives_the_reason_for_every_exercise(content, why):
     result = grade(content, NAME, SEED)
