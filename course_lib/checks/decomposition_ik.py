@@ -17,7 +17,7 @@ EXERCISES = (
 )
 
 MORE = ("dh_symbolic", "fit_square", "fit_joint_cells", "newton_step")
-STOP = ("predict", "Where is it wrong?")
+STOP = ("fit_cells", "Ask the table")
 
 PREDICTIONS = (
     Prediction(
