@@ -10,10 +10,11 @@
     const { lengths } = meta, reach = lengths[0] + lengths[1];
     const state = card.state({ size: meta.size, at: [...meta.at] });
     const label = "The workspace cut into cells, coloured by the error of each cell's planes";
-    const plane = card.map({ half: 1.25 * reach, label });
+    const beside = () => P.element("div", { class: "half" }, card.views); // on a phone too, where both stay square
+    const plane = card.map({ parent: beside(), half: 1.1 * reach, label });
     plane.handle({ name: "Query", colour: COLOURS.blue, at: () => state.at, moved: (p) => (state.at = p) });
     const view = card.space({
-      radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1,
+      parent: beside(), radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1,
       label: "The joint angles over the cell and the two planes fitted to them",
     });
     card.range("Cell size", { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) },
