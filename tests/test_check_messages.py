@@ -158,13 +158,16 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
 
 
 def test_progress_tells_the_two_sittings_apart_and_where_the_second_begins(shown):
-    progress = Progress([Check(NEAREST_SO), Check(DOUBLE)], stop=("nearest_so", "A test"))
+    progress = Progress([Check(NEAREST_SO), Check(DOUBLE), Check(IS_SMALL)], stop=("nearest_so", "A test"))
     progress()
     assert words(shown[-1]).splitlines()[2] == "Second sitting, from the section “A test”:"
     assert words(shown[-1]).endswith("Next: nearest_so")
     progress.checks[0](right)
     progress()
     assert words(shown[-1]).endswith("Next: double\nYou can stop here; next time begin at “A test”.")
+    progress.checks[2](lambda x, tol: True)
+    progress()
+    assert words(shown[-1]).endswith("Next: double"), "the second sitting is begun"
 
 
 def test_progress_tells_core_from_more_once_more_is_begun(shown):

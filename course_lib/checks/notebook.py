@@ -212,7 +212,8 @@ class Progress:
             lines.append(f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}")
         following = next((v.exercise.name for v in core if v.state != RIGHT), None)
         lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
-        if last and following in names[names.index(last) + 1 :][:1]:
+        later = core[names.index(last) + 1 :] if last else []
+        if later and later[0].exercise.name == following and {v.state for v in later} == {NOT_ATTEMPTED}:
             lines.append(f"You can stop here; next time begin at “{section}”.")
         _show("\n".join(lines), _MARKS[RIGHT][1])
 
