@@ -39,7 +39,9 @@ ALWAYS_TRUE = Mistake(
 )
 ALWAYS_FALSE = Mistake(
     "your test refuses everything",
-    "A right version passes too. Compare with a tolerance (np.allclose), and where two answers are right, accept both.",
+    "A right version passes too. Compare with a tolerance (np.allclose). Does your test ask for one of two right "
+    "answers, as at an angle of exactly pi (either sign is right)? Does it compare NaN with a number, which is never "
+    "equal?",
 )
 
 

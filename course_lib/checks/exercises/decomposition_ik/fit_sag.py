@@ -86,6 +86,12 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake
+def other_sign(q, xy):
+    """delta has the other sign. If the arm sags, which direction is ahead: the rigid arm's, or the measured one?"""
+    return -fit_sag(q, xy)
+
+
+@EXERCISE.mistake
 def not_wrapped(q, xy):
     """an angle is off by a full revolution. What does arctan2 return for a tip just beyond 180 degrees?"""
     return fit_sag(q, xy, wrap=lambda gap: gap)

@@ -17,7 +17,7 @@ _NO_ROWS = Mistake(
 _DIVIDED = Mistake("y is divided by x, which may be 0", "Which function takes y and x without dividing them?")
 _NO_COSINE = Mistake(
     "arccos gets a number outside [-1, 1]: out of reach, or by rounding at the edge",
-    "Which positions have no solution? And what do you do with a cosine of 1 + 1e-16?",
+    "Which positions have no solution? What is your cosine for xy = [np.nextafter(2, 3), 0], and what do you do then?",
 )
 
 
@@ -62,9 +62,10 @@ def _in_order(q, xy):
 
 def _tell_tip(q, xy):
     if np.isnan(q).any():
-        return f"This position is {np.linalg.norm(xy):.16g} m from the base. Your answer holds NaN."
+        return f"xy = {xy.tolist()} is {float(np.linalg.norm(xy))} m from the base. Your answer holds NaN."
     row = int(np.argmax(np.linalg.norm(two_link_tip(q) - xy, axis=-1)))
-    return f"With your {('first', 'second')[row]} row the tip is at {format_tuple(np.round(two_link_tip(q[row]), 6))}."
+    tip = format_tuple(np.round(two_link_tip(q[row]), 6))
+    return f"With your {('first', 'second')[row]} row the tip is at {tip}, for xy = {xy.tolist()}."
 
 
 def _alike(q, predicted, xy):

@@ -8,6 +8,7 @@ from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_numbe
 from course_lib.checks.format_numbers import format_tuple
 
 _ONE = Mistake("only one pair of angles is predicted for each query", "How many branches are there?")
+_ALL = Mistake("the models of each query meet all positions", "Which products of A @ xy.T belong to their own query?")
 _LEFT_OUT = Mistake("queries without a cell are left out", "What stands in row i if query i has no cell?")
 
 
@@ -39,7 +40,7 @@ def _cases(rng):
     several, more = _some_models(rng, 4, [(1, 1), (2, 0)]), _some_models(rng, 5, [(0, 0), (3, 0), (3, 1)])
     many = np.concatenate([rng.permutation([-1, 0, 1, 2, 3, 4]), rng.integers(-1, 5, 6)])
     return [
-        (np.round(_some_models(rng, 1), 2), np.array([0]), np.array([[1.0, 0.0]])),
+        (np.round(_some_models(rng, 1), 2), np.array([0, 0]), np.array([[1.0, 0], [0.5, 2]])),
         (_some_models(rng, 1), np.array([0]), _positions(rng, 1)),
         (_some_models(rng, 1), np.array([-1]), _positions(rng, 1)),
         (_some_models(rng, 1, [(0, 1)]), np.array([0]), _positions(rng, 1)),
@@ -53,7 +54,8 @@ def _cases(rng):
 
 
 def _known_form(array, models, cell, xy):
-    return {(len(cell), 2): _ONE, ((cell >= 0).sum(), 2, 2): _LEFT_OUT}.get(array.shape)
+    m = len(cell)
+    return {(m, 2): _ONE, ((cell >= 0).sum(), 2, 2): _LEFT_OUT, (m, 2, 2, m): _ALL}.get(array.shape)
 
 
 def _tell(index, angles, models, cell, xy):

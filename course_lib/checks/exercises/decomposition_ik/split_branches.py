@@ -170,7 +170,7 @@ def not_renumbered(q, n_init, swapped):
 
 @EXERCISE.mistake(every=(True, False))
 def by_the_sign(q, every):
-    """the samples are split by the sign of q2. What does K-means do in a cell with one elbow only?"""
+    """the samples are split by the sign of q2. Which labels did k-means give, and what is left for you to decide?"""
     return (np.asarray(q)[:, 1] < 0).astype(int) if every or several(q) else None
 
 

@@ -10,6 +10,7 @@ from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
 _NOT_MOVED = Mistake("the points are not moved by T_wc", "Which two parts of a pose act on a point?")
+_ROWS = Mistake("the rows of pixels are taken for u and v", "Which index takes all u of an array of shape (n, 2)?")
 _ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
 
 
@@ -86,14 +87,21 @@ EXERCISE = Exercise(
         "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
     ),
     library=right,
+    errors=(("ValueError", "values to unpack", _ROWS),),
 )
 
 
-@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: moved(inverse(T), p), lambda T, p: p @ T[:3, :3] + T[:3, 3]))
+@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: moved(inverse(T), p)))
 def other_pose(pixels, depths, K, T_wc, of):
     """the points are right in the camera's frame, but not in the world's. T_wc is the camera's pose in the world: which
     coordinates does it take to which?"""
     return of(T_wc, right(pixels, depths, K, np.eye(4)))
+
+
+@EXERCISE.mistake
+def transposed(pixels, depths, K, T_wc):
+    """the points are rotated by the transpose of R_wc. They are rows: what is R p, if p is written as a row?"""
+    return right(pixels, depths, K, np.eye(4)) @ T_wc[:3, :3] + T_wc[:3, 3]
 
 
 @EXERCISE.mistake
