@@ -29,7 +29,7 @@ def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
 def test_it_and_the_changes_say_how_long_a_sitting_takes():
     paths = (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")
     hours = [each for path in paths for each in sittings(nbformat.read(path, 4).cells[0].source)]
-    parts = {0: "", 0.5: " and a half", 0.75: " and three quarters"}
+    parts = {0: "", 0.25: " and a quarter", 0.5: " and a half", 0.75: " and three quarters"}
     least, most = (NUMBERS[int(each)] + parts[each % 1] for each in (min(hours), max(hours)))
     for text in (README, (ROOT / "notebooks/changes.md").read_text(encoding="utf-8")):
         assert f"two sittings of {least} to {most} hours" in " ".join(text.split())

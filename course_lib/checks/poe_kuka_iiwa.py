@@ -75,6 +75,6 @@ PREDICTIONS = (
 )
 
 MORE = ("singular_configurations", "rotation_about", "space_jacobian", "holding_torques", "first_bad_row")
-STOP = ("forward_kinematics", "One motion, two observers")
+STOP = ("test_adjoint", "How fast it moves")
 
 globals().update(namespace(__name__, EXERCISES, PREDICTIONS, MORE, STOP))

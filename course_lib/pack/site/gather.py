@@ -205,10 +205,10 @@ def _question(text: str) -> str:
 
 def sittings(text: str) -> list[float]:
     """Return the hours in "It takes two sittings of about two and a half and two hours", here [2.5, 2.0], or []."""
-    number = rf"({'|'.join(NUMBERS)})( and a half| and three quarters)?"
+    number = rf"({'|'.join(NUMBERS)})( and a half| and a quarter| and three quarters)?"
     found = re.search(rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text)
     parts = found.groups() if found else ()
-    more = {None: 0, " and a half": 0.5, " and three quarters": 0.75}
+    more = {None: 0, " and a quarter": 0.25, " and a half": 0.5, " and three quarters": 0.75}
     return [NUMBERS.index(whole) + more[part] for whole, part in zip(parts[::2], parts[1::2], strict=True) if whole]
 
 
