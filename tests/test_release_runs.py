@@ -20,7 +20,7 @@ WHICH = "import course_lib\nprint(course_lib.__file__)"
 FEWER = {
     "cases-run": {'["max_iterations"]': '["max_iterations"] // 50'},
     "thousand-code": {"(1000, 7))": "(1000, 7))[:50]"},
-    "wrong-pairing": {"(1000, rng)": "(50, rng)"},
+    "wrong-pairing": {"(1000, dice)": "(50, dice)"},
     "benchmark": {"reached(thousand,": "reached(thousand[:50],"},
     "width-code": {", 36, 50, 70": ""},
     "compete-code": {"[:5000]": "[:500]"},
