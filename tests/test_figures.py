@@ -200,6 +200,8 @@ def test_the_last_bits_of_a_machine_do_not_reach_the_file(made):
 
 def test_pages_may_cut_panels_apart_that_are_side_by_side():
     fig, (left, right) = plane_figure(8, 3, 2)
+    right.set(ylabel="y (m)", xlim=(-2, 2), ylim=(-2, 2), aspect="equal", title="A title as wide as its panel is")
+    left.set_title("Another one, which is about as wide")
     (cut,) = shown(Picture(fig, ALT)).metadata["image/png"]["cuts"]
     assert 768 * left.get_position().x1 < cut < 768 * right.get_position().x0
     assert "cuts" not in shown(Picture(plane_figure(6, 6, 2, rows=2)[0], ALT)).metadata["image/png"]

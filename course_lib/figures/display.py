@@ -62,8 +62,9 @@ def show(fig, *, alt="", caption=""):
     if not hasattr(fig, "savefig"):
         raise ValueError(f"fig must be a matplotlib figure; it is of type {type(fig).__name__}")
     width, height = (round(96 * inches) for inches in fig.get_size_inches())
+    data = {"image/png": _png(fig), "text/plain": alt}  # before the cuts: drawing it puts its panels into place
     metadata = {"alt": alt, "width": width, "height": height} | _cuts(fig, width)
-    display({"image/png": _png(fig), "text/plain": alt}, raw=True, metadata={"image/png": metadata})
+    display(data, raw=True, metadata={"image/png": metadata})
     show_caption(caption)
 
 
