@@ -66,7 +66,7 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     cells = [cell for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True) if not more]
     hours = sittings(cells[0].source)
     assert hours, 'say "It takes about two hours" or "It takes two sittings of about two and two and a half hours"'
-    assert max(hours) <= 2.75
+    assert max(hours) <= 2.5
     assert len(hours) == (2 if stop else 1)
     if not stop:  # a short notebook, in one sitting
         return

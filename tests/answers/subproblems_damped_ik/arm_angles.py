@@ -56,22 +56,10 @@ def wrong_nearest_for_what_is_out_of_reach(center):
     return right_by_subproblems(center) or [(0.0, 0.0, 0.0)]
 
 
-def _by(center, distance, goal_first=False):
-    elbow, found = subproblems.subproblem3(ey, WRIST - ELBOW, SHOULDER - ELBOW, distance), []
-    for q3 in elbow.theta if elbow.exact else []:
-        points = [bent(q3), center - SHOULDER][:: -1 if goal_first else 1]
-        found += [(-back, q2, q3) for q2, back in subproblems.subproblem2(ey, ez, *points).theta]
-    return found
-
-
-def wrong_distance_from_the_base(center):
-    """q3 is wrong"""
-    return _by(center, np.linalg.norm(center))
-
-
 def wrong_points_exchanged(center):
-    """q3 is right, and q1 or q2 is not"""
-    return _by(center, np.linalg.norm(center - SHOULDER), goal_first=True)
+    """q1 or q2 is wrong"""
+    both = [(q3, subproblems.subproblem2(ey, ez, center - SHOULDER, bent(q3)).theta) for q3 in _bends(center)]
+    return [(-back, q2, q3) for q3, pairs in both for q2, back in pairs]
 
 
 def wrong_wrist_not_moved(center):

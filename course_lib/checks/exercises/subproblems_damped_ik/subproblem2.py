@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
-from course_lib.checks.exercises.subproblems_damped_ik.shared import angle_about, rotated, two
+from course_lib.checks.exercises.subproblems_damped_ik.shared import rotated
 from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem2
 
@@ -118,35 +118,11 @@ EXERCISE = Exercise(
     hints=(
         "p1 moves on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
         "k1 . z = k1 . p1 and k2 . z = k2 . p2.",
-        "Write z = a k1 + b k2 + c (k1 x k2). The two heights are two linear equations for a and b; the text has their "
-        "matrix.",
-        "Pythagoras gives c^2, as in the text. If it is negative there is no solution: an empty list.",
+        "z = a k1 + b k2 + c (k1 x k2), and the given lines find a and b. Pythagoras gives c^2, as in the text. If it "
+        "is negative there is no solution: an empty list.",
         "For each of the two z: theta1 = subproblem1(k1, p1, z), theta2 = subproblem1(k2, p2, z).",
     ),
     forbidden=("course_lib.subproblems.subproblem2",),
 )
 
 shared.add_too_few(EXERCISE, solutions, _misses)
-
-
-def _through(case, a, b, square):
-    """The pairs of somebody who takes z = a k1 + b k2 +- sqrt(square) n for the points where the circles meet."""
-    two(solutions, *case)
-    k1, k2, p1, p2 = case
-    off = np.sqrt(max(square, 0.0)) * np.cross(k1, k2)
-    points = [a * k1 + b * k2 + side * off for side in (1, -1)]
-    return [(angle_about(k1, p1, z), angle_about(k2, p2, z)) for z in points]
-
-
-def _rest(a, b, m, square):
-    """What Pythagoras leaves of |p1|^2 for the part along k1 x k2."""
-    return square - a * a - b * b - 2 * a * b * m
-
-
-@EXERCISE.mistake
-def heights_for_parts(*case):
-    """a and b are taken for the two heights. How high is a k1 + b k2 along k1 if the axes are not perpendicular?"""
-    k1, k2, p1, p2 = case
-    m, a, b = k1 @ k2, k1 @ p1, k2 @ p2
-    square = _rest(a, b, m, p1 @ p1) / (1 - m * m)
-    return _through(case, a, b, square) if square > 0 else []

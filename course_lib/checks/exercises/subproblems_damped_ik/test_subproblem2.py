@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.exercises.subproblems_damped_ik.shared import rotated
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem2 import solutions
+from course_lib.checks.vocabulary import X, Z
 from course_lib.checks.write_test import Version, WriteTest
 
 
@@ -44,6 +46,13 @@ def _quarter(pairs):
     return np.arctan(np.tan(pairs))
 
 
+_GIVEN = Z, X, rotated(Z, -0.5, np.array([1.0, 2, 2])), rotated(X, -0.8, np.array([1.0, 2, 2]))
+
+
+def _joins(pair):
+    return np.allclose(rotated(Z, pair[0], _GIVEN[2]), rotated(X, pair[1], _GIVEN[3]))
+
+
 _COUNT = "that does not return every solution, or returns one twice"
 _SIGN = "with a wrong sign"
 
@@ -52,7 +61,8 @@ EXERCISE = WriteTest(
     points=3,
     arguments=("subproblem2",),
     hints=(
-        "You need no right version to compare with: choose the meeting point z first, and make p1 and p2 from it.",
+        "You need no right version to compare with: choose the meeting point z first, and make p1 and p2 from it, as "
+        "the given test does. Draw axes and points at random.",
         "A right list contains two different pairs, each brings the points together, and it is empty if nothing can. "
         "Test with axes at acute and obtuse angles, and with points that are not of length one.",
         "For the empty list: two small circles, each about its own axis.",
@@ -79,4 +89,5 @@ EXERCISE = WriteTest(
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),
     ),
+    given=lambda subproblem2: all(_joins(pair) for pair in subproblem2(*_GIVEN)),
 )
