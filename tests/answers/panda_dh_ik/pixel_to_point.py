@@ -28,13 +28,11 @@ def wrong_fourth_entry(pixels, depths, K, T_wc):
     return np.column_stack([right_by_the_inverse(pixels, depths, K, T_wc), np.ones(len(pixels))])
 
 
+def wrong_one_focal_length(pixels, depths, K, T_wc):
+    """K, or a pixel, is not used as it came"""
+    return right_by_the_inverse(pixels, depths, K * [[1], [K[0, 0] / K[1, 1]], [1]], T_wc)
+
+
 def wrong_multiplied_by_K(pixels, depths, K, T_wc):
     """the inverse of K"""
     return right_by_the_inverse(pixels, depths, np.linalg.inv(K), T_wc)
-
-
-def wrong_unpacked(pixels, depths, K, T_wc):
-    """ValueError"""
-    u, v = pixels
-    x, y = (u - K[0, 2]) / K[0, 0] * depths, (v - K[1, 2]) / K[1, 1] * depths
-    return np.column_stack([x, y, depths]) @ T_wc[:3, :3].T + T_wc[:3, 3]

@@ -10,7 +10,6 @@ from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
 _NOT_MOVED = Mistake("the points are not moved by T_wc", "Which two parts of a pose act on a point?")
-_ROWS = Mistake("the rows of pixels are taken for u and v", "Which index takes all u of an array of shape (n, 2)?")
 _ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
 
 
@@ -37,14 +36,8 @@ def _cases(rng):
     return cases
 
 
-def _in_camera(points, T_wc):
-    return moved(inverse(T_wc), points)
-
-
-def _projected(points, pixels, depths, K, T_wc):
-    """Return the pixels at which the camera sees the points."""
-    seen = _in_camera(points, T_wc) @ K.T
-    return seen[:, :2] / seen[:, 2:]
+def _right(points, *case):
+    return near(points, right(*case))
 
 
 def _off(points, *case):
@@ -62,21 +55,22 @@ EXERCISE = Exercise(
     ),
     properties=(
         Property(
-            "a camera in the world's frame (T_wc = I) sees each point at its pixel",
-            lambda points, *case: near(_projected(points, *case), case[0]),
+            "with T_wc = I, which moves nothing, each point has its depth as z and is seen at its pixel",
+            _right,
             _off,
             where=lambda pixels, depths, K, T_wc: np.array_equal(T_wc, np.eye(4)),
             mistake=Mistake("the point in the camera's frame is another one", "Solve u = f_x x / z + c_x for x."),
         ),
         Property(
-            "the depth of each point is its z in the camera's frame",
-            lambda points, pixels, depths, K, T_wc: near(_in_camera(points, T_wc)[:, 2], depths),
+            "the points are seen from the world: T_wc takes them there from the camera's frame",
+            _right,
             _off,
+            where=lambda pixels, depths, K, T_wc: K[0, 0] == K[1, 1],
             mistake=_NOT_MOVED,
         ),
         Property(
-            "the camera at T_wc sees each point at its pixel",
-            lambda points, *case: near(points, right(*case)),
+            "u = f_x x / z + c_x and v = f_y y / z + c_y in the camera's frame, with the numbers in this K",
+            _right,
             _off,
             mistake=Mistake("K, or a pixel, is not used as it came", "Which numbers differ from camera to camera?"),
         ),
@@ -87,7 +81,6 @@ EXERCISE = Exercise(
         "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
     ),
     library=right,
-    errors=(("ValueError", "values to unpack", _ROWS),),
 )
 
 
