@@ -1,6 +1,7 @@
 """What students write for register_points(src, dst, weights)."""
 
 import numpy as np
+from scipy.linalg import polar
 from scipy.spatial.transform import Rotation
 
 from course_lib import registration
@@ -31,9 +32,11 @@ def right_horns_quaternion_as_lists(src, dst, weights):
     return np.vstack([np.column_stack([R, w @ dst - R @ (w @ src)]), [0, 0, 0, 1]]).tolist()
 
 
-def right_scipys(src, dst, weights):
+def right_polar_decomposition(src, dst, weights):
     w, T = weights / weights.sum(), np.eye(4, dtype=complex)
-    T[:3, :3] = Rotation.align_vectors(dst - w @ dst, src - w @ src, weights)[0].as_matrix()
+    Q, stretch = polar((dst - w @ dst).T @ np.diag(w) @ (src - w @ src))
+    least = np.linalg.eigh(stretch)[1][:, 0]
+    T[:3, :3] = Q + (np.linalg.det(Q) - 1) * np.outer(Q @ least, least)
     T[:3, 3] = w @ dst - T[:3, :3] @ (w @ src)
     return T
 
@@ -62,6 +65,11 @@ def wrong_apart(src, dst, weights):
     """R and p are returned apart"""
     T = right_kabsch(src, dst, weights)
     return T[:3, :3], T[:3, 3]
+
+
+def wrong_scipys(src, dst, weights):
+    """scipy.spatial.transform.Rotation is called"""
+    return Rotation.align_vectors(dst, src, weights)[0].as_matrix()
 
 
 def wrong_the_librarys(src, dst, weights):

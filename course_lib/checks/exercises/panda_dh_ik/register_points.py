@@ -134,7 +134,7 @@ EXERCISE = Exercise(
     ),
     library=registered,
     broken=_broken,
-    forbidden=("course_lib.registration.register_points",),
+    forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),
     errors=(
         (
             "ValueError",
