@@ -67,6 +67,11 @@ def wrong_apart(src, dst, weights):
     return T[:3, :3], T[:3, 3]
 
 
+def wrong_weights_missing(src, dst, weights):
+    """the weights count otherwise"""
+    return right_kabsch(src, dst, np.ones(len(src)) * (weights > 0))
+
+
 def wrong_scipys(src, dst, weights):
     """scipy.spatial.transform.Rotation is called"""
     return Rotation.align_vectors(dst, src, weights)[0].as_matrix()

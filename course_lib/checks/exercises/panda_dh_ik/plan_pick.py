@@ -82,8 +82,14 @@ def _other_form(array, *case):
     return _SWAPPED if array.ndim == 2 and array.shape[0] == 8 else None
 
 
-def _ordered(x):
-    return np.diff(x[:, 0]).min() > 0
+def _steps(row):
+    """Return what says the times of two rows; row(steps): the first of them."""
+
+    def says(x, *case):
+        k = row(np.diff(x[:, 0]))
+        return f"Rows {k} and {k + 1}, counted from 0, have the times {x[k, 0]:.4g} s and {x[k + 1, 0]:.4g} s."
+
+    return says
 
 
 def _inside(x):
@@ -113,7 +119,8 @@ def _touches(x, q0, T):
     what = min(gaps, key=lambda what: gaps[what].min())
     k = gaps[what].argmin()
     with_what = "itself" if what == "itself" else f"the {what}"
-    return f"After {times[k]:.2f} s its distance from {with_what} is {1000 * gaps[what][k]:.1f} mm."
+    row = np.searchsorted(x[:, 0], times[k], "right") - 1
+    return f"At row {row}, after {times[k]:.2f} s, its distance from {with_what} is {1000 * gaps[what][k]:.1f} mm."
 
 
 def _arrives(x, q0, T, clear):
@@ -125,7 +132,8 @@ def _arrives(x, q0, T, clear):
 def _too_much(which, unit):
     def says(x, *case):
         share = shares(x)[which]
-        return f"At {x[share.argmax(), 0]:.2f} s a joint has {share.max():.3g} times its largest {unit}."
+        k = share.argmax()
+        return f"At row {k}, after {x[k, 0]:.2f} s, a joint has {share[k]:.3g} times its largest {unit}."
 
     return says
 
@@ -137,7 +145,12 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS, _other_form),
     properties=(
-        Property("the times increase from row to row", lambda x, *case: _ordered(x), mistake=_TWICE),
+        Property(
+            "the times increase from row to row",
+            lambda x, *case: np.diff(x[:, 0]).min() > 0,
+            _steps(lambda steps: int((steps <= 0).argmax())),
+            mistake=_TWICE,
+        ),
         Property(
             "the first row is the time 0 and q0",
             lambda x, *case: abs(x[0, 0]) < 1e-9 and _begins(x, *case),
@@ -177,17 +190,17 @@ EXERCISE = Exercise(
         Property(
             "each row is at most 0.2 s after the one before",
             lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
+            _steps(np.argmax),
             mistake=Mistake("the rows are too far apart in time", "How many rows does each leg have?"),
         ),
         Property("it enters nothing deeper than 1 cm", lambda x, *case: _arrives(x, *case, -0.01), points=1),
     ),
     hints=(
-        "Two legs: in joint space from q0 to a configuration with the gripper some way above the mug; then straight "
-        "down, one panda_ik for each pose, which starts from the one before. T_grasp is not the pose of the flange.",
-        "A leg is at rest at both ends: configurations at s = 3 u^2 - 2 u^3 for evenly spaced u. Give each leg one "
-        "second, and ask pick.shares what that would take of the motors.",
-        "If all times are multiplied by k, speeds are divided by k and accelerations by k^2: for each leg "
-        "k = max(speed.max(), acceleration.max() ** 0.5).",
+        "The second leg begins at `above`. One panda_ik for each further pose, which starts from the angles of the one "
+        "before, makes its configurations, an array of shape (41, 7).",
+        "`timed` gives the second leg its times, as it gave them to `over`, but not from time 0: what is `start`?",
+        "The first row of the second leg stands at the end of `over` already. Leave it out: "
+        "np.vstack([over, second[1:]]), with second = timed(u, down, start=over[-1, 0]).",
     ),
     library=right,
     tries_arguments=False,
@@ -196,7 +209,7 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR))
 def straight_to_the_grasp(q0, T_grasp):
-    """the way to the grasp leads through something. From where must the fingers come, if they are to end on both sides
+    """the path to the grasp leads through something. From where must the fingers come, if they are to end on both sides
     of the mug? And how far apart are your rows?"""
     return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
 

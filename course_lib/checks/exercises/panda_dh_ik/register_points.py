@@ -1,4 +1,4 @@
-"""register_points: find the bug, and let the weights count. A reflection is corrected in the finished product."""
+"""register_points: find the bug. A reflection is corrected in the finished product."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from course_lib.checks.exercises.panda_dh_ik.shared_points import (
 )
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.rigid import transform
-from course_lib.rotations import nearest_so, rot_x, rot_z
+from course_lib.rotations import rot_x, rot_z
 
 _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
 _WHOLE_ROTATED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
@@ -88,8 +88,8 @@ def _exact(src, dst, weights):
 
 
 def _broken(src, dst, weights):
-    c_src, c_dst = src.mean(0), dst.mean(0)
-    U, _, Vt = np.linalg.svd((dst - c_dst).T @ (src - c_src))
+    c_src, c_dst = np.average(src, 0, weights), np.average(dst, 0, weights)
+    U, _, Vt = np.linalg.svd((weights[:, None] * (dst - c_dst)).T @ (src - c_src))
     R = U @ Vt
     if np.linalg.det(R) < 0:
         R[:, 2] *= -1
@@ -126,11 +126,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "A point of weight 3 counts as three points. In which two places of the code do points count?",
-        "Run the broken code on four points with noise of their own size until its determinant test applies. Does a "
-        "column of the product U V^T belong to one of the singular values?",
-        "B = (weights[:, None] * b).T @ a, and U, S, Vt = np.linalg.svd(B). R = U @ np.diag([1, 1, d]) @ Vt with "
-        "d = det(U @ Vt), so that R is never a reflection; p = c_dst - R @ c_src.",
+        "Run the broken code on four points with noise of their own size until its determinant test applies. "
+        "Compare its R with rotations.nearest_so(B).",
+        "To change a sign costs least at the smallest singular value. Does a column of the finished product U V^T "
+        "belong to one of the singular values?",
+        "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
     ),
     library=registered,
     broken=_broken,
@@ -145,28 +145,6 @@ EXERCISE = Exercise(
 )
 
 
-def _share(weights):
-    return weights / weights.sum()
-
-
-def _alike(weights):
-    return np.full(len(weights), 1 / len(weights))
-
-
-def _fit(src, dst, weights, centre=_share, pull=_share, rotation=nearest_so):
-    """Return the pose with other weights of the centroids, or of the sum of the b_i a_i^T, or another R of the sum."""
-    c, d = centre(weights) @ src, centre(weights) @ dst
-    R = rotation((pull(weights)[:, None] * (dst - d)).T @ (src - c))
-    return pose(R, d - R @ c)
-
-
-@EXERCISE.mistake(pair=((_alike, _alike), (_alike, _share), (_share, _alike)))
-def weights_missing(*case, pair):
-    """the weights are missing, in the centroids, in the sum of the b_i a_i^T, or in both. A point of weight 3 counts as
-    three points: where?"""
-    return _fit(*case, *pair)
-
-
 def _reflection(*case):
     """Return R with a sign at the smallest singular value that does not belong there."""
     R, normal = registered(*case)[:3, :3], np.linalg.svd(product(*case))[2][2]
@@ -174,7 +152,7 @@ def _reflection(*case):
 
 
 def _has_block(T, block, src, dst, weights):
-    return same(T, pose(block, _share(weights) @ (dst - src @ block.T)))
+    return same(T, pose(block, np.average(dst - src @ block.T, 0, weights)))
 
 
 @EXERCISE.seen
