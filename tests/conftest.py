@@ -43,7 +43,7 @@ def pytest_ignore_collect(collection_path):
 LONGEST = ["test_lab.py", "test_site_course.py", "test_mutants.py", "test_grade_hostile.py", "test_bank.py"]
 LONGEST += ["test_grade_submission.py", "test_release_runs.py", "05_panda_dh_ik.ipynb", "06_decomposition_ik.ipynb"]
 LONGEST += ["test_toys_page.py", "test_site.py", "test_site_scripts.py", "test_site_more.py"]
-LONGEST += ["test_site_answers.py", "test_site_living.py", "test_grade_jobs.py", "test_grade_layouts.py"]
+LONGEST += ["test_site_answers.py", "test_grade_jobs.py", "test_grade_layouts.py"]
 LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_release_nbgrader.py", "test_commands.py"]
 LONGEST += ["test_site_leaks.py", "test_grade_isolation.py", "test_notebook_runner.py", "test_grade_tests.py"]
 

@@ -156,7 +156,7 @@ FACTS = r"""() => {
 
 
 def assert_readable(visit, notebook, width, draws=True, rules=None):
-    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from.
+    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from, if any is.
 
     draws: whether these are drawn. Otherwise their still pictures stand where the page was not scrolled to. rules: as
     `violations` takes them.
@@ -171,12 +171,11 @@ def assert_readable(visit, notebook, width, draws=True, rules=None):
         assert alt
         assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
     assert all(facts["groups"])
-    cells = nbformat.read(notebook, as_version=4).cells if notebook else []
-    outputs = [o for c in cells for o in c.get("outputs", [])]
-    figures = [o for o in outputs if TOY in o.get("data", {})]
     if draws:
-        assert visit.draw_figures() == len(figures)
-    assert len(facts["groups"]) == len(figures)
+        assert visit.draw_figures() == len(facts["groups"])
+    if notebook:
+        outputs = [o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])]
+        assert len(facts["groups"]) == sum(TOY in o.get("data", {}) for o in outputs)
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
     assert violations(visit, rules=rules) == []
     assert visit.complaints == []

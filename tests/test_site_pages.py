@@ -8,7 +8,10 @@ from pathlib import Path
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
+from playwright.sync_api import expect
+from site_visits import SHIFT, Visit
 
+from course_lib.figures.display import TOY
 from course_lib.pack.more import heading_level
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
@@ -70,6 +73,19 @@ def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(art
         assert len(cells) == 1
         stored = next(output for output in cells[0].outputs if "image/png" in output.get("data", {}))
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
+
+
+def test_the_home_page_has_the_toy_of_the_tagged_cell_which_starts_without_a_shift_of_the_layout(course, browser):
+    cells = [cell for notebook in NOTEBOOKS for cell in nbformat.read(notebook, 4).cells]
+    (tagged,) = (cell for cell in cells if "home" in cell.metadata.get("tags", []))
+    (toy,) = (output for output in tagged.outputs if TOY in output.get("data", {}))
+    with Visit(browser, course / "index.html") as visit:
+        assert visit.draw_figures() == 1
+        figure = visit.page.locator(".toy-figure.drawn")
+        assert figure.get_attribute("aria-label") == " ".join(toy.metadata["image/png"]["alt"].split())
+        assert visit.page.evaluate(SHIFT) < 0.02
+        expect(figure).to_contain_text("the arm follows")
+        assert visit.complaints == []
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)

@@ -1,7 +1,7 @@
 """The executed notebooks as a static site that opens from a folder with the network off."""
 
 COVER = "cover"  # the tag of the cell whose picture is on the notebook's card
-LIVING = ("motion", "scene", "toys", "panda")  # the home page's scripts, of course_lib/figures/scripts, in order
+HOME = "home"  # the tag of the cell whose toy is on the home page
 
 
 class SiteError(Exception):

@@ -15,7 +15,6 @@ from course_lib.pack.release.bundle import PAGES
 from course_lib.pack.site import SiteError, gather, icons, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
-from course_lib.pack.site.living import living_panda
 from course_lib.pack.site.prepare import prepare
 
 HERE = Path(__file__).parent
@@ -82,7 +81,7 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, model: bool, rele
         if sections.write(books, page):
             prepare(page, pages, solutions)
             others.append(page)
-    (pages / "index.md").write_text(gather.home(notebooks, others, living_panda(), offered(release)), encoding="utf-8")
+    (pages / "index.md").write_text(gather.home(notebooks, others, offered(release)), encoding="utf-8")
 
 
 def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:

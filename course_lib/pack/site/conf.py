@@ -6,7 +6,7 @@ import re
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import LIVING, formulas
+from course_lib.pack.site import formulas
 
 project = "Robot kinematics"
 html_title = ""  # it would follow the title of each page
@@ -96,9 +96,6 @@ def load_scripts_where_needed(app, pagename, templatename, context, doctree):
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
-    if '<div class="living">' in context.get("body", ""):
-        for script in LIVING:
-            app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if figures:
         app.add_js_file("figures.js", loading_method="defer")
 

@@ -11,14 +11,15 @@ import numpy as np
 from nbformat import NotebookNode
 
 from course_lib.checks import rotations
-from course_lib.pack.site import COVER
-from course_lib.pack.site.prepare import IMAGES, alternative, picture
+from course_lib.figures.display import TOY
+from course_lib.pack.site import COVER, HOME
+from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, are optional."
 
-HOME = """---
+PAGE = """---
 myst:
   html_meta:
     description: "{about}"
@@ -32,7 +33,7 @@ For students of engineering or computer science who know matrices and a little P
 Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
 reproduces the numbers of a published homework report, and proves its errors by computation.{time}
 
-{living}
+{toy}
 
 <nav class="first-steps" aria-label="First steps">
 
@@ -124,6 +125,7 @@ class Notebook:
     question: str = ""
     hours: float = 0
     picture: str = ""
+    toy: str = ""
 
 
 def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
@@ -136,14 +138,14 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
         question=_question(text),
         hours=sum(sittings(text)),
         picture=_cover(book, source.name, pages),
+        toy=_toy(book, source.name, pages),
     )
 
 
-def home(notebooks: list[Notebook], others: list[Path], living: str, offered: str) -> str:
+def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
     """Return the home page in MyST.
 
-    `others` are the pages beside the notebooks, `living` is the robot above the cards and `offered` the link to the
-    students' zip, each as HTML; the link may be "".
+    `others` are the pages beside the notebooks, and `offered` is the link to the students' zip as HTML, or "".
     """
     hours = [notebook.hours for notebook in notebooks]
     time = f" {CORE.format(sum(hours))}" if all(hours) else ""
@@ -153,10 +155,10 @@ def home(notebooks: list[Notebook], others: list[Path], living: str, offered: st
         steps.append("[Each report, and its numbers beside ours](reports.md)")
     if "errata.ipynb" in pages:
         steps.append("[Errors in the published reports](errata.ipynb)")
-    return HOME.format(
+    return PAGE.format(
         time=time,
         version=version("course_lib"),
-        living=living,
+        toy="".join(notebook.toy for notebook in notebooks),
         about=ABOUT,
         answer=ANSWER,
         said=_check_of(ANSWER),
@@ -222,4 +224,13 @@ def _cover(book, name: str, pages: Path) -> str:
                 # The card shows a still, even if the notebook's figure moves.
                 alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
                 return picture(output, kind, "picture cover", alt, pages)
+    return ""
+
+
+def _toy(book, name: str, pages: Path) -> str:
+    """Return the toy of the cell that is tagged for the home page, as an element, or ""."""
+    tagged = [cell for cell in book.cells if HOME in cell.metadata.get("tags", [])]
+    for output in (output for cell in tagged for output in cell.outputs if TOY in output.get("data", {})):
+        show(output, name, pages)
+        return f'<figure class="shown">{output.data["text/html"]}</figure>'
     return ""

@@ -54,11 +54,11 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
                 if "raises-exception" not in cell.metadata.get("tags", []):
                     raise SiteError(f"{place} stopped with {output.ename}: {output.evalue}")
             elif output.output_type != "stream":
-                _show(output, place, folder)
+                show(output, place, folder)
     nbformat.write(book, folder / notebook.name)
 
 
-def _show(output, place: str, folder: Path) -> None:
+def show(output, place: str, folder: Path) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
     if figure := output.data.get(TOY):
