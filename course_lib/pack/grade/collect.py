@@ -110,7 +110,7 @@ def _flat(path, folder, notebooks, platform):
     stem, ending = printable(path.stem), path.suffix.lower()
     student, notebook = split(stem, notebooks)
     name = exported_name(stem, platform)
-    if name.number:
+    if name.student:
         student, notebook = name.student, split(name.rest, notebooks)[1] or name.rest
     refused = ""
     if path.is_symlink():

@@ -89,8 +89,11 @@ def clean(text):
 
 
 def words(name):
-    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe"."""
-    plain = unicodedata.normalize("NFKD", name).casefold()
+    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe".
+
+    Without the signs that Moodle leaves out of file names too (public/lib/classes/param.php, clean_param_value_file).
+    """
+    plain = re.sub(r"[&<>\"`|':\\/]", "", unicodedata.normalize("NFKD", name).casefold())
     return " ".join(sorted(re.findall(r"\w+", "".join(c for c in plain if not unicodedata.combining(c)))))
 
 

@@ -105,7 +105,8 @@ def _uploads(counting):
     """
     contents = {}
     for each in counting:
-        if not MOODLE.fullmatch(each.submission.place.partition("/")[0]):
+        found = MOODLE.fullmatch(each.submission.place.partition("/")[0])
+        if not (found and found["id"]):
             continue
         folder = f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
         name = each.notebook or "other files"

@@ -7,9 +7,10 @@ says which (LMS=). If all names fit one, the instructor is asked.
 import re
 from typing import NamedTuple
 
-# Moodle's "Download all submissions": <full name>_<number>_assignsubmission_file_, a folder or the beginning of a
-# file's name; the number is of the participant in this one assignment.
-MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<rest>.*)", re.DOTALL)
+# Moodle's "Download all submissions": <full name>_<number>_assignsubmission_file, a folder or the beginning of a file's
+# name; the number is of the participant in this one assignment, or of the group. Those in no group are a group without
+# a number (moodle/moodle, mod/assign/classes/downloader.php, get_student_prefix and load_submissionplugin_filelist).
+MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assignsubmission_(?:file|onlinetext)_?(?P<rest>.*)", re.DOTALL)
 
 # Canvas's "Download submissions": <name>_[LATE_]<user>_<file>_<file's own name>, or anon_<id> for name and user
 # (instructure/canvas-lms, lib/content_zipper.rb, get_filename and add_upload_submission).
@@ -20,7 +21,7 @@ CANVAS = re.compile(
 )
 
 # What was typed into the platform: Moodle's folder or file, and Canvas's (add_text_or_url).
-ONLINE_TEXT = re.compile(r".+_\d+_assignsubmission_onlinetext(_.*)?|.+_(\d+|anon_[A-Za-z0-9]+)_(text|link)", re.DOTALL)
+ONLINE_TEXT = re.compile(r".+_assignsubmission_onlinetext(_.*)?|.+_(\d+|anon_[A-Za-z0-9]+)_(text|link)", re.DOTALL)
 
 
 class Exported(NamedTuple):
@@ -48,9 +49,9 @@ def exported_name(stem, platform):
     The platform's part comes first, so a student cannot imitate it by the file's own name.
     """
     if platform == "moodle" and (found := MOODLE.fullmatch(stem)):
-        blind = found["name"] == "Participant"  # Moodle's name for everybody in anonymous submissions
+        blind = found["id"] and found["name"] == "Participant"  # Moodle's name for all in anonymous submissions
         student = f"Participant {found['id']}" if blind else found["name"]
-        return Exported(student, found["rest"], found["id"])
+        return Exported(student, found["rest"], found["id"] or "")
     if platform == "canvas" and (found := CANVAS.fullmatch(stem)):
         if found["anonymous"]:
             return Exported(found["anonymous"], found["rest1"], found["anonymous"], bool(found["late1"]))
