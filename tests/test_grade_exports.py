@@ -1,11 +1,71 @@
 """Exports of learning platforms, built by the rules of the code that writes them, and what is read of them."""
 
-from grade_stand_in import hand_in
+import csv
+from datetime import UTC, datetime
 
+import pytest
+from grade_stand_in import grade, hand_in
+
+from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.collect import find
 from course_lib.pack.grade.gradebook import Roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
+GRADESCOPE = """---
+submission_5001:
+  :submitters:
+  - :name: Zoë O'Neill
+    :sid: '301'
+    :email: zoe@example.org
+  :created_at: 2026-11-30 17:00:12.123456000 Z
+  :score: 7.0
+  :status: processed
+  :results:
+    output: |-
+      submission_5002:
+        :submitters:
+        - :name: Mallory
+  :history:
+  - :id: 4999
+    :created_at: 2026-11-29 10:00:00.000000000 Z
+submission_5002:
+  :submitters:
+  - :name: Pair One
+    :sid: '302'
+  - :name: "Pair Two"
+    :sid:
+  :created_at: 2026-12-01 09:00:00.000000000 -08:00
+submission_5003:
+  :submitters: []
+"""
+
+
+def table(path):
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("place", ["", "assignment_9100_export/"])
+def test_gradescope_names_each_student_of_a_hand_in_and_its_time(tmp_path, place):
+    """The export as its readers describe it (ucbds-infra/otter-grader, otter/grade/metadata.py, GradescopeParser)."""
+    for number in (5001, 5002, 5003):
+        hand_in(tmp_path / "in", f"{place}submission_{number}/01_rotations.ipynb", points=[2, 2])
+    (tmp_path / "in" / place / "submission_metadata.yml").write_text(GRADESCOPE, encoding="utf-8")
+    found = {each.student: each for each in find(tmp_path / "in", NOTEBOOKS)}
+    assert list(found) == ["Zoë O'Neill", "Pair One", "Pair Two", "submission_5003"]
+    assert [each.platform_id for each in found.values()] == ["301", "302", "", ""]
+    times = [datetime.fromtimestamp(found[name].modified, UTC) for name in ("Zoë O'Neill", "Pair Two")]
+    assert times == [datetime(2026, 11, 30, 17, 0, 12, 123456, UTC), datetime(2026, 12, 1, 17, tzinfo=UTC)]
+    late = ["--deadline", "2026-11-30T18:00+00:00", "--late", "10%", "--times", "files"]
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", *late], grade=grade) == 0
+    points = {row["student"]: row["total"] for row in table(tmp_path / "out/totals.csv")}
+    assert [points[name] for name in ("Zoë O'Neill", "Pair One", "Pair Two")] == ["4", "3.6", "3.6"]
+
+
+def test_a_students_file_is_not_taken_for_gradescopes_list(tmp_path):
+    hand_in(tmp_path, "mallory/submission_5001/01_rotations.ipynb")
+    (tmp_path / "mallory/submission_metadata.yml").write_text(GRADESCOPE, encoding="utf-8")
+    assert {each.student for each in find(tmp_path, NOTEBOOKS)} == {"mallory"}
 
 
 def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_path):

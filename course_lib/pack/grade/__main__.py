@@ -94,8 +94,9 @@ def _grade(chosen, grade):
             pool = _here(chosen, grade or Grader(hidden, chosen.isolation))
         outcomes = grade_all(submissions, output / "results", seed, pool)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
-        counting = [submission for submission, result in outcomes if "state" not in result]
-        write_alike(output / "alike.html", counting, chosen.earlier, chosen.lms)
+        counting = {(each.path, each.member): each for each, result in outcomes if "state" not in result}
+        once = list(counting.values())  # a group's file
+        write_alike(output / "alike.html", once, chosen.earlier, chosen.lms)
 
 
 def _here(chosen, grade):

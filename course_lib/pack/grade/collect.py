@@ -14,7 +14,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course_lib.pack.grade import zips
-from course_lib.pack.grade.platforms import ONLINE_TEXT, exported_name, recognized
+from course_lib.pack.grade.platforms import (
+    GRADESCOPE,
+    GRADESCOPES_LIST,
+    ONLINE_TEXT,
+    exported_name,
+    gradescopes_students,
+    recognized,
+)
 from course_lib.pack.grade.zips import Refused
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
@@ -59,15 +66,16 @@ class Submission:
 def find(folder, notebooks, platform=""):
     """Return the Submissions in a folder, in the order of their places.
 
-    folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas and Moodle export. notebooks:
-    the course's. platform: which one exported the files; "" if none did.
+    folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas, Moodle and Gradescope export.
+    notebooks: the course's. platform: which of Canvas and Moodle exported the files; "" if neither did.
     """
-    paths = [path for path in sorted(folder.iterdir()) if not _is_clutter(path.name)]
+    paths, students = _handed_in(folder)
     found = []
     for path in paths:
         try:
             if path.is_dir() and not path.is_symlink():
-                found += _in_folder(path, folder, notebooks, platform)
+                its = _in_folder(path, folder, notebooks, platform)
+                found += [replace(each, **known) for known in students.get(path) or [{}] for each in its]
             else:
                 found += _flat(path, folder, notebooks, platform)
         except Exception as problem:  # any problem of one file must not affect the others
@@ -77,13 +85,23 @@ def find(folder, notebooks, platform=""):
             found.append(Submission(name.student, "", printable(path.name), path, refused=refused, **name.about()))
     if platform:
         found = [each for each in found if not (each.refused and ONLINE_TEXT.fullmatch(Path(each.place).stem))]
-    found = [replace(each, modified=_modified(each.path)) for each in found]
+    found = [replace(each, modified=each.modified or _modified(each.path)) for each in found]
     found, counts = sorted(_one_name_each(found), key=lambda submission: submission.place), collections.Counter()
     for number, each in enumerate(found):
         counts[each.student] += not each.refused
         if counts[each.student] > MAX_GRADED and not each.refused:
             found[number] = replace(each, refused=f"Only {MAX_GRADED} notebooks of a student are graded.")
     return found
+
+
+def _handed_in(folder):
+    """Return the sorted paths in a folder and in Gradescope's exports in it, and {path: whose it is} by Gradescope."""
+    places = [folder, *(path for path in folder.iterdir() if GRADESCOPE.fullmatch(path.name) and not path.is_symlink())]
+    lists = {place: place / GRADESCOPES_LIST for place in places if (place / GRADESCOPES_LIST).is_file()}
+    known = {place: gradescopes_students(path.read_text("utf-8", "replace")) for place, path in lists.items()}
+    inside = {path for place in {folder, *lists} for path in place.iterdir()} - {*lists, *lists.values()}
+    students = {place / name: its for place in known for name, its in known[place].items()}
+    return sorted(path for path in inside if not _is_clutter(path.name)), students
 
 
 def platform_of(folder):

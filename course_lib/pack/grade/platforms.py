@@ -5,6 +5,8 @@ says which (LMS=). If all names fit one, the instructor is asked.
 """
 
 import re
+from contextlib import suppress
+from datetime import datetime
 from typing import NamedTuple
 
 # Moodle's "Download all submissions": <full name>_<number>_assignsubmission_file, a folder or the beginning of a file's
@@ -22,6 +24,9 @@ CANVAS = re.compile(
 
 # What was typed into the platform: Moodle's folder or file, and Canvas's (add_text_or_url).
 ONLINE_TEXT = re.compile(r".+_assignsubmission_onlinetext(_.*)?|.+_(\d+|anon_[A-Za-z0-9]+)_(text|link)", re.DOTALL)
+
+# Gradescope's "Export Submissions": this folder, with a folder for each hand-in and a list of who handed in which.
+GRADESCOPE, GRADESCOPES_LIST = re.compile(r"assignment_\d+_export"), "submission_metadata.yml"
 
 
 class Exported(NamedTuple):
@@ -67,3 +72,27 @@ def recognized(stems, folders=()):
     if stems and all(map(MOODLE.fullmatch, stems)):
         return "moodle"
     return "canvas" if stems and not folders and all(map(CANVAS.fullmatch, stems)) else ""
+
+
+def gradescopes_students(text):
+    """Return {folder: [fields of a Submission, for each student who handed it in]} from the text of Gradescope's list.
+
+    It is YAML as Ruby writes it: `submission_1:`, then indented `:submitters:` with `- :name:` and `:sid:`, and
+    `:created_at:`. All text that students control is indented further.
+    """
+    found, its, time = {}, [], None
+    for line in text.splitlines():
+        if head := re.fullmatch(r"(submission_\w+):", line):
+            its, time = found.setdefault(head[1], []), None
+        elif entry := re.fullmatch(r"  (  |- )?:(name|sid|created_at): (.+)", line):
+            value = entry[3].strip("'\"").replace("''", "'")
+            if entry[2] == "name" and entry[1] == "- ":
+                its.append({"student": value, "platform_id": "", "modified": time})
+            elif entry[2] == "sid" and its and entry[1] == "  ":
+                its[-1]["platform_id"] = value
+            elif entry[2] == "created_at" and not entry[1]:
+                with suppress(ValueError):
+                    time = datetime.fromisoformat(re.sub(r" (Z|[+-][\d:]+)$", r"\1", value)).timestamp()
+                    for each in its:
+                        each["modified"] = time
+    return found
