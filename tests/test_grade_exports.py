@@ -82,3 +82,17 @@ def test_a_name_without_the_signs_that_moodle_leaves_out_is_found_in_the_roster(
     """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php, PARAM_FILE)."""
     rows = [{"First name": "Seán", "Last name": "O'Neill"}, {"First name": "Al", "Last name": "Bo"}]
     assert Roster(rows).find("Seán ONeill") == [rows[0]]
+
+
+EXPORTS = {
+    "moodle": [f"{name}_assignsubmission_file_/01_rotations.ipynb" for name in ("Jane Doe_42", "Al Bo_43")],
+    "canvas": ["doejane_1234_5678_01_rotations.ipynb", "boal_LATE_1235_5679_01_rotations.ipynb"],
+}
+
+
+@pytest.mark.parametrize("platform", EXPORTS)
+def test_an_export_in_a_folder_of_its_own_is_not_taken_for_one_student(tmp_path, platform):
+    for name in EXPORTS[platform]:
+        hand_in(tmp_path, f"course-homework_submissions/{name}")
+    (found,) = find(tmp_path, NOTEBOOKS, platform)
+    assert "export of a class: put its files directly into the folder of submissions" in found.refused

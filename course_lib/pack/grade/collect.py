@@ -20,6 +20,7 @@ from course_lib.pack.grade.platforms import (
     ONLINE_TEXT,
     exported_name,
     gradescopes_students,
+    is_of_a_class,
     recognized,
 )
 from course_lib.pack.grade.zips import Refused
@@ -34,6 +35,7 @@ JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
 CLUTTER = {".ds_store", ".git", ".idea", ".ipynb_checkpoints", ".venv", ".vscode", "__macosx", "__pycache__"}
 READ = (".ipynb", ".zip")
 LINK = "It is a link to another file, and links are not followed."
+CLASS = "It looks like a learning platform's export of a class: put its files directly into the folder of submissions."
 
 
 @dataclass(frozen=True)
@@ -162,6 +164,8 @@ def _in_folder(top, folder, notebooks, platform):
             found.append(replace(each, notebook=named, refused=LINK if path.is_symlink() else ""))
     if len(files) > MAX_LISTED:
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
+    if not name.student and is_of_a_class([str(path.relative_to(top)) for path in files], platform or "moodle"):
+        return [replace(whole, refused=CLASS)]
     if not found and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
         problems.append(f"There is not a notebook in the folder: {holds}.")
@@ -176,14 +180,13 @@ def _in_zip(whole, notebooks):
         names = [name for name in zips.notebooks_in(whole.path) if not any(map(_is_clutter, name.split("/")))]
     except Refused as reason:
         return [replace(whole, refused=str(reason))]
-    stems = [printable(name.rpartition("/")[2]).removesuffix(".ipynb") for name in names]
-    if not whole.in_folder and len({exported_name(stem, recognized(stems)).student for stem in stems}) > 1:
-        reason = "It looks like a learning platform's export of a class: unpack it into the folder of submissions."
-        return [replace(whole, refused=reason)]
+    if not whole.in_folder and is_of_a_class(names, ""):
+        return [replace(whole, refused=CLASS.replace("put its files directly", "unpack it"))]
     if not names:
         return [replace(whole, refused="There is not a notebook in the zip.")]
     found = []
-    for name, stem in list(zip(names, stems, strict=True))[:MAX_LISTED]:
+    for name in names[:MAX_LISTED]:
+        stem = printable(name.rpartition("/")[2]).removesuffix(".ipynb")
         notebook = split(stem, notebooks)[1] or (whole.notebook if whole.notebook in notebooks else stem)
         found.append(replace(whole, notebook=notebook, place=f"{whole.place}/{printable(name)}", member=name))
     more = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."

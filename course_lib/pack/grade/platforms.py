@@ -74,6 +74,19 @@ def recognized(stems, folders=()):
     return "canvas" if stems and not folders and all(map(CANVAS.fullmatch, stems)) else ""
 
 
+def is_of_a_class(names, platform):
+    """Return whether files of these names (paths), from one folder or zip, are a platform's export of several students.
+
+    platform: the one that exported; "" if it is to be guessed.
+    """
+    parts = [name.removesuffix(".ipynb").split("/") for name in names]
+    for tops in ([each[0] for each in parts], [each[-1] for each in parts]):
+        known = platform or recognized(tops)
+        if len({exported_name(top, known).student for top in tops} - {""}) > 1:
+            return True
+    return any(GRADESCOPE.fullmatch(part) for each in parts for part in each)
+
+
 def gradescopes_students(text):
     """Return {folder: [fields of a Submission, for each student who handed it in]} from the text of Gradescope's list.
 
