@@ -9,6 +9,10 @@ from course_copy import ROOT, copied
 from grade_stand_in import TABLES
 from hostile.build import FULL, answers, book, cell
 
+from course_lib.pack.grade.deadline import read_deadline
+from course_lib.pack.grade.gradebook import Roster, read_roster
+from course_lib.pack.grade.marks import read_marks
+
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test
 NOTEBOOK = "01_rotations"
@@ -110,3 +114,16 @@ def test_the_guide_is_short_and_plain():
     text = GUIDE.read_text(encoding="utf-8")
     assert len(text.split()) <= 1600
     assert max(map(len, text.splitlines())) <= 120
+
+
+def test_the_tables_of_the_guide_are_read(tmp_path):
+    blocks = re.findall(r"(?:^ {4}\S.*,.*\n)+", GUIDE.read_text(encoding="utf-8"), re.MULTILINE)
+    paths = [tmp_path / f"{number}.csv" for number in range(len(blocks))]
+    for path, block in zip(paths, blocks, strict=True):
+        path.write_text(re.sub("^ {4}", "", block, flags=re.MULTILINE), encoding="utf-8")
+    extensions, questions, *rosters = paths
+    assert read_deadline("2026-11-30", "", extensions, "files").others.keys() == {
+        ("doe jane", "01_rotations"), ("doejane_1234", ""), ("", "02_rigid_motion")
+    }  # fmt: skip
+    assert [row["mark"] for row in read_marks(questions).values()] == ["1.5"]
+    assert [len(Roster(read_roster(path)).find("jdoe")) for path in rosters] == [1, 1]
