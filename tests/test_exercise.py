@@ -1,5 +1,6 @@
 """Verdicts: replies that nobody honest writes, and each kind of exercise."""
 
+import contextlib
 import json
 from dataclasses import replace
 
@@ -133,6 +134,19 @@ def test_a_test_that_fails_on_a_right_version_says_where():
     assert verdict.state == ERROR
     assert "undefined" in describe(verdict)
     assert "Candidate" not in describe(verdict)
+
+
+@pytest.mark.parametrize(("times", "state"), [(3_000, RIGHT), (5_001, ERROR)])
+def test_a_test_may_try_thousands_of_inputs_but_not_call_without_an_end(times, state):
+    def tries(log):
+        for _ in range(times):
+            with contextlib.suppress(Exception):
+                log(np.eye(3))
+        return _thorough(log)
+
+    verdict = judge(TEST_LOG, Here(tries))
+    assert verdict.state == state
+    assert (state == RIGHT) != ("took more than 5,000 calls of the function that it tests" in describe(verdict))
 
 
 def test_candidates_look_alike_from_inside():

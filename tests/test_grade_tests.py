@@ -26,7 +26,7 @@ RIGHT_DOUBLE = "def double(x):\n    return [2 * entry for entry in x]"
 def course(monkeypatch, request):
     """A course of two exercises. Where candidates are compared, few serve, for each has a sandbox of its own."""
     three_right_and_two_wrong = replace(TEST_LOG, versions=TEST_LOG.versions[:5])
-    test = three_right_and_two_wrong if "way" in request.fixturenames else TEST_LOG
+    test = three_right_and_two_wrong if {"way", "often"} & {*request.fixturenames} else TEST_LOG
     known = {"09_toys": Course("09_toys", "toys", (DOUBLE, test), ())}
     monkeypatch.setattr(notebook_file, "courses", lambda: known)
     monkeypatch.setattr(submission, "courses", lambda: known)
@@ -47,10 +47,17 @@ def test_a_thorough_test_earns_all_points():
     assert (row["state"], row["points"]) == ("right", 4), row["message"]
 
 
-def test_a_test_may_call_each_of_its_versions_as_often_as_the_tasks_allow():
-    often = "    for _ in range(4_500):\n        log(np.eye(3))\n    return True"
-    row = graded(THOROUGH.replace("    return True", often))
+@pytest.mark.parametrize("often", [3_000])
+def test_a_test_may_call_each_of_its_versions_thousands_of_times(often):
+    calls = f"    for _ in range({often}):\n        log(np.eye(3))\n    return True"
+    row = graded(THOROUGH.replace("    return True", calls))
     assert (row["state"], row["points"]) == ("right", 4), row["message"]
+
+
+def test_a_test_that_calls_without_an_end_is_refused_before_its_time_is_up():
+    row = graded("def test_log(log):\n    while True:\n        log(np.eye(3))")
+    assert (row["state"], row["points"]) == ("error in your code", 0)
+    assert "more than 5,000 calls of the function that it tests. Does a loop never end?" in row["message"]
 
 
 def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_through():
@@ -192,7 +199,7 @@ def test_log(log):
     while True:
         try:
             log(np.eye(3))
-        except ValueError:
+        except BaseException:
             log._calls = 0
 """,
     "asking and not listening": """

@@ -24,7 +24,7 @@ from course_lib.checks.adapters import ADAPTERS
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-_MOST_CALLS = 5_000  # of candidates, in one answer
+_MOST_CALLS = 5_000  # of one candidate, by a test
 _MOST_WARNING = 300  # letters of a warning or an error's message
 
 
@@ -155,7 +155,7 @@ class _StandIn:
     def __call__(self, *arguments, **named):
         self._calls += 1
         if self._calls > _MOST_CALLS and not self._names:
-            raise ValueError(f"a test may call the function {_MOST_CALLS} times")
+            raise TimeUp(f"more than {_MOST_CALLS:,} calls of the function that it tests")
         arguments += tuple(named.pop(name) for name in self._names[len(arguments) :] if name in named)
         if named:
             raise TypeError(f"there is no argument {next(iter(named))}")
@@ -211,7 +211,7 @@ def _students_line(raised, function):
 
 
 class TimeUp(BaseException):
-    """The CPU time for all cases is used up. Not an Exception, so that `except Exception` does not swallow it."""
+    """The CPU time for all cases, or the calls, are used up. Not an Exception, which `except Exception` swallows."""
 
 
 class NotAllowed(BaseException):
