@@ -5,7 +5,7 @@ import re
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
-from course_lib.pack.site import COVER, SiteError
+from course_lib.pack.site import COVER, HOME, SiteError
 
 # A printed line that addresses the person who wrote the answers.
 OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)
@@ -43,7 +43,7 @@ def fold_what_serves(cell, is_opening: bool = False) -> None:
 
     The figure that opens a notebook stands on the first screen: its lines are folded whatever else they do.
     """
-    if "nbgrader" in cell.metadata or set(cell.metadata.get("tags", [])) - {COVER}:
+    if "nbgrader" in cell.metadata or set(cell.metadata.get("tags", [])) - {COVER, HOME}:
         return
     try:
         statements = ast.parse(cell.source).body

@@ -1,1 +1,0 @@
-"""`make bench`: compare the library with other libraries on this machine."""
