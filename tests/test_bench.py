@@ -1,60 +1,56 @@
 """What `make bench` makes of its measurements: it compares what agrees, and its table is README's."""
 
-import time
-
 import numpy as np
 import pytest
+import scipy
 
-from course_lib.pack.bench import __main__ as bench
-from course_lib.pack.bench import tasks
-from course_lib.pack.bench.measure import Contestant, Task, shares
-
-
-def task(*others):
-    return Task("Twice", np.arange(3.0), lambda x: 2 * x, list(others))
+from course_lib.pack import bench
+from course_lib.pack.bench import Task, shares
 
 
-def test_a_share_counts_one_item_and_each_library_gets_the_items_it_can_bear():
-    def busy(seconds):
-        def run(items):
-            end = time.process_time() + seconds
-            while time.process_time() < end:
-                pass
-            return 2 * items
+def task(other, convert=np.asarray):
+    return Task("Twice", np.arange(3.0), lambda x: 2 * x, {"other": other}, {"other": convert})
 
-        return run
 
-    both = Task("Twice", np.arange(4.0), busy(0.04), [Contestant("few", busy(0.04), items=2)])
-    seconds, found = shares(both, repeats=1)
-    assert seconds == pytest.approx(0.01, rel=0.1)
-    assert found["few"] == pytest.approx(0.5, rel=0.1)
+def test_a_share_is_of_the_least_times_for_one_item(monkeypatch):
+    class Timer:  # the library takes 3, 2, 2, ... seconds for three items, the other 4
+        def __init__(self, run, timer):
+            self.times = [3.0, 2.0] if run.func(1) == 2 else [4.0]
+
+        def timeit(self, number):
+            return number * (self.times.pop(0) if len(self.times) > 1 else self.times[0])
+
+    monkeypatch.setattr(bench, "Timer", Timer)
+    seconds, found = shares(task(lambda x: 2.0 * x + 1e-10))
+    assert seconds == pytest.approx(2 / 3)
+    assert found == {"other": pytest.approx(0.5)}
 
 
 def test_a_library_that_gives_another_answer_stops_the_comparison():
-    shares(
-        task(Contestant("near", lambda x: 2 * x + 5e-10), Contestant("turned", lambda x: -2 * x, convert=np.negative))
-    )
+    shares(task(lambda x: 2 * x + 5e-10))
+    shares(task(lambda x: -2 * x, np.negative))
+    shares(task(lambda x: 7 * x, None))
     for other in (lambda x: 2 * x + 1e-8, lambda x: x * np.nan):
-        with pytest.raises(ValueError, match="Twice: the answers of far differ by"):
-            shares(task(Contestant("far", other)))
+        with pytest.raises(ValueError, match="Twice: the answers of other differ by"):
+            shares(task(other))
 
 
 def test_a_library_that_is_missing_is_named(monkeypatch):
-    monkeypatch.setattr(tasks, "PEERS", ("numpy", "no_such_library"))
-    here, missing = tasks.installed()
+    monkeypatch.setattr(bench, "PEERS", ("numpy", "no_such_library"))
+    here, missing = bench.installed()
     assert here == {"numpy": np}
     assert "No module named 'no_such_library'" in missing["no_such_library"]
 
 
 def test_the_table_takes_its_place_in_the_readme(monkeypatch, tmp_path):
     monkeypatch.setattr(bench, "README", tmp_path / "README.md")
-    monkeypatch.setattr(bench, "installed", lambda: ({"numpy": np}, {}))
-    monkeypatch.setattr(bench, "tasks", lambda peers, n: [task(Contestant("again", lambda x: 2 * x))])
+    monkeypatch.setattr(bench, "installed", lambda: ({}, {}))
+    monkeypatch.setattr(bench, "tasks", lambda peers, n: [task(lambda x: 2 * x)])
     bench.README.write_text(f"before\n\n{bench.BEGIN}old\n{bench.END}\nafter\n")
     bench.main([])
     text = bench.README.read_text(encoding="utf-8")
     assert text.startswith(
         f"before\n\n{bench.BEGIN}\n| | time for one | beside | ratio |\n|---|---|---|---|\n| Twice | "
     )
-    numpy, processor = f"numpy {np.__version__}", bench.processor()
-    assert text.endswith(f"With {numpy}, {numpy},\non {processor}.\n\n{bench.END}\nafter\n")
+    versions = f"numpy {np.__version__}, scipy {scipy.__version__}"
+    assert text.endswith(f"With {versions},\non {bench.processor()}.\n\n{bench.END}\nafter\n")

@@ -14,7 +14,7 @@ here=$(pwd -P)
 log=build/setup.log
 uv=$(command -v uv)
 # The libraries of the benchmark besides scipy, at versions that work with the numpy of environment.txt.
-peers='pin==4.1.0 roboticstoolbox-python==1.5.0 modern-robotics==1.1.1'
+peers='pin==4.1.0 roboticstoolbox-python==1.5.0'
 
 stop() { echo "$*" >&2; exit 1; }
 

@@ -1,0 +1,192 @@
+"""Compare the library with others, and write README.md's table of speed: `python -m course_lib.pack.bench [NUMBER]`."""
+
+import contextlib
+import importlib
+import platform
+import re
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import partial
+from importlib import metadata
+from pathlib import Path
+from timeit import Timer
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from course_lib import ik, rotations
+from course_lib.arms import panda
+from course_lib.pack.files import write_atomically
+
+README = Path("README.md")
+BEGIN, END = "<!-- written by make bench -->\n", "<!-- end -->"
+PEERS = {"pinocchio": "pin", "roboticstoolbox": "roboticstoolbox-python"}  # beside numpy and scipy: module, package
+AGREE = 1e-9
+REACHED = 1e-6  # metres and radians, by inverse kinematics
+LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
+ROUNDS = 40
+LOOP = "pinocchio in a loop"
+ARM = panda()
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is compared: `items`, an array whose first axis counts them, the library's function, and those of others.
+
+    convert: for those of `others` that need it, converts what they return to the library's conventions; None if their
+    answers need not agree.
+    """
+
+    title: str
+    items: np.ndarray
+    library: Callable
+    others: dict
+    convert: dict = field(default_factory=dict)
+
+
+def main(arguments):
+    """Compare, print, and write the table if no library is missing; a number of items is for a trial, not written."""
+    peers, missing = installed()
+    lines = ["| | time for one | beside | ratio |", "|---|---|---|---|"]
+    for task in tasks(peers, int(arguments[0]) if arguments else 10_000):
+        print(task.title, "...", flush=True)
+        seconds, found = shares(task)
+        one = np.format_float_positional(1e6 * seconds, 2, fractional=False, trim="-")
+        lines += [f"| {task.title} | {one} µs | {name} | {share:.2g} |" for name, share in found.items()]
+    versions = [f"{name} {metadata.version(PEERS.get(name, name))}" for name in ("numpy", "scipy", *peers)]
+    text = "\n".join([*lines, "", f"With {', '.join(versions)},\non {processor()}.", ""])
+    print(text)
+    if missing or arguments:
+        print("README.md stays as it is.", *(f"Missing: {name}, {why}." for name, why in missing.items()), sep="\n")
+        return
+    before, _, rest = README.read_text(encoding="utf-8").partition(BEGIN)
+    write_atomically(README, f"{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}")
+    print("Written to README.md.")
+
+
+def installed():
+    """Return {name: module} of the other libraries, and {name: why it is missing}."""
+    here, missing = {}, {}
+    for name in PEERS:
+        try:
+            here[name] = importlib.import_module(name)
+        except Exception as error:  # one that cannot start must not stop the others
+            missing[name] = f"{type(error).__name__}: {error}"
+    return here, missing
+
+
+def processor():
+    """Return the name of the processor, as far as the system says."""
+    with contextlib.suppress(OSError):
+        if found := re.search(r"model name\s*: (.+)", Path("/proc/cpuinfo").read_text()):
+            return found[1].strip()
+    return platform.processor() or platform.machine()
+
+
+def shares(task):
+    """Return the library's time for one item in seconds, and {name: that time as a share of the other's}.
+
+    The functions are measured in turn, and the least times count. Raises ValueError if another library's answers differ
+    by more than `AGREE`.
+    """
+    few = task.items[:200]
+    for name, run in task.others.items():
+        if convert := task.convert.get(name, np.asarray):
+            gap = np.abs(convert(run(few)) - task.library(few)).max()
+            if not gap <= AGREE:
+                raise ValueError(f"{task.title}: the answers of {name} differ by {gap:.1g}")
+    # Processor time: other programs on the machine affect it less than the clock.
+    timers = [Timer(partial(run, task.items), timer=time.process_time) for run in (task.library, *task.others.values())]
+    often = [1 + int(LEAST / max(timer.timeit(1), 1e-6)) for timer in timers]
+    times = [[timer.timeit(n) / n for timer, n in zip(timers, often, strict=True)] for _ in range(ROUNDS)]
+    best = np.min(times, axis=0) / len(task.items)
+    return best[0], dict(zip(task.others, best[0] / best[1:], strict=True))
+
+
+def tasks(peers, n):
+    """Return all Tasks: with n poses, a tenth of that many targets, and ten times as many rotations."""
+    q = np.random.default_rng(0).uniform(*ARM.limits.T, (n, 7))
+    return [*_kinematics(peers, q, ARM.fk(q[: n // 10])), *_rotations(peers.get("pinocchio"), 10 * n)]
+
+
+def _over(function, items):
+    return np.array([function(item) for item in items])
+
+
+def _kinematics(peers, q, targets):
+    poses, jacobians, inverse, ik_name = {}, {}, {}, "roboticstoolbox's `ik_LM`, C++"
+    if pin := peers.get("pinocchio"):
+        frames = _pinocchio(pin)
+        poses[LOOP] = lambda qs: _over(lambda q: frames(q)[0], qs)
+        jacobians[LOOP] = lambda qs: [frames(q, jacobian=True) for q in qs]
+    if rtb := peers.get("roboticstoolbox"):
+        first, *others = (rtb.ET.SE3(step) for step in _steps())
+        joints = [rtb.ET.Rz(qlim=limits.tolist()) for limits in ARM.limits]
+        chain = rtb.ETS([first, *(part for pair in zip(joints, others, strict=True) for part in pair)])
+        poses["roboticstoolbox, C++"] = chain.eval
+        # Half the squared error is at most tol; k = 0.1 is the fastest of 1, 0.3, 0.1, 0.03.
+        inverse[ik_name] = lambda T: _over(lambda one: chain.ik_LM(one, tol=REACHED**2 / 2, k=0.1).q, T)
+
+    def solve(T):
+        return ik.solve(ARM, T, np.random.default_rng(1)).q
+
+    def flat(T, J):
+        return np.concatenate([T.reshape(len(T), -1), J.reshape(len(J), -1)], -1)
+
+    def ours(pairs):  # its Jacobians have v above omega
+        return flat(np.array([T for T, _ in pairs]), np.array([np.roll(J, 3, 0) for _, J in pairs]))
+
+    error = np.abs(ik.pose_error(ARM.fk(solve(targets)), targets)).max()
+    solved = "all solved" if error <= REACHED else f"error up to {error:.0e}"
+    yield Task(f"{len(q):,} poses of the Panda", q, ARM.fk, poses)
+    both = f"{len(q):,} poses and space Jacobians"
+    yield Task(both, q, lambda qs: flat(ARM.fk(qs), ARM.space_jacobian(qs)), jacobians, {LOOP: ours})
+    name = f"inverse kinematics of {len(targets):,} targets, {solved}"
+    yield Task(name, targets, solve, inverse, {ik_name: None})
+
+
+def _rotations(pin, n):
+    rng = np.random.default_rng(0)
+    axes = rng.normal(size=(n, 3))
+    w = axes / np.linalg.norm(axes, axis=-1, keepdims=True) * rng.uniform(0, np.pi, (n, 1))
+    R, q = rotations.exp_so3(w), rotations.matrix_to_quaternion(rotations.exp_so3(w))
+    exp = {"scipy": lambda w: Rotation.from_rotvec(w).as_matrix()}
+    log = {"scipy": lambda R: Rotation.from_matrix(R).as_rotvec()}
+    to_q = {"scipy": lambda R: Rotation.from_matrix(R).as_quat(canonical=True, scalar_first=True)}
+    to_R = {"scipy": lambda q: Rotation.from_quat(q, scalar_first=True).as_matrix()}
+    if pin:
+        exp[LOOP], log[LOOP] = partial(_over, pin.exp3), partial(_over, pin.log3)
+    yield Task(f"{n:,} rotations, exp", w, rotations.exp_so3, exp)
+    yield Task(f"{n:,} rotations, log", R, rotations.log_so3, log)
+    yield Task(f"{n:,} rotations, matrix to quaternion", R, rotations.matrix_to_quaternion, to_q)
+    yield Task(f"{n:,} rotations, quaternion to matrix", q, rotations.quaternion_to_matrix, to_R)
+
+
+def _steps():
+    """Return the poses (8, 4, 4) of each joint's frame, and of the end-effector, in the frame before it, at q = 0.
+
+    Each joint rotates about the z axis of its frame.
+    """
+    return np.linalg.inv(np.concatenate([np.eye(4)[None], ARM.home[:-1]])) @ ARM.home
+
+
+def _pinocchio(pin):
+    """Return a function of one configuration: the pose, and the Jacobian or None."""
+    model, joint = pin.Model(), 0
+    *steps, last = (pin.SE3(T[:3, :3], T[:3, 3]) for T in _steps())
+    for i, step in enumerate(steps):
+        joint = model.addJoint(joint, pin.JointModelRZ(), step, f"joint{i}")
+    end = model.addFrame(pin.Frame("end", joint, 0, last, pin.FrameType.OP_FRAME))
+    data = model.createData()
+
+    def frames(q, jacobian=False):
+        J = pin.computeJointJacobians(model, data, q).copy() if jacobian else pin.forwardKinematics(model, data, q)
+        return pin.updateFramePlacement(model, data, end).homogeneous, J
+
+    return frames
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
