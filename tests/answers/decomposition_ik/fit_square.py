@@ -30,8 +30,3 @@ def right_pinv(terms, q):
 def wrong_no_column(terms, q):
     """the factor of q2 has no column"""
     return _solve(terms, np.column_stack([q[:, 0], q[:, 1] ** 2])).T
-
-
-def wrong_intercept_twice(terms, q):
-    """unnamed"""
-    return right_lstsq(terms, q - q.mean(axis=0))

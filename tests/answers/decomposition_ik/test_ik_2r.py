@@ -41,11 +41,6 @@ def right_against_the_law_of_cosines(ik_2r):
     return bool(np.isnan(np.array(ik_2r([2.1, 0.0]))).all())
 
 
-def wrong_always_true(ik_2r):
-    """accepts everything"""
-    return True
-
-
 def wrong_exactly_equal(ik_2r):
     """refuses everything"""
     return all((_fk(np.array(ik_2r(xy))) == xy).all() for xy in INSIDE)

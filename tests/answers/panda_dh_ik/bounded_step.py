@@ -24,8 +24,3 @@ def right_by_coordinates(J, v, bound, eps):
         for i in range(len(g)):
             x[i] = np.clip((g[i] - H[i] @ x + H[i, i] * x[i]) / H[i, i], -bound, bound)
     return x
-
-
-def wrong_result_object(J, v, bound, eps):
-    """another form"""
-    return lsq_linear(J, v, bounds=(-bound, bound)).x[:, None, None]

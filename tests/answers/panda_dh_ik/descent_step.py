@@ -23,9 +23,3 @@ def right_lines_corrected(q, J, T, T_target, step):
 def right_by_rows_of_J(q, J, T, T_target, step):
     e = pose_error(T, T_target)
     return [angle + step * sum(J[k, i] * e[k] for k in range(6)) for i, angle in enumerate(q)]
-
-
-def wrong_inverse_first(q, J, T, T_target, step):
-    """another form"""
-    X = rigid.inverse(T_target) @ T
-    return np.concatenate([X[:3, 3], rotations.log_so3(X[:3, :3])])

@@ -27,9 +27,3 @@ def right_by_counting_in_binary(table, q, poses):
         signs = np.array([-1 if k >> i & 1 else 1 for i in range(n)])
         best = min(best, (np.linalg.norm(fk(table, signs * q) - poses), list(signs)))
     return best[1]
-
-
-def wrong_number_of_the_pattern(table, q, poses):
-    """another form"""
-    patterns = list(itertools.product([1, -1], repeat=len(table)))
-    return patterns.index(tuple(right_by_the_sum_of_squares(table, q, poses)))

@@ -25,17 +25,6 @@ def wrong_eps_missing(q, J, e, eps):
     return q + np.linalg.inv(J.T @ J) @ J.T @ e
 
 
-def wrong_size_of_the_unit_matrix(q, J, e, eps):
-    """ValueError"""
-    return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(6), e)
-
-
-def wrong_in_place(q, J, e, eps):
-    """UFuncTypeError"""
-    q += J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e)
-    return q
-
-
 def wrong_column_of_errors(q, J, e, eps):
     """differ in shape"""
     return q + J.T @ np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e[:, None])

@@ -16,7 +16,7 @@ def out_of_reach(T):
     return np.linalg.norm(T[:3, 3] - T_w0[:3, 3] - [0, 0, 0.333]) > 1.2
 
 
-def search(T, q0, starts=20, enough=1e-7, T_base=T_w0, weights=(1, 1, 1, 1, 1, 1), near=10.0):
+def search(T, q0, starts=20, enough=1e-7, T_base=T_w0, weights=(1, 1, 1, 1, 1, 1)):
     """The notebook's answer, with everything that can go wrong as an argument; (omega, v), seen from the base."""
     random, w = np.random.default_rng(0), np.array(weights)
     goal, q = np.linalg.inv(T_base) @ T, np.clip(q0, low, high)
@@ -28,7 +28,7 @@ def search(T, q0, starts=20, enough=1e-7, T_base=T_w0, weights=(1, 1, 1, 1, 1, 1
             J = w[:, None] * arm.geometric_jacobian(q)
             q = q + J.T @ np.linalg.solve(J @ J.T + (0.05 * e @ e + 1e-12) * np.eye(6), e)
             q = np.clip(q, low, high)
-        last, q = q, random.uniform(np.maximum(low, q0 - near), np.minimum(high, q0 + near))
+        last, q = q, random.uniform(low, high)
     return last if starts == 1 else np.full(7, np.nan)
 
 
@@ -93,11 +93,6 @@ def wrong_only_the_position(T, q0):
 def wrong_stopped_at_the_reports_error(T, q0):
     """the iteration stops too early"""
     return search(T, q0, enough=0.02)
-
-
-def wrong_restarts_near_q0(T, q0):
-    """there are no restarts, or too few of them converge"""
-    return search(T, q0, near=0.5)
 
 
 def wrong_base_subtracted(T, q0):

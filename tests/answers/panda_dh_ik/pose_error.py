@@ -37,12 +37,6 @@ def wrong_arccos_and_unit_axis(T, T_target):
     return np.append(e[:3], angle / size * e[3:] if 0 < size < 3 else e[3:])
 
 
-def wrong_allclose(T, T_target):
-    """unnamed"""
-    e = right_by_log_so3(T, T_target)
-    return np.append(e[:3], np.zeros(3)) if np.allclose(T[:3, :3], T_target[:3, :3]) else e
-
-
 def wrong_half_turn_taken_for_none(T, T_target):
     """phi does not take R to R_target"""
     e = right_by_log_so3(T, T_target)
@@ -59,8 +53,3 @@ def wrong_longer_rotation(T, T_target):
 def wrong_rotations_subtracted(T, T_target):
     """is not a rotation"""
     return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] - T[:3, :3])])
-
-
-def wrong_logarithm_of_the_pose(T, T_target):
-    """its shape is (4, 4)"""
-    return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target @ np.linalg.inv(T))])

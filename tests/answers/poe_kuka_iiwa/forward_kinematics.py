@@ -27,11 +27,3 @@ def right_points_and_rotations_apart(screws, M, q):
         turn = lambda x: np.cos(angle) * x + np.sin(angle) * np.cross(w, x) + (1 - np.cos(angle)) * (w @ x) * w
         R, p = np.column_stack([turn(column) for column in R.T]), q + turn(p - q)
     return [[*R[0], p[0]], [*R[1], p[1]], [*R[2], p[2]], [0, 0, 0, 1]]
-
-
-def wrong_joints_out_of_order(screws, M, q):
-    """unnamed"""
-    T = np.eye(4)
-    for i in [*range(0, len(q), 2), *range(1, len(q), 2)]:
-        T = T @ exp_se3(screws[i] * q[i])
-    return T @ M

@@ -23,13 +23,6 @@ def right_all_joints_backwards_as_lists():
     return (-right_by_the_text()).tolist()
 
 
-def wrong_zeros_but_for_the_family():
-    """several singularities"""
-    rows = np.zeros((3, 7))
-    rows[1, 2] = rows[2, 4] = np.pi / 2
-    return rows
-
-
 def wrong_elbow_at_a_right_angle():
     """a configuration is not singular"""
     return right_by_the_text() + np.pi / 2 * (np.arange(21).reshape(3, 7) == 3)

@@ -27,8 +27,3 @@ def right_whole_revolutions_with_assertions(wrap_angle):
         assert abs(revolutions - round(revolutions)) < 1e-9
         assert -np.pi <= wrap_angle(angle) <= np.pi
     return True
-
-
-def wrong_always_true(wrap_angle):
-    """accepts everything"""
-    return True

@@ -27,8 +27,3 @@ def right_rotated_about_z_in_another_frame(w):
     x /= np.linalg.norm(x)
     frame = np.array([x, np.cross(n, x), n]).T
     return np.einsum("ij,jk,lk->il", frame, rot_z(angle), frame)
-
-
-def wrong_about_z_only(w):
-    """unnamed"""
-    return rot_z(w[2])

@@ -34,8 +34,3 @@ def wrong_last_only(R_0, log, dt, R_bi):
     for omega in log:
         R_0 = R_0 @ exp_so3(R_bi @ omega * dt)
     return R_0
-
-
-def wrong_every_step_from_the_start(R_0, log, dt, R_bi):
-    """unnamed"""
-    return np.array([R_0, *(R_0 @ exp_so3(R_bi @ omega * dt) for omega in log)])

@@ -15,8 +15,3 @@ def right_by_the_camera_in_the_base(R_bg, R_cg, R_cm):
 
 def right_axis_by_axis(R_bg, R_cg, R_cm):
     return np.column_stack([R_bg @ np.linalg.inv(R_cg) @ R_cm[:, k] for k in range(3)])
-
-
-def wrong_sum(R_bg, R_cg, R_cm):
-    """unnamed"""
-    return R_bg + R_cg.T + R_cm

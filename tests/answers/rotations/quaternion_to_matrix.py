@@ -28,8 +28,3 @@ def right_sandwich(q):
     conjugate = q * np.array([1, -1, -1, -1])
     columns = [_product(_product(q, np.array([0, *e])), conjugate)[1:] for e in np.eye(3)]
     return np.stack(columns, axis=1)
-
-
-def wrong_right_about_x_only(q):
-    """unnamed"""
-    return rot_x(2 * np.arctan2(q[1], q[0]))

@@ -14,8 +14,3 @@ def right_strictest_of_all(J, eps):
 
 def right_by_eigenvalues(J, eps):
     return [2 * (1 + eps / np.linalg.eigvalsh(J @ J.T).max())]
-
-
-def wrong_all_limits(J, eps):
-    """another form"""
-    return 2 * (1 + eps / np.linalg.svd(J, compute_uv=False) ** 2)

@@ -31,9 +31,3 @@ def wrong_math_atan(k, p, g):
     """ZeroDivisionError"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     return math.atan(float(k @ np.cross(a, b)) / float(a @ b))
-
-
-def wrong_arccos_without_a_sign(k, p, g):
-    """the sign of the angle is lost"""
-    a, b = p - (k @ p) * k, g - (k @ g) * k
-    return np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b))
