@@ -1,6 +1,7 @@
 """Exports of learning platforms, built by the rules of the code that writes them, and what is read of them."""
 
 import csv
+import zipfile
 from datetime import UTC, datetime
 
 import pytest
@@ -82,6 +83,22 @@ def test_a_name_without_the_signs_that_moodle_leaves_out_is_found_in_the_roster(
     """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php, PARAM_FILE)."""
     rows = [{"First name": "Seán", "Last name": "O'Neill"}, {"First name": "Al", "Last name": "Bo"}]
     assert Roster(rows).find("Seán ONeill") == [rows[0]]
+
+
+def test_the_folders_of_nbgrader_and_the_zips_of_otter_are_read(tmp_path):
+    """By jupyter/nbgrader, nbgrader/exchange/default/collect.py: submitted/<student>/<assignment>/, with a time.
+
+    By ucbds-infra/otter-grader, otter/check/notebook.py, Notebook.export: <notebook>_<time>.zip.
+    """
+    for name in ("ps1/01_rotations.ipynb", "ps1/timestamp.txt", "ps2/02_rigid_motion.ipynb", "ps2/timestamp.txt"):
+        hand_in(tmp_path, f"hacker/{name}")
+    (tmp_path / "bitdiddle").mkdir()
+    with zipfile.ZipFile(tmp_path / "bitdiddle/01_rotations_2026_11_30T17_00_12_123456.zip", "w") as archive:
+        for name in ("01_rotations.ipynb", ".OTTER_LOG", "01_rotations.pdf", "__zip_filename__"):
+            archive.writestr(name, "{}")
+    found = sorted((each.student, each.notebook, each.refused) for each in find(tmp_path, NOTEBOOKS))
+    work = [("bitdiddle", "01_rotations"), ("hacker", "01_rotations"), ("hacker", "02_rigid_motion")]
+    assert found == [(*each, "") for each in work]
 
 
 EXPORTS = {
