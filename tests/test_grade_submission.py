@@ -270,6 +270,17 @@ def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
     assert answers == {name: f"because of {name}" for name in wanted}
 
 
+@pytest.mark.parametrize("without", [[], ["metadata", "id"]])
+def test_an_answer_in_a_new_cell_below_the_prompt_is_found(without):
+    given = nbformat.reads(students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, ""), 4).cells
+    cells = [{key: {} if key in without else value for key, value in each.items()} for each in given]
+    (place,) = (k for k, each in enumerate(given) if each.get("id") == courses()[NAME].questions[0].id)
+    unanswered, _ = notebook_file.read(book(cells=cells))
+    assert {notebook_file.answer(each, unanswered) for each in courses()[NAME].questions} == {""}
+    found, _ = notebook_file.read(book(cells=[*cells[: place + 1], cell("because", "markdown"), *cells[place + 1 :]]))
+    assert [notebook_file.answer(each, found) for each in courses()[NAME].questions] == ["because", "", ""]
+
+
 def test_the_prompt_of_a_written_answer_is_not_an_answer():
     cells = [cell(PROMPT, "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})]
     found, _ = notebook_file.read(book(cells=cells))

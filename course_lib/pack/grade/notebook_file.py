@@ -41,13 +41,14 @@ class Cell:
 class Question:
     """A question that is answered in writing. id: of its answer cell. after: the source of the cell with its task.
 
-    model: the model answer. rubric: what it gives points for.
+    then: that of the cell below the answer. model: the model answer. rubric: what it gives points for.
     """
 
     name: str
     points: int
     id: str
     after: str
+    then: str
     model: str = ""
     rubric: str = ""
 
@@ -157,27 +158,32 @@ def courses():
 
 
 def _questions(cells):
-    before = ""
-    for cell in cells:
+    sources = ["", *(cell.source for cell in cells), ""]
+    for cell, before, then in zip(cells, sources, sources[2:], strict=False):
         about = cell.metadata.get("nbgrader", {})
         if about.get("solution") and about.get("grade"):
             model, _, rubric = cell.source.removeprefix("**Model answer.** ").partition("\n\n*Rubric ")
-            yield Question(about["grade_id"], int(about["points"]), cell.id, before, model, rubric.strip("*"))
-        before = cell.source
+            yield Question(about["grade_id"], int(about["points"]), cell.id, before, then, model, rubric.strip("*"))
 
 
 def answer(question, cells):
     """Return the written answer to a Question, or "".
 
-    It is the cell with the question's name, or else with its id, or else the one after its task.
+    It is the cell with the question's name, or else with its id, or else the one after its task; if that still holds
+    the prompt, what the student wrote in new cells below it.
     """
-    for wanted in (lambda cell: cell.name == question.name, lambda cell: cell.id == question.id):
-        found = [cell.source for cell in cells if cell.kind != "code" and wanted(cell)]
+    texts = [number for number, cell in enumerate(cells) if cell.kind != "code"]
+    task, then = question.after.split(), question.then.split()
+    for found in (
+        [number for number in texts if cells[number].name == question.name],
+        [number for number in texts if cells[number].id == question.id],
+        [number for number in texts if number and cells[number - 1].source.split() == task][:1],
+    ):
         if found:
-            return _written("\n\n".join(found))
-    for task, following in itertools.pairwise(cells):
-        if task.source.split() == question.after.split() and following.kind != "code":
-            return _written(following.source)
+            written = _written("\n\n".join(cells[number].source for number in found))
+            below = itertools.takewhile(lambda cell: cell.kind != "code" and not cell.name, cells[found[-1] + 1 :])
+            new = itertools.takewhile(lambda cell: cell.source.split() != then, below)
+            return written or _written("\n\n".join(cell.source for cell in new))
     return ""
 
 
