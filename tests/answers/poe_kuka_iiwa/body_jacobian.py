@@ -39,5 +39,5 @@ def right_by_conjugation(screws, M, q):
 
 
 def wrong_one_joint_ahead(screws, M, q):
-    """the last axis is not seen from the end-effector"""
+    """the last column is not B_n"""
     return np.roll(right_from_the_space_jacobian(screws, M, q), 1, axis=0)

@@ -69,7 +69,7 @@ def wrong_transposed(screws, M, T_target, q0):
 
 
 def wrong_stopped_early(screws, M, T_target, q0):
-    """the iteration stops too early"""
+    """the answer is right to its first digits only"""
     return search(screws, M, T_target, q0, tol=1e-3)
 
 

@@ -26,7 +26,7 @@ EXERCISE = Exercise(
             "the last column is Ad(M^-1) Sn at all angles: seen from the end-effector, the last axis does not move",
             _right,
             np.s_[:, -1],
-            Mistake("the last axis is not seen from the end-effector at home", "What does Ad(M^-1) make of Sn?"),
+            Mistake("the last column is not B_n", "Which joints lie between the last axis and the end-effector?"),
         ),
         part_is(
             "above, each column has the direction of its axis, along the end-effector's own axes",
@@ -44,26 +44,13 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Begin at the last joint: its column is B_n, your body screw, at all angles.",
+        "Begin at the last joint: its column is the body screw B_n, at all angles.",
         "Column n - 1 is B_{n-1} as joint n has moved it, seen from the end-effector: by Ad(exp(-[B_n] q_n)).",
         "Go from the last joint to the first and keep T: note the column Ad(T) B_i, then multiply T on the right by "
         "exp(-[B_i] q_i). At the end, put the columns in the joints' order.",
     ),
     forbidden=("course_lib.arms.SerialArm",),
 )
-
-
-@EXERCISE.mistake(change=(adjoint, lambda T: np.eye(6)))
-def other_direction(screws, M, q, change):
-    """nothing, or Ad(T), stands where Ad(T^-1) belongs. T takes what the end-effector sees to what the base sees."""
-    return change(shared.tool_pose(screws, M, q)) @ shared.jacobian(screws, q)
-
-
-@EXERCISE.mistake(pose=(lambda each, M: products(each)[-1], lambda each, M: M @ products(each)[-1], lambda each, M: M))
-def another_pose(screws, M, q, pose):
-    """the columns are seen from another frame than the end-effector's at q. Is M in it, and does your loop begin with
-    the body screws Ad(M^-1) S_i? Or do you invert a pose: is it that of your forward_kinematics?"""
-    return adjoint(inverse(pose(shared.exponentials(screws, q), M))) @ shared.jacobian(screws, q)
 
 
 @EXERCISE.mistake(others=(lambda each, i: each[i + 1 :], lambda each, i: each[:i], lambda each, i: each[i + 2 :][::-1]))

@@ -119,7 +119,7 @@ EXERCISE = Exercise(
             "at the angles returned the end-effector is within 1e-6 rad and 1e-6 m of T_target",
             lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
             _off,
-            mistake=Mistake("the steps end before the target is reached", "What decides that no other step is needed?"),
+            mistake=Mistake("the steps end before the target is reached", "Does `short` decide that none is needed?"),
             points=1,
         ),
         Property(
@@ -143,8 +143,8 @@ EXERCISE = Exercise(
     hints=(
         "In the loop: where is the end-effector at q, and which twist leads from there to T_target in unit time?",
         "log(T^-1 T_target) is seen from the end-effector. Which Jacobian belongs to such a twist?",
-        "If its angular and its linear part are small, return q. Else add np.linalg.pinv(J) @ twist to q. After the "
-        "last step, np.full(len(q0), np.nan).",
+        "If short(twist), return q. Else add np.linalg.pinv(J) @ twist to q. After the last step, "
+        "np.full(len(q0), np.nan).",
     ),
     errors=(("LinAlgError", "must be square", _INVERTED),),
     forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),
@@ -162,19 +162,3 @@ def another_error(screws, M, T_target, q0, error):
     """the steps do not converge to a target close by, or end too soon. Print the error after each step. From which
     pose to which does it lead, and are its frame, and the order of its halves, those of your Jacobian?"""
     return descent(screws, M, T_target, q0, error)
-
-
-@EXERCISE.mistake(
-    part_of=([0, 1], [1, 0]), seen=lambda q, *case: _gaps(q, *case).min() < _CLOSE < _gaps(q, *case).max()
-)
-def half_of_the_error(screws, M, T_target, q0, part_of):
-    """either the position or the orientation is ignored. How many numbers has the error?"""
-    if _out_of_reach(screws, M, T_target, q0):
-        return None
-    return descent(screws, M, T_target, q0, lambda T, T_target: np.repeat(part_of, 3) * body_error(T, T_target))
-
-
-@EXERCISE.seen
-def stopped_too_early(q, *case):
-    """the iteration stops too early. What does the task ask of the angle, and of the distance?"""
-    return _REACHED < _gaps(q, *case).max() < 0.02

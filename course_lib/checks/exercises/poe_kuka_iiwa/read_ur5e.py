@@ -131,7 +131,7 @@ def other_order_of_the_product():
     return np.hstack([_OMEGA, np.cross(_OMEGA, _POINTS)]), _M
 
 
-@EXERCISE.mistake(alike=_screws, joint=range(6))
+@EXERCISE.mistake(alike=_screws, joint=(3, 4, 5))
 def reversed_direction(joint):
     """the direction of a joint is reversed. Go through the arrows of the drawing, joint by joint."""
     return _answered(_OMEGA * np.where(np.arange(6) == joint, -1, 1)[:, None])
