@@ -22,6 +22,7 @@ POINTS = Totals(
     user_ids={"doejane_1234": "1234"},
 )
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
+,,,,,Manual Posting
     Points Possible,,,,,10
 "Doe, Jane",1234,u-1,jane,Kinematics,9
 "Bo, Al",1235,u-2,al,Kinematics,8
@@ -121,6 +122,13 @@ def test_titles_with_semicolons_and_columns_that_come_twice_lose_no_number(roste
     rows = roster(head + '"    Points Possible",,,,10,\n"Doe, Jane",1234,jane,A,9,\n')
     assert Roster(rows).find("x", "1234")[0]["SIS Login ID"] == "jane"
     assert Roster(rows).find("Points Possible") == []
+
+
+def test_first_and_last_names_of_canvas_in_two_columns_are_one_name(roster):
+    head = "LastName,FirstName,ID,SIS Login ID,Section\n    Points Possible,,,,\n"
+    (row,) = roster(head + "Doe,Jane,1234,jane,A\n")
+    assert Roster([row]).find("jane doe") == [row]
+    assert row["Student"] == "Doe, Jane"
 
 
 def test_nobody_is_taken_for_canvas_row_of_points(roster):

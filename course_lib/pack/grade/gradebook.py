@@ -22,12 +22,20 @@ POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words 
 
 
 def read_roster(path):
-    """Return the rows of a roster: a CSV with a line for each student, as the platform exports it or with our names."""
-    rows = read_table(path, KEYS | {*NAMES, "Name", "Section"})
+    """Return the rows of a roster: a CSV with a line for each student, as the platform exports it or with our names.
+
+    Canvas also writes names in two columns, and a line without a student for assignments that are posted manually
+    (instructure/canvas-lms, lib/gradebook_exporter.rb, csv_data).
+    """
+    rows = read_table(path, KEYS | {*NAMES, "Name", "Section", "LastName", "FirstName"})
     if not rows or len(rows[0]) < 2:
         raise GradingStopped(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
     rows = [{name: value.strip() for name, value in row.items()} for row in rows]
-    return [row for row in rows if POINTS_POSSIBLE not in row.get("Student", "")]
+    for row in rows:
+        if "LastName" in row and "FirstName" in row:
+            row["Student"] = f"{row['LastName']}, {row['FirstName']}".strip(" ,")
+    known = (*KEYS, *NAMES, "Name")
+    return [row for row in rows if any(map(row.get, known)) and POINTS_POSSIBLE not in row.get("Student", "")]
 
 
 class Roster:
