@@ -8,12 +8,12 @@ _LARGEST = 1e100  # of an entry, so that products of three do not overflow
 _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
 
 
-def real_array(value, name, *shapes, batched=True, copy=True, infinite=False):
+def real_array(value, name, *shapes, batched=True, copy=True, infinite=False, gaps=False):
     """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or ("n", 3).
 
     "n" is any number from 1 on. The axes before them are the batch, unless batched=False; () allows every shape. With
     copy=False, for callers that only read the array, it may be `value` itself. With infinite=True entries may be
-    infinite, as joint limits may.
+    infinite, as joint limits may; with gaps=True they may be NaN, as answers that are missing are.
     """
     expected = partial(_expected, name, shapes, batched)
     if isinstance(value, np.ma.MaskedArray):
@@ -34,6 +34,8 @@ def real_array(value, name, *shapes, batched=True, copy=True, infinite=False):
     elif copy:
         array = array.copy()
     usable = ~np.isnan(array) if infinite else np.abs(array) <= _LARGEST
+    if gaps:
+        usable |= np.isnan(array)
     if np.count_nonzero(usable) < array.size:  # a third of the time of usable.all() for a small array
         first = tuple(np.argwhere(~usable)[0])
         wanted = f"at most {_LARGEST:g}, of either sign" if np.isfinite(array[first]) else "finite"

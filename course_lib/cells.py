@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.arguments import count, generator, real_array
 from course_lib.grid_ik import planar_forward
 
 SHOULDER = (0.08, 0.04)  # radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
@@ -12,11 +13,9 @@ FEW = "fewer than 6 samples"
 
 
 def sagged(q):
-    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2).
-
-    The shoulder yields to the load, and the elbow's belt is stretched.
-    """
-    return np.asarray(q, float) - _sag(np.asarray(q, float), SHOULDER, _BELT)
+    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2)."""
+    q = real_array(q, "q", (2,), gaps=True)
+    return q - _sag(q, SHOULDER, _BELT)
 
 
 def _sag(q, shoulder, belt):
@@ -35,28 +34,29 @@ def sent(taken, shoulder=SHOULDER, belt=_BELT):
     >>> print(sagged(sent([1.0, 0.5])).round(12))
     [1.  0.5]
     """
-    taken = np.asarray(taken, float)
-    q = taken
+    q = taken = real_array(taken, "taken", (2,), gaps=True)
+    shoulder = real_array(shoulder, "shoulder", (2,), batched=False)
+    belt = real_array(belt, "belt", (), batched=False)
     for _ in range(20):
         q = taken + _sag(q, shoulder, belt)
     return q
 
 
 def measured(q, rng):
-    """Return the measured tips (m, 2) of the sagging arm at the angles q (m, 2) that were sent: 1 mm of noise."""
-    return planar_forward(sagged(q))[0] + rng.normal(0, _NOISE, np.shape(q))
+    """Return the measured tips (..., 2) of the sagging arm at the angles q (..., 2) that were sent: 1 mm of noise."""
+    return planar_forward(sagged(q))[0] + generator(rng).normal(0, _NOISE, np.shape(q))
 
 
 def numbered(index, n):
-    """Return one number for each column and row (m, 2) of an n x n grid; -1 stays -1.
+    """Return one number for each column and row (..., 2) of an n x n grid; -1 stays -1.
 
     Examples
     --------
     >>> numbered([[0, 1], [2, 0], [-1, -1]], 50)
     array([  1, 100,  -1])
     """
-    column, row = np.asarray(index).astype(int).T
-    return np.where(column < 0, -1, column * n + row)
+    column, row = np.moveaxis(real_array(index, "index", (2,)).astype(int), -1, 0)
+    return np.where(column < 0, -1, column * count(n, least=1) + row)
 
 
 def missing(angles):
@@ -67,7 +67,7 @@ def missing(angles):
     >>> missing(np.array([[0.1, 0.2], [np.nan, np.nan]]))
     array([False,  True])
     """
-    return np.isnan(angles).any(axis=-1)
+    return np.isnan(real_array(angles, "angles", (2,), gaps=True)).any(axis=-1)
 
 
 def in_ranges(solutions, lowest, highest):
@@ -79,7 +79,9 @@ def in_ranges(solutions, lowest, highest):
     array([[0. , 0.5],
            [nan, nan]])
     """
-    q = np.array(solutions, float)
+    q = real_array(solutions, "solutions", (2,), gaps=True)
+    lowest = real_array(lowest, "lowest", (2,), batched=False)
+    highest = real_array(highest, "highest", (2,), batched=False)
     q[..., 0] -= 2 * np.pi * np.round((q[..., 0] - np.pi / 2) / (2 * np.pi))
     inside = ((q >= lowest) & (q <= highest)).all(axis=-1, keepdims=True)
     return np.where(inside, q, np.nan)
@@ -116,15 +118,15 @@ def _cells(number):
 
 
 def quadratic_terms(xy):
-    """Return the terms (m, 6) of positions (m, 2): 1, x, y, x^2, x y, y^2.
+    """Return the terms (..., 6) of positions (..., 2): 1, x, y, x^2, x y, y^2.
 
     Examples
     --------
     >>> quadratic_terms(np.array([[2.0, 3.0]]))
     array([[1., 2., 3., 4., 6., 9.]])
     """
-    x, y = np.transpose(xy)
-    return np.column_stack([np.ones(len(x)), x, y, x * x, x * y, y * y])
+    x, y = np.moveaxis(real_array(xy, "xy", (2,)), -1, 0)
+    return np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=-1)
 
 
 class BranchTable:
