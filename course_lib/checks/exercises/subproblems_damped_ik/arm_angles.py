@@ -31,7 +31,7 @@ def _misses(q, center):
 _WRONG = Mistake(
     "q1 or q2 is wrong",
     "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for subproblem 2, and "
-    "what becomes of its angle? Which of the two points does each axis rotate?",
+    "what becomes of its angle? Which point does each axis rotate, and are both measured from the shoulder?",
 )
 
 
