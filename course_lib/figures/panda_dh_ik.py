@@ -170,14 +170,15 @@ def pinhole(K, T_cm, key_points):
     fig, (side, image) = plane_figure(9, 3.7, 2, width_ratios=[1.15, 1])
     f = 0.3 * z  # where the image plane is drawn; any distance would do
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
-    side.plot([f, f], [-0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
+    side.plot([0, f, f, f], [0, 0, -0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
     side.plot([0, z], [0, x], color=CRIMSON, linewidth=2)
     side.plot([z, z], [0, x], color=GREEN, linewidth=2)
     side.plot(z, x, "o", color=CRIMSON, markersize=9)
     side.plot(0, 0, "o", color=INK, markersize=8)
     side.plot(f, f * x / z, "o", color=BLUE, markersize=7)
     for words, at, colour in (
-        ("camera", (-0.01, -0.12 * x), INK),
+        ("camera", (-0.01, -0.3 * x), INK),
+        ("$f_x$", (0.45 * f, -0.12 * x), BLUE),
         ("$u - c_x$", (f * 1.06, f * x / z / 2), BLUE),
         ("$x$", (1.02 * z, x / 2), GREEN),
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
