@@ -1,7 +1,6 @@
 """fit_cells: in each cell and for each branch an affine model of the joint angles."""
 
 import numpy as np
-from sklearn.linear_model import LinearRegression
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
@@ -66,8 +65,10 @@ def _least_squares(xy, q):
 
 
 def _linear_regression(xy, q):
-    line = LinearRegression().fit(xy, q)
-    return np.column_stack([line.coef_, line.intercept_])
+    """Return what LinearRegression finds, also for one or two samples, but faster."""
+    middle, mean = xy.mean(0), q.mean(0)
+    A = np.linalg.lstsq(xy - middle, q - mean, rcond=1e-6)[0].T  # its tol
+    return np.column_stack([A, mean - A @ middle])
 
 
 def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, least=3):
