@@ -26,7 +26,7 @@ CENTRES = 0.9 * np.stack([np.cos(2 * np.linspace(0, 1, 21)), np.sin(2 * np.linsp
 def swing():
     """A planar arm in space, seen from above, with a red ball at its tip, which hides it."""
     arm = planar_arm([0.5, 0.4])
-    parts = solids.arm_parts(arm, [Part(2, MUG_RED, ball([0.9, 0, 0.1], 0.06))])
+    parts = [*solids.shell(arm), Part(2, MUG_RED, ball([0.9, 0, 0.1], 0.06))]
     view, words = (0.01, -0.01, 1), "An arm swings."
     return {TOY: film(parts, solids.link_poses(arm, TURNED), TIMES, words, name="moving", view=view).stored()}
 

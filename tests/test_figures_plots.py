@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from matplotlib.colors import same_color
 from numpy.testing import assert_allclose
 
 from course_lib import rotations
@@ -13,7 +12,7 @@ from course_lib.figures import poe_kuka_iiwa as nb4
 from course_lib.figures import rigid_motion as nb2
 from course_lib.figures import rotations as nb1
 from course_lib.figures import subproblems_damped_ik as nb3
-from course_lib.figures.style import BLUE, CRIMSON
+from course_lib.figures.style import BLUE
 from course_lib.planar import interpolate_arm, interpolate_body
 
 N = 31
@@ -79,24 +78,6 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
         assert ((low <= points) & (points <= high)).all() or name in ("gains", "map")
 
 
-def test_later_bodies_are_darker_and_the_last_arm_is_red():
-    alphas = [line.get_alpha() for line in LINES["outlines"][0].fig.axes[0].lines[1:]]
-    assert alphas == sorted(alphas)
-    assert alphas[-1] == 1
-    arms = LINES["arm"][0].fig.axes[0].lines[:-1]
-    assert [same_color(line.get_color(), CRIMSON) for line in arms] == 3 * [False] + [True]
-
-
-def test_the_dock_is_before_the_robot_that_stands_in_it():
-    (ax,), stands = LINES["car"][0].fig.axes, [1, 2, 1.6]
-    robots = [patch for patch in ax.patches if hasattr(patch, "center") and patch.radius < 0.3]
-    assert_allclose([robots[0].center, robots[4].center], POSES[[0, -1], :2])
-    (dock,) = [patch.get_xy()[:4] for patch in ax.patches if not hasattr(patch, "center")]
-    ahead = np.array([np.cos(stands[2]), np.sin(stands[2])])
-    assert ((dock - stands[:2]) @ ahead > robots[0].radius).all()
-    assert abs((dock.mean(0) - stands[:2]) @ [-ahead[1], ahead[0]]) < 1e-9
-
-
 def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
     jumping = ARM * np.where(STEPS % 2, 1, -1)[:, None, None]
     closer = ARM[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
@@ -147,13 +128,6 @@ def test_larger_errors_are_larger_and_darker_and_a_missing_one_is_not_drawn():
 
 
 def test_histograms_count_every_sample():
-    R = rotations.random_rotations(200, np.random.default_rng(0))
-    (ax,) = nb1.heights({"a": R}).fig.axes
-    for stairs, z in zip(ax.patches, R[:, 2].T, strict=True):
-        density, edges, _ = stairs.get_data()
-        inside = (z >= edges[7]) & (z < edges[8])
-        assert density.sum() * (edges[1] - edges[0]) == pytest.approx(1)
-        assert density[7] == pytest.approx(inside.mean() / (edges[8] - edges[7]))
     counts = {"one": np.array([1, 1, 99, 100, 362]), "two": np.array([50])}
     for ax, (title, taken) in zip(nb5.iterations(counts, 100).fig.axes, counts.items(), strict=True):
         assert sum(bar.get_height() for bar in ax.patches) == len(taken)

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from course_lib import rigid
 from course_lib.arms import SerialArm, iiwa14, panda, planar_arm, ur5e
 from course_lib.figures import solids
-from course_lib.figures.solids import meshes, scene, shells
+from course_lib.figures.solids import meshes, scene
 from course_lib.figures.solids.model import X_RED
 from course_lib.figures.toys.film import draw
 from course_lib.figures.toys.film import film as make_film
@@ -40,7 +40,7 @@ def test_every_arm_is_drawn_completely_with_few_vertices_where_its_kinematics_pu
     arm = ARMS[name]
     q = np.random.default_rng(1).uniform(-2, 2, arm.n)
     toy = draw(arm, q, "An arm.", axes=True)
-    film, bare = Film(toy), solids.arm_model(arm)
+    film, bare = Film(toy), solids.Model.of(solids.shell(arm))
     assert len(film.local) <= 2000
     assert len(bare.vertices) <= 1650, "the arm without frames and arrowheads"
     assert_allclose(film.poses[0], solids.link_poses(arm, q), atol=6e-6)
@@ -56,29 +56,12 @@ def test_bodies_move_with_their_joints_and_the_last_with_the_end_effector(name):
     poses = solids.link_poses(arm, q)
     assert_allclose(poses[:, 0], np.broadcast_to(np.eye(4), (3, 4, 4)))
     assert_allclose(poses[:, -1] @ arm.home[-1], arm.fk(q), atol=1e-12)
-    model = solids.arm_model(arm, scene.triad(arm.n, arm.home[-1], 0.2))
+    model = solids.Model.of([*solids.shell(arm), *scene.triad(arm.n, arm.home[-1], 0.2)])
     placed, ends = model.placed(poses), arm.fk(q)
     for k in range(3):
         arrow = (model.bodies == arm.n) & (model.colours == X_RED + k)
         tip = np.flatnonzero(arrow)[-1]  # the point that closes it
         assert_allclose(placed[:, tip], ends[:, :3, 3] + 0.2 * ends[:, :3, k], atol=1e-9)
-
-
-@pytest.mark.parametrize("name", ARMS)
-def test_every_moving_joint_has_a_drum_on_its_screw_axis(name):
-    arm = ARMS[name]
-    points, axes = shells.joint_points(arm), arm.screw_axes[:, :3]
-    assert_allclose(np.cross(points, axes), arm.screw_axes[:, 3:], atol=1e-9)
-    parts = shells.shell(arm)
-    for i, (point, axis) in enumerate(zip(points, axes, strict=True)):
-        assert any(_is_round_about(part.mesh.vertices, point, axis) for part in parts if part.body in (i, i + 1)), i + 1
-
-
-def _is_round_about(vertices, point, axis):
-    """Whether a mesh is a surface of revolution about an axis: few radii, and its middle on the axis."""
-    across = vertices - point - ((vertices - point) @ axis)[:, None] * axis
-    radii = np.unique(np.round(np.linalg.norm(across, axis=1), 8))
-    return np.linalg.norm(across.mean(0)) < 1e-9 and len(radii) < len(vertices) / 5
 
 
 def test_meshes_are_closed_and_their_faces_point_outwards():
@@ -105,7 +88,7 @@ def _volume(mesh):
 
 def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
     arm, q = panda(), np.array([0.1, -0.8, 0.2, -2.4, 0, 1.6, 0.8])
-    model, poses = solids.arm_model(arm), solids.link_poses(arm, q)
+    model, poses = solids.Model.of(solids.shell(arm)), solids.link_poses(arm, q)
     dashes, heads, words = scene.joint_axes(arm, poses, model.placed(poses), model.bodies)
     assert list(words) == list("1234567")
     ends = dashes.reshape(-1, 3, 3)[:, :2]
@@ -124,9 +107,9 @@ def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
 def test_a_film_contains_the_poses_at_twenty_times_a_second_and_little_more():
     arm, times = iiwa14(), np.linspace(0, 4, 401)
     q = np.linspace(-0.5, 1, 401)[:, None] * np.ones(7)
-    film = Film(made := make_film(solids.arm_parts(arm), solids.link_poses(arm, q), times, "An arm swings.", name="a"))
+    film = Film(made := make_film(solids.shell(arm), solids.link_poses(arm, q), times, "An arm swings.", name="a"))
     assert_allclose(film.course["times"], times[::5], atol=1e-4)
     assert_allclose(film.poses, solids.link_poses(arm, q[::5]), atol=6e-5)
-    assert_allclose(film.at(40), solids.arm_model(arm).placed(solids.link_poses(arm, q[200])), atol=2e-4)
+    assert_allclose(film.at(40), solids.Model.of(solids.shell(arm)).placed(solids.link_poses(arm, q[200])), atol=2e-4)
     assert film.course["movie"] == "a"
     assert len(json.dumps(made.stored())) < 120_000

@@ -5,7 +5,7 @@ import pytest
 
 from course_lib import pick, rigid
 from course_lib.arms import panda
-from course_lib.figures.solids import arm_model, link_poses, shells
+from course_lib.figures.solids import Model, link_poses, shells
 
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 FAR = rigid.transform(np.eye(3), [3.0, 0, 0.6])
@@ -18,7 +18,7 @@ def solid(q):
     parts = shells.gripper(7, tip)
     for side in (1, -1):
         parts += [p.moved(tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])) for p in shells.finger(7, side)]
-    model = arm_model(arm, parts)
+    model = Model.of([*shells.shell(arm), *parts])
     return model.placed(link_poses(arm, q)) + pick.BASE[:3, 3], model.bodies
 
 

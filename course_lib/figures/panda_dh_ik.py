@@ -10,7 +10,7 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines
-from course_lib.figures.solids import Model, Part, arm_parts, body_poses, link_poses, meshes, scene, shells
+from course_lib.figures.solids import Model, Part, body_poses, link_poses, meshes, scene, shell, shells
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREEN, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
@@ -82,7 +82,7 @@ def conventions(modified, standard, base):
     """
     stands = rigid.transform(np.eye(3), -np.asarray(base))
     poses, groups, said = stands @ body_poses(panda(), modified, base), {}, []
-    arm = [Part(0, part.colour, part.mesh.moved(poses[part.body])) for part in arm_parts(panda())]
+    arm = [Part(0, part.colour, part.mesh.moved(poses[part.body])) for part in shell(panda())]
     for title, frames in {"modified": stands @ modified, "standard": stands @ standard}.items():
         numbers = _numbers(frames)
         triads = [part for T in frames for part in scene.triad(0, T, 0.13)]
@@ -290,7 +290,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
     """
     length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
     parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
-    parts = arm_parts(panda(), [*parts, Part(11, MUG_RED, meshes.mug())])
+    parts = [*shell(panda()), *parts, Part(11, MUG_RED, meshes.mug())]
     pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
     poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
     poses = np.concatenate([poses, np.broadcast_to(camera, (len(poses), 1, 4, 4))], 1)

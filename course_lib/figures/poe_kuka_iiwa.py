@@ -8,7 +8,7 @@ import numpy as np
 from course_lib import rigid
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, in_metres, legend_above, lines, pi_ticks, plain
-from course_lib.figures.solids import Part, arm_parts, link_poses, scene
+from course_lib.figures.solids import Part, link_poses, scene, shell
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
@@ -123,7 +123,7 @@ def arm_movie(arm, motion):
     path = arm.fk(motion.q)[:, :3, 3]
     size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
     return film(
-        arm_parts(arm, scene.triad(arm.n, arm.home[-1], 0.16)),
+        [*shell(arm), *scene.triad(arm.n, arm.home[-1], 0.16)],
         link_poses(arm, motion.q),
         motion.t,
         f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its end-effector has {size}.",

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import base64
-import json
 import os
 import re
 import sys
@@ -26,6 +25,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
 from course_lib.figures.display import TOY, smaller_png
+from course_lib.figures.toys.toy import as_key
 from course_lib.pack.files import write_atomically
 from course_lib.pack.more import TAG
 
@@ -187,11 +187,6 @@ def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.Noteboo
         for output in cell.get("outputs", []):
             if TOY in output.get("data", {}):
                 yield output
-
-
-def as_key(figure: Figure) -> str:
-    """Return a text that is the same for figures that look the same only."""
-    return json.dumps(figure, sort_keys=True)
 
 
 def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:

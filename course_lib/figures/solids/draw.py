@@ -1,10 +1,8 @@
-"""An arm as solid bodies, and their poses."""
+"""The poses of an arm's solid bodies."""
 
 import numpy as np
 
 from course_lib import rigid
-from course_lib.figures.solids.model import Model
-from course_lib.figures.solids.shells import shell
 
 
 def link_poses(arm, q):
@@ -20,13 +18,3 @@ def body_poses(arm, frames, base=(0, 0, 0)):
     moved = frames @ rigid.inverse(arm.home[:-1])
     stands = np.broadcast_to(rigid.transform(np.eye(3), base), (*moved.shape[:-3], 1, 4, 4))
     return np.concatenate([stands, moved], -3)
-
-
-def arm_parts(arm, extra=()):
-    """Return the Parts of an arm's bodies, 0 to n, and extra ones."""
-    return [*shell(arm), *extra]
-
-
-def arm_model(arm, extra=()):
-    """Return the Model of these Parts."""
-    return Model.of(arm_parts(arm, extra))

@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.arguments import real_array
 from course_lib.figures.solids import Model, Part, meshes
 from course_lib.figures.toys.arms import arm_view
-from course_lib.figures.toys.toy import Answers, Toy, is_live, solid
+from course_lib.figures.toys.toy import Answers, Toy, is_live, numbers, solid
 from course_lib.pick import IN_MUG
 from course_lib.planar import propagate_body_exact
 from course_lib.rigid import inverse, is_se
@@ -126,11 +126,7 @@ def fly(start, goal, *, quaternions=False):
         if quaternions:
             A, B = matrix_to_quaternion(A), matrix_to_quaternion(B)
         s = np.linspace(0, 1, _SAMPLES)
-        found = np.array([np.asarray(f(A.copy(), B.copy(), share), float) for share in s])
-        if found.shape[1:] != A.shape:
-            raise ValueError(f"the answer should be an array of shape {A.shape}; its shape is {found.shape[1:]}")
-        if not np.isfinite(found).all():
-            raise ValueError("the answer contains NaN or infinity")
+        found = np.array([numbers(f(A.copy(), B.copy(), share), "an array", *A.shape) for share in s])
         kind, rotates = ("unit quaternion", is_quaternion) if quaternions else ("rotation matrix", is_so)
         if not (right := rotates(found, _TOLERANCE)).all():
             raise ValueError(f"the answer at s = {s[right.argmin()]:g} is not a {kind}")
@@ -195,11 +191,7 @@ def drive(plan, *, exact=False):
 
     def ask(f, question):
         log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
-        poses = np.asarray(f(np.zeros(3), log, question["dt"]), float)
-        if poses.ndim != 2 or poses.shape[1] != 3 or not len(poses):
-            raise ValueError(f"the answer should be poses of shape (n, 3); its shape is {poses.shape}")
-        if not np.isfinite(poses).all():
-            raise ValueError("the answer contains NaN or infinity")
+        poses = numbers(f(np.zeros(3), log, question["dt"]), "poses", "n", 3)
         return {"value": poses.round(5).tolist(), "plan": question["plan"]}
 
     model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}
@@ -236,12 +228,8 @@ def click(K, T_mc, T_wc, T_wm):
             raise ValueError(f"{name} must be a pose (4, 4)")
 
     def ask(f, question):
-        T = np.asarray(f(*(np.array(question[name], float) for name in ("pixels", "depths"))), float)
-        if T.shape != (4, 4):
-            raise ValueError(f"the answer should be a pose of shape (4, 4); its shape is {T.shape}")
-        if not np.isfinite(T).all():
-            raise ValueError("the answer contains NaN or infinity")
-        return {"value": T.tolist()}
+        T = f(*(np.array(question[name], float) for name in ("pixels", "depths")))
+        return {"value": numbers(T, "a pose", 4, 4).tolist()}
 
     cameras, mugs = [poses["T_mc"], poses["T_wc"]], [np.eye(4), poses["T_wm"]]
     seen = np.array([inverse(C) @ T @ np.c_[SPOTS, np.ones(7)].T for C, T in zip(cameras, mugs, strict=True)])[:, :3]

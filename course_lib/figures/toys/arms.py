@@ -6,8 +6,8 @@ import numpy as np
 
 from course_lib.arguments import real_array
 from course_lib.arms import iiwa14, panda
-from course_lib.figures.solids import arm_model, link_poses
-from course_lib.figures.toys.toy import Answers, Toy, solid
+from course_lib.figures.solids import Model, link_poses, shell
+from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
 
 _IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
@@ -122,29 +122,20 @@ def _moved_by(arm, to_base, takes_screws):
         if takes_screws:  # every body by the student's function, which is given the joints up to it
             screws = arm.screw_axes
             ends = [(screws[:i], np.eye(4), q[:i]) for i in range(1, arm.n + 1)] + [(screws, arm.home[-1], q)]
-            *bodies, end = (_pose(fk(*(part.copy() for part in each))) for each in ends)
+            *bodies, end = (numbers(fk(*(part.copy() for part in each)), "a pose", 4, 4) for each in ends)
         else:
             end, bodies = np.asarray(fk(q.copy()), float), None
             if end.shape == (arm.n + 1, 4, 4) and np.isfinite(end).all():
                 frames = to_base @ end
                 end, bodies = frames[-1], frames[:-1] @ inverse(arm.home[:-1])
             else:
-                end = to_base @ _pose(end)
+                end = to_base @ numbers(end, "a pose", 4, 4)
         if bodies is not None:
             bodies = [np.eye(4).tolist(), *(np.asarray(T).tolist() for T in bodies)]
         gap = float(np.abs(end - arm.fk(q)).max())
         return {"value": {"end": end.tolist(), "bodies": bodies}, "gap": gap}
 
     return move
-
-
-def _pose(given):
-    T = np.asarray(given, float)
-    if T.shape != (4, 4):
-        raise ValueError(f"the pose should be an array of shape (4, 4); its shape is {T.shape}")
-    if not np.isfinite(T).all():
-        raise ValueError("the pose contains NaN or infinity")
-    return T
 
 
 def arm_view(arm, q, title, also=()):
@@ -155,7 +146,7 @@ def arm_view(arm, q, title, also=()):
     q = real_array(q, "q", (arm.n,))
     if q.shape != (arm.n,):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
-    model = arm_model(arm)
+    model = Model.of(shell(arm))
     at = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
     size = np.linalg.norm(np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1).sum()
     return {

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib import rigid
-from course_lib.figures.solids import arm_model, arm_parts, link_poses, scene
+from course_lib.figures.solids import link_poses, scene, shell
 from course_lib.figures.solids.model import AXIS, VIOLET, Model, Part
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.toys.toy import Toy, solid
@@ -73,7 +73,7 @@ def draw(arm, q, alt, caption="", *, axes=False, extra=(), view=VIEW, ground=Non
     0. view: (3,), the direction from the arm to the eye. ground: the height of the floor; 0 or that of the lowest point
     if None. frame: draw the frame of the end-effector. near: (n, 3), what the picture shows; all if None.
     """
-    model, poses = arm_model(arm, extra), link_poses(arm, np.asarray(q, float))
+    model, poses = Model.of([*shell(arm), *extra]), link_poses(arm, np.asarray(q, float))
     vertices = model.placed(poses)
     size = max(np.ptp(vertices, axis=0).max(), np.linalg.norm(arm.home[-1, :3, 3]) * 0.5)
     parts, paths, words = [*extra, *(scene.triad(arm.n, arm.home[-1], 0.17 * size) if frame else ())], [], []
@@ -83,7 +83,7 @@ def draw(arm, q, alt, caption="", *, axes=False, extra=(), view=VIEW, ground=Non
         parts += [Part(0, VIOLET, head) for head in heads]  # body 0 does not move
     ground = min(0.0, vertices[:, 2].min()) if ground is None else ground
     look = {"paths": paths, "words": words, "view": view, "near": near, "ground": ground}
-    return film(arm_parts(arm, parts), poses[None], [0.0], alt, caption, **look)
+    return film([*shell(arm), *parts], poses[None], [0.0], alt, caption, **look)
 
 
 def flat_film(shapes, times, alt, caption="", *, name, still, half, centre=(0, 0), proportion=1.0, closed=False):

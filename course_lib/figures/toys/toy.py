@@ -98,7 +98,7 @@ class Toy:
         from IPython.display import display
 
         data = {TOY: self.stored(), "text/plain": self.alt}
-        if still := _stills().get(_key(data[TOY])):
+        if still := _stills().get(as_key(data[TOY])):
             data["image/png"] = still
         if is_live():
             bundle = self.widget()._repr_mimebundle_()
@@ -148,6 +148,21 @@ class Answers:
         return answer
 
 
+def numbers(given, what, *shape):
+    """Return what a student's function gave as an array of a shape, where "n" is any size; ValueError if it is none."""
+    found = np.asarray(given, float)
+    if (
+        not found.size
+        or found.ndim != len(shape)
+        or any(size not in ("n", m) for m, size in zip(found.shape, shape, strict=True))
+    ):
+        asked = str(shape).replace("'", "")
+        raise ValueError(f"the answer should be {what} of shape {asked}; its shape is {found.shape}")
+    if not np.isfinite(found).all():
+        raise ValueError("the answer contains NaN or infinity")
+    return found
+
+
 def _rounded(node):
     """Return JSON with numbers of twelve decimals, whose last ones differ between processors, and 0 in place of -0."""
     if isinstance(node, dict):
@@ -157,7 +172,8 @@ def _rounded(node):
     return (round(node, 12) + 0.0 if math.isfinite(node) else None) if isinstance(node, float) else node
 
 
-def _key(figure):
+def as_key(figure):
+    """Return a text that is the same for stored toys that look the same only."""
     return json.dumps(figure, sort_keys=True)
 
 
@@ -170,7 +186,7 @@ def _stills():
         with contextlib.suppress(ValueError, LookupError, AttributeError, TypeError):  # not a notebook
             for cell in json.loads(text)["cells"] if TOY in text else ():
                 datas = [output.get("data", {}) for output in cell.get("outputs", [])]
-                found |= {_key(data[TOY]): data["image/png"] for data in datas if {TOY, "image/png"} <= set(data)}
+                found |= {as_key(data[TOY]): data["image/png"] for data in datas if {TOY, "image/png"} <= set(data)}
     return found
 
 
