@@ -103,6 +103,13 @@ def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(ros
     assert rows((out / "moodle.csv").read_text("utf-8"))[1:] == [["", "1234", "jane@example.org", "Jane", "Doe", "2"]]
 
 
+def test_each_member_of_a_group_has_a_line_with_the_points_of_the_group(roster):
+    members = roster("student,First name,Last name,Email address\nTeam A,Jane,Doe,jane@x\nTeam A,Al,Bo,al@x\n")
+    text, missing, shared = gradebook_text("moodle", Totals({"01": 10}, {"Team A": {"01": 9}}), members)
+    assert [row[2:] for row in rows(text)[1:]] == [["al@x", "Al", "Bo", "9"], ["jane@x", "Jane", "Doe", "9"]]
+    assert (missing, shared) == ([], [])
+
+
 def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
     both = Totals(POINTS.of, {"jane": {"01_rotations": 9}, "Doe Jane": {"01_rotations": 3, "02_rigid_motion": 1}})
     text, missing, shared = gradebook_text("canvas", both, roster(CANVAS))

@@ -78,18 +78,21 @@ def _full_name(row):
 def gradebook_text(platform, totals, roster=None):
     """Return the text of the file for a platform, and the students who are not in it or share a line of it.
 
-    Not in it are those whom no line of the roster fits, or several, or whom Canvas would not take for a student. Of
-    those who share a line, the better points of each notebook are in the file. Without a roster, as read_roster
+    Not in it are those whom no line of the roster fits, or several, or whom Canvas would not take for a student; but a
+    group, whose name is in the column `student` of several lines, is in all of these. Of those who share a line, the
+    better points of each notebook are in the file. Without a roster, as read_roster
     returns it, a student's name is used as the login name, and the Canvas number in the names of its files as the ID.
     """
     look = Roster(roster) if roster else None
     lines, missing = {}, []  # lines: {what identifies a student: their names}
     for student in totals.students:
         rows = _rows(platform, student, totals.user_ids.get(student, ""), look)
-        identity = tuple(rows[0].get(name, "") for name in IDENTITY[platform]) if len(rows) == 1 else ()
-        if not identity or (platform == "canvas" and POINTS_POSSIBLE in identity[0]):
+        group = [row for row in rows if row.get("student", "").casefold() == student.casefold()]
+        its = [tuple(row.get(name, "") for name in IDENTITY[platform]) for row in (group if len(rows) > 1 else rows)]
+        if not its or (platform == "canvas" and any(POINTS_POSSIBLE in identity[0] for identity in its)):
             missing.append(f"{student} ({len(rows)} lines of the roster fit)" if len(rows) > 1 else student)
-        else:
+            continue
+        for identity in its:
             lines.setdefault(identity, []).append(student)
     rows = [[*identity, *_points(totals, students)] for identity, students in sorted(lines.items())]
     columns = [*IDENTITY[platform], *totals.of]
