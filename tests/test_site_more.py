@@ -1,8 +1,7 @@
-"""Folded sections of More on a page, and the errors and remarks of the appendix on a page of their own."""
+"""Folded sections of More on a page, with the appendix of a report among them."""
 
 import pytest
-from bs4 import BeautifulSoup
-from nbformat.v4 import new_markdown_cell, new_output
+from nbformat.v4 import new_markdown_cell
 from playwright.sync_api import expect
 from site_notebooks import NBGRADER, SLIDING, SOLUTION, cell, output, png, write
 from site_visits import Visit, assert_readable
@@ -33,10 +32,6 @@ def notebooks(tmp_path_factory):
         cell(output({TOY: SLIDING, "image/png": png()}, "Two poses on a floor")),
         more("## Appendix: the report\n\nWhat it did."),
         new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
-        new_markdown_cell("### Errors in it\n\n#### 1 · A factor\n\n**Printed:** two. See [there](#Three-angles)."),
-        cell(new_output("stream", text="three\n"), source="print('three')"),
-        new_markdown_cell("**Right:** three, as above."),
-        new_markdown_cell("### Remarks\n\n#### A name\n\nIt is long.\n\n## Sources\n\n- A book."),
     )
     plain = "# Rigid motion\n\n[There](01_rotations.ipynb#Reproduce)."
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell(plain))
@@ -117,13 +112,3 @@ def test_the_first_screen_shows_the_figure_before_the_words(visit):
     assert tops[1] < 600
     folded = [line.strip() for line in visit.page.locator("details.hide > summary").all_inner_texts()]
     assert folded[:2] == ["Imports and settings", "The lines that draw it"]
-
-
-def test_errors_and_remarks_stand_apart_and_their_links_lead_to_the_notebook(site):
-    article = BeautifulSoup((site / "errata.html").read_text("utf-8"), "html.parser").find("article")
-    said = [heading.get_text().rstrip("#¶") for heading in article.select("h1, h2, h3, h4")]
-    assert said == ["Errata", "Errors", "Rotations", "1 · A factor", "Remarks", "Rotations", "A name"]
-    links = [link["href"] for link in article.select("p a:not(.headerlink), h3 a:not(.headerlink)")]
-    assert links == ["01_rotations.html", "01_rotations.html#three-angles", "01_rotations.html"]
-    assert article.select_one(".output.stream").get_text().strip() == "three"
-    assert article.select_one("details") is not None

@@ -121,6 +121,7 @@ def test_errata_contain_every_claim_with_its_evidence_and_the_correction(article
     printed = ["".join(part.get_text().split()) for part in errata.select(".output.stream")]
     assert len(errata.select("details")) == len(printed)
     assert errata.select("details[open]") == []
+    assert [said(part) for part in errata.select("h2")] == ["Errors", "Remarks"]
     strong = [said(part) for part in errata.select("strong")]
     cells = [cell for heading in ERRATA for notebook in NOTEBOOKS for cell in section(notebook, heading)]
     text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")

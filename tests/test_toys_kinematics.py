@@ -230,17 +230,12 @@ def test_a_pose_error_agrees_with_the_library(js, rng):
     assert_allclose(js("poseError", T[:N], T[N:]), ik.pose_error(T[:N], T[N:]), **CLOSE)
 
 
-def test_an_arm_reaches_a_pose_and_a_position_within_its_limits(js, rng):
+def test_an_arm_reaches_a_pose_within_its_limits(js, rng):
     arm = panda()
     q = np.array([0.2, -0.6, 0.1, -2.0, 0.3, 1.6, 0.5])
     targets = arm.fk(np.clip(q + rng.uniform(-0.25, 0.25, (20, 7)), *arm.limits.T))
-    options = {"limits": arm.limits.tolist(), "steps": 60}
-    start = 20 * [a_model(arm)], 20 * [q]
-    found = np.array(js("reach", *start, targets, 20 * [options]))
+    found = np.array(js("reach", 20 * [a_model(arm)], 20 * [q], targets, 20 * [arm.limits.tolist()]))
     assert_allclose(arm.fk(found), targets, rtol=0, atol=1e-6)
-    found = np.array(js("reach", *start, targets[:, :3, 3], 20 * [options | {"tip": [0, 0, 0.1]}]))
-    reached = arm.fk(found)
-    assert_allclose(reached[:, :3, 3] + 0.1 * reached[:, :3, 2], targets[:, :3, 3], rtol=0, atol=1e-6)
     assert (found >= arm.limits[:, 0]).all()
     assert (found <= arm.limits[:, 1]).all()
 

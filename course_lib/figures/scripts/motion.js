@@ -138,9 +138,9 @@ globalThis.course.motion = (() => {
     arm.home.map((M, i) => times(moved[Math.min(i + 1, q.length)], M));
   const spaceJacobian = (arm, q, moved = bodies(arm, q)) =>
     transpose(arm.screws.map((screw, i) => apply(adjoint(moved[i]), screw)));
-  // Columns (omega, v), the velocity of a point of the end-effector along the axes of the base; of its origin if null.
-  function geometricJacobian(arm, q, point = null) {
-    const moved = bodies(arm, q), p = point || positionOf(times(moved[q.length], arm.home[q.length]));
+  // Columns (omega, v), v the velocity of the end-effector's origin, along the axes of the base.
+  function geometricJacobian(arm, q) {
+    const moved = bodies(arm, q), p = positionOf(times(moved[q.length], arm.home[q.length]));
     return transpose(transpose(spaceJacobian(arm, q, moved)).map((column) => {
       const omega = column.slice(0, 3);
       return [...omega, ...add(column.slice(3), cross(omega, p))];
@@ -225,16 +225,13 @@ globalThis.course.motion = (() => {
     const { values, vectors } = eigen(times(transpose(J), J));
     return values[5] > 1e-10 ? vectors[6] : null;
   }
-  // Joint angles within limits after steps of damped least squares towards a position of the point `tip`, given in the
-  // end-effector's frame, or towards a pose if `target` is one.
-  function reach(arm, q, target, { tip = [0, 0, 0], limits, steps = 8, damping = 4e-4 }) {
+  // Joint angles within limits after steps of damped least squares towards a pose.
+  function reach(arm, q, target, limits) {
     let angles = [...q];
-    for (let k = 0; k < steps; k++) {
-      const T = frames(arm, angles)[angles.length], at = move(T, tip), isPose = target.length === 4;
-      const J = geometricJacobian(arm, angles, at), e = isPose ? poseError(T, target) : add(target, at, -1);
-      const far = norm(e.slice(-3));
+    for (let k = 0; k < 60; k++) {
+      const e = poseError(frames(arm, angles)[angles.length], target), far = norm(e.slice(3));
       if (norm(e) < 1e-9) break;
-      const step = dampedStep(isPose ? J : J.slice(3), scale(e, Math.min(1, 0.1 / far)), damping);
+      const step = dampedStep(geometricJacobian(arm, angles), scale(e, Math.min(1, 0.1 / far)), 4e-4);
       angles = angles.map((x, i) => Math.min(limits[i][1], Math.max(limits[i][0], x + step[i])));
     }
     return angles;

@@ -24,7 +24,7 @@
     };
     // Several solutions of the library: each is followed on its own, and shown if it reaches the target.
     const error = (q, T) => M.poseError(M.frames(arm, q)[n], T), off = (q, T) => M.norm(error(q, T));
-    const solved = (q, T) => M.reach(arm, q, T, { limits: limits.map(() => [-Infinity, Infinity]), steps: 60 });
+    const solved = (q, T) => M.reach(arm, q, T, limits.map(() => [-Infinity, Infinity]));
     const differ = (q, p) => q.some((x, i) => Math.abs(M.wrap(x - p[i])) > 0.01);
     const library = (T) => {
       if (!starts) return [state.q];
@@ -37,7 +37,7 @@
         const q = solved(state.all[i], T);
         return off(q, T) < 1e-3 ? q : solved(start, T);
       });
-      else state.q = M.reach(arm, state.q, T, { limits, steps: 60 });
+      else state.q = M.reach(arm, state.q, T, limits);
       ask({ target: T });
     };
     // The target stays above the floor and little farther from the base than the arm reaches.
