@@ -14,15 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course_lib.pack.grade import zips
-from course_lib.pack.grade.platforms import (
-    GRADESCOPE,
-    GRADESCOPES_LIST,
-    ONLINE_TEXT,
-    exported_name,
-    gradescopes_students,
-    is_of_a_class,
-    recognized,
-)
+from course_lib.pack.grade.platforms import ONLINE_TEXT, exported_name, handed_in, is_of_a_class, recognized
 from course_lib.pack.grade.zips import Refused
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
@@ -71,9 +63,9 @@ def find(folder, notebooks, platform=""):
     folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas, Moodle and Gradescope export.
     notebooks: the course's. platform: which of Canvas and Moodle exported the files; "" if neither did.
     """
-    paths, students = _handed_in(folder)
+    paths, students = handed_in(folder)
     found = []
-    for path in paths:
+    for path in sorted(path for path in paths if not _is_clutter(path.name)):
         try:
             if path.is_dir() and not path.is_symlink():
                 its = _in_folder(path, folder, notebooks, platform)
@@ -94,16 +86,6 @@ def find(folder, notebooks, platform=""):
         if counts[each.student] > MAX_GRADED and not each.refused:
             found[number] = replace(each, refused=f"Only {MAX_GRADED} notebooks of a student are graded.")
     return found
-
-
-def _handed_in(folder):
-    """Return the sorted paths in a folder and in Gradescope's exports in it, and {path: whose it is} by Gradescope."""
-    places = [folder, *(path for path in folder.iterdir() if GRADESCOPE.fullmatch(path.name) and not path.is_symlink())]
-    lists = {place: place / GRADESCOPES_LIST for place in places if (place / GRADESCOPES_LIST).is_file()}
-    known = {place: gradescopes_students(path.read_text("utf-8", "replace")) for place, path in lists.items()}
-    inside = {path for place in {folder, *lists} for path in place.iterdir()} - {*lists, *lists.values()}
-    students = {place / name: its for place in known for name, its in known[place].items()}
-    return sorted(path for path in inside if not _is_clutter(path.name)), students
 
 
 def platform_of(folder):

@@ -87,25 +87,37 @@ def is_of_a_class(names, platform):
     return any(GRADESCOPE.fullmatch(part) for each in parts for part in each)
 
 
-def gradescopes_students(text):
+def handed_in(folder):
+    """Return the paths in a folder and in Gradescope's exports in it, and {path: [fields of a Submission]} by its list.
+
+    A group's path has the fields of each member.
+    """
+    places = [folder, *(path for path in folder.iterdir() if GRADESCOPE.fullmatch(path.name) and not path.is_symlink())]
+    lists = {place: place / GRADESCOPES_LIST for place in places if (place / GRADESCOPES_LIST).is_file()}
+    known = {place: _students(path.read_text("utf-8", "replace")) for place, path in lists.items()}
+    inside = {path for place in {folder, *lists} for path in place.iterdir()} - {*lists, *lists.values()}
+    return inside, {place / name: its for place in known for name, its in known[place].items()}
+
+
+def _students(text):
     """Return {folder: [fields of a Submission, for each student who handed it in]} from the text of Gradescope's list.
 
     It is YAML as Ruby writes it: `submission_1:`, then indented `:submitters:` with `- :name:` and `:sid:`, and
     `:created_at:`. All text that students control is indented further.
     """
-    found, its, time = {}, [], None
+    found, times, name = {}, {}, ""
     for line in text.splitlines():
         if head := re.fullmatch(r"(submission_\w+):", line):
-            its, time = found.setdefault(head[1], []), None
-        elif entry := re.fullmatch(r"  (  |- )?:(name|sid|created_at): (.+)", line):
+            name = head[1]
+            found[name] = []
+        elif entry := name and re.fullmatch(r"  (  |- |):(name|sid|created_at): (.+)", line):
             value = entry[3].strip("'\"").replace("''", "'")
-            if entry[2] == "name" and entry[1] == "- ":
-                its.append({"student": value, "platform_id": "", "modified": time})
-            elif entry[2] == "sid" and its and entry[1] == "  ":
-                its[-1]["platform_id"] = value
-            elif entry[2] == "created_at" and not entry[1]:
+            if entry[1] + entry[2] == "- name":
+                found[name].append({"student": value})
+            elif entry[1] + entry[2] == "  sid" and found[name]:
+                found[name][-1]["platform_id"] = value
+            elif entry[1] + entry[2] == "created_at":
                 with suppress(ValueError):
-                    time = datetime.fromisoformat(re.sub(r" (Z|[+-][\d:]+)$", r"\1", value)).timestamp()
-                    for each in its:
-                        each["modified"] = time
-    return found
+                    time = datetime.fromisoformat(re.sub(r" (Z|[+-][\d:]+)$", r"\1", value))
+                    times[name] = {"modified": time.timestamp()}
+    return {name: [each | times.get(name, {}) for each in its] for name, its in found.items()}
