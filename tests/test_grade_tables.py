@@ -19,6 +19,7 @@ from course_lib.pack.grade.marks import (
     OLDER,
     READ,
     TO_BE_READ,
+    key,
     mark_answer,
     marks_text,
     read_marks,
@@ -324,6 +325,14 @@ def test_an_unanswered_question_waits_for_no_mark(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
     assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
+
+
+def test_no_key_is_a_number_that_a_spreadsheet_rounds_and_keys_of_old_tables_hold(path):
+    keys = [key("zoe", "01_rotations", "explain_0", str(number)) for number in range(5_000)]
+    assert [its for its in keys if its[:1].isdigit()] == []
+    Class(path, ZOE(texts=["because"])).questions()
+    type_in(path, mark="2", key=key("zoe", "01_rotations", "explain_0", "because")[1:])
+    assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
 
 
 def test_a_copied_line_takes_no_mark_away(path):

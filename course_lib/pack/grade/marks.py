@@ -45,9 +45,12 @@ class MarkedAnswer:
 
 
 def key(student, notebook, question, text):
-    """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again."""
+    """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again.
+
+    It begins with a letter, because a spreadsheet makes a number of a key that has only digits, and rounds it.
+    """
     whole = "\n".join([student, notebook, question, text]).encode("utf-8", "backslashreplace")
-    return hashlib.sha256(whole).hexdigest()[:16]
+    return "k" + hashlib.sha256(whole).hexdigest()[:16]
 
 
 def read_marks(path):
@@ -59,6 +62,7 @@ def read_marks(path):
             "the file away: the next run then writes a new one without marks."
         )
     rows = [{name: row.get(name, "") for name in COLUMNS} for row in rows if row["key"]]
+    rows = [row | {"key": "k" + row["key"].removeprefix("k")} for row in rows]  # of a table from before keys had the k
     rows.sort(key=lambda row: bool(row["mark"].strip()))  # if a line was copied, the one with the mark counts
     return {row["key"]: row for row in rows}
 
