@@ -104,6 +104,10 @@ def pytest_runtest_setup(item):
     if item.path not in item.config.in_browser:  # while a browser is open, no other event loop can run
         item.config.to_close.close()
         item.config.browser = None
+    elif item.config.browser:
+        from site_visits import be_patient
+
+        be_patient(item.config.browser)
 
 
 @pytest.fixture(scope="session")

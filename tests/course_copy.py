@@ -56,7 +56,7 @@ def fold_a_section(path):
 def run(folder, *command, **variables):
     """Run a command in the copy, without the settings of the make and pytest that run now; return its process."""
     outside = {key: value for key, value in os.environ.items() if not key.startswith(("PYTEST", "MAKE", "ONLY"))}
-    return subprocess.run(command, cwd=folder, env=outside | variables, capture_output=True, text=True, timeout=900)
+    return subprocess.run(command, cwd=folder, env=outside | variables, capture_output=True, text=True, timeout=3600)
 
 
 def made(folder, *targets):

@@ -11,8 +11,14 @@ from playwright.sync_api import expect, sync_playwright
 
 from course_lib.figures.display import TOY
 
-PATIENCE = 120_000  # milliseconds: a machine may be busy, and only what fails waits so long
-expect.set_options(timeout=PATIENCE)
+
+def be_patient(browser):
+    """Let what fails wait two minutes for each process that wants to run: a busy machine takes so many times longer."""
+    milliseconds = 120_000 * max((1, *getattr(os, "getloadavg", tuple)()))
+    expect.set_options(timeout=milliseconds)
+    for context in browser.contexts:
+        context.set_default_timeout(milliseconds)
+
 
 # The contrast of an element's text with the ground that it stands on (WCAG 2, relative luminance).
 CONTRAST = """element => {
@@ -58,8 +64,8 @@ class Visit:
             self.page.set_viewport_size(size)
         else:
             self.page = browser.new_context(offline=True, viewport=size, **look, **context).new_page()
-            self.page.context.set_default_timeout(PATIENCE)
         self.context = self.page.context
+        be_patient(browser)
         self.listeners = {
             "request": lambda request: self.requests.append(request.url),
             "pageerror": lambda error: self.complaints.append(str(error)),

@@ -104,9 +104,9 @@ print(json.dumps({name: found[name] for name in ("is_valid", "matrix_to_quaterni
 def in_a_kernel(kernel, cells):
     """{exercise: its state} of cells that a real kernel runs from a fresh start."""
     said = []
-    kernel.execute_interactive("%reset -f", timeout=120)
+    kernel.execute_interactive("%reset -f", timeout=3600)
     for source in [*cells, JUDGED]:
-        kernel.execute_interactive(source, timeout=120, output_hook=said.append)
+        kernel.execute_interactive(source, timeout=3600, output_hook=said.append)
     texts = [message["content"]["text"] for message in said if message["msg_type"] == "stream"]
     return json.loads("".join(texts).strip().splitlines()[-1])
 

@@ -46,7 +46,7 @@ def source(folder, name):
 
 def carry_over(old, new):
     command = [sys.executable, str(new / "carry_over.py"), str(old)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=600)
+    return subprocess.run(command, capture_output=True, text=True, timeout=3600)
 
 
 def test_answers_in_code_and_words_are_taken_over_and_the_old_is_only_read(folders):
