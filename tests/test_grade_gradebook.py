@@ -145,6 +145,18 @@ def test_nobody_is_taken_for_canvas_row_of_points(roster):
         assert (len(rows(text)), missing) == (2, ["My Points Possible", "Points Possible"])
 
 
+@pytest.mark.parametrize("head", ["First name,Surname,Email address", "sep=,\nFirst Name,Last Name,Email"])
+def test_other_names_of_the_columns_are_known(roster, head):
+    """Gradescope's roster, Moodle's before `Last name`, and a table whose first line tells Excel the separator."""
+    (row,) = roster(f"{head}\nJane,Doe,jane@x\n")
+    assert [row[name] for name in ("First name", "Last name", "Email address")] == ["Jane", "Doe", "jane@x"]
+
+
+def test_a_roster_in_another_language_is_refused_and_not_ignored(roster):
+    with pytest.raises(GradingStopped, match="download it in English"):
+        roster("Vorname,Nachname\nJane,Doe\n")
+
+
 @pytest.mark.parametrize("text", ["", "student\nanna\n", "a,b\n"])
 def test_a_file_that_is_not_a_roster_is_refused(roster, text):
     with pytest.raises(GradingStopped, match="is not a roster"):

@@ -39,7 +39,7 @@ def read_table(path, known):
         return [name.strip().strip('"') for name in next(lines(separator), [])]
 
     try:
-        text, found = _decoded(path.read_bytes()), []
+        text, found = re.sub(r"\Asep=.\s*", "", _decoded(path.read_bytes())), []  # a line that is for Excel
         separator = max(",;\t", key=lambda each: (len(known & {*names_by(each)}), len(names_by(each))))
         names, rows = names_by(separator), list(lines(separator))[1:]
     except OSError as error:

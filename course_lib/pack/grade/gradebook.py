@@ -18,6 +18,8 @@ IDENTITY = {
 }
 NAMES = ("Student", "First name", "Last name")  # columns that do not identify a student
 KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
+OTHERS = {"surname": "Last name", "email": "Email address", "sid": "ID number"}  # of older Moodles and of Gradescope
+OTHERS |= {name.casefold(): name for name in (*IDENTITY["moodle"], *IDENTITY["canvas"][1:])}
 POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words in its first cell for that row
 
 
@@ -30,12 +32,18 @@ def read_roster(path):
     rows = read_table(path, KEYS | {*NAMES, "Name", "Section", "LastName", "FirstName"})
     if not rows or len(rows[0]) < 2:
         raise GradingStopped(f"{path} is not a roster: it needs a line of column names, and a line for each student.")
-    rows = [{name: value.strip() for name, value in row.items()} for row in rows]
+    known = (*KEYS, *NAMES, "Name")
+    rows = [
+        {name if name in known else OTHERS.get(name.casefold(), name): value.strip() for name, value in row.items()}
+        for row in rows
+    ]
     for row in rows:
         if "LastName" in row and "FirstName" in row:
             row["Student"] = f"{row['LastName']}, {row['FirstName']}".strip(" ,")
-    known = (*KEYS, *NAMES, "Name")
-    return [row for row in rows if any(map(row.get, known)) and POINTS_POSSIBLE not in row.get("Student", "")]
+    rows = [row for row in rows if any(map(row.get, known)) and POINTS_POSSIBLE not in row.get("Student", "")]
+    if not rows:
+        raise GradingStopped(f"{path} has no column such as {', '.join(NAMES)} or ID: download it in English.")
+    return rows
 
 
 class Roster:
