@@ -61,6 +61,7 @@ def _moments(samples):
 FORMS = {
     "log_so3": lambda w, R: rotations.exp_so3(w),
     "slerp": _line,
+    "matrix_to_quaternion": _line,
     "singular_configurations": _causes,
     "euler_yxy": _three_angles,
     "subproblem1": lambda angle, *case: (np.cos(angle), np.sin(angle)),

@@ -14,27 +14,18 @@ import nbformat
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 
-OTHER_OPERATOR = {
-    ast.Add: [ast.Sub],
-    ast.Sub: [ast.Add],
-    ast.Mult: [ast.Div],
-    ast.Div: [ast.Mult],
+OTHER_COMPARISON = {
     ast.Lt: [ast.LtE, ast.Gt],
     ast.LtE: [ast.Lt, ast.GtE],
     ast.Gt: [ast.GtE, ast.Lt],
     ast.GtE: [ast.Gt, ast.LtE],
     ast.Eq: [ast.NotEq],
     ast.In: [ast.NotIn],
-    ast.And: [ast.Or],
-    ast.Or: [ast.And],
-    ast.BitOr: [ast.BitAnd],
 }
 PAIRS = [("sin", "cos"), ("arcsin", "arccos"), ("min", "max"), ("argmin", "argmax"), ("floor", "ceil")]
 PAIRS += [("ones", "zeros"), ("any", "all"), ("hstack", "vstack")]
 OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
-BLIND_TO_SIGNS = ("len", "abs", "np.abs", "np.linalg.norm")
 SIGNED = (ast.Name, ast.BinOp, ast.Call, ast.Subscript, ast.Attribute)
-TYPES = ("float", "int", "bool")
 MOST_ENTRIES = 10**6  # of an answer
 
 
@@ -53,19 +44,18 @@ def mutants(source):
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
     function.body = _reached(function.body[1:])  # without the docstring
     original = ast.unparse(tree)
-    matrices = _matrices(function)
     found, lines, seen = [], {}, {original}
-    for statement in function.body:
-        for holder, key, node, role in list(_places(statement, function.body)):
-            for kind, other in _changes(node, role, matrices):
-                holder[key] = other
-                text = ast.unparse(tree)
-                holder[key] = node
-                if text not in seen:
-                    seen.add(text)
-                    line = _first_difference(original, text)
-                    lines[line] = lines.get(line, 0) + 1
-                    found.append(Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text))
+    for holder, key, parent, in_index in _places(ast.Module(function.body)):
+        node = holder[key]
+        for kind, other in _changes(node, parent, key, in_index):
+            holder[key] = other
+            text = ast.unparse(tree)
+            holder[key] = node
+            if text not in seen:
+                seen.add(text)
+                line = _first_difference(original, text)
+                lines[line] = lines.get(line, 0) + 1
+                found.append(Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text))
     return found
 
 
@@ -90,122 +80,70 @@ def spread(found, most):
 
 
 def _first_difference(original, text):
-    """The changed line, or the part of it around the change where it is long."""
+    """The changed line."""
     old, new = original.splitlines(), text.splitlines()
     at = next((k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]), len(new) - 1)
-    if len(old) != len(new) or new[at].strip() == "pass":
-        return f"without {old[at].strip()}"
-    if len(new[at]) <= 90:
-        return new[at].strip()
-    column = next((k for k, pair in enumerate(zip(old[at], new[at], strict=False)) if pair[0] != pair[1]), len(old[at]))
-    return f"... {new[at][max(column - 30, 0) : column + 40].strip()} ..."
+    return f"without {old[at].strip()}" if len(old) != len(new) or new[at].strip() == "pass" else new[at].strip()
 
 
-def _matrices(function):
-    """The names of matrices: those that are transposed somewhere, and capital ones that are multiplied by @."""
-    found = set()
-    for node in ast.walk(function):
-        if isinstance(node, ast.Attribute) and node.attr == "T":
-            found.add(ast.unparse(node.value))
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
-            names = {side.id for side in (node.left, node.right) if isinstance(side, ast.Name)}
-            found |= {name for name in names if name[0].isupper()}
-    return found
+def _places(parent, in_index=False):
+    """Each (holder, key, parent, in_index): holder[key] is a node below the parent, within an index or not."""
+    for field, value in ast.iter_fields(parent):
+        holder, keys = (value, range(len(value))) if isinstance(value, list) else (vars(parent), [field])
+        inside = in_index or (isinstance(parent, ast.Subscript) and field == "slice")
+        for key in keys:
+            if isinstance(holder[key], ast.AST):
+                yield holder, key, parent, inside
+                yield from _places(holder[key], inside)
 
 
-def _places(node, holder, role="statement"):
-    """Each (holder, key, node, role): holder[key] is the node; role says what it is there for."""
-    if isinstance(holder, list) and node in holder:
-        yield holder, holder.index(node), node, role
-    for field, value in ast.iter_fields(node):
-        if isinstance(value, list):
-            for k, child in enumerate(value):
-                if isinstance(child, ast.AST):
-                    yield value, k, child, _role(node, field, k, role)
-                    yield from _inside(child, _role(node, field, k, role))
-        elif isinstance(value, ast.AST):
-            yield vars(node), field, value, _role(node, field, 0, role)
-            yield from _inside(value, _role(node, field, 0, role))
-
-
-def _inside(child, role):
-    return (place for place in _places(child, None, role))
-
-
-def _role(parent, field, position, role):
-    if role == "index" or (isinstance(parent, ast.Subscript) and field == "slice"):
-        return "index"
-    if isinstance(parent, ast.Call) and ast.unparse(parent.func) in BLIND_TO_SIGNS:
-        return "name" if field == "func" else ""
-    if isinstance(parent, ast.keyword) or (isinstance(parent, ast.Call) and field in ("func", "keywords")):
-        return "name"
-    if field in ("body", "orelse") and not isinstance(parent, (ast.IfExp, ast.Lambda)):
-        return "statement"
-    if isinstance(parent, (ast.Return, ast.Assign)) and field == "value":
-        return "value"
-    if isinstance(parent, (ast.List, ast.Tuple)) or (isinstance(parent, ast.Call) and position == 0):
-        return "value"
-    return "value" if isinstance(parent, ast.BinOp) and field == "left" and isinstance(parent.op, ast.Add) else ""
-
-
-def _changes(node, role, matrices):
+def _changes(node, parent, key, in_index):
     """Each (kind, other node) that may stand in this place."""
     if isinstance(getattr(node, "ctx", None), ast.Store):
         return
-    if role == "statement":
-        if isinstance(node, (ast.If, ast.AugAssign, ast.Expr)) or _is_partial(node):
-            yield "statement", ast.Pass()
-        return
-    if type(node) in OTHER_OPERATOR:
-        kind = "comparison" if isinstance(node, ast.cmpop) else "operator"
-        yield from ((kind, other()) for other in OTHER_OPERATOR[type(node)])
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        yield from _other_constants(node.value, role)
-    elif role == "value" and isinstance(node, SIGNED) and ast.unparse(node) not in TYPES:
-        yield "sign", ast.UnaryOp(ast.USub(), node)
-    if isinstance(node, (ast.Name, ast.Attribute)) and ast.unparse(node) in matrices and role != "name":
-        yield "transpose", ast.Attribute(node, "T", ast.Load())
-    if isinstance(node, ast.Attribute):
-        if node.attr == "T":
-            yield "transpose", node.value
-        if node.attr in OTHER_NAME:
-            yield "name", ast.Attribute(node.value, OTHER_NAME[node.attr], node.ctx)
-    if isinstance(node, ast.Name) and node.id in OTHER_NAME and hasattr(builtins, node.id):
-        yield "name", ast.Name(OTHER_NAME[node.id], node.ctx)
-    yield from _parts(node)
-
-
-def _parts(node):
-    """What is left of a node when a part is dropped, or two of its parts change places."""
-    if isinstance(node, ast.UnaryOp):
-        yield "sign", node.operand
-    if isinstance(node, ast.IfExp):
-        yield from (("branch", node.body), ("branch", node.orelse))
-    if isinstance(node, ast.BinOp):
-        kind = "term" if isinstance(node.op, (ast.Add, ast.Sub)) else "factor"
-        yield from ((kind, node.left), (kind, node.right))
-        if isinstance(node.op, (ast.MatMult, ast.Sub, ast.Div)):
-            yield "order", ast.BinOp(node.right, node.op, node.left)
+    if isinstance(node, ast.If | ast.AugAssign | ast.Expr) or _sets_entries(node):
+        yield "statement", ast.Pass()
+    if isinstance(node, ast.cmpop):
+        yield from (("comparison", other()) for other in OTHER_COMPARISON.get(type(node), ()))
     if isinstance(node, ast.BoolOp):
         yield from (("condition", side) for side in node.values)
-    if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) == 2:
-        yield "order", type(node)(node.elts[::-1], node.ctx)
-        yield from (("half", type(node)([each], node.ctx)) for each in node.elts)
-    if isinstance(node, ast.Call) and len(node.args) == 2 and ast.unparse(node.args[1]) not in TYPES:
-        yield "order", ast.Call(node.func, node.args[::-1], node.keywords)
+    if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.Add | ast.Sub):
+        yield from (("factor", side) for side in (node.left, node.right))
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        others = [node.value + 1] if in_index or node.value in (0, 1) else []
+        others += [node.value * 1.1, -node.value] if node.value and not in_index else []
+        yield from (("constant", ast.parse(repr(other), mode="eval").body) for other in others)
+    if isinstance(node, ast.UnaryOp):
+        yield "sign", node.operand
+    elif isinstance(node, SIGNED) and _has_sign(parent, key) and not in_index:
+        yield "sign", ast.UnaryOp(ast.USub(), node)
+    yield from _other_names(node)
 
 
-def _other_constants(value, role):
-    if role == "index":
-        return [("index", ast.Constant(value + 1))]
-    others = [value + 1] if value in (0, 1) else []
-    others += [value * 1.1, -value] if value else []
-    return [("constant", ast.parse(repr(other), mode="eval").body) for other in others]
+def _other_names(node):
+    if isinstance(node, ast.Attribute) and node.attr == "T":
+        yield "transpose", node.value
+    if isinstance(node, ast.Attribute) and node.attr in OTHER_NAME:
+        yield "name", ast.Attribute(node.value, OTHER_NAME[node.attr], node.ctx)
+    if isinstance(node, ast.Name):
+        if node.id in OTHER_NAME and hasattr(builtins, node.id):
+            yield "name", ast.Name(OTHER_NAME[node.id], node.ctx)
+        if node.id[0].isupper():  # most of them are matrices
+            yield "transpose", ast.Attribute(node, "T", ast.Load())
 
 
-def _is_partial(node):
+def _sets_entries(node):
     """Whether a statement sets entries of what is there already: it can be left out."""
     return isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Subscript)
+
+
+def _has_sign(parent, key):
+    """Whether the sign of what stands here matters: a value, an item of a list, a first argument or a first term."""
+    if isinstance(parent, ast.Return | ast.Assign):
+        return key == "value"
+    if isinstance(parent, ast.BinOp):
+        return key == "left" and isinstance(parent.op, ast.Add)
+    return isinstance(parent, ast.List | ast.Tuple) or (isinstance(parent, ast.Call) and key == 0)
 
 
 @cache

@@ -18,7 +18,7 @@ from test_bank import FILES, SEEDS, exercise_of
 from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge, review
 from course_lib.checks.write_test import WriteTest
 
-MOST = 40  # of the mutants of an exercise
+MOST = 35  # of the mutants of an exercise
 SLOW = dict.fromkeys(("random_rotations", "panda_ik", "newton_ik", "test_wrap_angle", "test_log_so3"), 16)
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 ENOUGH = 1000  # passes through loops that a call may make, besides five times those of the solution
@@ -27,8 +27,8 @@ ENOUGH = 1000  # passes through loops that a call may make, besides five times t
 AS_RIGHT = {
     # Another start of k-means leads to another cut at times; any cut that is as good is right.
     "split_branches": ["k_means = KMeans(n_clusters=2, random_state=1).fit(q)"],
-    # Of several answers that fit equally well, the first one or the last one.
-    "find_signs": ["for signs in itertools.product([-1, 1], repeat=len(table)):", "if worst <= least:"],
+    # Of several answers that fit equally well, the last one.
+    "find_signs": ["if worst <= least:"],
     "good_matches": ["if good.sum() >= best.sum():"],
     # Rounding decides whether circles that touch have a common point.
     "subproblem4": ["if r == 0 or abs(d - constant) >= r:"],
@@ -99,12 +99,3 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
         f"the check of {name} accepts these mutants, which answer differently from the solution: let its cases or "
         f"properties distinguish them, or, if they are right too, list them in AS_RIGHT in {Path(__file__).name}"
     )
-
-
-def test_a_sampler_that_is_not_uniform_equals_no_solution_however_weak_the_check():
-    """Of the other kinds of answers AS_RIGHT says as much."""
-    (path,) = (path for path in FILES if path.stem == "random_quaternions")
-    space, sources = solved("01_rotations")
-    solution, right = Solution(replace(exercise_of(path), properties=()), space, sources), sources[path.stem]
-    assert solution.is_equalled_by(right)
-    assert not solution.is_equalled_by(right.replace("np.sqrt(1 - s)", "np.sqrt(1.1 - s)"))
