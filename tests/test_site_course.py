@@ -40,13 +40,6 @@ def visit(course, browser, request):
 of_a_notebook = pytest.mark.parametrize("visit", [notebook.stem for notebook in NOTEBOOKS], indirect=True)
 
 
-@pytest.fixture(scope="module")
-def on_a_desktop(course, browser):
-    """The visit to a page with movies and toys on a desktop, in the light theme."""
-    with Visit(browser, course / "02_rigid_motion.html", width=1400) as visit:
-        yield visit
-
-
 TOYS_DRAWN = """() => [...document.querySelectorAll('.toy-figure:not(.drawn)')]
   .every((toy) => !toy.checkVisibility())"""
 
@@ -99,8 +92,10 @@ def test_nothing_bars_a_reader_on_a_desktop_in_the_light(visit):
     assert visit.complaints == []
 
 
-def test_the_keyboard_alone_reaches_everything(on_a_desktop):
-    page = on_a_desktop.page
+@pytest.mark.parametrize("visit", ["02_rigid_motion"], indirect=True)  # which has movies and toys
+def test_the_keyboard_alone_reaches_everything(visit):
+    page = visit.page
+    page.set_viewport_size({"width": 1400, "height": 844})
     page.evaluate(OPEN)
     wanted = page.evaluate(f"({CONTROLS})().map((e, i) => (e.dataset.wanted = i))")
     assert len(wanted) > 60
