@@ -161,11 +161,10 @@ FACTS = r"""() => {
 }"""
 
 
-def assert_readable(visit, notebook, width, draws=True, rules=None):
-    """Assert what holds for every page, whatever stands on it; notebook is where its live figures are from, if any is.
+def assert_readable(visit, notebook, width, rules=None):
+    """Assert what holds for every page, and draw its live figures: those of the notebook, if there is one.
 
-    draws: whether these are drawn. Otherwise their still pictures stand where the page was not scrolled to. rules: as
-    `violations` takes them.
+    rules: as `violations` takes them.
     """
     facts = visit.page.evaluate(FACTS)
     assert not facts["tex"]
@@ -177,8 +176,7 @@ def assert_readable(visit, notebook, width, draws=True, rules=None):
         assert alt
         assert not alt.endswith((".png", ".svg")), "Sphinx's stand-in for missing words"
     assert all(facts["groups"])
-    if draws:
-        assert visit.draw_figures() == len(facts["groups"])
+    assert visit.draw_figures() == len(facts["groups"])
     if notebook:
         outputs = [o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])]
         assert len(facts["groups"]) == sum(TOY in o.get("data", {}) for o in outputs)
