@@ -25,6 +25,6 @@ def right_normal_equations_as_a_list(q, xy):
 
 
 def wrong_the_mean(q, xy):
-    """what is fitted is not delta"""
+    """their fit is not that of the text"""
     gap = q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
     return np.array([gap.mean(), gap.mean()])

@@ -133,14 +133,33 @@ def floats(index, *case):
     return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
 
 
+@EXERCISE.mistake
+def beyond_the_last(*case):
+    """a position on an upper edge gets the number n, and the last cell is n - 1. For which x and y does that happen?"""
+    return cell_index(*case, edge=lambda index, *rest: index)
+
+
+@EXERCISE.mistake(edge=_EDGES)
+def one_coordinate(*case, edge):
+    """only the coordinate that lies outside gets -1. In which row is a position that lies to the left of the box?"""
+    return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
+
+
+@EXERCISE.mistake(last=(0, 1), edge=_EDGES)
+def truncated(*case, last, edge):
+    """a position less than one cell to the left of the box, or below it, gets a cell, because its number is cut off
+    towards 0. What are int(-0.3) and np.floor(-0.3)?"""
+    parts, n = _parts(*case), case[-1]
+    out = ((parts <= -1) | (parts >= n + 1 if last else parts > n)).any(axis=1, keepdims=True)
+    return cell_index(*case, edge=edge, to_whole=np.trunc, outside=lambda *box: out)
+
+
 @EXERCISE.mistake(
     some=(
         lambda parts, n: np.False_,
         lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),
         lambda parts, n: (parts < 0).any(axis=1, keepdims=True),
         lambda parts, n: (parts > n).any(axis=1, keepdims=True),
-        lambda parts, n: ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True),
-        lambda parts, n: ((parts <= -1) | (parts > n)).any(axis=1, keepdims=True),
     ),
     edge=_EDGES,
     to_whole=(np.floor, np.trunc),

@@ -45,8 +45,8 @@ def _cases(rng):
 
 
 _OTHER_FIT = Mistake(
-    "what is fitted is not delta by the two cosines of the angles sent, over all samples",
-    "Print delta: it is small, of either sign. Is it, with each sample, what the text calls delta?",
+    "delta, one of its two columns, or their fit is not that of the text",
+    "Print delta for a few samples: is it small? Are both cosines those of the angles that were sent?",
 )
 
 EXERCISE = Exercise(
@@ -58,7 +58,7 @@ EXERCISE = Exercise(
     library=fit_sag,
     properties=(
         Property(
-            "the two coefficients fit delta with the least squared error, wherever the tips are",
+            "the two coefficients fit delta with the least squared error, also if tips lie beyond 180 degrees",
             lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < 1e-7,
             mistake=_OTHER_FIT,
         ),
@@ -83,6 +83,19 @@ def other_sign(q, xy):
 def not_wrapped(q, xy):
     """an angle is off by a full revolution. What does arctan2 return for a tip just beyond 180 degrees?"""
     return fit_sag(q, xy, wrap=lambda gap: gap)
+
+
+@EXERCISE.mistake(second=(lambda q: q[:, 1], lambda q: q[:, 0] + q[:, 1] / 2))
+def other_cosine(q, xy, second):
+    """the second cosine is not that of q1 + q2. In which direction does the second link point?"""
+    return fit_sag(q, xy, columns=lambda q: np.cos(np.column_stack([q[:, 0], second(q)])))
+
+
+@EXERCISE.mistake(share=(0, 1, -0.5))
+def other_direction(q, xy, share):
+    """the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2. Both links are equally long:
+    where does the tip lie between their directions?"""
+    return fit_sag(q, xy, gap=lambda q, xy: _gap(q, xy) + (share - 0.5) * q[:, 1])
 
 
 @EXERCISE.mistake
