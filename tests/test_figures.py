@@ -136,7 +136,7 @@ PICTURES = [
      "a 2 targets, median 4; b 1 targets, median 9."),
     (nb6.two_elbows, (ELBOWS, np.ones(2)), "Both elbows lead to the same position."),
     (nb6.two_elbows, (ELBOWS, np.array([1.0, 1.1])), "they miss it by 10.0 and 10.0 cm."),
-    (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "same 3 positions"),
+    (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "Left, 3 positions"),
     (nb6.clusters, ({"one": (ELBOWS, np.array([0, 1]))},), "one: q2 from 90 to 90 and -90 to -90 degrees in the"),
     (nb6.two_cells, (ELBOWS, XY[:2], np.array([True, False]), np.ones(2, bool)), "q2 from 90 to 90 and -90 to -90 deg"),
     (nb6.percentiles, ({"all": np.array([[1.0, 3.0], [2.0, np.nan]])},), "all: half below 2, all below 3."),

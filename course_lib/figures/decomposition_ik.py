@@ -43,29 +43,36 @@ def two_elbows(solutions, xy):
 
 
 def samples(xy, cell, low, high, n):
-    """Return the samples in the workspace, plain, and coloured by their cells; neighbours differ.
+    """Return the samples in the workspace, and a part of it, coloured by their cells; neighbours differ.
 
-    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n cells along each side;
-    every fifth of its lines is drawn, and of more than 30,000 samples every second.
+    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n cells along each side.
+    Of more than 30,000 samples every second is drawn.
     """
     xy, cell = (each[:: 1 + len(each) // 30_000] for each in (xy, cell))
+    first = np.array([0.7 * n, 0.75 * n]).astype(int)
+    part = low + np.array([first, first + max(n // 5, 1)]) * (high - low) / n
     fig, axes = plane_figure(9.6, 4.2, 2)
     by_cell = np.array(COLOURS)[(cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
-    for ax, colour, title in zip(axes, (GREY, by_cell), ("positions reached", "by cell"), strict=True):
-        ax.scatter(*xy.T, s=0.6, c=colour, linewidths=0, rasterized=True)
+    for ax, colour, title, size in (
+        (axes[0], GREY, "positions reached", 0.6),
+        (axes[1], by_cell, "inside the frame, by cell", 8),
+    ):
+        ax.scatter(*xy.T, s=size, c=colour, linewidths=0, rasterized=True)
         in_metres(ax, title=title)
+    axes[0].plot(part[[0, 1, 1, 0, 0], 0], part[[0, 0, 1, 1, 0], 1], color=RED)
+    axes[1].set(xlim=part[:, 0], ylim=part[:, 1])
     axes[1].grid(False)
-    for i in range(0, n + 1, 5 if n % 5 == 0 else 1):
+    for i in range(n + 1):
         x, y = low + i * (high - low) / n
         axes[1].axvline(x, color=_EDGE, linewidth=0.4)
         axes[1].axhline(y, color=_EDGE, linewidth=0.4)
     radius = np.hypot(*xy.T)
     return Picture(
         fig,
-        f"Two pictures of the same {len(xy):,} positions: a band between the radii {radius.min():.2f} and "
-        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, {high[1]:.1f}) m. On the right "
-        "each position has the colour of its grid cell.",
-        "The samples are denser near the outer edge, and many cells are cut by an edge. Every fifth line is drawn.",
+        f"Left, {len(xy):,} positions: a band between the radii {radius.min():.2f} and "
+        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, {high[1]:.1f}) m. Right, a "
+        "part of them at the outer edge, with the lines of the grid: each has the colour of its cell.",
+        "The samples are denser near the outer edge, which cuts many cells.",
     )
 
 
@@ -227,15 +234,16 @@ def costs(memory, error):
     named, said = {}, []
     for (name, size), marker, colour in zip(memory.items(), "osD^vP*", (*COLOURS, GREY), strict=False):
         at = size, error[name]
-        ax.plot(*at, marker, color=colour, markersize=9)
         near = [each for each in named if np.allclose(each, at, rtol=0.3, atol=0)]  # too near for a name of its own
+        look = {"markersize": 16, "fillstyle": "none", "markeredgewidth": 2} if near else {"markersize": 9}
+        ax.plot(*at, marker, color=colour, **look)  # of two marks in one place the second is around the first
         named.setdefault(near[0] if near else at, []).append(name)
         said.append(f"{name}: {size:,} bytes, {error[name]:.2g} cm")
     for at, names in named.items():
         left = at[0] > 1e4
         beside = [e for m, e in named if (m, e) != at and 0.1 < m / at[0] < 10 and 0.5 < e / at[1] < 2]
         up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours are moved apart
-        look = {"xytext": (-10 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
+        look = {"xytext": (-14 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
         ax.annotate(" and ".join(names), at, textcoords="offset points", **look)
     ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)")
     ax.margins(0.15, 0.12)

@@ -11,7 +11,7 @@
     const state = card.state({ size: meta.size, at: [...meta.at] });
     const label = "The workspace cut into cells, coloured by the error of each cell's planes";
     const beside = () => P.element("div", { class: "half" }, card.views); // on a phone too, where both stay square
-    const plane = card.map({ parent: beside(), half: 1.1 * reach, label });
+    const plane = card.map({ parent: beside(), half: 1.3 * reach, label });
     plane.handle({ name: "Query", colour: COLOURS.blue, at: () => state.at, moved: (p) => (state.at = p) });
     const view = card.space({
       parent: beside(), radius: 0.95, azimuth: -2.2, elevation: 0.35, proportion: 1,
