@@ -160,6 +160,9 @@ class BranchTable:
 
     def fit(self, xy, q, number):
         """Fit to positions xy (m, 2) and angles q (m, 2) of samples in the cells `number` (m,); return self."""
+        xy = real_array(xy, "xy", ("n", 2), batched=False)
+        q = real_array(q, "q", xy.shape, batched=False)
+        number = real_array(number, "number", (len(q),), batched=False).astype(int)
         self.models, branch = {}, np.asarray(self.branch(q))
         for c, own in _cells(number):
             for k in (0, 1):
@@ -197,21 +200,17 @@ class JointCells:
         Joint ranges in radians.
     n : int
         The number of cells along each side.
-
-    Examples
-    --------
-    >>> q = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (20_000, 2))
-    >>> table = JointCells([0, -1.5], [2.9, 1.5], 8).fit(measured(q, np.random.default_rng(1)), q)
-    >>> position, J = table.forward(q[:5])
-    >>> np.abs(position - planar_forward(sagged(q[:5]))[0]).max() < 0.002
-    np.True_
     """
 
     def __init__(self, lowest, highest, n):
-        self.lowest, self.width, self.n = np.array(lowest), (np.array(highest) - lowest) / n, n
+        self.n = count(n, least=1)
+        self.lowest = real_array(lowest, "lowest", (2,), batched=False)
+        self.width = (real_array(highest, "highest", (2,), batched=False) - self.lowest) / n
 
     def fit(self, xy, q):
         """Fit to measured positions xy (m, 2) and the angles q (m, 2) that were sent; return self."""
+        xy = real_array(xy, "xy", ("n", 2), batched=False)
+        q = real_array(q, "q", xy.shape, batched=False)
         number, terms, _ = self._terms(q)
         self.models = np.zeros((self.n**2, 6, 2))
         for c, own in _cells(number):

@@ -168,6 +168,18 @@ def fit(xy, theta, **parameters):
     return GridIK(**parameters).fit(xy, theta).range_
 
 
+def by_sign(q):
+    return q[:, 1] < 0
+
+
+def branch_table(xy, q, number):
+    return cells.BranchTable(cells.quadratic_terms, lambda terms, q: np.ones((2, 7)), by_sign).fit(xy, q, number).size
+
+
+def joint_cells(xy, q, lowest, highest, n):
+    return cells.JointCells(lowest, highest, n).fit(xy, q).width
+
+
 # {name: (function, valid arguments)} of what the table in signatures.py does not hold
 MORE = {
     "solve": (ik.solve, {**OF_ARM, "rng": RNG, "starts": 2}),
@@ -192,6 +204,8 @@ MORE = {
     "numbered": (cells.numbered, {"index": np.ones((3, 2)), "n": 5}),
     "missing": (cells.missing, {"angles": THETA}),
     "in_ranges": (cells.in_ranges, {"solutions": THETA, "lowest": np.zeros(2), "highest": np.ones(2)}),
+    "BranchTable": (branch_table, {"xy": XY, "q": THETA, "number": THETA[:, 0] // 1}),
+    "JointCells": (joint_cells, {"xy": XY, "q": THETA, "lowest": np.full(2, -2.0), "highest": np.full(2, 3.0), "n": 3}),
     "quadratic_terms": (cells.quadratic_terms, {"xy": XY}),
     "load": (trajectory.load, {"path": Path(__file__), "limits": LIMITS}),
     "disagreement": (trajectory.disagreement, {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])}),
