@@ -213,7 +213,7 @@ def time_scalings(u, curves):
     return Picture(
         fig,
         f"Time scalings from 0 to 1. {' '.join(said)}",
-        f"Look at the two ends: what jumps there with the {' one, with the '.join(curves)} one?",
+        "At both ends of each curve compare its velocity and its acceleration with those of a body at rest, 0.",
     )
 
 

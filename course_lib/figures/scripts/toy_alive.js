@@ -188,7 +188,7 @@
     const { half, centre, plan, exact, dock } = meta, RADIUS = 0.17, LONGEST = 90; // metres, seconds
     const state = card.state({ log: plan, dt: meta.dt, hidden: false });
     const held = new Set(); // of the directions below
-    const plane = card.map({ half, centre, label: `${meta.title}. Arrow keys drive the robot`, proportion: 0.72 });
+    const plane = card.map({ half: 1.12 * half, centre, label: `${meta.title}. Arrow keys drive the robot`, proportion: 0.72 });
     const DIRECTIONS = { ArrowUp: ["Ahead", 0.5, 0], ArrowDown: ["Back", -0.5, 0] };
     Object.assign(DIRECTIONS, { ArrowLeft: ["Left", 0, 0.9], ArrowRight: ["Right", 0, -0.9] });
     const inside = (at) => [half, 0.72 * half].every((room, k) => Math.abs(at[k] - centre[k]) < room - RADIUS);

@@ -201,7 +201,8 @@ def drive(plan, *, exact=False):
         "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
     )
     alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
-    caption = "Click the picture; use the arrow keys, two for a bend, or hold a button. Where do the robots separate?"
+    asked = "Do the robots still separate?" if exact else "Where do the robots separate?"
+    caption = f"Click the picture; use the arrow keys, two for a bend, or hold a button. {asked}"
     return Figure(model, alt, caption, ask)
 
 

@@ -16,12 +16,17 @@ def _cases(rng):
     drawn = rng.uniform([-3, -4, -4], [3, 4, 4], (3, 3)).round(2)
     small = [[size * sign, 3.0, -2.0] for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9) for sign in (1, -1)]
     edge = [[np.pi, 1.0, 2.0], [-np.pi, 1.0, 2.0], [7.0, 1.0, -1.0], [2 * np.pi, 1.0, 2.0]]
+    edge += [[40.0, 1.0, 2.0], [-40.0, 2.0, 1.0]]  # where a series of any length has lost its digits
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
     return [(np.array(twist),) for twist in [*ordinary, *drawn, *edge, *none, *small]]
 
 
 def _apart(T, twist):
     return T[:2, 2] - exp_se2(twist)[:2, 2]
+
+
+def _off(T, twist):
+    return np.abs(T[:2, :2] - exp_se2(twist)[:2, :2]).max()
 
 
 def _position_holds(T, twist):
@@ -38,23 +43,25 @@ EXERCISE = Exercise(
         LAST_ROW,
         Property(
             "the upper left 2x2 block is the rotation by omega",
-            lambda T, twist: np.abs(T[:2, :2] - exp_se2(twist)[:2, :2]).max() <= FINE,
-            says=lambda T, twist: f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}.",
+            lambda T, twist: _off(T, twist) <= FINE,
+            says=lambda T, twist: (
+                f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}, off by up to {_off(T, twist):.1e}."
+            ),
         ),
         Property(
             "the position is where the arc ends, to nine digits",
             _position_holds,
             says=lambda T, twist: f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m.",
             mistake=Mistake(
-                "the position is not the integral of R(omega s) v from s = 0 to 1",
-                "Integrate the cosine and the sine of omega s. Does your formula hold for a negative omega, too?",
+                "the position is not the integral of R(omega t) v from t = 0 to 1",
+                "Integrate the cosine and the sine of omega t. Does your formula hold for a negative omega, too?",
             ),
         ),
     ),
     library=exp_se2,
     hints=(
-        "The rotation is that by omega. The velocity in the world at time s is R(omega s) v: integrate it from 0 to 1.",
-        "The integral of R(omega s) has sin(omega) / omega on its diagonal, and (1 - cos(omega)) / omega beside it. "
+        "The rotation is that by omega. The velocity in the world at time t is R(omega t) v: integrate it from 0 to 1.",
+        "The integral of R(omega t) has sin(omega) / omega on its diagonal, and (1 - cos(omega)) / omega beside it. "
         "What do both become for omega = 0? np.sinc(x) is sin(pi x) / (pi x), and 1 at x = 0.",
         "1 - cos(a) = 2 sin(a/2)^2, which keeps all digits. So with along = np.sinc(omega / np.pi) and "
         "across = omega / 2 * np.sinc(omega / (2 * np.pi)) ** 2 the position is "
@@ -69,6 +76,19 @@ def _with_position(twist, position):
     T = exp_se2(twist)
     T[:2, 2] = position
     return None if _position_holds(T, twist) else T
+
+
+@EXERCISE.mistake(terms=(10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200))
+def series(twist, terms):
+    """a series with a fixed number of terms is added up. Its terms grow until there are more of them than omega, and
+    large ones cancel badly: integrate cosine and sine in closed form."""
+    omega, vx, vy = twist
+    A = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
+    T = term = np.eye(3)
+    for k in range(1, terms):
+        term = term @ A / k
+        T = T + term
+    return None if _off(T, twist) <= FINE and _position_holds(T, twist) else T
 
 
 def _nearly(T, twist):
