@@ -98,7 +98,7 @@ EXERCISE = Exercise(
     ),
     library=interpolate_body_screw,
     hints=(
-        "As matrices: T0 = pose_matrix(start) and T1 = pose_matrix(goal). What start sees of goal is T0^-1 T1.",
+        "T0 and T1 are given. What start sees of goal is T0^-1 T1.",
         "twist = rigid.log_se2(rigid.inverse(T0) @ T1) is the body's velocity, for one unit of s.",
         "T = T0 @ rigid.exp_se2(s * twist) for each s = 3 u^2 - 2 u^3; x and y are T[0, 2] and T[1, 2].",
         "theta is start[2] + s * twist[0], or np.arctan2(T[1, 0], T[0, 0]).",

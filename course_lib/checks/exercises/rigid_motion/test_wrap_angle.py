@@ -53,4 +53,5 @@ EXERCISE = WriteTest(
         _wrong("that is right for angles between -pi and pi only", lambda a: a if abs(a) <= np.pi else 0.0),
     ),
     shapes=((),),
+    given=lambda wrap_angle: abs(wrap_angle(4.0) - (4.0 - REVOLUTION)) < 1e-9,
 )
