@@ -17,6 +17,7 @@ from toy_exercises import NEAREST_SO, right
 
 from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
+from course_lib.checks import rotations as check
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import describe
 from course_lib.checks.wire import Seed
@@ -24,10 +25,10 @@ from course_lib.checks.wire import Seed
 has_clock = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no clock of CPU time on this system")
 
 
-def put(function, *cases, forbidden=(), seconds=5):
+def put(function, *cases, forbidden=(), seconds=5, exercise=""):
     """Put the cases to the function; return the answers, with the values read."""
     asked = {"cases": [list(case) for case in cases], "forbidden": list(forbidden), "seconds": seconds}
-    asked |= {"through": "", "names": ["x", "y"]}
+    asked |= {"through": "", "names": ["x", "y"], "exercise": exercise}
     answers = json.loads(call_student.reply(function, wire.write(asked)))["answers"]
     assert len(answers) == len(cases)
     return [answer | ({"value": wire.from_json(answer["value"])} if "value" in answer else {}) for answer in answers]
@@ -133,6 +134,7 @@ FORBIDDEN = ["course_lib.rotations.exp_so3", "scipy.spatial.transform.Rotation"]
 
 
 made_before = Rotation.from_rotvec([0.1, 0.2, 0.3])
+exp_used = check.exp_so3.use(None)
 
 
 def _imported_inside(w):
@@ -169,6 +171,12 @@ def test_a_forbidden_name_is_refused_and_put_back(function):
     assert rotations.exp_so3 is library is exp_by_another_name
     assert transform.Rotation is scipys
     assert isinstance(made_before, scipys)
+
+
+@pytest.mark.parametrize("function", [lambda w: check.exp_so3.library(w), lambda w: exp_used(w)])
+def test_what_the_check_has_of_the_library_is_refused_as_in_grading(function):
+    assert the_error(function, np.zeros(3), exercise="exp_so3")["message"].endswith("exp_so3")
+    assert "value" in put(function, (np.zeros(3),), exercise="log_so3")[0]  # another exercise may call it
 
 
 def test_a_forbidden_name_is_put_back_although_the_function_is_interrupted():

@@ -37,7 +37,7 @@ def reply(function, questions, consult=None, instead=None):
         The student's; None if there is none.
     questions : str
         JSON text of {"cases": [arguments, ...], "forbidden": [dotted names], "seconds": CPU time for all cases,
-        "through": a key of ADAPTERS, "names": [names of the arguments]}, written by wire.write.
+        "through": a key of ADAPTERS, "names": [names of the arguments], "exercise": its name}, written by wire.write.
     consult : callable, optional
         Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed only for exercises in
         which the student writes a test, and with `instead`.
@@ -56,7 +56,8 @@ def reply(function, questions, consult=None, instead=None):
 
     Examples
     --------
-    >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1, "through": "", "names": ["x"]}
+    >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1, "through": "", "names": ["x"],
+    ...     "exercise": ""}
     >>> answers = json.loads(reply(np.sqrt, write(questions)))["answers"]
     >>> [from_json(answer["value"]) for answer in answers]
     [np.float64(1.0), np.float64(2.0)]
@@ -69,7 +70,8 @@ def reply(function, questions, consult=None, instead=None):
     own = getattr(function, "__globals__", {})
     own.update({name: _StandIn(name, consult, arguments) for name, arguments in (instead or {}).items()})
     answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
-    with contextlib.suppress(TimeUp), _quiet(), _put_back(), _taken_away(asked["forbidden"], function) as refused:
+    taken_away = _taken_away(asked["forbidden"], function, asked["exercise"])
+    with contextlib.suppress(TimeUp), _quiet(), _put_back(), taken_away as refused:
         with _clock(asked["seconds"]) as start_again:
             for case in cases:
                 if any(isinstance(argument, Candidate) for argument in case):
@@ -285,10 +287,11 @@ def _put_back():
 
 
 @contextlib.contextmanager
-def _taken_away(names, function):
+def _taken_away(names, function, exercise):
     """Replace the functions with these dotted names in the library and in the student's notebook.
 
-    So are the objects in the notebook of a class with such a name: an arm made in another cell does its work as well.
+    So are the objects in the notebook of a class with such a name: an arm made in another cell does its work as well;
+    the exercise's own check, which has the library's function; and what its `use` returned in another cell.
     Yields the answer to every question if the student's function is itself one of them, else None. This is a deterrent:
     a pasted copy of the library's code is not recognized.
     """
@@ -298,13 +301,19 @@ def _taken_away(names, function):
         thing = getattr(importlib.import_module(module), attribute)
         things[id(thing)] = thing, name, ("course_lib", module)
     refused = _error("NotAllowed", things[id(function)][1]) if id(function) in things else None
-    packages = tuple(sorted({package for *_, where in things.values() for package in where}))
-    spaces = [(key, vars(sys.modules[key])) for key in _inside(packages, tuple(sys.modules))]
-    put_back = []
     own = getattr(function, "__globals__", {})
     for value in list(own.values()):
         if id(type(value)) in things:
             things[id(value)] = value, things[id(type(value))][1], ("course_lib",)
+    for check in [vars(each).get(exercise) for each in own.values() if isinstance(each, types.ModuleType)]:
+        if hasattr(check, "library"):
+            things[id(check)] = check, f"check.{exercise}", ("course_lib",)
+            partials = [each for each in own.values() if isinstance(each, functools.partial)]
+            used = [each for each in partials if each.func is check.library]
+            things |= {id(each): (each, f"the library's {exercise}", ("course_lib",)) for each in used}
+    packages = tuple(sorted({package for *_, where in things.values() for package in where}))
+    spaces = [(key, vars(sys.modules[key])) for key in _inside(packages, tuple(sys.modules))]
+    put_back = []
     for place, space in [*spaces, ("course_lib", own)]:
         if things.keys().isdisjoint(map(id, list(space.values()))):  # nearly all: a fifth of the time of the loop below
             continue

@@ -311,7 +311,7 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     """
     cases, consult = exercise.questions(np.random.default_rng(seed))
     asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
-    asked |= {"through": exercise.through, "names": list(exercise.arguments)}
+    asked |= {"through": exercise.through, "names": list(exercise.arguments), "exercise": exercise.name}
     try:
         claims = json.loads(student.reply(write(asked), consult))
         answers = [_claim(answer, exercise.arguments) for answer in claims["answers"]]
