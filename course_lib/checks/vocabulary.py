@@ -171,6 +171,10 @@ def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and d
     )
 
 
+ENTRY_BY_ENTRY = Mistake(
+    "the answer is not a product of rotations", "In numpy the product of matrices is @; * works entry by entry."
+)
+
 LAST_ROW = Property(  # of a pose, or of each in an array of them
     "the last row is (0, ..., 0, 1)",
     lambda T, *case: near(T[..., -1, :], np.eye(T.shape[-1])[-1]),

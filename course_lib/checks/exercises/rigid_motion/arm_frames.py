@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.vocabulary import LAST_ROW, part_is
+from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, LAST_ROW, part_is, rotation
 from course_lib.planar import pose_matrix
 
 _ORIGIN = np.s_[:2, 2]
@@ -57,6 +57,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda theta: (3, 3, 3), {(3, 3): _ONLY_POSES, (3, 2): _ONLY_POINTS}),
     properties=(
         LAST_ROW,
+        rotation(lambda T: T[1, :2, :2], mistake=ENTRY_BY_ENTRY),
         _part(0, "the frame of joint 1 is rotated by theta1"),
         _part(0, "joint 1 is at the base, the origin", _ORIGIN),
         _part(1, "the frame of joint 2 is rotated by theta1 + theta2"),

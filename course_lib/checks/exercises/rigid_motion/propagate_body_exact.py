@@ -105,4 +105,11 @@ def order_of_the_twist(*case, angle_of):
     return _by(lambda T, velocity, h: T @ exp_se2(velocity * h), angle_of)(*case)
 
 
+@EXERCISE.mistake
+def angle_without_sign(*case):
+    """arccos loses the sign of the angle. Which function needs both sine and cosine, and gives the sign, too?"""
+    step = _by(lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]] * h), lambda T, theta: np.arccos(min(1, T[0, 0])))
+    return step(*case)
+
+
 shared.add_step_mistakes(EXERCISE, exact)

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.vocabulary import any_rotation, near
+from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, any_rotation, near, rotation
 from course_lib.rotations import rot_x, rot_z
 
 
@@ -26,6 +26,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda R_bg, R_cg, R_cm: (3, 3)),
     library=_right,
     properties=(
+        rotation(mistake=ENTRY_BY_ENTRY),
         Property(
             "the columns are the mug's axes in the coordinates of the base",
             lambda R, *chain: near(R, _right(*chain)),

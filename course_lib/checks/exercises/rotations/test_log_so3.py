@@ -95,7 +95,7 @@ EXERCISE = WriteTest(
         "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees and "
         "a little less, about axes of every sign and the coordinate axes. The exponential cannot see whether the "
         "shortest vector is returned: its length can.",
-        "Make R = exp_so3(w) for several vectors w; return False as soon as np.allclose(exp_so3(answer), R) fails or "
-        "the answer is longer than pi by more than 1e-6, and True at the end. np.asarray turns a list into an array.",
+        "Make rotations as exp_so3(w) of vectors w of your own; two conditions hold for each answer. np.allclose "
+        "compares arrays, np.asarray turns a list into one.",
     ),
 )
