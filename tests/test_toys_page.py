@@ -360,7 +360,7 @@ def test_a_toy_says_what_it_computes(visit, name, values, says):
 def test_pitch_drives_the_gimbals_into_lock(visit):
     box = figure_of(visit, "gimbals")
     assert "Gimbal lock" not in box.locator("p[role=status]").inner_text()
-    for sign, counts in (("+", "the difference yaw"), (MINUS, "the sum yaw + roll")):
+    for sign, counts in (("+", f"difference roll {MINUS} yaw"), (MINUS, "sum roll + yaw")):
         box.get_by_role("button", name=f"Drive to {sign}90°").click()
         expect(box.locator("p[role=status]")).to_contain_text(re.compile(f"Gimbal lock.*{re.escape(counts)}"))
         before, yaw = box.locator(".matrix").get_attribute("aria-label"), box.get_by_label("Yaw (outer ring, about z)")

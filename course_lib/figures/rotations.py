@@ -49,7 +49,9 @@ def frames(orientations, caption="The two products end in different orientations
     scale = min(1, 2.4 / longest)  # one for all orientations
     for title, R in orientations.items():
         tips = zip("xyz", FRAME_COLOURS, 1.2 * scale * R.T, strict=True)
-        groups[title] = _turned_drone(scale * R, 1.0, 1.25), (), (), [(name, tip, colour) for name, colour, tip in tips]
+        words = [(name, tip, colour) for name, colour, tip in tips]
+        words += [(name, 1.4 * e, GREY) for name, e in zip("xyz", np.eye(3), strict=True)]
+        groups[title] = _turned_drone(scale * R, 1.0, 1.25), (), (), words
         lengths = np.linalg.norm(R, axis=0)
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
         stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""

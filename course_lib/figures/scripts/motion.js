@@ -77,16 +77,10 @@ globalThis.course.motion = (() => {
     ...add(positionOf(target), positionOf(T), -1),
   ];
 
-  // ---- quaternions (w, x, y, z) and Euler angles ----
+  // ---- quaternions (w, x, y, z) ----
 
   const quaternion = (axis, angle) => [Math.cos(angle / 2), ...scale(axis, Math.sin(angle / 2))]; // 2 pi gives -1
   const multiply = ([a, ...u], [b, ...v]) => [a * b - dot(u, v), ...add(add(scale(v, a), scale(u, b)), cross(u, v))];
-  // (yaw, pitch, roll) of Rz(yaw) Ry(pitch) Rx(roll); where pitch is +-90 degrees, roll is 0.
-  function toEuler(R) {
-    const flat = Math.hypot(R[0][0], R[1][0]), pitch = Math.atan2(-R[2][0], flat);
-    if (flat < 1e-9) return [Math.atan2(-R[0][1], R[1][1]), pitch, 0];
-    return [Math.atan2(R[1][0], R[0][0]), pitch, Math.atan2(R[2][1], R[2][2])];
-  }
 
   // ---- the plane: poses are (x, y, theta), body twists (omega, vx, vy) ----
 
@@ -239,7 +233,7 @@ globalThis.course.motion = (() => {
 
   return {
     eye, dot, norm, add, scale, cross, unit, transpose, times, apply, sampled, wrap, pose, rotationOf, positionOf, move,
-    inverse, exp, log, rotationVector, interpolate, rotation, poseError, quaternion, multiply, toEuler, planar,
+    inverse, exp, log, rotationVector, interpolate, rotation, poseError, quaternion, multiply, planar,
     logPlanar, expPlanar, pole, propagate, meetings, angleAbout, bodies, frames, spaceJacobian, geometricJacobian,
     planarPoints, planarJacobian, twoLink, dampedStep, leastSquares, eigen, register, firstHit,
     singularValues, nullVector, reach,

@@ -1,4 +1,4 @@
-// Toys of orientation, one of which meta.mode names: axis and angle with R, q and Euler angles; three gimbal rings; two
+// Toys of orientation, one of which meta.mode names: axis and angle with R and q; three gimbal rings; two
 // rotations in either order; an angular velocity in the room and in the body; a belt.
 (() => {
   "use strict";
@@ -14,15 +14,7 @@
       view.text(M.scale(e, 1.07 * length), "xyz"[k], COLOURS.grey);
     });
   }
-  function report(R, q) {
-    const [yaw, pitch, roll] = M.toEuler(R).map((x) => P.degrees(x, 1)), { sign } = lockOf(R);
-    const lock = sign > 0 ? "\npitch is 90°: only the difference of yaw and roll counts"
-      : sign < 0 ? "\npitch is −90°: only the sum of yaw and roll counts" : "";
-    return [["R =", P.matrix(R)], `q = (${P.list(q, 3)}) as (w, x, y, z)`,
-      "<span>R = R<sub>z</sub>(yaw) R<sub>y</sub>(pitch) R<sub>x</sub>(roll):</span>",
-      `yaw ${yaw}, pitch ${pitch}, roll ${roll}${lock}`];
-  }
-  const lockOf = (R) => ({ sign: Math.hypot(R[0][0], R[1][0]) < 1e-6 ? -Math.sign(R[2][0]) : 0 });
+  const report = (R, q) => [["R =", P.matrix(R)], `q = (${P.list(q, 3)}) as (w, x, y, z)`];
   const pair = (card, labels) => labels.map((label) => { // two views side by side
     const parent = P.element("div", { class: "half" }, card.views);
     P.element("p", { style: "margin:0 0 .3rem;font-weight:600" }, parent).innerHTML = label;
@@ -126,7 +118,7 @@
         view.line([M.scale(axes[k], -1.48), M.scale(axes[k], 1.48)], colour, 2, { dash: [6, 4] });
         view.text(M.scale(axes[k], name === "roll" ? -1.53 : 1.53), name);
       });
-      const { sign } = lockOf(R), lost = M.cross(axes[0], axes[1]);
+      const sign = Math.abs(state.pitch) === 90 ? Math.sign(state.pitch) : 0, lost = M.cross(axes[0], axes[1]);
       if (sign) { // about this direction no ring rotates any more
         view.arrow(NONE, M.scale(lost, 1.3), COLOURS.crimson, { above: true, thick: 0.03 });
         view.text(M.scale(lost, 1.42), "lost", COLOURS.crimson);
@@ -134,11 +126,11 @@
       view.end();
       const factors = ["yaw", "pitch", "roll"].map((key, k) => M.quaternion([Z, Y, X][k], state[key] * rad));
       numbers(...report(R, factors.reduce((product, each) => M.multiply(product, each))));
-      const counts = P.degrees(M.wrap((state.yaw - sign * state.roll) * rad));
-      const what = sign > 0 ? "difference yaw − roll" : "sum yaw + roll", volume = Math.cos(state.pitch * rad);
+      const [counts, yaw] = [1, -sign].map((k) => P.degrees(M.wrap(k * (state.roll - sign * state.yaw) * rad)));
+      const what = sign > 0 ? "difference roll − yaw" : "sum roll + yaw", volume = Math.cos(state.pitch * rad);
       words.textContent = sign
-        ? `Gimbal lock: the axes of yaw and roll are one line, and only the ${what} counts, ${counts}. `
-          + "No ring rotates about the red direction any more."
+        ? `Gimbal lock: the axes of yaw and roll are one line, and only the ${what} counts, ${counts}: yaw ${yaw}, roll 0° `
+          + "give the same orientation. No ring rotates about the red direction any more."
         : `The volume that the three axes span is ${P.number(volume, 3)} = cos(pitch). At 0 an axis is lost.`;
     };
   }
@@ -146,22 +138,23 @@
   // ---- the order of two rotations ----
 
   function order(card) {
-    const state = card.state({ time: 2, angle: 90 });
+    const state = card.state({ time: 2, angle: 90, own: false });
     const ZX = "R<sub>z</sub> R<sub>x</sub>", XZ = "R<sub>x</sub> R<sub>z</sub>";
-    const views = pair(card, [`${ZX}: first about x, then about the fixed z`,
-      `${XZ}: first about z, then about the fixed x`]);
+    const views = pair(card, [ZX, XZ]);
     const write = (x) => (x <= 1 ? `first, ${P.percent(x)}` : `second, ${P.percent(x - 1)}`);
     const time = card.setting("Step", state, "time", { min: 0, max: 2, step: 0.02 }, write);
     card.angle("Both angles", state, "angle", 0, 180);
+    card.checkbox("from the left: about the body's own axes", state, "own");
     card.player("Play", time, 0.0075);
     const numbers = card.numbers();
     return () => {
       const a = state.angle * rad, first = a * Math.min(1, state.time), second = a * Math.max(0, state.time - 1);
-      const both = [[Z, X], [X, Z]].map(([later, earlier]) => M.times(about(later, second), about(earlier, first)));
+      const products = [[Z, X], [X, Z]], [left, right] = state.own ? [first, second] : [second, first];
+      const both = products.map(([L, K]) => M.times(about(L, left), about(K, right)));
       views.forEach((view, i) => {
         view.begin();
         fixedAxes(view, 1.15);
-        const axis = (state.time <= 1) === (i === 0) ? X : Z;
+        const [L, K] = products[i], axis = (state.time <= 1) === state.own ? L : M.apply(about(L, left), K);
         view.line([M.scale(axis, -1.2), M.scale(axis, 1.2)], COLOURS.purple, 3, { dash: [7, 5] });
         view.mesh(AIRCRAFT, [sized(0.9, both[i])], PALETTE);
         view.frame(at(both[i]), 1.0, { above: false });
@@ -181,9 +174,9 @@
     const seconds = (x) => `${P.number(2 * Math.PI * x)} s`;
     const time = card.setting("Time", state, "time", { min: 0, max: 1, step: 0.005 }, seconds);
     card.angle("Tilt", state, "tilt", -90, 90);
-    card.setting("Rotation about its own x axis", state, "spin", { min: -3, max: 3, step: 1 }, (x) => `${P.number(x, 0)} rad/s`);
+    card.setting("Rotation about its own x axis", state, "spin", { min: -2, max: 2, step: 1 }, (x) => `${P.number(x, 0)} rad/s`);
     card.player("Play", time, 0.003);
-    const numbers = card.numbers(), words = card.words();
+    const numbers = card.numbers();
     // About the fixed z axis at 1 rad/s, tilted, and about its own x axis.
     function motion(share) {
       const t = 2 * Math.PI * share, tilted = M.times(about(Z, t), about(Y, state.tilt * rad));
@@ -191,7 +184,7 @@
       return { R, omegas: [inRoom, M.apply(M.transpose(R), inRoom)] };
     }
     return () => {
-      const { R, omegas } = motion(state.time), length = 1.3 / (1 + Math.abs(state.spin));
+      const { R, omegas } = motion(state.time), length = 0.43; // of 1 rad/s
       const trail = M.sampled(120, (share) => motion(share).omegas);
       views.forEach((view, i) => {
         view.begin();
@@ -202,12 +195,8 @@
         view.arrow(NONE, M.scale(omegas[i], length), COLOURS.purple, { above: true, thick: 0.03 });
         view.end();
       });
-      numbers(["R =", P.matrix(R)], `<span>ω in the room, R ω<sub>b</sub>: (${P.list(omegas[0])})</span>`,
-        `<span>ω in the body, Rᵀ ω<sub>s</sub>: (${P.list(omegas[1])})</span>`,
-        `length, of both: ${P.number(M.norm(omegas[0]))} rad/s`);
-      words.textContent = state.spin === 0 || Math.abs(state.tilt) === 90
-        ? "Both observers see ω at rest: the body rotates steadily about one axis, which they name differently."
-        : "The red circles are the paths of the tip of ω: about the vertical in the room, about the x axis in the body.";
+      numbers(["R =", P.matrix(R)], `ω in the room: (${P.list(omegas[0])}) rad/s\n`
+        + `ω in the body: (${P.list(omegas[1])}) rad/s`);
     };
   }
 

@@ -6,8 +6,8 @@ from course_lib.figures.toys.toy import Toy
 MODES = {
     "axis": (
         "An aircraft rotated about an axis. Sliders set the axis and the angle from -360 to 360 degrees; rotation "
-        "matrix, unit quaternion and Euler angles are shown as numbers.",
-        "A rotation by its axis and angle. Quaternion and Euler angles are explained later.",
+        "matrix and unit quaternion are shown as numbers.",
+        "A rotation by its axis and angle. The quaternion q is explained later.",
     ),
     "gimbals": (
         "Three gimbal rings around an aircraft, moved by yaw, pitch and roll. At a pitch of 90 degrees the axes of yaw "
@@ -15,9 +15,9 @@ MODES = {
         "Each ring rotates about an axis of its own. Where are the axes of the outer and the inner ring?",
     ),
     "order": (
-        "Two aircraft, one rotated first about x and then about z, the other in the opposite order. They end in "
-        "different orientations.",
-        "The same two rotations, in both orders.",
+        "Two aircraft, one rotated first about x and then about z, the other in the opposite order: about fixed axes "
+        "or their own. They end in different orientations.",
+        "The same two rotations, in both orders. The dashed line is the axis.",
     ),
     "velocity": (
         "A tilted aircraft that is carried round the vertical and rotates about its own axis, twice: in the room, and "
