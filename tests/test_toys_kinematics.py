@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from py_mini_racer import MiniRacer
 
 from course_lib import ik, registration, rigid, rotations
-from course_lib.arms import SerialArm, panda, planar_arm
+from course_lib.arms import SerialArm, panda, planar_arm, ur5e
 from course_lib.figures.solids import meshes
 from course_lib.figures.toys.alive import SPOTS
 from course_lib.figures.toys.toy import SCRIPTS
@@ -229,6 +229,18 @@ def test_an_arm_reaches_a_pose_within_its_limits(js, rng):
     assert_allclose(arm.fk(found), targets, rtol=0, atol=1e-6)
     assert (found >= arm.limits[:, 0]).all()
     assert (found <= arm.limits[:, 1]).all()
+
+
+def test_out_of_reach_an_arm_comes_to_rest_where_a_small_move_and_back_leads_again(js):
+    arm, far = ur5e(), rigid.transform(rotations.rot_z(0.3), [-1.15, -0.9, 0.8])
+    q, beside = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 0.2]), rigid.transform(np.eye(3), [0.005, 0, 0]) @ far
+    found = []
+    for target in (far, beside, far):
+        q = np.array(js("reach", [a_model(arm)], [q], [target], [arm.limits.tolist()])[0])
+        found.append(np.linalg.norm(arm.fk(q)[:3, 3] - target[:3, 3]))
+    assert abs(q[2]) < 1e-3, "the elbow is stretched"
+    assert_allclose(np.diff(found), 0, atol=0.005)
+    assert_allclose(found[2], found[0], rtol=0, atol=1e-4)
 
 
 def test_points_are_registered_as_the_library_does_also_three_and_after_half_a_revolution(js, rng):

@@ -219,14 +219,18 @@ globalThis.course.motion = (() => {
     const { values, vectors } = eigen(times(transpose(J), J));
     return values[5] > 1e-10 ? vectors[6] : null;
   }
-  // Joint angles within limits after steps of damped least squares towards a pose.
-  function reach(arm, q, target, limits) {
-    let angles = [...q];
-    for (let k = 0; k < 60; k++) {
-      const e = poseError(frames(arm, angles)[angles.length], target), far = norm(e.slice(3));
-      if (norm(e) < 1e-9) break;
-      const step = dampedStep(geometricJacobian(arm, angles), scale(e, Math.min(1, 0.1 / far)), 4e-4);
-      angles = angles.map((x, i) => Math.min(limits[i][1], Math.max(limits[i][0], x + step[i])));
+  // Joint angles within limits that reach a pose, or come nearest to it, by steps of damped least squares. A step that
+  // does not lessen the error is not taken, and raises the damping: so they come to rest out of reach, too.
+  function reach(arm, q, target, limits, most = 200) {
+    const error = (x) => poseError(frames(arm, x)[x.length], target);
+    let angles = q, e = error(q), damping = 4e-4, moved = 1;
+    for (let k = 0; k < most && norm(e) > 1e-9 && moved > 1e-6 && damping < 1e4; k++) {
+      const part = k < 15 ? Math.min(1, 0.1 / norm(e.slice(3))) : 1; // small steps first: no jump to another solution
+      const step = dampedStep(geometricJacobian(arm, angles), scale(e, part), damping);
+      const next = angles.map((x, i) => Math.min(limits[i][1], Math.max(limits[i][0], x + step[i]))), left = error(next);
+      const isNearer = norm(left) < norm(e);
+      if (isNearer) [moved, angles, e] = [norm(add(next, angles, -1)), next, left];
+      damping = isNearer ? Math.max(1e-5, damping / 3) : 9 * damping;
     }
     return angles;
   }

@@ -24,7 +24,7 @@
     };
     // Several solutions of the library: each is followed on its own, and shown if it reaches the target.
     const error = (q, T) => M.poseError(M.frames(arm, q)[n], T), off = (q, T) => M.norm(error(q, T));
-    const solved = (q, T) => M.reach(arm, q, T, limits.map(() => [-Infinity, Infinity]));
+    const solved = (q, T, most) => M.reach(arm, q, T, limits.map(() => [-Infinity, Infinity]), most);
     const differ = (q, p) => q.some((x, i) => Math.abs(M.wrap(x - p[i])) > 0.01);
     const library = (T) => {
       if (!starts) return [state.q];
@@ -32,12 +32,14 @@
       return found.length ? found : [state.all[0]];
     };
     const moved = () => {
-      const T = target();
-      if (starts) state.all = starts.map((start, i) => {
-        const q = solved(state.all[i], T);
-        return off(q, T) < 1e-3 ? q : solved(start, T);
-      });
-      else state.q = M.reach(arm, state.q, T, limits);
+      const T = target(), [last] = state.all || [];
+      if (starts) {
+        state.all = starts.map((start, i) => {
+          const q = solved(state.all[i], T, 60);
+          return off(q, T) < 1e-3 ? q : solved(start, T, 60);
+        });
+        if (state.all.every((q) => off(q, T) > 1e-3)) state.all[0] = solved(last, T);
+      } else state.q = M.reach(arm, state.q, T, limits);
       ask({ target: T });
     };
     // The target stays above the floor and little farther from the base than the arm reaches.
@@ -80,11 +82,12 @@
       }));
       const count = theirs.length > 1 ? many : "";
       const none = answer && answer.value && !theirs.length;
-      const own = none ? "It finds no solution here; the library comes this near." : count;
-      const lost = off(shown[0], T) > 1e-3 ? "Out of reach: the arm comes as near as it can."
+      const isLost = off(shown[0], T) > 1e-3;
+      const lost = isLost ? "Out of reach: the arm comes as near as it can."
         : starts ? many : "Drag the target: the arm follows.";
-      const more = (answer && answer.said) || "", both = [own, more].filter(Boolean).join(" ");
-      words.textContent = said(state, both, lost);
+      const more = (answer && answer.said) || "", both = [count, more].filter(Boolean).join(" ");
+      words.textContent = none ? `No solution from ${answer.whose}. The arm is the library's${isLost
+        ? ": out of reach, as near as it can come" : ", which finds one"}. ${more}` : said(state, both, lost);
     };
   }
 
