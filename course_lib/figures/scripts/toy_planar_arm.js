@@ -80,11 +80,10 @@
       plane.dot(points[n], COLOURS.crimson, 5);
       plane.end();
       drawErrors();
-      const limit = 2 * (1 + state.damping / values[0]), taken = Math.max(0, state.errors.length - 1), left = miss();
+      const taken = Math.max(0, state.errors.length - 1), left = miss();
       words.textContent = `${taken} ${taken === 1 ? "step" : "steps"}, distance left `
         + `${left < 0.001 ? P.power(left) : P.number(left, 3)} m. Singular values of the Jacobian: `
-        + `${s.map((x) => P.number(x)).join(" and ")} m. Near this configuration steps above ${P.number(limit)} `
-        + "overshoot and diverge; they may still land in another, with a smaller singular value, and converge there.";
+        + `${s.map((x) => P.number(x)).join(" and ")} m.`;
     };
   });
 })();
