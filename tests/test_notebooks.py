@@ -75,7 +75,8 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     assert titles[titles.index("## Explain") + 1] == "## What you can now compute"
     done = [cell.source for cell in cells[:at] if cell.metadata.get("nbgrader", {}).get("grade")]
     assert (f"check.{stop[0]}({stop[0]})", f"## {stop[1]}") == (done[-1], titles[0]), "stop= in its checks"
-    assert re.match(rf"\*\*You can stop here\.\*\*.* at \*{re.escape(stop[1])}\*", cells[at].source, re.DOTALL)
+    again = rf"Next time select \*{re.escape(stop[1])}\*, choose \*Run → Run All Above Selected Cell\*, and begin there"
+    assert re.match(rf"\*\*You can stop here\.\*\*.*{again}", cells[at].source, re.DOTALL)
     tasks = ["".join(cell.source for cell in sitting) for sitting in (cells[:at], cells[at:])]
     minutes = [sum(map(int, re.findall(r"points?, (\d+) minutes\)", each))) for each in tasks]
     assert sum(minutes) <= 45 * sum(hours), "text, toys and Explain take a quarter of the time at least"
