@@ -127,11 +127,16 @@ def all_of_v_on_the_arc(twist):
     return _p(twist, across=False)
 
 
+@EXERCISE.mistake(part=COLUMN)
+def omega_for_n(twist):
+    """the part along n x v has another length, as with omega for n. How long is n?"""
+    return _p(twist, sideways=lambda a: a * (1 - np.cos(a)))
+
+
 @EXERCISE.mistake(
     part=COLUMN,
     factors=(
         {"forward": lambda a: a * np.sin(a)},
-        {"sideways": lambda a: a * (1 - np.cos(a))},  # also omega for n
         {"forward": lambda a: a * np.sin(a), "sideways": lambda a: a * (1 - np.cos(a))},
         {"along": 0},
         {"forward": lambda a: 0},
