@@ -35,6 +35,8 @@ def _tell(q, T):
     position = np.linalg.norm(reached[:3, 3] - T[:3, 3])
     R = reached[:3, :3].T @ T[:3, :3]
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if position < 1e-8:
+        return f"One of yours ends at the right point, but its orientation is {angle:.3g} rad off."
     return f"One of yours ends {position:.3g} m and {angle:.3g} rad away from T."
 
 
