@@ -38,6 +38,8 @@ def _direction_off(read):
 def _velocity_off(read):
     off = np.abs(read[1] - _V).max(1)
     i = int(np.argmax(off > _TOLERANCE))
+    if np.allclose(read[1][i], -_V[i], atol=_TOLERANCE):
+        return f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is the opposite one."
     beside = _axes(np.cross(read[0][i], read[1][i] - _V[i]))
     shown = f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is {1000 * off[i]:.3g} mm/s off at 1 rad/s"
     return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
@@ -55,6 +57,7 @@ EXERCISE = Exercise(
     cases=lambda rng: [()],
     returns=_read,
     library=lambda: (_SCREWS, _M),
+    forbidden=("course_lib.arms.ur5e",),
     properties=(
         Property(
             "the axes have the directions of the arrows in the drawing, of length one",
@@ -131,7 +134,7 @@ def other_order_of_the_product():
     return np.hstack([_OMEGA, np.cross(_OMEGA, _POINTS)]), _M
 
 
-@EXERCISE.mistake(alike=_screws, joint=(3, 4, 5))
+@EXERCISE.mistake(alike=_screws, joint=(4, 5))
 def reversed_direction(joint):
     """the direction of a joint is reversed. Go through the arrows of the drawing, joint by joint."""
     return _answered(_OMEGA * np.where(np.arange(6) == joint, -1, 1)[:, None])
