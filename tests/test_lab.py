@@ -112,6 +112,8 @@ def opened(browser, name):
     page.asked, page.closed = [], []
     page.on("request", lambda request: page.asked.append(request.url))
     page.on("websocket", lambda socket: socket.on("close", lambda closed: page.closed.append(closed.url)))
+    # Where saving takes long, JupyterLab's own save meets the next one, and it asks which of the two to keep.
+    page.add_locator_handler(page.get_by_role("button", name="Overwrite", exact=True), lambda button: button.click())
     page.goto(f"http://localhost:{PORT}/lab/workspaces/{name}/tree/{name}.ipynb?token={TOKEN}")
     expect(page.locator(".jp-Notebook").first).to_be_visible()
     page.get_by_text(IDLE).wait_for()
