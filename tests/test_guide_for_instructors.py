@@ -9,9 +9,11 @@ from course_copy import ROOT, copied
 from grade_stand_in import TABLES
 from hostile.build import FULL, answers, book, cell
 
+from course_lib.pack.grade import alike, collect
 from course_lib.pack.grade.deadline import read_deadline
 from course_lib.pack.grade.gradebook import Roster, read_roster
 from course_lib.pack.grade.marks import read_marks
+from course_lib.pack.grade.sandbox import LEAST_PROGRESS, Limits
 
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test
@@ -114,6 +116,20 @@ def test_the_guide_is_short_and_plain():
     text = GUIDE.read_text(encoding="utf-8")
     assert len(text.split()) <= 1600
     assert max(map(len, text.splitlines())) <= 120
+
+
+def test_its_limits_are_those_of_the_grader():
+    text, limits = " ".join(GUIDE.read_text(encoding="utf-8").split()), Limits()
+    times = f"{limits.cpu_seconds} seconds for a function, {limits.cell_cpu_seconds} for a cell, "
+    assert times + f"{limits.submission_cpu_seconds // 60} minutes for a submission" in text
+    assert f"at most {collect.MAX_GRADED} notebooks are graded" in text
+    for words, said, found in (
+        ("costs two minutes, and four if a function needs it", 120, limits.cell_cpu_seconds),
+        ("a minute in which it computes less than a hundredth", (60, 0.01), (limits.idle_seconds, LEAST_PROGRESS)),
+        ("more than two hours of processor time or 8 GB", (7200, 8e9), (alike.CPU_SECONDS, alike.MEMORY)),
+        ("Code of more than ten students", 10, alike.MANY),
+    ):
+        assert (words in text, said) == (True, found)
 
 
 def test_the_tables_of_the_guide_are_read(tmp_path):

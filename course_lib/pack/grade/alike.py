@@ -33,6 +33,7 @@ MANY = 10  # students; MOSS has the same number
 LEAST = 8  # score of a pair on the page, see pairs
 VERBATIM = 120  # passages of the library or a solution, names included: some 15 lines
 MOST = 100  # pairs on the page
+CPU_SECONDS, MEMORY = 7200, 8 * 10**9  # for the page
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ def write_alike(path, submissions, earlier="", platform=""):
         return alike_page(works(submissions) + (earlier_works(Path(earlier), platform) if earlier else []), stamp)
 
     try:
-        write_atomically(path, call_bounded(page, cpu_seconds=7200, memory=8 * 10**9, clock_seconds=10 * 3600))
+        write_atomically(path, call_bounded(page, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=10 * 3600))
     except (OutOfBounds, RuntimeError) as problem:
         print(f"{path} was not written: {problem}.")
 
