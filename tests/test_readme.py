@@ -3,13 +3,16 @@
 import base64
 import io
 import re
+import subprocess
+import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import nbformat
 import numpy as np
 from matplotlib.image import imread
 
-from course_lib.pack.site.gather import NUMBERS, sittings
+from course_lib.pack.site.gather import NUMBERS, PAGE, sittings
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -50,6 +53,26 @@ def test_every_command_and_file_it_names_is_there():
         assert re.search(rf"^{target}:.*## ", makefile, re.MULTILINE), target
     for name in re.findall(r"`((?:course_lib|tests|notebooks|\.ci|\.github)/[\w./]+)`", README):
         assert (ROOT / name).exists(), name
+
+
+ONLY_ON_UNIX = ("fcntl", "grp", "pwd", "resource", "syslog", "termios")
+
+
+def test_what_the_commands_for_windows_load_is_there_without_the_modules_of_unix():
+    guides = [ROOT / name for name in ("notebooks/places.md", "course_lib/pack/release/students/README.md")]
+    text = "".join([README, PAGE, *(guide.read_text(encoding="utf-8") for guide in guides)])
+    called = set(re.findall(r"\.venv\\Scripts\\(\w+) ([^`&\n]+?)(?= &&|`|\n)", text))
+    modules = {words.split()[1] for program, words in called if program == "python" and words.startswith("-m ")}
+    assert called - {("python", f"-m {module}") for module in modules} == {
+        ("pip", "install -r environment.txt -e ."), ("python", r"carry_over.py ..\robot-kinematics-@RELEASE@"),
+        ("jupyter", "lab exercises"), ("jupyter", "lab notebooks"),
+    }  # fmt: skip
+    assert modules >= {"course_lib.pack.release.exercises", "course_lib.pack.site"}
+    checks = [f"course_lib.checks.{path.stem[3:]}" for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")]
+    started = [f"{name}.__main__" if find_spec(name).submodule_search_locations else name for name in modules]
+    lines = [f"import sys; sys.modules.update(dict.fromkeys({ONLY_ON_UNIX}))"]
+    lines += [f"import {module}" for module in (*sorted(started), *sorted(checks), "course_lib.figures.toys.alive")]
+    subprocess.run([sys.executable, "-c", "\n".join(lines)], check=True)
 
 
 def test_it_is_short():
