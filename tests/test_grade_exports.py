@@ -108,8 +108,17 @@ EXPORTS = {
 
 
 @pytest.mark.parametrize("platform", EXPORTS)
-def test_an_export_in_a_folder_of_its_own_is_not_taken_for_one_student(tmp_path, platform):
+@pytest.mark.parametrize("is_named", [True, False])
+def test_an_export_in_a_folder_of_its_own_is_not_taken_for_one_student(tmp_path, platform, is_named):
     for name in EXPORTS[platform]:
         hand_in(tmp_path, f"course-homework_submissions/{name}")
-    (found,) = find(tmp_path, NOTEBOOKS, platform)
+    (found,) = find(tmp_path, NOTEBOOKS, platform if is_named else "")
     assert "export of a class: put its files directly into the folder of submissions" in found.refused
+
+
+def test_a_students_own_numbers_in_names_are_no_export(tmp_path):
+    for name in ("hw_1_01_rotations", "hw_2_02_rigid_motion"):
+        hand_in(tmp_path, f"doe/{name}.ipynb")
+    assert [(each.student, each.notebook, each.refused) for each in find(tmp_path, NOTEBOOKS)] == [
+        ("doe", "01_rotations", ""), ("doe", "02_rigid_motion", "")
+    ]  # fmt: skip

@@ -146,7 +146,7 @@ def _in_folder(top, folder, notebooks, platform):
             found.append(replace(each, notebook=named, refused=LINK if path.is_symlink() else ""))
     if len(files) > MAX_LISTED:
         problems.append(f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at.")
-    if not name.student and is_of_a_class([str(path.relative_to(top)) for path in files], platform or "moodle"):
+    if not name.student and is_of_a_class([str(path.relative_to(top)) for path in files], platform):
         return [replace(whole, refused=CLASS)]
     if not found and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"

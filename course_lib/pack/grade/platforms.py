@@ -81,8 +81,8 @@ def is_of_a_class(names, platform):
     """
     parts = [name.removesuffix(".ipynb").split("/") for name in names]
     for tops in ([each[0] for each in parts], [each[-1] for each in parts]):
-        known = platform or recognized(tops)
-        if len({exported_name(top, known).student for top in tops} - {""}) > 1:
+        exported = [exported_name(top, platform or recognized(tops)) for top in tops]
+        if len({each.student.removesuffix(f"_{each.number}") for each in exported} - {""}) > 1:
             return True
     return any(GRADESCOPE.fullmatch(part) for each in parts for part in each)
 
