@@ -318,7 +318,7 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, c
 def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_left_out(tmp_path, capsys):
     for name in ("01_rotations", "02_rigid_motion", "06_decomposition_ik"):
         hand_in(tmp_path / "in", f"Doe Jane/{name}.ipynb", points=[0, 2])
-    (tmp_path / "roster.csv").write_text(CANVAS)
+    (tmp_path / "roster.csv").write_text(f'{CANVAS}"Student, Test",1236,,{"0a" * 20},Kinematics,\n')
     out = written(tmp_path, "--roster", str(tmp_path / "roster.csv"), "--notebooks", "01,2")
     said = capsys.readouterr().out
     assert "Left out: 1 file of notebooks that NOTEBOOKS= does not name." in said

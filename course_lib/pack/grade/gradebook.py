@@ -20,6 +20,7 @@ NAMES = ("Student", "First name", "Last name")  # columns that do not identify a
 KEYS = {name for columns in IDENTITY.values() for name in columns if name not in (*NAMES, "Section")} | {"student"}
 OTHERS = {"surname": "Last name", "email": "Email address", "sid": "ID number"}  # of older Moodles and of Gradescope
 OTHERS |= {name.casefold(): name for name in (*IDENTITY["moodle"], *IDENTITY["canvas"][1:])}
+HASH = re.compile(r"[0-9a-f]{40}")
 POINTS_POSSIBLE = "Points Possible"  # Canvas takes every line with these words in its first cell for that row
 
 
@@ -111,10 +112,15 @@ def gradebook_text(platform, totals, roster=None):
 
 
 def absent(totals, roster):
-    """Return the names in the roster of those who handed in nothing, sorted; a line that may be a student's is not."""
+    """Return the names in the roster of those who handed in nothing, sorted; a line that may be a student's is not.
+
+    Nor is Canvas's test student, whom its export has too (lib/gradebook_exporter.rb, enrollments_for_csv), and whose
+    login is a hash (lib/data_fixup/add_pseudonym_to_student_view_students.rb).
+    """
     look = Roster(roster)
     there = {id(row) for student in totals.students for row in look.find(student, totals.user_ids.get(student, ""))}
-    return sorted(_full_name(row) or next(filter(None, row.values()), "") for row in roster if id(row) not in there)
+    left = [row for row in roster if id(row) not in there and not HASH.fullmatch(row.get("SIS Login ID", ""))]
+    return sorted(_full_name(row) or next(filter(None, row.values()), "") for row in left)
 
 
 def _rows(platform, student, user_id, look):
