@@ -106,7 +106,7 @@ def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
 
 def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
     verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
-    assert (verdict.state, verdict.points) == (WRONG, 3)
+    assert (verdict.state, verdict.points) == (WRONG, 1)
     assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(verdict)
 
 

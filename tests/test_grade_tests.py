@@ -62,7 +62,7 @@ def test_a_test_that_calls_without_an_end_is_refused_before_its_time_is_up():
 
 def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_through():
     row = graded("def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])")
-    assert (row["state"], row["points"]) == ("wrong", 3)
+    assert (row["state"], row["points"]) == ("wrong", 1)
     assert "one that is wrong only near half a turn" in row["message"]
 
 

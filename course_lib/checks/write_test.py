@@ -129,9 +129,9 @@ class WriteTest(Exercise):
         n_wrong = len(judged) - n_right
         if not refused and not missed:
             return Verdict(self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused")
-        # The share of right versions accepted minus the share of wrong ones: 0 for a test that always returns the
-        # same, and 0 on average for one that guesses.
-        share = max(1 - len(refused) / n_right - len(missed) / n_wrong, 0)
+        # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one input, refuses hardly
+        # more. One that always returns the same, or guesses, earns nothing.
+        share = max(1 - (len(refused) / n_right + len(missed) / n_wrong) / 0.3, 0)
         said = "your test accepts every right version and refuses every wrong one."
         said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"
         said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."

@@ -5,9 +5,8 @@ import numpy as np
 from course_lib.rigid import exp_se3, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat
 
-POSES = [
-    exp_se3(np.array(twist)) for twist in ([0.3, -0.5, 0.9, 1, 2, 3], [2, 1, -1, 0.5, -4, 3], [0, 0, 0, 1, 2, 3.0])
-]
+TWISTS = [0.3, -0.5, 0.9, 1, 2, 3], [2, 1, -1, 0.5, -4, 3], [0, 0, 0, 1, 2, 3], [0.3, 0.2, 1, 0.1, 0.4, -0.2]
+POSES = [exp_se3(np.array(twist, float)) for twist in TWISTS]
 
 
 def _right(T):
@@ -26,8 +25,8 @@ def right_against_a_version_of_its_own(adjoint):
 
 def right_with_assertions(adjoint):
     rng = np.random.default_rng(1)
-    for _ in range(4):
-        T = exp_se3(rng.normal(size=6) * [1.5, 1.5, 1.5, 3, 3, 3])
+    for size in (0.3, 1, 3, 3):
+        T = exp_se3(rng.normal(size=6) * [1.5, 1.5, 1.5, size, size, size])
         twist = rng.normal(size=6)
         np.testing.assert_allclose(adjoint(T) @ twist, vee_se3(T @ hat_se3(twist) @ inverse(T)), atol=1e-9)
     return True

@@ -11,20 +11,24 @@ def _made_of(form):
     return lambda T: in_blocks(T, form)
 
 
+def _uncoupled(R, P, zero):
+    return [[R, zero], [zero, R]]
+
+
+def _negated(R, P, zero):
+    return [[R, zero], [-P @ R, R]]
+
+
 def _column_by_column(T):
     return np.column_stack([vee_se3(T @ hat_se3(twist) @ inverse(T)) for twist in np.eye(6)])
 
 
-def _wrong_beyond_a_right_angle(T):
-    return adjoint(T) if np.trace(T[BLOCK]) > 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [-P @ R, R]])
+def _wrong_where(where, form):
+    return lambda T: in_blocks(T, form) if where(T) else adjoint(T)
 
 
-def _wrong_unless_about_z(T):
-    return adjoint(T) if T[2, 2] > 1 - 1e-9 else in_blocks(T, lambda R, P, zero: [[R, zero], [R @ P, R]])
-
-
-def _wrong_far_away(T):
-    return adjoint(T) if np.abs(T[COLUMN]).max() < 1 else in_blocks(T, lambda R, P, zero: [[R, zero], [zero, R]])
+def _near(T):
+    return np.linalg.norm(T[COLUMN]) < 1
 
 
 EXERCISE = WriteTest(
@@ -41,23 +45,21 @@ EXERCISE = WriteTest(
         Version("made of four blocks", adjoint, right=True, example=True),
         Version("that fills in column by column", _column_by_column, right=True),
         Version("whose last digits differ", lambda T: adjoint(T) * (1 + 3e-14), right=True),
-        Version(
-            "with the coupling written as R [R^T p]",
-            _made_of(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]]),
-            right=True,
-        ),
+        Version("written as R [R^T p]", _made_of(lambda R, P, zero: [[R, zero], [R @ (R.T @ P @ R), R]]), right=True),
         Version("with a wrong block on the diagonal", _made_of(lambda R, P, zero: [[R.T, zero], [P @ R, R]])),
         Version("with a wrong block on the diagonal", _made_of(lambda R, P, zero: [[R, zero], [P @ R, R.T]])),
         Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [R @ P, R]])),
-        Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [-P @ R, R]])),
+        Version("that is wrong in the coupling of omega to v", _made_of(_negated)),
         Version("that is wrong in the coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [P, R]])),
-        Version("without any coupling of omega to v", _made_of(lambda R, P, zero: [[R, zero], [zero, R]])),
+        Version("without any coupling of omega to v", _made_of(_uncoupled)),
         Version("for twists in the order (v, omega)", _made_of(lambda R, P, zero: [[R, P @ R], [zero, R]])),
         Version("that goes in the other direction", lambda T: adjoint(inverse(T))),
         Version("that is transposed", lambda T: adjoint(T).T),
-        Version("that is wrong only for rotations by more than 90 degrees", _wrong_beyond_a_right_angle),
-        Version("that is right only near the origin", _wrong_far_away),
-        Version("that is right only for some axes", _wrong_unless_about_z),
+        Version("that is wrong only beyond 90 degrees", _wrong_where(lambda T: np.trace(T[BLOCK]) < 1, _negated)),
+        Version("that is wrong only below 90 degrees", _wrong_where(lambda T: np.trace(T[BLOCK]) > 1, _negated)),
+        Version("that is right only near the origin", _wrong_where(lambda T: not _near(T), _uncoupled)),
+        Version("that is wrong only near the origin", _wrong_where(_near, _uncoupled)),
+        Version("that is right only for some axes", _wrong_where(lambda T: T[2, 2] < 1 - 1e-9, _negated)),
         Version("in other units of length", _made_of(lambda R, P, zero: [[R, zero], [1000 * P @ R, R]])),
         Version("that is right for the identity only", lambda T: np.eye(6), example=True),
         Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
