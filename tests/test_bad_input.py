@@ -210,6 +210,53 @@ MORE = {
     "load": (trajectory.load, {"path": Path(__file__), "limits": LIMITS}),
     "disagreement": (trajectory.disagreement, {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])}),
 }
+LINE = np.outer(np.arange(5), [1.0, 2, 3]) + 1
+
+# What is an array or a number of the right kind, and outside what the function is defined for.
+OUTSIDE = [
+    ("planar_arm", {"lengths": [1, 0]}, "lengths"),
+    ("planar_arm", {"lengths": [1, -1]}, "lengths"),
+    ("from_screws", {"omega": np.zeros((2, 3))}, "omega"),
+    ("from_screws", {"home": np.diag([-1, 1, 1, 1])}, "home"),
+    ("from_screws", {"limits": [[2, -1], [1, 2]]}, "limits"),
+    ("from_screws", {"limits": [[1, 1], [1, 2]]}, "limits"),
+    ("from_screws", {"limits": [[-np.inf, -np.inf], [1, 2]]}, "limits"),
+    ("from_dh", {"rows": [DHRow(1e200, 0, 0)]}, "rows"),
+    ("from_dh", {"convention": "craig"}, "convention"),
+    ("from_dh", {"end": np.zeros((4, 4))}, "end"),
+    ("solve", {"targets": [np.eye(4), np.diag([1.0, 1, -1, 1])]}, r"targets\[1\] "),
+    ("register_points", {"src": FIVE[:2], "dst": FIVE[:2], "weights": None}, "src must leave at least three points"),
+    ("register_points", {"src": LINE}, "src has its points on one line"),
+    ("register_points", {"dst": LINE}, "dst has its points on one line"),
+    ("register_points", {"src": [FIVE, LINE]}, r"src\[1\] has its points on one line"),
+    ("register_points", {"src": np.ones((5, 3))}, "src has its points on one line"),
+    ("register_points", {"weights": [1, 1, 0, 0, 0]}, "weights must leave at least three points"),
+    ("register_points", {"weights": [1, 1, 1, 1, -1]}, r"weights\[4\] must be zero or more"),
+    ("register_points", {"dst": FIVE[:4]}, r"dst must be an array of real numbers of shape \(..., 5, 3\)"),
+    ("register_points", {"src": [FIVE] * 2, "dst": [FIVE] * 3}, "dst must have a batch"),
+    ("uncertainty", {"points": LINE}, "points has its points on one line"),
+    ("uncertainty", {"points": [FIVE, FIVE]}, "points must be .* shape"),
+    ("fit", {"theta": THETA * 1e4}, r"theta\[0, 0\] must be at most 1000"),
+    ("fit", {"cells": (11, 10)}, "xy must hold a sample for each of the 110 cells; it holds 100"),
+    ("fit", {"xy": XY * [0, 1]}, "xy must spread along x and along y"),
+    ("fit", {"cells": (3, 3, 3)}, "cells must be two whole numbers"),
+    ("fit", {"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
+    ("fit", {"forward": lambda theta: None}, "forward must be a function of angles"),
+    ("fit", {"forward": lambda theta: (theta.T, theta)}, r"forward\(theta\)\[0\] must be an array"),
+    ("fit", {"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
+    ("fit", {"forward": lambda q: planar_forward(np.rad2deg(q)), "cells": (3, 3)}, "forward must lead from"),
+    ("fit", {"steps": 0}, "steps must be a whole number from 1"),
+    ("fit", {"tol": -1}, "tol must be zero or more"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "words"), OUTSIDE, ids=lambda part: part if isinstance(part, str) else None)
+def test_more_outside_the_domain(name, change, words):
+    function, valid = MORE[name]
+    with pytest.raises(ValueError, match=f"^{words}"):
+        function(**{**valid, **change})
+
+
 WITH_GAPS = ("predict", "sagged", "sent", "measured", "in_ranges")  # NaN is an answer that is missing
 ANY = [*((name, argument, (MORE[name][0], MORE[name][1])) for name in MORE for argument in MORE[name][1])]
 ANY += [(call_name(call), argument, call) for call in CALLS for argument in call[1]]

@@ -50,29 +50,6 @@ def test_a_mirror_image_gives_a_rotation():
     assert rigid.is_se(found, 1e-12).all()
 
 
-LINE = np.outer(np.arange(5), [1.0, 2, 3]) + 1
-SPREAD = np.random.default_rng(7).normal(size=(5, 3))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ((SPREAD[:2], SPREAD[:2]), "src must leave at least three points"),
-        ((LINE, SPREAD), "src has its points on one line"),
-        ((SPREAD, LINE), "dst has its points on one line"),
-        (([LINE * 0 + SPREAD, LINE], SPREAD), r"src\[1\] has its points on one line"),
-        ((np.ones((4, 3)), SPREAD[:4]), "src has its points on one line"),
-        ((SPREAD, SPREAD, [1, 1, 0, 0, 0]), "weights must leave at least three points"),
-        ((SPREAD, SPREAD, [1, 1, 1, 1, -1]), r"weights\[4\] must be zero or more"),
-        ((SPREAD, SPREAD[:4]), r"dst must be an array of real numbers of shape \(..., 5, 3\)"),
-        ((np.zeros((2, 5, 3)) + SPREAD, np.zeros((3, 5, 3)) + SPREAD), "dst must have a batch"),
-    ],
-)
-def test_sets_that_determine_no_rotation_are_refused(arguments, words):
-    with pytest.raises(ValueError, match=words):
-        register_points(*arguments)
-
-
 def angle_between(R, S):
     return 2 * np.arcsin(np.minimum(np.linalg.norm(R - S, axis=(-2, -1)) / np.sqrt(8), 1))
 
@@ -136,11 +113,6 @@ def test_the_uncertainty_is_the_spread_of_registrations_about_each_axis():
     assert found.angles[0] > 5 * found.angles[1]
 
 
-def test_nearly_collinear_points_are_uncertain_and_collinear_ones_refused():
-    random, line = np.random.default_rng(0), np.outer(np.linspace(0, 0.1, 5), [1, 0, 0])
-    thin = line + random.uniform(-1e-3, 1e-3, (5, 3))
+def test_nearly_collinear_points_are_uncertain():
+    thin = np.outer(np.linspace(0, 0.1, 5), [1, 0, 0]) + np.random.default_rng(0).uniform(-1e-3, 1e-3, (5, 3))
     assert np.rad2deg(uncertainty(thin, 1e-3).angles[0]) > 15
-    with pytest.raises(ValueError, match="points has its points on one line"):
-        uncertainty(line, 1e-3)
-    with pytest.raises(ValueError, match="shape"):
-        uncertainty([thin, thin], 1e-3)
