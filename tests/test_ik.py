@@ -1,9 +1,8 @@
-"""Damped steps of course_lib.ik against a plain loop, batches against single paths, and published runs."""
+"""Damped steps of course_lib.ik against a plain loop, and where rounding ends them."""
 
 import numpy as np
 import pytest
 from helpers import close, pose_samples
-from numpy.testing import assert_allclose
 
 from course_lib.arms import SerialArm, planar_arm
 from course_lib.ik import damped_path
@@ -33,17 +32,6 @@ def test_against_a_plain_loop(arm, k):
         got = damped_path(arm, target, q0, alpha, eps, 40)
         close(got, expected, 1e-9)
         assert np.array_equal(got[0], q0)
-
-
-def test_published_runs():
-    """Four unit links from (0, 0, 0, pi/2), alpha 0.2, eps 2: a target within reach, and one farther than the arm."""
-    start = [0, 0, 0, np.pi / 2]
-    path = damped_path(FOUR, [2.1567, 1.8329], start, 0.2, 2, 99)
-    assert path.shape == (100, 4)
-    error = np.linalg.norm(FOUR.fk(path[-1])[:2, 3] - [2.1567, 1.8329])
-    assert_allclose(error, 8.017270374278147e-06, rtol=1e-9)
-    far = damped_path(FOUR, [3, 4], start, 0.2, 2, 99)
-    close(FOUR.fk(far[-1])[:2, 3], [2.40006024, 3.1994807], 5e-9)
 
 
 def test_a_target_reached_and_no_steps():

@@ -84,3 +84,4 @@ def test_the_seed_alone_decides(draw):
     assert np.array_equal(draw(5, rng), first)
     assert not np.isclose(draw(5, rng), first).all(axis=tuple(range(1, first.ndim))).any()
     assert len(np.unique(first.round(9), axis=0)) == 5
+    assert draw(0, rng).shape == (0, *first.shape[1:])
