@@ -59,8 +59,6 @@ PICTURES = [
      "begins at 1 and is -1 after one revolution"),
     (nb1.projections, (np.diag([2.0, 1.0]), {"$R$": np.eye(2), "other": -np.eye(2)}),
      "R: 1.00, 1.00, and a sum of 3.00; other: -1.00, -1.00, and a sum of -3.00"),
-    (nb1.both_determinants, (np.array([3.0, 2.0, 1.0]),), "up to 6.00 at a trace of 3, for -1 up to 4.00"),
-    (nb1.nearest_on_circle, (np.diag([2.0, 1.0]), {"the nearest": np.eye(2)}), "the nearest at 1.0000."),
     (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),
     (nb1.heights, ({"none": np.eye(3)[None]},), "have the mean heights 0.00, 0.00, 1.00"),
     (nb2.parking, (DRIVE, [1, 2, 1.57], [0.6, 1, 0.4], 0.6), "as near as 1.08 m to the middle"),

@@ -10,7 +10,6 @@ from course_lib.figures import decomposition_ik as nb6
 from course_lib.figures import panda_dh_ik as nb5
 from course_lib.figures import poe_kuka_iiwa as nb4
 from course_lib.figures import rigid_motion as nb2
-from course_lib.figures import rotations as nb1
 from course_lib.figures import subproblems_damped_ik as nb3
 from course_lib.figures.style import BLUE
 from course_lib.planar import interpolate_arm, interpolate_body
@@ -132,12 +131,6 @@ def test_histograms_count_every_sample():
     for ax, (title, taken) in zip(nb5.iterations(counts, 100).fig.axes, counts.items(), strict=True):
         assert sum(bar.get_height() for bar in ax.patches) == len(taken)
         assert ax.get_title() == title
-
-
-def test_the_nearest_rotation_is_at_the_lowest_point_of_the_curve():
-    M = np.array([[0.3, 0.9], [0.8, 0.1]])
-    marked, curve = nb1.nearest_on_circle(M, {"nearest": rotations.nearest_so(M)}).fig.axes[1].lines
-    assert marked.get_ydata()[0] == pytest.approx(min(curve.get_ydata()), abs=1e-9)
 
 
 # ---- films: bodies and arms are where their data say, at each time ----

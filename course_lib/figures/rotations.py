@@ -5,14 +5,14 @@ from matplotlib.patches import Circle
 
 from course_lib.arms import SerialArm
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, legend_above, lines, pi_ticks, plain
+from course_lib.figures.plots import in_columns, lines, plain
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED, plane_figure
+from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
-from course_lib.rotations import random_rotations, rot_y
+from course_lib.rotations import rot_y
 
 
 def arm_toy():
@@ -197,70 +197,6 @@ def projections(M, rotations):
     if np.linalg.det(M) < 0:
         caption = "One arrow lies on its axis, the other points against it: there $z_{ii} = -1$."
     return Picture(fig, alt, caption)
-
-
-def both_determinants(s):
-    """Return how large s . diag(Z) becomes for orthogonal Z with det Z = 1 and -1: in the plane, and in space.
-
-    s: (3,), singular values; the plane's are the first and the last.
-    """
-    fig, (plane, space) = plane_figure(9.0, 3.9, 2)
-    x, y = np.meshgrid(*2 * [np.linspace(-1.25, 1.25, 61)])
-    levels = plane.contour(x, y, s[0] * x + s[2] * y, 11, colors=GREY, linewidths=0.8)
-    plane.clabel(levels, fontsize=8)
-    diagonals = np.diagonal(random_rotations(800, np.random.default_rng(0)), axis1=1, axis2=2)
-    for sign, colour, marker, style in ((1, BLUE, "o", "-"), (-1, RED, "s", "--")):
-        plane.plot([-1, 1], [-sign, sign], color=colour, linestyle=style, linewidth=2.5, label=f"det Z = {sign}")
-        plane.plot(1, sign, marker, color=colour, markersize=9)
-        drawn = sign * diagonals
-        space.plot(drawn.sum(1), drawn @ s, marker, color=colour, markersize=2, label=f"det Z = {sign}")
-        space.plot(2 + sign, [1, 1, sign] @ s, marker, color=colour, markersize=9)
-    plane.set(
-        aspect="equal", xlabel="$z_{11}$", ylabel="$z_{22}$", title="plane: lines of equal $s_1 z_{11} + s_2 z_{22}$"
-    )
-    space.set(
-        xlabel="$z_{11} + z_{22} + z_{33}$", ylabel="$s_1 z_{11} + s_2 z_{22} + s_3 z_{33}$", title="space: random Z"
-    )
-    legend_above(fig, 2, plane)
-    best = [s @ [1, 1, sign] for sign in (1, -1)]
-    alt = "Left, two diagonals of a square, with best ends (1, 1) for det Z = 1 and (1, -1) for -1. Right, dots of "
-    alt += f"random Z: for det Z = 1 up to {best[0]:.2f} at a trace of 3, for -1 up to {best[1]:.2f} at a trace of 1."
-    caption = "With $\\det Z = -1$ the trace ends at $n - 2$, and the best end gives the minus to the *smallest* $s_i$."
-    return Picture(fig, alt, caption)
-
-
-def nearest_on_circle(M, candidates):
-    """Return a 2x2 matrix beside rotations: its columns and theirs, and the distance to the rotations around them.
-
-    candidates: {name: R (2, 2)}, two at most.
-    """
-    fig, (plane, distance) = plane_figure(9.2, 4.0, 2, width_ratios=[1, 1.35])
-    circle = np.linspace(0, 2 * np.pi, 721)
-    circle = np.array([np.cos(circle), np.sin(circle)])
-    plane.plot(*circle, color=GREY, linewidth=1)
-    plane.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
-    drawn = zip((BLACK, BLUE, RED), ("--", "-", ":"), "Mos", {"M": M, **candidates}.items(), strict=False)
-    for colour, style, marker, (name, R) in drawn:
-        look = {"arrowstyle": "->", "color": colour, "ls": style, "lw": 2, "shrinkA": 0, "shrinkB": 0}
-        for j in range(2):
-            plane.annotate("", R[:, j], (0, 0), arrowprops=look)
-        plane.plot([], [], color=colour, linestyle=style, linewidth=2, label=name)
-        if name != "M":
-            angle = np.arctan2(R[1, 0], R[0, 0])
-            distance.plot(angle, np.linalg.norm(M - R), marker, color=colour, markersize=8, label=name)
-    plane.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
-    plane.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
-    around = angle + np.linspace(-0.7, 0.7, 161)
-    R = np.array([[np.cos(around), -np.sin(around)], [np.sin(around), np.cos(around)]])
-    gap = np.linalg.norm(M[..., None] - R, axis=(0, 1))
-    distance.plot(around, gap, color=BLACK, linewidth=1.2, zorder=1, label="all rotations")
-    pi_ticks(distance.xaxis, 8)
-    distance.set(xlabel="angle of R (rad)", ylabel="distance from M (Frobenius norm)")
-    distance.legend(frameon=False)
-    said = [f"{name} at {np.linalg.norm(M - R):.4f}" for name, R in candidates.items()]
-    alt = "Left, the columns of M and of two rotations in the unit circle, with the ellipse that M makes of it. Right, "
-    alt += f"the curve of distances from M to the rotations around, with two marks: {', '.join(said)}."
-    return Picture(fig, alt, "Only one of the two marks lies at the minimum of the curve.")
 
 
 def on_sphere(samples):
