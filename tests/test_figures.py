@@ -60,7 +60,6 @@ PICTURES = [
     (nb1.projections, (np.diag([2.0, 1.0]), {"$R$": np.eye(2), "other": -np.eye(2)}),
      "R: 1.00, 1.00, and a sum of 3.00; other: -1.00, -1.00, and a sum of -3.00"),
     (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),
-    (nb1.heights, ({"none": np.eye(3)[None]},), "have the mean heights 0.00, 0.00, 1.00"),
     (nb2.parking, (DRIVE, [1, 2, 1.57], [0.6, 1, 0.4], 0.6), "as near as 1.08 m to the middle"),
     (nb2.body_movie, ("x", DRIVE, T), "2 s. A body outlined in red moves along a dashed blue path from (0, 0) "
      "to (2, 0), rotating counter-clockwise by 0.50 rad."),

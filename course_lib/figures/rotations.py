@@ -216,25 +216,6 @@ def on_sphere(samples):
     return Picture(fig, alt, caption)
 
 
-def heights(samples):
-    """Return histograms of the height z at which each sample puts e_x, e_y and e_z; uniform ones are flat at 1/2.
-
-    samples: {title: R (n, 3, 3)}.
-    """
-    fig, axes = in_columns(samples, 4.2, 3.2, xlabel="height z of the image", ylabel="density")
-    said = []
-    for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        for j, (colour, style) in enumerate(zip((BLACK, BLUE, RED), ("-", "--", ":"), strict=True)):
-            density, edges = np.histogram(R[:, 2, j], 20, (-1, 1), density=True)
-            ax.stairs(density, edges, color=colour, linestyle=style, linewidth=2, label=f"image of $e_{'xyz'[j]}$")
-        ax.axhline(0.5, color=GREY, linewidth=1)
-        ax.set(xticks=[-1, -0.5, 0, 0.5, 1])
-        ax.legend(frameon=False)
-        said.append(f"{title}: the images of e_x, e_y, e_z have the mean heights {_numbers(R[:, 2].mean(0))}")
-    alt = f"Histograms of the heights of the images of the three axes, flat at one half if uniform. {'; '.join(said)}."
-    return Picture(fig, alt, "Right, every height is equally frequent, for all three axes; left, for none of them.")
-
-
 def _size_of_errors(errors):
     """How large errors are, in words that rounding does not change."""
     if max(errors) < 1e-12:
