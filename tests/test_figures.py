@@ -55,8 +55,6 @@ PICTURES = [
      "arccos rises to more than 1e-4; library stays below 1e-12"),
     (nb1.euler_rates, ([-1.57, 0, 1.57], np.array([0, 1, 0])),
      "is 1.00 at pitch 0.00 and falls to 0.00 at pitch -1.57"),
-    (nb1.double_cover, (np.pi * T, np.cos(np.pi * T / 2), np.cos(np.pi * T)),
-     "begins at 1 and is -1 after one revolution"),
     (nb1.projections, (np.diag([2.0, 1.0]), {"$R$": np.eye(2), "other": -np.eye(2)}),
      "R: 1.00, 1.00, and a sum of 3.00; other: -1.00, -1.00, and a sum of -3.00"),
     (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),

@@ -147,19 +147,6 @@ def euler_rates(beta, smallest):
     )
 
 
-def double_cover(angle, w, entry):
-    """Return the scalar (n,) of a quaternion and the first entry (n,) of a matrix over the angle (n,) in radians."""
-    once = np.argmin(np.abs(angle - 2 * np.pi))
-    named = {"the scalar w of the quaternion": w, "the first entry of the matrix": entry}
-    said = [f"{name} begins at {v[0]:.2g} and is {v[once]:.2g} after one revolution" for name, v in named.items()]
-    labels = {"xlabel": "angle of rotation (rad)", "ylabel": "value"}
-    return Picture(
-        lines(angle, {"$w$": w, "$R_{00}$": entry}, parts_of_pi=1, **labels),
-        f"Two curves over {angle[-1] / 2 / np.pi:.2g} revolutions: {'; '.join(said)}.",
-        "The matrix repeats after $2\\pi$, the quaternion only after $4\\pi$.",
-    )
-
-
 def projections(M, rotations):
     """Return what each rotation makes of s1 z11 + s2 z22 = tr(R^T M), for a matrix M (2, 2); {title: R (2, 2)}.
 
